@@ -72,23 +72,6 @@ class CourseLayout {
   const PlannedWall& wall_;
 };
 
-bool overlaps(const Stretch& a, const Stretch& b, double same) {
-  return a.low < b.high - same && b.low < a.high - same;
-}
-
-/// What is left of a stretch between others that do not share more than their ends.
-std::vector<Stretch> between(const Stretch& whole, std::vector<Stretch> others, double same) {
-  std::sort(others.begin(), others.end(), [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
-  std::vector<Stretch> left;
-  double at = whole.low;
-  for (const Stretch& other : others) {
-    if (other.low > at + same) left.push_back({at, other.low});
-    at = std::max(at, other.high);
-  }
-  if (whole.high > at + same) left.push_back({at, whole.high});
-  return left;
-}
-
 class BuildingCourses {
  public:
   BuildingCourses(const Building& building, BuildingPlan plan) : b_(building), plan_(std::move(plan)) {}
@@ -101,6 +84,7 @@ class BuildingCourses {
       for (int c = 0; c < plan_.storeys[s].courses(); ++c, ++course)
         for (const PlannedWall& wall : plan_.walls)
           lay(wall, s, c, (wall.axis == 0) == ((course % 2 == 0) != b_.first_along_y));
+      beams(s);
       floor(s);
     }
     if (joined_ > 0)
@@ -134,25 +118,56 @@ class BuildingCourses {
         {"floors", fmt::format("storey {}", s + 1)}, "");
   }
 
-  static Polyhedron box_of(const PlannedWall& wall, const Stretch& along, const Stretch& across, double low,
-                           double high) {
-    const Stretch &x = wall.axis == 0 ? along : across, &y = wall.axis == 0 ? across : along;
+  /// `axis` 0: `along` is along x, 1: along y.
+  static Polyhedron box_of(int axis, const Stretch& along, const Stretch& across, double low, double high) {
+    const Stretch &x = axis == 0 ? along : across, &y = axis == 0 ? across : along;
     return box_between({x.low, y.low, low}, {x.high, y.high, high});
   }
 
-  /// One course of a wall: its stretches between walls that run through, openings and lintels, and the units of each.
+  /// One course of a wall: its stretches between walls that run through, openings, lintels and pockets, the units of
+  /// each, and what fills pockets behind the ends of beams.
   void lay(const PlannedWall& wall, std::size_t s, int c, bool through) {
     const double same = 1e-9 * plan_.unit;
     std::vector<Stretch> taken;
     if (!through) taken = wall.junctions;
     for (const WallVoid& v : wall.voids[s])
       if (c >= v.first && c < v.end) taken.push_back(v.along);
+    std::vector<const BeamPocket*> pockets;
+    for (const BeamPocket& pocket : wall.pockets[s])
+      if (c >= pocket.first && c < pocket.end) taken.push_back(pocket.along), pockets.push_back(&pocket);
     const std::vector<CourseUnit> whole = CourseLayout(plan_, wall).units(through);
     int number = 0;
-    for (const Stretch& run : between(wall.along, taken, same))
+    auto next = pockets.begin();
+    const auto fill_before = [&](double place) {
+      for (; next != pockets.end() && (*next)->along.low < place; ++next) fill(wall, **next, s, c, number);
+    };
+    for (const Stretch& run : between(wall.along, taken, same)) {
+      fill_before(run.low);
+      if (run.high - run.low < plan_.least * (1 - 1e-9)) refuse_beside(wall, pockets, run, s, c);
       for (const CourseUnit& unit : without_short(units_in(wall, whole, run, same)))
         unit_of(wall, unit, s, c, ++number);
+    }
+    fill_before(wall.along.high);
     lintels(wall, s, c);
+  }
+
+  /// What is left of the thickness where beams do not go through it.
+  void fill(const PlannedWall& wall, const BeamPocket& pocket, std::size_t s, int c, int& number) {
+    for (const Stretch& across : between(wall.across, pocket.beams, 1e-6 * plan_.unit))
+      unit_box(wall, pocket.along, across, s, c, std::to_string(++number));
+  }
+
+  /// A stretch of masonry that is too short stays beside an opening; beside a pocket it is refused.
+  void refuse_beside(const PlannedWall& wall, const std::vector<const BeamPocket*>& pockets, const Stretch& run,
+                     std::size_t s, int c) const {
+    for (const BeamPocket* pocket : pockets)
+      if (pocket->along.high == run.low || pocket->along.low == run.high)
+        throw InputError(fmt::format(
+            "{}: storey {}: beams: the pocket of beam {} leaves a piece of {:g} m in course {} of wall '{}', from {} = "
+            "{:g} to {:g} m, shorter than the least length of {:g} m; move the beams by spacing, count, from or to, or "
+            "give a smaller least_length",
+            plan_.owner, s + 1, pocket->beam, run.high - run.low, c + 1, wall.name, wall.axis == 0 ? "x" : "y", run.low,
+            run.high, plan_.least));
   }
 
   /// Units of the whole course cut to a run, in the direction of the axis, its ends to the bit.
@@ -190,19 +205,34 @@ class BuildingCourses {
   }
 
   void unit_of(const PlannedWall& wall, const CourseUnit& unit, std::size_t s, int c, int number) {
-    const PlannedStorey& storey = plan_.storeys[s];
-    const double low = storey.line[static_cast<std::size_t>(c)], high = storey.line[static_cast<std::size_t>(c) + 1];
     const int leaves = unit.letter == 'S' ? wall.bond->leaves : 1;
     double from = wall.across.low;
     for (int leaf = 1; leaf <= leaves; ++leaf) {
       const double to =
           leaf == leaves ? wall.across.high : wall.across.low + (wall.across.high - wall.across.low) * leaf / leaves;
       const char mark = static_cast<char>('a' + leaf - 1);
-      add(fmt::format("s{}.c{}.u{}{}", s + 1, c + 1, number, leaves > 1 ? std::string(1, mark) : std::string()),
-          {box_of(wall, unit.along, {from, to}, low, high)},
-          {"units", fmt::format("storey {}", s + 1), fmt::format("course {}", c + 1)}, wall.name);
+      unit_box(wall, unit.along, {from, to}, s, c,
+               fmt::format("{}{}", number, leaves > 1 ? std::string(1, mark) : std::string()));
       from = to;
     }
+  }
+
+  void unit_box(const PlannedWall& wall, const Stretch& along, const Stretch& across, std::size_t s, int c,
+                const std::string& number) {
+    const PlannedStorey& storey = plan_.storeys[s];
+    const double low = storey.line[static_cast<std::size_t>(c)], high = storey.line[static_cast<std::size_t>(c) + 1];
+    add(fmt::format("s{}.c{}.u{}", s + 1, c + 1, number), {box_of(wall.axis, along, across, low, high)},
+        {"units", fmt::format("storey {}", s + 1), fmt::format("course {}", c + 1)}, wall.name);
+  }
+
+  void beams(std::size_t s) {
+    const PlannedStorey& storey = plan_.storeys[s];
+    int number = 0;
+    for (const PlannedBeam& beam : storey.beams)
+      add(fmt::format("s{}.beam{}", s + 1, ++number),
+          {box_of(beam.axis, beam.along, beam.across, storey.line[static_cast<std::size_t>(beam.first)],
+                  storey.line[static_cast<std::size_t>(beam.end)])},
+          {"beams", "floors", fmt::format("storey {}", s + 1)}, "");
   }
 
   /// Those that begin in this course.
@@ -214,7 +244,7 @@ class BuildingCourses {
       ++number;
       if (v.first != c) continue;
       add(fmt::format("s{}.lintel{}", s + 1, number),
-          {box_of(wall, v.along, wall.across, storey.line[static_cast<std::size_t>(v.first)],
+          {box_of(wall.axis, v.along, wall.across, storey.line[static_cast<std::size_t>(v.first)],
                   storey.line[static_cast<std::size_t>(v.end)])},
           {"lintels", fmt::format("storey {}", s + 1)}, wall.name);
     }

@@ -11,6 +11,7 @@
 //   |__|             |__|     |__|             |__|    units half as thick as long it begins with a whole one too.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,11 +52,24 @@ struct Masonry {
   double base_margin = 0;    ///< by which it reaches beyond them, m
 };
 
-/// One storey: courses, and the floor on top of them.
+/// A row of floor beams: boxes side by side that end in pockets of two walls across them, and go through what walls
+/// stand between. Their tops are those of the storey's courses.
+struct BeamRow {
+  bool along_y = false;  ///< they span along y, not x
+  int count = 0;         ///< 0: as many as the spacing holds
+  double spacing = 0;    ///< centre to centre, m; 0: the room between the walls beside them, shared out evenly
+  double width = 0;      ///< m, above 0
+  double height = 0;     ///< m, whole courses; 0: one course
+  std::optional<double> bearing = {};      ///< how far they reach into the walls they end in, m; none: through them
+  std::optional<Vec2> from = {}, to = {};  ///< opposite corners of the part of the plan they lie in, m; none: its own
+};
+
+/// One storey: courses, and the floor on top of them or in them.
 struct MasonryStorey {
-  int courses = 0;          ///< 0: as many as the height holds
-  double height = 0;        ///< to the top of its floor, m; used where courses is 0
-  double slab_height = -1;  ///< m; 0: no floor; negative: that of the masonry
+  int courses = 0;                                 ///< 0: as many as the height holds
+  double height = 0;                               ///< to the top of its floor, m; used where courses is 0
+  double slab_height = -1;                         ///< m; 0: no floor; negative: that of the masonry
+  std::optional<std::vector<BeamRow>> beams = {};  ///< empty: no beams; none: those of the building
 };
 
 /// A door or window: a box left empty.
@@ -85,6 +99,7 @@ struct Building {
   std::string name = {};
   std::vector<PlanWall> walls = {};         ///< 1 to 1000
   std::vector<MasonryStorey> storeys = {};  ///< from the bottom up, at least one
+  std::vector<BeamRow> beams = {};          ///< of floors of storeys that say nothing else
   Masonry masonry = {};
   bool first_along_y = false;  ///< in odd courses the walls along y run through, not those along x
   Polygon slab_outline = {};   ///< of floors, simple, m; empty: the rectangle around all walls, with the overhang
@@ -94,11 +109,15 @@ struct Building {
 
 /// Parts from the bottom up: "base" (group "base"); for wall "w1" in storey 2 "w1.s2.c5.u3" (third unit of its fifth
 /// course, counted in the direction of x or y; of two leaves "u3a" and "u3b"; groups "units", "storey 2", "course 5"),
-/// "w1.s2.lintel1" ("lintels"); "s2.floor" ("floors"), one solid for each storey that lies on all walls. Parts of a
-/// wall are in the group of its name, all parts in that of the building's, where it has one. Units that meet share the
-/// coordinates of their faces to the bit. Throws InputError, with place, value and what is allowed: lines that are not
-/// along x or y, walls along each other that share room, sizes out of range, heights that are no whole number of
-/// courses, openings off the course lines, outside of their wall, in a junction or on each other.
+/// "w1.s2.lintel1" ("lintels"); "s2.beam3" ("beams", "floors"), counted row by row towards x or y; "s2.floor"
+/// ("floors"), one solid for each storey that lies on all walls and beams. Parts of a wall are in the group of its
+/// name, all parts in that of the building's, where it has one. Pockets are as wide and high as their beams; what is
+/// behind a beam's end is filled, a unit for each course. Units that meet share the coordinates of their faces to the
+/// bit. Throws InputError, with place, value and what is allowed: lines that are not along x or y, walls along each
+/// other that share room, sizes out of range, heights that are no whole number of courses, openings off the course
+/// lines, outside of their wall, in a junction or on each other; beams that find no two walls to end in, lie in a wall
+/// along them, in a junction, on each other, on openings or lintels or over an opening without one, or leave short
+/// pieces beside or behind them.
 SolidParts build_building(const Building& building);
 
 /// One wall with a thickness.

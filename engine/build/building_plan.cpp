@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "build/beam_plan.hpp"
 
 namespace trilith {
 namespace {
@@ -194,11 +195,8 @@ class Planner {
 
   [[nodiscard]] bool share_room(const PlannedWall& a, const PlannedWall& b) const {
     const double same = 1e-6 * plan_.unit;
-    const auto meet = [&](const Stretch& p, const Stretch& q) {
-      return p.low < q.high - same && q.low < p.high - same;
-    };
-    return a.axis == b.axis ? meet(a.along, b.along) && meet(a.across, b.across)
-                            : meet(a.along, b.across) && meet(a.across, b.along);
+    return a.axis == b.axis ? overlaps(a.along, b.along, same) && overlaps(a.across, b.across, same)
+                            : overlaps(a.along, b.across, same) && overlaps(a.across, b.along, same);
   }
 
   void refuse_overlaps() const {
@@ -279,14 +277,13 @@ class Planner {
                                    owner, made.along.low, made.along.high, wall.axis == 0 ? "x" : "y", wall.along.low,
                                    wall.along.high));
     for (const Stretch& junction : wall.junctions)
-      if (made.along.low < junction.high - same && made.along.high > junction.low + same)
+      if (overlaps(made.along, junction, same))
         throw InputError(fmt::format(
             "{} reaches from {:g} to {:g} m in {}, into the wall across from {:g} to {:g} m; "
             "move or shorten it",
             owner, made.along.low, made.along.high, wall.axis == 0 ? "x" : "y", junction.low, junction.high));
     for (const WallVoid& other : wall.voids[storey])
-      if (made.first < other.end && made.end > other.first && made.along.low < other.along.high - same &&
-          made.along.high > other.along.low + same)
+      if (made.first < other.end && made.end > other.first && overlaps(made.along, other.along, same))
         throw InputError(fmt::format("{} lies on another opening or lintel of its storey, from {:g} to {:g} m", owner,
                                      other.along.low, other.along.high));
     wall.voids[storey].push_back(made);
@@ -319,8 +316,22 @@ std::span<const LeafBond> leaf_bonds() {
   return leaf_patterns;
 }
 
+std::vector<Stretch> between(const Stretch& whole, std::vector<Stretch> others, double same) {
+  std::sort(others.begin(), others.end(), [](const Stretch& a, const Stretch& b) { return a.low < b.low; });
+  std::vector<Stretch> left;
+  double at = whole.low;
+  for (const Stretch& other : others) {
+    if (other.low > at + same) left.push_back({at, other.low});
+    at = std::max(at, other.high);
+  }
+  if (whole.high > at + same) left.push_back({at, whole.high});
+  return left;
+}
+
 BuildingPlan plan_building(const Building& building, const std::string& owner) {
-  return Planner(building, owner).take();
+  BuildingPlan plan = Planner(building, owner).take();
+  plan_beams(building, plan);
+  return plan;
 }
 
 }  // namespace trilith

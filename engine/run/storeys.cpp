@@ -26,6 +26,15 @@ bool is_floor(const Body& body) {
   return is_in(body, "slabs") || is_in(body, "slab") || is_in(body, "floors");
 }
 
+/// Beams carry the slab where there is one: the storey above stands on that.
+std::vector<int> floors_among(const auto& model, const std::vector<int>& bodies) {
+  std::vector<int> beams, slabs;
+  for (const int body : bodies)
+    if (const Body& b = model.bodies[static_cast<std::size_t>(body)]; is_floor(b))
+      (is_in(b, "beams") ? beams : slabs).push_back(body);
+  return slabs.empty() ? beams : slabs;
+}
+
 struct Extent {
   double low = unbounded, high = -unbounded;
 };
@@ -54,7 +63,7 @@ Extent extent_of(const Model<D>& model, int body) {
   return e;
 }
 
-/// From the top of the storey below, or its own lowest point, to its own highest; its top is its floors or, without,
+/// From the top of the storey below, or its own lowest point, to its own highest; its top is its floor or, without,
 /// what reaches up to there within a thousandth of its height.
 template <int D>
 void lay_storey(const Model<D>& model, Storey& storey, double below) {
@@ -64,8 +73,8 @@ void lay_storey(const Model<D>& model, Storey& storey, double below) {
     const Extent e = extent_of(model, body);
     all.low = std::min(all.low, e.low);
     all.high = std::max(all.high, e.high);
-    if (is_floor(model.bodies[static_cast<std::size_t>(body)])) storey.top.push_back(body);
   }
+  storey.top = floors_among(model, storey.bodies);
   storey.bottom = below > -unbounded ? below : all.low;
   storey.height = all.high - storey.bottom;
   if (!storey.top.empty()) return;

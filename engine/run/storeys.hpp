@@ -12,7 +12,8 @@ namespace trilith {
 struct Storey {
   int number = 0;
   std::vector<int> bodies;        ///< all of it
-  std::vector<int> top;           ///< its floors (groups "slabs", "slab", "floors"), or else its topmost bodies
+  std::vector<int> top;           ///< its floors (groups "slabs", "slab", "floors"; of them those not in "beams" where
+                                  ///< there are such), or else its topmost bodies
   double bottom = 0, height = 0;  ///< at the start, from the top of the storey below (or its own lowest point) [m]
 };
 

@@ -30,9 +30,45 @@ Masonry read_masonry(Keys& k) {
   return m;
 }
 
-/// storeys = 2 with courses or storey_height, or a list of tables.
-std::vector<MasonryStorey> read_storeys(Keys& k) {
-  const MasonryStorey one{k.count("courses", 0), k.number("storey_height", "m", 0), -1};
+BeamRow read_beam_row(Keys& own) {
+  BeamRow row;
+  if (!own.has("along")) own.missing("along", "\"x\" or \"y\", the way they span");
+  row.along_y = own.choice("along", {"x", "y"}, 0) == 1;
+  row.count = own.count("count", row.count);
+  if (own.has("count") && row.count == 0) own.problem("'count' is 0, must be at least 1");
+  row.spacing = own.number("spacing", "m", row.spacing);
+  row.width = own.number("width", "m");
+  row.height = own.number("height", "m", row.height);
+  row.bearing = own.maybe_number("bearing", "m");
+  row.from = own.maybe_point("from"), row.to = own.maybe_point("to");
+  return row;
+}
+
+/// beams = { along = , ... }, a list of such rows, or false; nothing where it is not there.
+std::optional<std::vector<BeamRow>> read_beams(Keys& k) {
+  lua_State* L = k.lua();
+  const int type = k.push("beams");
+  std::optional<std::vector<BeamRow>> rows;
+  if (type != LUA_TNIL) rows.emplace();
+  const bool one = type == LUA_TTABLE && lua_rawlen(L, -1) == 0;
+  if (type != LUA_TNIL && type != LUA_TTABLE && (type != LUA_TBOOLEAN || lua_toboolean(L, -1) != 0))
+    k.wrong("beams", "a table { along = , spacing = , width = }, a list of such tables, or false for none");
+  if (one) try {
+      Keys own(L, -1, "beams");
+      rows->push_back(read_beam_row(own));
+      own.finish();
+    } catch (const InputError& e) {
+      k.problem(e.what());
+    }
+  lua_pop(L, 1);
+  if (type == LUA_TTABLE && !one)
+    read_list(k, "beams", "beams, row", [&](Keys& own) { rows->push_back(read_beam_row(own)); });
+  return rows;
+}
+
+/// storeys = 2 with courses or storey_height, or a list of tables; of a building they may have beams.
+std::vector<MasonryStorey> read_storeys(Keys& k, bool beams) {
+  const MasonryStorey one{.courses = k.count("courses", 0), .height = k.number("storey_height", "m", 0)};
   const int type = k.push("storeys");
   lua_pop(k.lua(), 1);
   std::vector<MasonryStorey> storeys;
@@ -48,6 +84,7 @@ std::vector<MasonryStorey> read_storeys(Keys& k) {
     s.courses = own.count("courses", s.courses);
     s.height = own.number("height", "m", s.height);
     s.slab_height = own.number("slab_height", "m", s.slab_height);
+    if (beams) s.beams = read_beams(own);
     storeys.push_back(s);
   });
   return storeys;
@@ -99,7 +136,7 @@ MakeSolids read_solid_wall(Keys& k) {
   w.name = read_name(k, "");
   w.length = k.number("length", "m");
   w.thickness = k.number("thickness", "m", w.thickness);
-  w.storeys = read_storeys(k);
+  w.storeys = read_storeys(k, false);
   w.masonry = read_masonry(k);
   w.openings = read_openings(k);
   w.at = k.vector("at", w.at);
@@ -119,7 +156,8 @@ MakeSolids read_building(Keys& k) {
     w.openings = read_openings(own);
     b.walls.push_back(std::move(w));
   });
-  b.storeys = read_storeys(k);
+  b.storeys = read_storeys(k, true);
+  b.beams = read_beams(k).value_or(std::vector<BeamRow>{});
   b.masonry = read_masonry(k);
   b.first_along_y = k.flag("first_along_y", b.first_along_y);
   if (k.has("slab_outline")) b.slab_outline = k.points("slab_outline");

@@ -1,3 +1,7 @@
+local beams = 'of each floor: { along = "x" or "y", spacing = or count = , width = , height = whole courses, one '
+  .. "without it, bearing = how far into the walls, through them without it, from = {x, y}, to = {x, y} }, or a list "
+  .. "of such rows; false in a storey: none"
+
 return {
   name = "space", title = "Models in space: dim = 3",
   shared = {
@@ -107,7 +111,8 @@ snap            flag = false         openings are moved to the nearest course li
 openings        list?                { storey = , from = , sill = , width = , height = , lintel = }, ...
 at              vector = {0, 0, 0}   lower left corner of its front
 angle           number rad = 0       about z through that corner]], with = "solids", gives = "set" },
-  { "space:building", "Walls of a plan, whose corners and junctions interlock, storey upon storey.", keys = [[
+  { "space:building", "Walls of a plan, whose corners and junctions interlock, storey upon storey; their floors are "
+    .. "slabs, beams in pockets of two walls, or slabs on beams.", keys = [[
 name            text?                names begin with it
 walls           list                 { name = , from = {x, y}, to = {x, y}, thickness = , bond = , openings = }, ...
 unit_length     number m = 0.4       of a stretcher with its joint
@@ -116,8 +121,10 @@ header_length   number m = half a stretcher  of a header along the wall
 bond            text = "stretcher"   stretcher, header, english or flemish
 courses         integer = from storey_height  in a storey
 storey_height   number m = from courses  or its height
-storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = }
+storeys         storeys = 1          how many, or a list of { courses = , height = , slab_height = , beams = }
 slab_height     number m = 0         of the floor on each storey
+beams           table?               ]] .. beams .. [[
+
 slab_overhang   number m = 0         beyond the walls
 slab_outline    points = around all walls  of the floors, instead
 base_height     number m = 0         of the block under it

@@ -33,6 +33,7 @@ SANE = {
 BY_NAME = {"joints": ['{ A = { 3, 1 }, B = { 3, 4 }, C = { at = { 5, 4 }, mass = 10 } }'],
            "members": ["{ { from = 'A', to = 'B', section = trilith.rectangle_section { width = 0.2, depth = 0.3 } }, "
                        "{ from = 'B', to = 'C', pinned = 'to', section = trilith.circle_section { diameter = 0.3 } } }"],
+           "beams": ["{ along = 'x', count = 2, width = 0.1 }", "{ { along = 'y', spacing = 0.5, width = 0.1, bearing = 0.1 } }"],
            "pinned": ['"from"', '{ "from", "to" }'], "from_support": ['"fixed"'], "to_support": ['{ x = "fixed" }'],
            "material": ['"stone"', '"soft"'], "what": ['"y"', '"speed"', '"force_along"', '"length"', '"drift"']}
 # Values that fit nowhere.

@@ -92,6 +92,40 @@ TEST_CASE("storeys in space have heights from floor to floor, drift both ways an
   CHECK(near(storey_twist(model, state, storeys, base, 1), 2 * std::numbers::pi - 2.5 - twist, 1e-12));
 }
 
+/// Two beams side by side, with a slab on them or without, and a unit as high as they are.
+Model<3> beamed_storey(bool slab) {
+  SolidModelBuilder builder;
+  Material stone;
+  stone.name = "stone", stone.density = 2000;
+  builder.add_material(stone);
+  const auto add = [&](const std::string& name, const Vec3& sides, const Vec3& centre,
+                       std::vector<std::string> groups) {
+    groups.emplace_back("storey 1");
+    SolidSpec spec = part_of(name, box_at(sides, centre), std::move(groups));
+    spec.floating = true;
+    builder.add_body(spec);
+  };
+  add("left", {0.2, 4, 0.2}, {-1, 0, 2}, {"beams", "floors"});
+  add("right", {0.2, 4, 0.2}, {1, 0, 2}, {"beams", "floors"});
+  add("unit", {0.4, 0.2, 0.2}, {0, 0, 2}, {"units"});
+  if (slab) add("slab", {4, 4, 0.2}, {0, 0, 2.2}, {"floors"});
+  return builder.build();
+}
+
+TEST_CASE("a storey's top is the mean of its beams and its slab alone where one lies on them") {
+  for (const bool slab : {false, true}) {
+    const Model<3> model = beamed_storey(slab);
+    const std::vector<Storey> storeys = find_storeys(model);
+    REQUIRE(storeys.size() == 1);
+    CHECK(near(storeys[0].height, slab ? 0.4 : 0.2, 1e-12));
+    State<3> state = initial_state(model);
+    state.position[0] += Vec3(0.02, 0, 0), state.position[1] += Vec3(0.04, 0.02, 0);
+    if (slab) state.position[3] += Vec3(0.1, 0.2, 0);
+    const Vec3 drift = storey_drift(model, state, storeys, find_base(model), 0);
+    CHECK((drift - (slab ? Vec3(0.1, 0.2, 0) : Vec3(0.03, 0.01, 0))).norm() < 1e-14);
+  }
+}
+
 TEST_CASE("twist of a storey without a floor is that of its topmost units about their middle, whatever they lean") {
   const Model<3> model = small_house(found_mortar);
   State<3> state = initial_state(model);
