@@ -207,16 +207,16 @@ Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, 
 const Vec3& normal_of(const PlacedSolid& a, const PlacedSolid& b, int of) {
   return of >= 0 ? a.normals[static_cast<std::size_t>(of)] : b.normals[static_cast<std::size_t>(-1 - of)];
 }
-bool on_surface(const PlacedSolid& a, const PlacedSolid& b, int of) {
-  return of >= 0 ? a.solid->is_surface(of) : b.solid->is_surface(-1 - of);
+bool is_pressed(const PlacedSolid& a, const PlacedSolid& b, int of) {
+  return of >= 0 ? a.solid->is_pressed(of) : b.solid->is_pressed(-1 - of);
 }
 
-/// Lists the triangles of all surface faces of the shared solid.
+/// Lists the triangles of all faces of the shared solid that are pressed.
 void list_triangles(const PressedSolid& solid, const PlacedSolid& a, const PlacedSolid& b, bool whole, double crushed,
                     TriangleLanes& triangles) {
   int first = 0;
   for (const auto& [of, end] : solid.shared.faces) {
-    if (on_surface(a, b, of)) {
+    if (is_pressed(a, b, of)) {
       const RimEdges edges =
           RimEdges(solid.shared.edges).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(end - first));
       press_face(solid, PressedFace(normal_of(a, b, of), of < 0, crushed, triangles), edges, whole);

@@ -29,10 +29,17 @@ struct ConvexSolid {
   double inner_radius =
       0;              ///< of a ball about the mean of its corners that it holds [m]: nowhere thinner than twice it
   double radius = 0;  ///< of a sphere about its one corner; 0 of a polyhedron [m]
+  /// [faces] 1: an inner cut that is pressed like a face of the surface, see is_pressed; empty: none is
+  std::vector<std::uint8_t> pressed_cuts = {};
 
   [[nodiscard]] bool is_sphere() const { return radius > 0; }
   [[nodiscard]] bool is_surface(int face) const {
     return surface.empty() || surface[static_cast<std::size_t>(face)] != 0;
+  }
+  /// Whether contact presses a face. What presses both sides of an inner cut presses neither in sum, so they are left
+  /// out, but only together: a cut against a part of a face, or in the plane of a face that is surface, is pressed.
+  [[nodiscard]] bool is_pressed(int face) const {
+    return is_surface(face) || (!pressed_cuts.empty() && pressed_cuts[static_cast<std::size_t>(face)] != 0);
   }
   /// [corners of the face] see goes_on; empty where it goes on nowhere at all
   [[nodiscard]] std::span<const double> goes_on_from(int face) const {

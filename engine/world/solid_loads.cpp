@@ -1,10 +1,13 @@
 // Loads on bodies in space: forces at points, pressure on faces.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "base/error.hpp"
+#include "shape/face_overlap_3d.hpp"
 #include "world/bearing_spec.hpp"
 #include "world/element_place.hpp"
 #include "world/loads.hpp"
@@ -141,8 +144,64 @@ std::vector<SolidFace> faces_towards(const Model<3>& model, int body, const Vec3
   return faces;
 }
 
+namespace {
+
+/// A plane area [m2] and its first moment [m3].
+struct FaceArea {
+  double area = 0;
+  Vec3 moment = Vec3::Zero();
+};
+
+/// f(corners) of a face, in parts about its first corner that have no more corners than overlaps are made for.
+template <class F>
+void for_parts(const Polyhedron& shape, int face, F&& f) {
+  const auto loop = shape.faces[face];
+  const auto corner = [&](std::size_t i) { return shape.corners[static_cast<std::size_t>(loop[i])]; };
+  std::array<Vec3, max_face_corners> part;
+  part[0] = corner(0);
+  for (std::size_t from = 1; from + 1 < loop.size(); from += max_face_corners - 2) {
+    const std::size_t count = std::min<std::size_t>(max_face_corners - 1, loop.size() - from);
+    for (std::size_t i = 0; i < count; ++i) part[i + 1] = corner(from + i);
+    f(std::span<const Vec3>(part.data(), count + 1));
+  }
+}
+
+/// What face g of one piece covers of face f of another that lies on it.
+void add_covered(const ConvexSolid& a, int f, const ConvexSolid& b, int g, FaceArea& sum) {
+  const Vec3 &n = a.normals[static_cast<std::size_t>(f)], &m = b.normals[static_cast<std::size_t>(g)];
+  constexpr double same_plane = 1e-7;
+  const Vec3 &on_a = a.shape.corners[static_cast<std::size_t>(a.shape.faces[f][0])],
+             &on_b = b.shape.corners[static_cast<std::size_t>(b.shape.faces[g][0])];
+  if (n.dot(m) > -1 + same_plane || std::abs(n.dot(on_b - on_a)) > same_plane * (a.size + b.size)) return;
+  FaceOverlap3 shared;
+  for_parts(a.shape, f, [&](std::span<const Vec3> part) {
+    for_parts(b.shape, g, [&](std::span<const Vec3> by) {
+      if (!face_overlap({part, n}, {by, m}, shared)) return;
+      const FaceIntegrals of = integrals_over_all(shared);
+      if (!(of.area > 0)) return;
+      sum.area += of.area, sum.moment += of.area * shared.plane.at(of.area_moment / of.area);
+    });
+  });
+}
+
+/// What other pieces of a rigid body cover of a face, which nothing outside reaches. The faces of meshes and members
+/// meet whole.
+FaceArea covered_area(const Model<3>& model, int body, const SolidFace& face) {
+  const Body& b = model.bodies[body];
+  FaceArea sum;
+  if (!b.is_rigid()) return sum;
+  for (int p = b.first_piece; p < b.first_piece + b.pieces; ++p) {
+    if (p == face.piece) continue;
+    for (int g = 0; g < model.piece_solid[p].shape.faces.count(); ++g)
+      add_covered(model.piece_solid[face.piece], face.face, model.piece_solid[p], g, sum);
+  }
+  return sum;
+}
+
+}  // namespace
+
 /// A face is a rigid plate that goes with its carrier (world/carrier.hpp), so even pressure on it is one force in the
-/// middle of its area: value times area, against the outward normal or along `direction`.
+/// middle of its area that is not covered: value times area, against the outward normal or along `direction`.
 std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
                                               const SolidPressureSpec& spec) {
   const std::string owner = fmt::format("pressure '{}' on '{}'", spec.name, model.bodies[body].name);
@@ -152,8 +211,15 @@ std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, c
     const Polyhedron& shape = model.piece_solid[face.piece].shape;
     const int n = model.node_of_piece(face.piece), carrier = model.carrier_of(face.piece, face.face);
     const Turn3 piece = turn_of(model.start_rotation[n]);
-    const Vec3 area = piece.apply(area_vector(shape.corners, shape.faces[face.face]));
-    const Vec3 middle = model.start_position[n] + piece.apply(middle_of(shape.corners, shape.faces[face.face]));
+    Vec3 whole = area_vector(shape.corners, shape.faces[face.face]);
+    Vec3 within = middle_of(shape.corners, shape.faces[face.face]);
+    if (const FaceArea covered = covered_area(model, body, face); covered.area > 0) {
+      const double size = whole.norm(), left = size - covered.area;
+      if (left <= 1e-9 * size) continue;
+      within = (size * within - covered.moment) / left, whole *= left / size;
+    }
+    const Vec3 area = piece.apply(whole);
+    const Vec3 middle = model.start_position[n] + piece.apply(within);
     const BodyMotion begins = start_of(model, carrier);
     const Turn3 start = turn_of(begins.rotation);
     PointLoad<3> load;

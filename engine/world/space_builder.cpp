@@ -20,8 +20,8 @@ double plane_distance(const ConvexSolid& solid, int face, const Vec3& x) {
   return solid.normals[static_cast<std::size_t>(face)].dot(x - on);
 }
 
-/// Whether a face of one piece lies on the surface of another, within it.
-bool is_covered(const ConvexSolid& piece, int face, const ConvexSolid& by, double within) {
+/// The face of another piece within which a face of one lies; -1 where there is none.
+int covering_face(const ConvexSolid& piece, int face, const ConvexSolid& by, double within) {
   for (int f = 0; f < by.shape.faces.count(); ++f) {
     if (piece.normals[static_cast<std::size_t>(face)].dot(by.normals[static_cast<std::size_t>(f)]) > -1 + same_plane)
       continue;
@@ -31,9 +31,41 @@ bool is_covered(const ConvexSolid& piece, int face, const ConvexSolid& by, doubl
       covered = covered && std::abs(plane_distance(by, f, x)) <= within;
       for (int g = 0; g < by.shape.faces.count() && covered; ++g) covered = plane_distance(by, g, x) <= within;
     }
-    if (covered) return true;
+    if (covered) return f;
   }
+  return -1;
+}
+
+/// A face of a piece of one body that lies within one of another piece.
+struct InnerCut {
+  std::size_t piece;
+  int face;
+  std::size_t by;
+  int by_face;
+};
+
+/// Whether a face of the surface, or a cut that is pressed, lies in the plane of this one: of a convex solid all faces
+/// that look the same way do. Overlaps do not tell the faces of one plane apart.
+bool shares_plane_with_pressed(const ConvexSolid& piece, int face) {
+  const Vec3& n = piece.normals[static_cast<std::size_t>(face)];
+  for (int f = 0; f < piece.shape.faces.count(); ++f)
+    if (piece.is_pressed(f) && piece.normals[static_cast<std::size_t>(f)].dot(n) > 1 - same_plane) return true;
   return false;
+}
+
+/// Cuts whose other side is pressed, as it is surface in part, until both sides of each are or neither is.
+void press_one_sided_cuts(std::vector<ConvexSolid>& pieces, const std::vector<InnerCut>& cuts) {
+  for (bool more = true; more;) {
+    more = false;
+    for (const InnerCut& cut : cuts) {
+      ConvexSolid& piece = pieces[cut.piece];
+      if (piece.is_pressed(cut.face)) continue;
+      if (!pieces[cut.by].is_pressed(cut.by_face) && !shares_plane_with_pressed(piece, cut.face)) continue;
+      piece.pressed_cuts.resize(static_cast<std::size_t>(piece.shape.faces.count()), 0);
+      piece.pressed_cuts[static_cast<std::size_t>(cut.face)] = 1;
+      more = true;
+    }
+  }
 }
 
 /// True where a law holds between a surface and any.
@@ -70,14 +102,20 @@ double solid_width(const ConvexSolid& solid) {
 
 void mark_inner_faces(std::vector<ConvexSolid>& pieces) {
   if (pieces.size() < 2) return;
+  std::vector<InnerCut> cuts;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     ConvexSolid& piece = pieces[p];
     const double within = same_plane * solid_size(piece.shape.corners);
     piece.surface.assign(static_cast<std::size_t>(piece.shape.faces.count()), 1);
     for (int f = 0; f < piece.shape.faces.count(); ++f)
-      for (std::size_t q = 0; q < pieces.size(); ++q)
-        if (q != p && is_covered(piece, f, pieces[q], within)) piece.surface[static_cast<std::size_t>(f)] = 0;
+      for (std::size_t q = 0; q < pieces.size(); ++q) {
+        const int by = q == p ? -1 : covering_face(piece, f, pieces[q], within);
+        if (by < 0) continue;
+        piece.surface[static_cast<std::size_t>(f)] = 0;
+        cuts.push_back({p, f, q, by});
+      }
   }
+  press_one_sided_cuts(pieces, cuts);
 }
 
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres) {

@@ -45,6 +45,8 @@ bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
 /// Share of the longest stable step where blows find their own, by `accuracy`, and nothing is braked to rest: what is
 /// left is stability. Room for contacts that grow half as stiff again until the step is looked at anew.
 constexpr double safety_beside_accuracy = 0.8;
+/// Less than this takes steps without end: they shorten in proportion.
+constexpr double least_accuracy = 1e-9;
 
 void read_step(Keys& keys, StageOptions& o) {
   o.dt = keys.number("dt", "s", 0);
@@ -74,6 +76,9 @@ void read_integrator(Keys& keys, StageOptions& o) {
   accuracy = keys.number("accuracy", "1", accuracy);
   if (!(accuracy >= 0 && accuracy <= 1))
     keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
+  if (accuracy > 0 && accuracy < least_accuracy)
+    keys.problem(fmt::format("'accuracy' is {:g}, must be 0, for any, or at least {:g}, or its steps would hardly end",
+                             accuracy, least_accuracy));
   const bool given = keys.has("safety");
   if (name == "explicit" && accuracy > 0 && !given && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
   if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");

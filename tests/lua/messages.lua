@@ -270,6 +270,8 @@ given.check {
   { function() trilith.model { threads = 1.5 } end, "model: 'threads' is 1.5, must be a whole number" },
   { function() built():run { duration = 1, accuracy = 1e300 } end,
     "run: 'accuracy' is 1e+300, must be from 0 to 1, a share of energies" },
+  { function() built():run { duration = 1, accuracy = 1e-300 } end,
+    "run: 'accuracy' is 1e-300, must be 0, for any, or at least 1e-09, or its steps would hardly end" },
   { function() built():consolidate { tolerance = -1 } end,
     "consolidate: 'tolerance' is of integrator = \"static\", and this stage is explicit; leave it out" },
   { function() built():pushover { body = "block", rate = 1, displacement = 1, storey = 0 } end,

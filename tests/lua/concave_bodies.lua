@@ -1,0 +1,90 @@
+-- Bodies of several pieces whose faces lie on each other in part: what is pressed keeps its energy as it goes over the
+-- joints within, and pressure acts on what is open of a face.
+local trilith = require "trilith"
+
+local function near(value, expected, allowed)
+  assert(math.abs(value - expected) <= allowed, ("%.9g is not %.9g"):format(value, expected))
+end
+
+local function box(x, y, z, a, b, c)
+  local corners = {}
+  for i = 0, 7 do corners[i + 1] = { x + (i & 1)*a, y + (i >> 1 & 1)*b, z + (i >> 2 & 1)*c } end
+  return corners
+end
+
+local function model()
+  local m = trilith.model { dim = 3, gravity = 0 }
+  m:material { name = "stone", density = 2500 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 0, mu = 0 } }
+  return m
+end
+
+-- A wedge that does not turn slides over the joint of a step, the lower part of whose side is free. Smooth, level and
+-- without damping, the step gives and takes nothing: what the wedge has lost of its energy is in the springs.
+do
+  local m = model()
+  m:body { name = "step", pieces = { { hull = box(-1, -1, -1, 1, 2, 1) }, { hull = box(0, -1, -0.5, 1, 2, 0.5) } },
+    material = "stone", support = "fixed" }
+  local wedge = m:hull { name = "wedge", material = "stone", floating = true, velocity = { 0.5, 0, -0.05 },
+    points = { { -0.1, -0.1, 0.0005 }, { -0.1, 0.1, 0.0005 }, { -0.2, -0.1, 0.15 }, { -0.2, 0.1, 0.15 },
+      { 0, -0.1, 0.15 }, { 0, 0.1, 0.15 } },
+    support = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }, load = { 0, 0, -70 } }
+  local before = m.energy.kinetic
+  m:run { duration = 0.4, safety = 0.05 }
+  assert(wedge.x > 0.05, wedge.x)
+  near(m.residual, 0, 1e-5*before)
+end
+
+-- Blocks strike a cross in free flight, whose middle piece has sides that are surface and inner cut in one plane.
+do
+  local function cross_at(m, spin)
+    return m:extrusion { name = "cross", depth = 0.4, centred = true, material = "stone", floating = true, spin = spin,
+      outline = { { -0.1, -0.5 }, { 0.1, -0.5 }, { 0.1, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.1, 0.1 },
+        { 0.1, 0.5 }, { -0.1, 0.5 }, { -0.1, 0.1 }, { -0.5, 0.1 }, { -0.5, -0.1 }, { -0.1, -0.1 } } }
+  end
+  local struck = 0
+  for i = 1, 12 do
+    local function by(share) return math.fmod(share*i, 2) - 1 end -- from -1 to 1, spread over the runs
+    local m = model()
+    local cross = cross_at(m, { by(0.37), by(0.71), by(1.13) })
+    m:block { name = "block", size = { 0.5, 0.4, 0.3 }, anchor = "centre", at = { 0.25*by(0.83), 0.1*by(0.59), 1 },
+      turn = { axis = { by(0.31), by(0.53), 1 }, angle = 3*by(0.97) }, material = "stone", floating = true,
+      velocity = { 0, 0, -3 }, spin = { 3*by(0.43), 3*by(0.67), 3*by(1.21) } }
+    local before = m.energy.kinetic
+    m:run { duration = 0.6, safety = 0.1 }
+    near(m.residual, 0, 1e-4*before)
+    if math.abs(cross.vz) > 0.01 then struck = struck + 1 end
+  end
+  assert(struck == 12, struck)
+end
+
+-- The foot of a post covers a part of its slab's top.
+local function pressed(face, pieces)
+  local m = model()
+  local body = m:body { name = "post", pieces = pieces, material = "stone", floating = true }
+  m:pressure { body = body, face = face, value = 1000 }
+  m:run { duration = 0.01, dt = 1e-4 }
+  local moment = body.mass/(m.time - 0.5*m.dt) -- a force that acts at once has acted half a step less
+  return body.vx*moment, body.vy*moment, body.vz*moment, math.abs(body.spin_x) + math.abs(body.spin_y)
+end
+do
+  local post = { { hull = box(0, 0, 0, 1, 1, 0.2) }, { hull = box(0.3, 0.3, 0.2, 0.2, 0.2, 0.5) } }
+  local _, _, up = pressed("top", post)
+  near(up, -1000, 1e-6)
+  local x, y, z, spin = pressed("all", post)
+  near(math.abs(x) + math.abs(y) + math.abs(z), 0, 1e-9)
+  near(spin, 0, 1e-12)
+  -- under two halves, and under a round foot of many sides
+  local _, _, halves = pressed("top", { post[1], { hull = box(0, 0, 0.2, 0.5, 1, 0.1) },
+    { hull = box(0.5, 0, 0.2, 0.5, 1, 0.3) } })
+  near(halves, -1000, 1e-6)
+  local foot = {}
+  for i = 1, 40 do
+    local a = 2*math.pi*i/40
+    foot[i], foot[40 + i] = { 0.5 + 0.3*math.cos(a), 0.5 + 0.3*math.sin(a), 0.2 },
+      { 0.5 + 0.3*math.cos(a), 0.5 + 0.3*math.sin(a), 0.6 }
+  end
+  local _, _, round, lean = pressed("all", { post[1], { hull = foot } })
+  near(round, 0, 1e-9)
+  near(lean, 0, 1e-12)
+end
