@@ -26,6 +26,18 @@ Vec3 centre_of(const SpaceMesh& mesh) {
   return sum / volume;
 }
 
+std::vector<Polyhedron> solids_of(const SpaceMesh& mesh) {
+  std::vector<Polyhedron> out;
+  for (std::size_t e = 0; e < mesh.cell.size(); ++e) {
+    const ElementShapeInfo& info = info_of(mesh.cell[e].shape);
+    Polyhedron& solid = out.emplace_back();
+    solid.corners = nodes_of(mesh, e);
+    solid.corners.resize(static_cast<std::size_t>(info.corners));
+    for (int f = 0; f < info.faces; ++f) solid.faces.add(info.corners_of_face(f));
+  }
+  return out;
+}
+
 std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& checked) {
   std::vector<Polyhedron> out;
   for (std::size_t e = 0; e < checked.mesh.cell.size(); ++e) {

@@ -44,6 +44,9 @@ double volume_of(const SpaceMesh& mesh);
 /// Where the centre of mass of one density is, with its mass lumped at the nodes as the elements do [m].
 Vec3 centre_of(const SpaceMesh& mesh);
 
+/// All elements as solids between their corners: the pieces of a rigid body of that shape.
+std::vector<Polyhedron> solids_of(const SpaceMesh& mesh);
+
 /// The elements on the skin as solids, for what wants to know how near a point is. Their faces may be warped.
 std::vector<Polyhedron> skin_of(const CheckedSpaceMesh& mesh);
 

@@ -270,6 +270,17 @@ SolidParts extruded_list(lua_State* L, int index, const PartDepth& depth) {
   return made;
 }
 
+/// A body of elements; or a rigid one, whose pieces they are, where `body` says so.
+void take_mesh(SpaceMesh mesh, bool says_body, SpaceModel& m, SolidSpec& spec, SolidPart& part) {
+  if (!says_body || spec.form.kind != BodyKind::rigid) {
+    spec.mesh = std::move(mesh), spec.form.kind = BodyKind::mesh;
+    return;
+  }
+  const CheckedSpaceMesh checked = check_space_mesh(std::move(mesh), fmt::format("body '{}'", part.name));
+  for (const std::string& note : checked.notes) m.builder.note(note);
+  part.pieces = solids_of(checked.mesh);
+}
+
 }  // namespace
 
 int add_solids_made(lua_State* L, std::string_view name) {
@@ -322,7 +333,7 @@ int make_solid_body(lua_State* L) {
   }
   SolidOptions options = read_solid_options(keys, false, m.body_form);
   keys.finish();
-  if (mesh) options.spec.mesh = std::move(mesh), options.spec.form.kind = BodyKind::mesh;
+  if (mesh) take_mesh(std::move(*mesh), keys.has("body"), m, options.spec, part);
   for (std::size_t p = 0; p < clouds.size(); ++p) {
     HullSolid hull;
     hull.name = clouds.size() == 1 ? part.name : fmt::format("{}, piece {}", part.name, p + 1), hull.points = clouds[p];

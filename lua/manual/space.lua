@@ -259,7 +259,8 @@ flat               number = 1e-6  faces this near a plane, as a share of the siz
 name    text      its name
 hull    vectors?  points around it
 pieces  list?     or { { hull = }, ... }: convex pieces that share faces
-mesh    table?    or a mesh: { file = } or { nodes = , elements = }]], with = "solid", gives = "body" },
+mesh    table?    or a mesh: { file = } or { nodes = , elements = }; body = "rigid": one of its elements as pieces
+]], with = "solid", gives = "body" },
   { "space:add", "Parts of the plane, as from trilith.build, become bodies with a depth: x stays, y becomes z.",
     args = [[
 parts    table  list of { name, outline, groups }

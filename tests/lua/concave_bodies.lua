@@ -88,3 +88,31 @@ do
   near(round, 0, 1e-9)
   near(lean, 0, 1e-12)
 end
+
+-- A rigid body of the elements of a mesh is the one of its pieces: an L of bricks and wedges stands as heavy,
+-- as deep and as still as of three boxes.
+do
+  local function standing(shape)
+    local m = trilith.model { dim = 3 }
+    m:material { name = "stone", density = 2500 }
+    m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-4 } }
+    m:block { name = "ground", size = { 4, 4, 1 }, at = { -2, -2, -1 }, material = "stone", support = "fixed" }
+    shape.name, shape.material = "L", "stone"
+    local body = m:body(shape)
+    m:consolidate { ratio = 1e-6 }
+    assert(math.abs(body.turn_x) + math.abs(body.turn_y) + math.abs(body.turn_z) < 1e-4)
+    return { body.mass, body.x, body.y, body.z }
+  end
+  -- 1 to 4 on the ground, 5 to 8 on them, 9 to 12 on those; 13 to 16 beside.
+  local nodes = {}
+  for _, z in ipairs { 0, 0.3, 0.6 } do
+    for _, p in ipairs { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.4 }, { 0, 0.4 } } do nodes[#nodes + 1] = { p[1], p[2], z } end
+  end
+  for _, p in ipairs { { 0.8, 0, 0 }, { 0.8, 0.4, 0 }, { 0.8, 0, 0.3 }, { 0.8, 0.4, 0.3 } } do nodes[#nodes + 1] = p end
+  local boxes = standing { pieces = { { hull = box(0, 0, 0, 0.4, 0.4, 0.3) }, { hull = box(0, 0, 0.3, 0.4, 0.4, 0.3) },
+    { hull = box(0.4, 0, 0, 0.4, 0.4, 0.3) } } }
+  local elements = standing { body = "rigid", mesh = { nodes = nodes, elements = { { 1, 2, 3, 4, 5, 6, 7, 8 },
+    { 5, 6, 7, 9, 10, 11 }, { 5, 7, 8, 9, 11, 12 }, { 2, 13, 14, 3, 6, 15, 16, 7 } } } }
+  near(elements[1], 2500*3*0.4*0.4*0.3, 1e-9)
+  for i = 1, 4 do near(elements[i], boxes[i], 1e-9) end
+end
