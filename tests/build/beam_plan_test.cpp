@@ -1,8 +1,12 @@
 #include <doctest/doctest.h>
 
+#include <array>
+#include <random>
+
 #include "build/building.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
+#include "shape/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -47,6 +51,26 @@ double volume_in(const SolidParts& made, const std::string& group) {
 
 std::string refusal_of_beams(std::vector<BeamRow> beams) {
   return refusal_of([&] { build_building(beamed_house(std::move(beams))); });
+}
+
+/// Four walls around a room, 3.2 by 2.4 m between their lines, four courses high, with one row of beams.
+Building room_at_random(std::mt19937_64& bits) {
+  const auto pick = [&](int choices) { return static_cast<std::size_t>(random_count(bits, 0, choices - 1)); };
+  const double t = std::array{0.2, 0.4, 0.5}.at(pick(3));
+  Building building{.walls = {{.name = "a", .start = {0, 0}, .end = {3.2, 0}, .thickness = t},
+                              {.name = "b", .start = {3.2, 2.4}, .end = {0, 2.4}, .thickness = t},
+                              {.name = "c", .start = {0, 2.4}, .end = {0, 0}, .thickness = t},
+                              {.name = "d", .start = {3.2, 0}, .end = {3.2, 2.4}, .thickness = t}},
+                    .storeys = {{.courses = 4}}};
+  building.masonry.bond = leaf_bonds()[pick(static_cast<int>(leaf_bonds().size()))].name;
+  building.first_along_y = pick(2) == 1;
+  BeamRow row{
+      .along_y = pick(2) == 1, .width = random_between(bits, 0.05, 0.3), .height = 0.2 * static_cast<double>(pick(4))};
+  if (pick(2) == 1) row.count = 1 + static_cast<int>(pick(6));
+  if (row.count == 0 || pick(3) == 0) row.spacing = random_between(bits, 0.2, 1.2);
+  if (pick(2) == 1) row.bearing = t * random_between(bits, 0.1, 1);
+  building.beams = {row};
+  return building;
 }
 
 }  // namespace
@@ -190,6 +214,31 @@ TEST_CASE("beams lie on lintels, and over openings alone they are refused") {
              "the storey below"));
   building.masonry.slab_height = 0.1;
   check_sound(build_building(building).parts);
+}
+
+TEST_CASE("rows of beams at random are sound or refused with a line, in every bond") {
+  std::mt19937_64 bits(7);
+  int sound = 0;
+  for (int i = 0; i < 120; ++i) {
+    CAPTURE(i);
+    Building building = room_at_random(bits);
+    SolidParts made;
+    const std::string refusal = refusal_of([&] { made = build_building(building); });
+    if (refusal != "accepted") {
+      CHECK(says(refusal, "storey 1: beams"));
+      continue;
+    }
+    ++sound;
+    check_sound(made.parts);
+    const BeamRow& row = building.beams[0];
+    const double t = building.walls[0].thickness, clear = (row.along_y ? 2.4 : 3.2) - t, walls = 2 * (3.2 + 2.4) * t;
+    const SolidPart& beam = named(made.parts, "s1.beam1");
+    const double section = row.width * (row.height > 0 ? row.height : 0.2), span = volume_of(beam) / section;
+    CHECK(near(span, clear + 2 * row.bearing.value_or(t), 1e-9));
+    const double in_walls = count_in_group(made.parts, "beams") * section * (span - clear);
+    CHECK(near(volume_in(made, "units"), walls * 0.8 - in_walls, 1e-9));
+  }
+  CHECK(sound > 40);
 }
 
 TEST_CASE("beams that cannot lie are refused") {
