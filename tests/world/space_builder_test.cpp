@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "near.hpp"
@@ -58,6 +59,26 @@ TEST_CASE("faces by which pieces of a body hang together are no surface, all oth
   }
   CHECK(inner_below == 0);  // the upper one covers a part of its face alone
   CHECK(inner_above == 1);
+  // ... whose other side is then pressed too, or what reaches into both would be pushed by one of them
+  for (int f = 0; f < 6; ++f) CHECK(model.piece_solid[1].is_pressed(f));
+}
+
+TEST_CASE("a cut between pieces is pressed on both sides or on neither, also along a row of them") {
+  const auto pressed = [](const std::vector<Polyhedron>& pieces) {
+    SpaceBuilder builder;
+    builder.add(body_of(pieces));
+    std::vector<int> of_piece;
+    for (const ConvexSolid& piece : builder.build().piece_solid) {
+      of_piece.push_back(0);
+      for (int f = 0; f < piece.shape.faces.count(); ++f) of_piece.back() += piece.is_pressed(f) ? 1 : 0;
+    }
+    return of_piece;
+  };
+  const auto box = [](double from, double to, double height) {
+    return box_solid(Vec3(from, 0, 0), Vec3(to, 1, height));
+  };
+  CHECK(pressed({box(0, 1, 1), box(1, 2, 1), box(2, 3, 1)}) == std::vector{5, 4, 5});
+  CHECK(pressed({box(0, 1, 1), box(1, 2, 1), box(2, 3, 0.5)}) == std::vector{5, 5, 6});
 }
 
 TEST_CASE("bodies in space that are none are refused with their name and what is wrong") {
