@@ -6,13 +6,22 @@
 namespace trilith::draw {
 namespace {
 
-/// Distances from the plane, those within the slack as 0.
+/// Distances from the plane, those within the slack as 0. A convex face with a side in the plane does not go through
+/// it: what rounding leaves of it beyond counts as in it.
 std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double slack) {
   std::vector<double> out;
+  double most = 0;
   for (const Vec3& p : face.corners) {
     const double h = plane.above(p);
     out.push_back(std::abs(h) <= slack ? 0 : h);
+    if (std::abs(h) > std::abs(most)) most = h;
   }
+  bool side_in_plane = false;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    side_in_plane = side_in_plane || (out[i] == 0 && out[(i + 1) % out.size()] == 0);
+  if (side_in_plane && face.kind != FaceKind::section)
+    for (double& h : out)
+      if (h * most < 0) h = 0;
   return out;
 }
 
@@ -96,7 +105,10 @@ Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, d
       continue;
     }
     if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
-    PieceFace part = side_of(face, height, sign, cut_is_edge);
+    // A face that goes through the plane is clipped. Another one is whole on this side, with corners in the plane whose
+    // neighbours lie there too, as a side or all but one of them may.
+    const bool crosses = std::any_of(height.begin(), height.end(), [&](double h) { return sign * h < 0; });
+    PieceFace part = crosses ? side_of(face, height, sign, cut_is_edge) : face;
     if (part.corners.size() < 3) continue;
     add_ends(part, plane, slack, out.ends);
     out.faces.push_back(std::move(part));

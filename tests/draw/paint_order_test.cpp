@@ -134,6 +134,32 @@ TEST_CASE("a solid that is not convex is divided into convex pieces that show it
   CHECK(near(area, 2 * 3 + 8, 1e-12));
 }
 
+TEST_CASE("a face that all but lies in a plane is divided by it without loss") {
+  // Corners of a square of 1 m, so much above the plane, in shares of what counts as in it.
+  const std::vector<std::array<double, 4>> heights{{0.4, -0.4, 0.9, 1.7},  {-0.5, 0.1, 0.4, 1.4},  {0.2, 0.6, 1.1, 0.7},
+                                                   {0.3, -0.2, 3.1, -2.8}, {-0.9, 1.2, 0.8, -1.3}, {5, 0.5, -4, 0.2},
+                                                   {2, 1.5, 1.2, 1.8},     {-2, 2, 2.5, -1.5}};
+  const std::array<Vec2, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (const double sense : {1.0, -1.0})
+    for (const auto& height : heights) {
+      const double slack = 1e-6;
+      PieceFace face{{}, std::vector<bool>(4, true), Vec3::UnitZ()};
+      for (std::size_t i = 0; i < 4; ++i)
+        face.corners.emplace_back(square[i].x(), square[i].y(), sense * slack * height[i]);
+      // Beside it a face that the plane divides, so that there is something on both sides.
+      const PieceFace wall{{{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, 0, 1}}, std::vector<bool>(4, true), Vec3::UnitX()};
+      const auto [below, above] = divided({0, {face, wall}}, {Vec3::UnitZ(), 0}, slack, FaceKind::border);
+      double area = 0;
+      for (const SolidPiece* half : {&*below, &*above})
+        for (const PieceFace& part : half->faces)
+          for (std::size_t i = 1; part.kind == FaceKind::skin && i + 1 < part.corners.size(); ++i)
+            area += 0.5 *
+                    cross(Vec3(part.corners[i] - part.corners[0]), Vec3(part.corners[i + 1] - part.corners[0])).norm();
+      CAPTURE(height[3] * sense);
+      CHECK(near(area, 1 + 2, 1e-6));
+    }
+}
+
 TEST_CASE("a plane divides a box into two closed boxes, and leaves alone what it does not meet") {
   const Polyhedron solid = box_solid({0, 0, 0}, {1, 2, 3});
   SolidPiece box;
