@@ -6,22 +6,23 @@
 namespace trilith::draw {
 namespace {
 
-/// Distances from the plane, those within the slack as 0. A convex face with a side in the plane does not go through
-/// it: what rounding leaves of it beyond counts as in it.
+/// Distances from the plane, those within the slack as 0. A face with a side in the plane that goes through it by no
+/// more than some of that does so by rounding: what there is of it beyond counts as in it.
 std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double slack) {
+  constexpr double rounding_of_a_side = 10;
   std::vector<double> out;
-  double most = 0;
+  double low = 0, high = 0;
   for (const Vec3& p : face.corners) {
     const double h = plane.above(p);
     out.push_back(std::abs(h) <= slack ? 0 : h);
-    if (std::abs(h) > std::abs(most)) most = h;
+    low = std::min(low, h), high = std::max(high, h);
   }
   bool side_in_plane = false;
   for (std::size_t i = 0; i < out.size(); ++i)
     side_in_plane = side_in_plane || (out[i] == 0 && out[(i + 1) % out.size()] == 0);
-  if (side_in_plane && face.kind != FaceKind::section)
+  if (side_in_plane && std::min(-low, high) <= rounding_of_a_side * slack)
     for (double& h : out)
-      if (h * most < 0) h = 0;
+      if (h * (high + low) < 0) h = 0;
   return out;
 }
 
