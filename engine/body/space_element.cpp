@@ -202,8 +202,7 @@ SpaceElementStrain plain_strain(ElementShape shape, std::span<const Vec3> nodes)
 
 namespace {
 
-/// What an incompatible mode along natural coordinate `k` strains at a point, before it is set for each displacement:
-/// the derivative of 1 - x_k^2 by the Jacobian of the middle.
+/// The Jacobian in the middle of an element, with which the strains of its incompatible modes are taken everywhere.
 struct ModeScale {
   Eigen::Matrix3d inverse;  ///< of the Jacobian in the middle
   double determinant;       ///< ... in the middle [m3]
