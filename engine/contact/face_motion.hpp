@@ -34,15 +34,27 @@ struct FaceRates {
 
 /// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see world/flatness.hpp).
 template <class T>
-struct FaceMotion {
+struct LeapfrogMotion {
   FaceOverlap<T> overlap;
-  FaceRates<T> rates, mean;  ///< of this instant; over the step
+  FaceRates<T> rates;
   Mask<T> flat;
+  LeapfrogMotion() = default;
+  TRILITH_INLINE LeapfrogMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
+      : overlap(a, b), rates(overlap, a, b), flat(overlap.is_flat(corner)) {}
+  /// Over the step, as of this instant.
+  [[nodiscard]] TRILITH_INLINE const FaceRates<T>& over_step() const { return rates; }
+};
+
+/// After a step of which the mean velocities are others than those at its end.
+template <class T>
+struct FaceMotion : LeapfrogMotion<T> {
+  FaceRates<T> mean;
   FaceMotion() = default;
   TRILITH_INLINE FaceMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
-      : overlap(a, b), rates(overlap, a, b), mean(rates), flat(overlap.is_flat(corner)) {}
-  /// The faces again with their mean velocities over the step.
-  TRILITH_INLINE void over_step(const FaceEnds<T>& a, const FaceEnds<T>& b) { mean = {overlap, a, b}; }
+      : LeapfrogMotion<T>(a, b, corner), mean(this->rates) {}
+  /// The faces again with their mean velocities.
+  TRILITH_INLINE void set_over_step(const FaceEnds<T>& a, const FaceEnds<T>& b) { mean = {this->overlap, a, b}; }
+  [[nodiscard]] TRILITH_INLINE const FaceRates<T>& over_step() const { return mean; }
 };
 
 /// ContactMemory, lane by lane.

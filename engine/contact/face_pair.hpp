@@ -95,14 +95,15 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   out.lost_friction = s0.lost_friction + s1.lost_friction;
 }
 
-/// One step of two faces under the law of kernel `law`. `before`, `own`: what is remembered up to now.
-template <class K, class T, class M = typename K::template Memory<T>>
-TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const FaceMotion<T>& motion, FaceMemory<T> before, const M& own,
+/// One step of two faces under the law of kernel `law`. `Motion`: LeapfrogMotion or FaceMotion. `before`, `own`: what
+/// is remembered up to now.
+template <class K, class T, template <class> class Motion, class M = typename K::template Memory<T>>
+TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const Motion<T>& motion, FaceMemory<T> before, const M& own,
                                                       const K& law) {
   const T zero{};
   const FaceOverlap<T>& overlap = motion.overlap;
   if constexpr (!K::bonds) before.bonds[0] = before.bonds[1] = Mask<T>{};
-  FaceHalves<T> halves(overlap, motion.rates, motion.mean, before);
+  FaceHalves<T> halves(overlap, motion.rates, motion.over_step(), before);
   FaceResponse<T, M> out;
   out.is_face_pair = overlap.sane & (motion.flat | before.bonds[0] | before.bonds[1]);
   out.lost_fracture = law.begin(halves, before, own, out.own);
@@ -118,7 +119,7 @@ TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const FaceMotion<T>& motio
     out.memory.bonds[h] = halves.half[h].bonded;
   }
   out.lost_fracture += law.end(halves, before, own, out.memory, out.own);
-  remember(overlap, motion.mean, before, law.dt, s[0], s[1], out);
+  remember(overlap, motion.over_step(), before, law.dt, s[0], s[1], out);
   out.lost_friction -= law.lifting(before, out.memory, own, s);
   spread_to_ends(overlap, s[0], s[1], out);
   return out;
@@ -127,7 +128,7 @@ TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const FaceMotion<T>& motio
 template <class K, class T, class M = typename K::template Memory<T>>
 TRILITH_INLINE FaceResponse<T, M> respond_face_pair(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner,
                                                     const FaceMemory<T>& before, const M& own, const K& law) {
-  return respond_face_motion<K>(FaceMotion<T>(a, b, corner), before, own, law);
+  return respond_face_motion<K>(LeapfrogMotion<T>(a, b, corner), before, own, law);
 }
 
 }  // namespace trilith

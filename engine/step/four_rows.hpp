@@ -52,11 +52,14 @@ constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
 
 /// Where what four rows come to is kept; nowhere if it is added at once.
 struct KeptFour {
+  static constexpr bool is_asked = true;
   FourFaces* four = nullptr;
   FourForces* force = nullptr;
-
-  [[nodiscard]] bool is_asked() const { return four != nullptr; }
   void to_next() { ++four, ++force; }
+};
+/// In its place for rows that one thread answers: known as the kernel is compiled.
+struct AddedAtOnce {
+  static constexpr bool is_asked = false;
 };
 
 /// Arrays of State and Work that the rows of a batch are read from and written to.
@@ -73,7 +76,7 @@ struct FacePass {
   Work<2>& work;
   FaceLine line;                        // faces of meshes in line ...
   const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat by that
-  KeptFour kept = {};  // where threads share the rows: forces, energies and lists are kept, to be added in order
+  KeptFour kept{};  // where threads share the rows: forces, energies and lists are kept, to be added in order
   const std::uint8_t* border = nullptr;  // ... forces on these sides of rows alone, see RowShares; nullptr: on all
 };
 
@@ -90,7 +93,7 @@ struct FourRows {
 /// Rows that are no pairs of faces by themselves and are so with their neighbours in line: flat, or where they share no
 /// length open. What a bond holds together goes by itself. `p`, `a`, `b`: their pairs, and the ends of the faces.
 TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const NearPair* const* p,
-                               const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b, FaceMotion<Lanes>& motion) {
+                               const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b, LeapfrogMotion<Lanes>& motion) {
   FaceOverlap<Lanes>& o = motion.overlap;
   LaneMask joins{};
   if (pass.known == nullptr)
@@ -110,9 +113,10 @@ TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const
   o.gap_lo = select(opens, zero + open, o.gap_lo), o.gap_hi = select(opens, zero + open, o.gap_hi);
 }
 
-/// Places and velocities of the four face ends of each row, as columns. After an implicit step the mean velocities over
-/// it are read too; in a leapfrog step both are the same and nothing more is read.
-TRILITH_INLINE FaceMotion<Lanes> load_motion(const FacePass& pass, const FourRows& rows) {
+/// Places and velocities of the four face ends of each row, as columns. `Motion`: FaceMotion after an implicit step, of
+/// which the mean velocities are read too; in a leapfrog step both are the same and nothing more is read.
+template <class Motion>
+TRILITH_INLINE Motion load_motion(const FacePass& pass, const FourRows& rows) {
   const NearPair* p[lane_count];
   for (int i = 0; i < lane_count; ++i) p[i] = &pass.pairs[rows.row[i]];
   const auto ends = [&](int NearPair::*end, Lanes& x, Lanes& y, Lanes& u, Lanes& v) {
@@ -124,8 +128,8 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const FacePass& pass, const FourRow
   ends(&NearPair::a1, a.x1, a.y1, a.u1, a.v1);
   ends(&NearPair::b0, b.x0, b.y0, b.u0, b.v0);
   ends(&NearPair::b1, b.x1, b.y1, b.u1, b.v1);
-  FaceMotion<Lanes> motion(a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
-  if (pass.skin_mean != nullptr) {
+  Motion motion(a, b, Lanes{p[0]->corner, p[1]->corner, p[2]->corner, p[3]->corner});
+  if constexpr (std::is_same_v<Motion, FaceMotion<Lanes>>) {
     const auto mean = [&](int NearPair::*end, Lanes& u, Lanes& v) {
       const double* row[lane_count];
       for (int i = 0; i < lane_count; ++i) row[i] = pass.skin_mean[p[i]->*end].data();
@@ -133,7 +137,7 @@ TRILITH_INLINE FaceMotion<Lanes> load_motion(const FacePass& pass, const FourRow
     };
     mean(&NearPair::a0, a.u0, a.v0), mean(&NearPair::a1, a.u1, a.v1);
     mean(&NearPair::b0, b.u0, b.v0), mean(&NearPair::b1, b.u1, b.v1);
-    motion.over_step(a, b);
+    motion.set_over_step(a, b);
   }
   if (pass.line.is_there() || pass.known != nullptr)
     if (any(flip(motion.overlap.sane & motion.flat))) join_lines(pass, rows, p, a, b, motion);
@@ -232,9 +236,9 @@ TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0
   }
 }
 
-/// Lane i of a response to the row it belongs to. `kept`: see FacePass.
-template <std::size_t pairs>
-TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, const KeptFour& kept) {
+/// Lane i of a response to the row it belongs to. `Kept`: KeptFour, see FacePass, or AddedAtOnce.
+template <std::size_t pairs, class Kept>
+TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, const Kept& kept) {
   ContactMemory& after = pass.after[row];
   store_pair(after.shear_elastic, r.elastic.of(i));
   store_pair(after.shear_total, r.total.of(i));
@@ -247,14 +251,14 @@ TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<p
     for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
   }
   std::uint8_t later = 0;
-  if (kept.is_asked()) {
+  if constexpr (Kept::is_asked) {
     later = pass.border == nullptr ? both_sides : pass.border[row];
     kept.four->later[static_cast<std::size_t>(i)] = later;
-  }
-  if (later != 0) {
-    std::array<Vec2, 4>& force = (*kept.force)[static_cast<std::size_t>(i)];
-    store_pair(force[0].data(), r.a0.of(i)), store_pair(force[1].data(), r.a1.of(i));
-    store_pair(force[2].data(), r.b0.of(i)), store_pair(force[3].data(), r.b1.of(i));
+    if (later != 0) {
+      std::array<Vec2, 4>& force = (*kept.force)[static_cast<std::size_t>(i)];
+      store_pair(force[0].data(), r.a0.of(i)), store_pair(force[1].data(), r.a1.of(i));
+      store_pair(force[2].data(), r.b0.of(i)), store_pair(force[3].data(), r.b1.of(i));
+    }
   }
   if (later != both_sides) add_forces(pass, row, r.a0.of(i), r.a1.of(i), r.b0.of(i), r.b1.of(i), both_sides & ~later);
 }

@@ -46,35 +46,55 @@ TRILITH_INLINE void keep_lanes(std::array<double, 4>& kept, const LaneMask& coun
   for (int i = 0; i < lane_count; ++i) kept[static_cast<std::size_t>(i)] = v[i];
 }
 
-template <class K, class R>
-TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given, const KeptFour& kept) {
-  if (kept.is_asked()) {
+template <class K, class R, class Kept>
+TRILITH_INLINE void give_off(const LaneMask& counts, const R& r, GivenOff& given, const Kept& kept) {
+  if constexpr (Kept::is_asked) {
     keep_lanes(kept.four->damping, counts, r.lost_damping);
     keep_lanes(kept.four->friction, counts, r.lost_friction);
     if constexpr (K::bonds) keep_lanes(kept.four->fracture, counts, r.lost_fracture);
-    return;
+  } else {
+    add_lanes(given.damping, counts, r.lost_damping);
+    add_lanes(given.friction, counts, r.lost_friction);
+    if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
   }
-  add_lanes(given.damping, counts, r.lost_damping);
-  add_lanes(given.friction, counts, r.lost_friction);
-  if constexpr (K::bonds) add_lanes(given.fracture, counts, r.lost_fracture);
 }
 
-template <class K>
-TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourRows& rows,
-                                 const FaceMotion<Lanes>& motion, GivenOff& given, const KeptFour& kept) {
+/// What is known of four rows before it is known which of them are pairs of faces.
+TRILITH_INLINE void begin_four(const FourRows& rows, const KeptFour& kept) {
+  kept.four->later = {}, kept.four->turns = kept.four->is_general = {};
+  for (int i = 0; i < lane_count; ++i) kept.four->row[static_cast<std::size_t>(i)] = rows.row[i];
+}
+
+/// Tells `row`, in lane i: too tilted or too deep for faces, it is found by overlap in this same evaluation.
+template <class Kept>
+TRILITH_INLINE void tell_general(const FacePass& pass, int row, int i, const Kept& kept) {
+  if constexpr (Kept::is_asked)
+    kept.four->is_general[static_cast<std::size_t>(i)] = true;
+  else
+    pass.work.general_now.push_back(row);
+}
+/// ... a contact made or lost, a bond or the mortar that changes.
+template <class Kept>
+TRILITH_INLINE void tell_turn(const FacePass& pass, int row, int i, const Kept& kept) {
+  if constexpr (Kept::is_asked)
+    kept.four->turns[static_cast<std::size_t>(i)] = true;
+  else
+    pass.work.changed_rows.push_back(row);
+}
+
+template <class K, class Motion, class Kept>
+TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourRows& rows, const Motion& motion,
+                                 GivenOff& given, const Kept& kept) {
   using M = typename K::template Memory<Lanes>;
   const LaneMemory<M> memory = load_memory<M>(pass, rows);
   FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
   // A contact that has just parted still gives off what it held.
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   give_off<K>(counts, r, given, kept);
-  // What may be an event or needs care, row by row: a contact made or lost, a bond or the mortar that changes.
+  // What may be an event or needs care, row by row.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
-  if (kept.is_asked()) {
-    kept.four->later = {}, kept.four->turns = kept.four->is_general = {};
-    for (int i = 0; i < lane_count; ++i) kept.four->row[static_cast<std::size_t>(i)] = rows.row[i];
-  }
+  if constexpr (Kept::is_asked) begin_four(rows, kept);
   if (!any(flip(found & r.touching) | turns)) {  // as nearly always
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i, kept);
     return;
@@ -82,19 +102,15 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   for (int i = 0; i < lane_count; ++i) {
     if (rows.valid[i] == 0) continue;
     const int row = rows.row[i];
-    // Too tilted or too deep for faces: it is found by overlap in this same evaluation.
     if (r.is_face_pair[i] == 0) {
-      kept.is_asked() ? void(kept.four->is_general[static_cast<std::size_t>(i)] = true)
-                      : pass.work.general_now.push_back(row);
+      tell_general(pass, row, i, kept);
       continue;
     }
     if (r.touching[i] != 0)
       write_row(pass, row, out, i, kept);
     else
       part_row<K>(pass, row);
-    if (turns[i] == 0) continue;
-    kept.is_asked() ? void(kept.four->turns[static_cast<std::size_t>(i)] = true)
-                    : pass.work.changed_rows.push_back(row);
+    if (turns[i] != 0) tell_turn(pass, row, i, kept);
   }
 }
 
@@ -115,25 +131,35 @@ TRILITH_INLINE void take_up(const FacePass& pass, const FourFaces& four, const F
   }
 }
 
-/// In blocks, motions first: two short loops leave the processor more to do at once than one long one.
-template <class K>
-TRILITH_INLINE void respond_batch(const FacePass& pass, const K& kernel, std::span<const int> rows, GivenOff& sums) {
+/// In blocks, motions first: two short loops leave the processor more to do at once than one long one. `Motion`,
+/// `Kept`: see load_motion and write_row; what a step on one thread does not need is not in its copy.
+template <class K, class Motion, class Kept>
+TRILITH_INLINE void respond_as(const FacePass& pass, const K& kernel, Kept kept, std::span<const int> rows,
+                               GivenOff& sums) {
   // Copies of its own: nothing that the loops write can change them.
   const K law = kernel;
   GivenOff given = sums;
-  KeptFour kept = pass.kept;
   constexpr std::size_t block = 16;
-  std::array<FaceMotion<Lanes>, block> motion;
+  std::array<Motion, block> motion;
   for (std::size_t from = 0; from < rows.size(); from += block * lane_count) {
     const std::size_t to = std::min(rows.size(), from + block * lane_count);
     const auto rows_at = [&](std::size_t i) { return FourRows(rows.data() + i, rows.size() - i); };
-    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion(pass, rows_at(i));
+    for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion<Motion>(pass, rows_at(i));
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) {
       respond_rows<K>(pass, law, rows_at(i), motion[k], given, kept);
-      if (kept.is_asked()) kept.to_next();
+      if constexpr (Kept::is_asked) kept.to_next();
     }
   }
   sums = given;
+}
+
+template <class K>
+TRILITH_INLINE void respond_batch(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
+  const bool is_leapfrog = pass.skin_mean == nullptr, is_kept = pass.kept.four != nullptr;
+  if (is_leapfrog && is_kept) return respond_as<K, LeapfrogMotion<Lanes>>(pass, law, pass.kept, rows, given);
+  if (is_leapfrog) return respond_as<K, LeapfrogMotion<Lanes>>(pass, law, AddedAtOnce{}, rows, given);
+  if (is_kept) return respond_as<K, FaceMotion<Lanes>>(pass, law, pass.kept, rows, given);
+  respond_as<K, FaceMotion<Lanes>>(pass, law, AddedAtOnce{}, rows, given);
 }
 
 // For each law one copy for wide registers and one for any machine: the same operations, so the same bits.

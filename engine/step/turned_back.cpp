@@ -20,7 +20,7 @@ FaceMotion<double> motion_of(const Work<2>& work, const NearPair& p) {
     ends.u0 = u.x(), ends.v0 = u.y(), ends.u1 = v.x(), ends.v1 = v.y();
   };
   over_step(p.a0, p.a1, a), over_step(p.b0, p.b1, b);
-  motion.over_step(a, b);
+  motion.set_over_step(a, b);
   return motion;
 }
 
