@@ -110,18 +110,18 @@ FacePair none_yet() {
 /// What is known of the pair of faces of two solids that may lie flat, as one pair after the other is looked at.
 ///
 /// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so little that a unit
-/// vector in it has moved by t / r or less. So the product of two normals changes by t / r of both together, and the
-/// depth of a corner x below a plane through c by 2 t + |c - x| t / r. A pair that is none stays none until either
-/// could have made it one.
+/// vector in it has moved by t / r or less. So with t of both together, and r the smaller of theirs, the product of two
+/// normals changes by t / r, and the depth of a corner x below a plane through c by t + |c - x| t / r. A pair that is
+/// none stays none until either could have made it one.
 struct FacePairSearch {
   const PlacedSolid &a, &b;
-  double near = near_faces(a, b), turns = 1 / a.solid->inner_radius + 1 / b.solid->inner_radius;
+  double near = near_faces(a, b), turns = 1 / std::min(a.solid->inner_radius, b.solid->inner_radius);
   FacePair found = none_yet();
   double enough = unbounded;  // of turning: another pair may be one before
   bool several = false;
 
   void may_become_one(double beyond, const PlaneDistance& distance) {
-    const double by_turn = beyond / turns, by_way = (distance.depth - near) / (2 + distance.corner * turns);
+    const double by_turn = beyond / turns, by_way = (distance.depth - near) / (1 + distance.corner * turns);
     found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
   }
   /// The pair that has the least far to turn comes first: of most others it
@@ -137,10 +137,10 @@ struct FacePairSearch {
     several = found.a >= 0;
     found.a = f, found.b = g;
   }
-  [[nodiscard]] FacePair result(double travel) const {
+  [[nodiscard]] FacePair result(double way) const {
     if (several) return {};
     FacePair out = found;
-    out.until = travel + (1 - 1e-6) * found.until;
+    out.until = way + (1 - 1e-6) * found.until;
     if (out.a >= 0) describe(a, b, out);
     return out;
   }
@@ -154,16 +154,16 @@ struct FacePairSearch {
 
 }  // namespace
 
-FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel) {
+FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double way) {
   FacePairSearch search{a, b};
   if (has_few_faces(*a.solid) && has_few_faces(*b.solid)) {
     search_few(search);
-    return search.result(travel);
+    return search.result(way);
   }
   search.begin_with(least_to_turn(a, b));
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
     for (int g = 0; g < b.solid->shape.faces.count(); ++g) search.look_at(f, g, opposed(a, f, b, g) - opposed_enough);
-  return search.result(travel);
+  return search.result(way);
 }
 
 }  // namespace trilith

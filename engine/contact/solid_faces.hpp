@@ -27,7 +27,7 @@ inline constexpr int few_corners = 4;
 struct FacePair {
   static constexpr int none = -1, several = -2;
   int a = several, b = several;
-  double until = -1;  ///< while no corner has gone further than this since (as Work::travel counts) [m]
+  double until = -1;  ///< while corners of both have gone no further than this together (as SolidWork::way counts) [m]
   // Of two faces what their kernel asks again and again, next to each other in memory.
   double near = 0;  ///< see near_faces [m]
   /// Where `few`: which of their solid's corners they have, the last again.
@@ -38,8 +38,8 @@ struct FacePair {
   bool b_is_larger = false;      ///< see near_faces
 };
 
-/// `travel`: how far corners have gone up to now [m].
-FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double travel);
+/// `way`: how far corners of both have gone together up to now [m].
+FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double way);
 
 /// Of a pair of faces that may lie flat: a corner of the smaller solid's is this near to the plane of the other [m].
 /// What they share lies within the smaller one's, so twice what tilt and depth come to over its size.

@@ -88,7 +88,7 @@ void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   for (int p = 0; p < model.pieces(); ++p) search.due.push_back(p), search.is_due[static_cast<std::size_t>(p)] = 1;
   work.travel = work.clear_path = 0;
   work.pairs.clear(), work.asleep_until.clear(), work.solids.separation.clear();
-  work.solids.faces.clear();
+  work.solids.faces.clear(), work.solids.way.assign(search.margin.size(), 0.0);
   list_bearings(model, search);
 }
 

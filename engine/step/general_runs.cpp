@@ -7,6 +7,7 @@
 
 #include "base/lanes.hpp"
 #include "base/team.hpp"
+#include "step/solid_ways.hpp"
 
 namespace trilith {
 namespace {

@@ -22,11 +22,6 @@ void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first
              const OverlapAnswer* answers);
 void take_up(const Model<3>& model, Work<3>& work, GeneralRun<3>& run, int first, int last, const SolidAnswer* answers);
 
-/// Two solids that are apart may each come nearer by the path of the fastest point.
-inline void let_sleep(Work<3>& work, std::size_t row) {
-  work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * work.solids.separation[row].distance;
-}
-
 /// Adds what runs have kept, once all rows are answered.
 void join_general_runs(Work<2>& work);
 void join_general_runs(Work<3>& work);

@@ -8,6 +8,7 @@
 #include "contact/solid_contact.hpp"
 #include "step/contact_rows.hpp"
 #include "step/moving_solid.hpp"
+#include "step/solid_ways.hpp"
 
 namespace trilith {
 namespace {
@@ -131,7 +132,7 @@ void meet_ridges(const Model<3>& model, const State<3>& state, Work<3>& work, do
     const NearPair& pair = work.pairs[r];
     if (pair.replaced || !has_ridges(work, pair) || has_sphere(work, pair)) return false;
     if (const JointMemory* joint = before.joint_at(r); joint != nullptr && !joint->empty()) return false;
-    if ((before.memory[r].state & contact_touching) == 0 && work.travel < work.asleep_until[r]) return false;
+    if ((before.memory[r].state & contact_touching) == 0 && sleeps(work, r)) return false;
     return meets_any(work, pair);
   };
   const auto row_of = [](int i) { return i; };

@@ -1,6 +1,7 @@
 // Solids in space where the nodes put them, and how they move.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "base/lane_rows.hpp"
@@ -214,7 +215,7 @@ void place_fits_behind(const Model<3>& model, const State<3>& state, SolidWork<3
 
 PlacedReach<3> place_all(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const std::size_t pieces = model.piece_solid.size();
-  work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces);
+  work.solids.placed.resize(pieces), work.solids.speed2.resize(pieces), work.solids.way.resize(pieces);
   work.solids.fitted.resize(model.fits.size()), work.solids.face_motion.resize(model.fits.size());
   if (!model.fits.empty()) work.solids.before.resize(pieces);
   if (!work.valid) list_spheres(model, work.solids.sphere);
@@ -225,6 +226,7 @@ PlacedReach<3> place_all(const Model<3>& model, const State<3>& state, Work<3>& 
         for (int p = first; p < last; ++p) {
           const SolidReach of = place_piece(model, state, p, work.solids);
           to.add(of, [&] { return piece_moves(model, p); });
+          work.solids.way[static_cast<std::size_t>(p)] += std::sqrt(of.path2());
           to.follow(of.step(), work.search.left[static_cast<std::size_t>(p)]);
         }
       });

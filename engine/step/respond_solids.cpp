@@ -18,6 +18,7 @@
 #include "step/rows_by_kind.hpp"
 #include "step/single_terms.hpp"
 #include "step/solid_joints.hpp"
+#include "step/solid_ways.hpp"
 
 namespace trilith {
 namespace {
@@ -101,10 +102,9 @@ void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   }
   const SolidMemory& before = contacts.memory[r];
   const bool was = (before.state & contact_touching) != 0;
-  // A pair found apart sleeps until the fastest point has gone far enough to have brought it together. One that
-  // remembers crushed mortar is answered in every step, so that both sides of the history have it.
+  // One that remembers crushed mortar is answered in every step, so that both sides of the history have it.
   const bool may_sleep = !was && before.crushed == 0;
-  if (may_sleep && work.travel < work.asleep_until[r]) return;
+  if (may_sleep && sleeps(work, r)) return;
   const NearPair& pair = work.pairs[r];
   if (has_sphere(work, pair)) {
     const LawInUse law{model.laws[pair.law], model.thickness, dt};
@@ -189,9 +189,9 @@ bool SolidPass::looks_flat(int row) const {
   if (model.is_fitted(pair.piece_a) || model.is_fitted(pair.piece_b) || !work.solids.behind.empty()) return false;
   if (pair.replaced || !work.solids.law[static_cast<std::size_t>(pair.law)].is_linear) return false;
   FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
-  if (work.travel >= faces.until) {
+  if (const double way = way_of(work, pair); way >= faces.until) {
     const std::int32_t kind = faces.kind;
-    faces = facing_pair(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], work.travel);
+    faces = facing_pair(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b], way);
     faces.kind = kind;
     faces.node_a = model.node_of_piece(pair.piece_a), faces.node_b = model.node_of_piece(pair.piece_b);
   }
@@ -203,8 +203,8 @@ bool SolidPass::looks_flat(int row) const {
 /// is said.
 bool SolidPass::is_flat_still(std::size_t row, const Contacts<3>& before) const {
   const FacePair& faces = work.solids.faces[row];
-  return (before.memory[row].state & contact_touching) != 0 && work.travel < faces.until && faces.a >= 0 &&
-         before.joint_at(row) == nullptr && model.bearings.empty() && work.solids.behind.empty();
+  return (before.memory[row].state & contact_touching) != 0 && way_of(work, work.pairs[row]) < faces.until &&
+         faces.a >= 0 && before.joint_at(row) == nullptr && model.bearings.empty() && work.solids.behind.empty();
 }
 
 /// Forces about the places of what carries the two, what is remembered and how the area lies: of rows that are answered

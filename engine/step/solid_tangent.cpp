@@ -6,6 +6,7 @@
 #include "detect/due_pairs.hpp"
 #include "step/met_ridges.hpp"
 #include "step/single_terms.hpp"
+#include "step/solid_ways.hpp"
 #include "step/term_tangent.hpp"
 
 namespace trilith {
@@ -102,7 +103,7 @@ class SolidTerm {
 }  // namespace
 
 void add_solid_terms(TermSum<3>& sum, Work<3>& work) {
-  const double near = work.travel + reach_of_moves(sum.options);
+  const double reach = 2 * reach_of_moves(sum.options);  // of two pieces
   const Contacts<3>& before = contacts_before(sum.state, work);
   NodeArrays<3> all(sum.model);
   TermNodes nodes;
@@ -110,7 +111,7 @@ void add_solid_terms(TermSum<3>& sum, Work<3>& work) {
     const auto r = static_cast<std::size_t>(row);
     const JointMemory* const joint = before.joint_at(r);
     const bool holds = (work.contacts.memory[r].state & contact_touching) != 0 || (joint != nullptr && !joint->empty());
-    if (!holds && work.asleep_until[r] > near) continue;
+    if (!holds && work.asleep_until[r] > way_of(work, work.pairs[r]) + reach) continue;
     SolidTerm term(sum, work, row);
     term.list_nodes(nodes);
     sum.add(nodes, [&](const Freedom& moved, TermForces& out) {

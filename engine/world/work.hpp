@@ -200,6 +200,8 @@ struct SolidWork<3> {
   std::vector<Sphere> sphere;            ///< [piece] radius 0 of a polyhedron; empty without spheres. Writer: place
   std::vector<StepBehind> behind;        ///< [node] of an implicit step; else empty. Writer: place
   std::vector<double> speed2;            ///< [piece] largest square of the speeds of its corners [m2/s2]. Writer: place
+  std::vector<double> way;               ///< [piece] path of the corner that went farthest since the pairs were found
+                                         ///< anew, from pose to pose, an upper bound [m]. Writer: place
   std::vector<Separation3> separation;   ///< [contact] along the axis that parted them last. Writer: respond
   std::vector<Separation3> spare;        ///< room
   std::vector<FacePair> faces;           ///< [contact] that may lie flat on each other. Writer: respond
@@ -242,7 +244,8 @@ struct Work {
   std::vector<NearPair> pairs;        ///< [contact]
   std::vector<FaceBatch> batches;     ///< by law
   std::vector<int> general;           ///< rows that have no single pair of facing faces
-  std::vector<double> asleep_until;   ///< [contact] not touching while `travel` is below this m
+  std::vector<double> asleep_until;   ///< [contact] not touching while `travel`, in space the way of both pieces
+                                      ///< together, is below this m
   std::vector<double> clear_until;    ///< [contact] see clear_path m
   PieceSearch<D> search;              ///< where pieces were looked up
   std::vector<NearPair> spare_pairs;  ///< room for the list to come

@@ -197,9 +197,9 @@ TEST_CASE("the pair of faces that may lie flat is the only one until it says so"
     if (pair.a < 0) continue;
     ++alone;
     CHECK(pair.until > 1e-3);
-    // Both bodies moved by chance, no corner farther than that: no other pair of faces may lie flat then.
-    const auto moved = [&](const PlacedSolid& of) {
-      const UnitQuaternion turn = rotation_by(Vec3(pair.until / 1.5 * random_in_ball(bits)));
+    // Both bodies moved by chance, corners of both no farther than that together: no other faces may lie flat then.
+    const auto moved = [&](const PlacedSolid& of, double until) {
+      const UnitQuaternion turn = rotation_by(Vec3(until / 1.5 * random_in_ball(bits)));
       const Vec3 shift = random_in_ball(bits);
       PlacedSolid out;
       double farthest = 0;
@@ -212,10 +212,11 @@ TEST_CASE("the pair of faces that may lie flat is the only one until it says so"
         out.corners[k] += back;
         farthest = std::max(farthest, (out.corners[k] - of.corners[k]).norm());
       }
-      for (Vec3& x : out.corners) x += std::max(0.0, 0.999 * pair.until - farthest) * shift;
+      for (Vec3& x : out.corners) x += std::max(0.0, 0.999 * until - farthest) * shift;
       return out;
     };
-    const PlacedSolid a = moved(laid.a), b = moved(laid.b);
+    const double share = std::uniform_real_distribution(0.0, 1.0)(bits);
+    const PlacedSolid a = moved(laid.a, share * pair.until), b = moved(laid.b, (1 - share) * pair.until);
     const FacePair later = facing_pair(a, b, 0);
     CHECK(((later.a == pair.a && later.b == pair.b) || later.a == FacePair::none));
   }
