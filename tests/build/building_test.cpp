@@ -125,6 +125,23 @@ TEST_CASE("a building may be turned, and its floors have any outline") {
   CHECK(named(made.parts, "house.s2.floor").pieces.size() == 2);
 }
 
+TEST_CASE("a storey whose walls no slab carries is refused and one that a slab carries in part is told of") {
+  Building building = house();
+  building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
+  CHECK(says(
+      refusal_of([&] { build_building(building); }),
+      "wall 'south', storey 2: nothing of the slab below is under it, so that it hangs 0.2 m above the wall below; "
+      "let slab_outline reach under all walls, or leave it out"));
+  building.slab_outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+  const std::vector<std::string> notes = build_building(building).notes;
+  REQUIRE(notes.size() == building.walls.size());
+  // 6.0 m of 6.2 m of its length and a half of its thickness
+  CHECK(says(notes[0], "wall 'south', storey 2: the slab below is under 48.4 % of its foot; the rest hangs 0.2 m"));
+  building.storeys[0].slab_height = 0;  // it stands on the walls below
+  building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
+  CHECK(build_building(building).notes.empty());
+}
+
 TEST_CASE("no head joint of a wall lies over another in any bond") {
   for (const LeafBond& bond : leaf_bonds()) {
     CAPTURE(bond.name);
