@@ -68,10 +68,7 @@ class Planner {
   BuildingPlan take() { return std::move(plan_); }
 
  private:
-  [[nodiscard]] std::string wall_title(std::size_t w) const {
-    const std::string& name = plan_.walls[w].name;  // empty of a wall that stands for itself
-    return name.empty() ? plan_.owner : fmt::format("{}: wall '{}'", plan_.owner, name);
-  }
+  [[nodiscard]] std::string wall_title(std::size_t w) const { return title_of(plan_, plan_.walls[w]); }
 
   void check_sizes() {
     const Masonry& m = b_.masonry;
@@ -356,6 +353,11 @@ class Planner {
 };
 
 }  // namespace
+
+std::string title_of(const BuildingPlan& plan, const PlannedWall& wall) {
+  // A wall that stands for itself has no name here.
+  return wall.name.empty() ? plan.owner : fmt::format("{}: wall '{}'", plan.owner, wall.name);
+}
 
 std::span<const LeafBond> leaf_bonds() {
   return leaf_patterns;

@@ -203,6 +203,26 @@ TEST_CASE("openings cut units, short pieces join their neighbours with a note") 
   CHECK(build_solid_wall(wall).notes.size() == 3);
 }
 
+TEST_CASE("masonry beside an opening or a lintel that is shorter than the least length is refused") {
+  SolidWall wall = wall_of(4, 10, "stretcher");
+  const auto refused = [&] { return refusal_of([&] { build_solid_wall(wall); }); };
+  wall.openings = {{.from = 0.05, .sill = 0.4, .width = 1, .height = 1, .lintel = false}};
+  CHECK(says(refused(),
+             "wall 'W', storey 1, course 3: the masonry from x = 0 to 0.05 m is 0.05 m long, less than the "
+             "least length of 0.08 m; move the opening, or give a smaller least_length"));
+  wall.openings = {{.from = 1, .width = 1, .height = 1}, {.from = 2.43, .width = 1, .height = 1}};
+  CHECK(says(refused(),
+             "course 6: the masonry from x = 2.2 to 2.23 m is 0.03 m long, less than the least length of 0.08 "
+             "m; move the opening, give its lintel another bearing, or give a smaller least_length"));
+  wall.masonry.least_length = 0.03;
+  CHECK_NOTHROW(build_solid_wall(wall));
+  Building building = house();  // its corner is 0.2 m wide, its first joint 0.1 m beyond that
+  building.walls[0].openings[2] = {.storey = 2, .from = 0.15, .sill = 0.8, .width = 1, .height = 1, .lintel = false};
+  CHECK(says(refusal_of([&] { build_building(building); }),
+             "wall 'south', storey 2, course 6: the masonry from x = 0.1 to "
+             "0.15 m is 0.05 m long"));
+}
+
 TEST_CASE("buildings that cannot be are refused") {
   const auto refused = [](auto change) {
     Building building = house();
