@@ -98,17 +98,20 @@ double turning_of(const Vec3& moment, const Vec3& inertia) {
   return moment.norm() / inertia.minCoeff();
 }
 
-/// What mortar holds two pieces with: its stiffness [N/m], and the least energy with which it breaks [J].
+/// What mortar holds two pieces with.
 struct Held {
-  double stiffness, strength;
+  double stiffness;  ///< [N/m]
+  double strength;   ///< the least energy with which it breaks [J]
+  bool pressed;      ///< in the mean
 };
 
 /// Of a bond over a length or area, by the numbers of its law.
-Held held_over(const LawInUse& use, double size) {
+Held held_over(const LawInUse& use, double size, bool pressed) {
   return with_kernel(use, [&]<class K>(const K& law) {
     if constexpr (K::bonds) {
-      const double pull = law.tension * law.tension / law.kn, shear = law.cohesion * law.cohesion / law.ks;
-      return Held{law.kn * size, 0.5 * size * std::min(pull, shear)};
+      const double pull = law.tension * law.tension / law.kn,
+                   shear = law.ks > 0 ? law.cohesion * law.cohesion / law.ks : pull;
+      return Held{law.kn * size, 0.5 * size * std::min(pull, shear), pressed};
     }
     return Held{};
   });
@@ -116,14 +119,15 @@ Held held_over(const LawInUse& use, double size) {
 std::optional<Held> held_by_mortar(const Model<2>& model, const Work<2>& work, ContactKey key) {
   const int row = work.contacts.find(key);
   if (row < 0 || work.contacts.memory[row].bonds == 0) return {};
-  const NearPair& pair = work.pairs[row];
-  return held_over(law_in_use(model, pair.law), face_overlap(work, pair).shared);
+  const FaceOverlap<double> faces = face_overlap(work, work.pairs[row]);
+  return held_over(law_in_use(model, work.pairs[row].law), faces.shared, faces.gap_lo + faces.gap_hi < 0);
 }
 std::optional<Held> held_by_mortar(const Model<3>& model, const Work<3>& work, ContactKey key) {
   const int row = work.contacts.find(key);
   const JointMemory* joint = row < 0 ? nullptr : work.contacts.joint_at(static_cast<std::size_t>(row));
   if (joint == nullptr || joint->bonds == 0) return {};
-  return held_over({model.laws[work.pairs[row].law]}, joint->plan->whole.area);
+  const JointPlan& plan = *joint->plan;
+  return held_over({model.laws[work.pairs[row].law]}, plan.whole.area, joint->moved.at + plan.standing.at > 0);
 }
 
 /// Of two bodies, one of which moves, between which a law holds.
@@ -217,15 +221,25 @@ std::array<double, 2> relative_motion(const Model<D>& model, const State<D>& sta
 /// break it, by what is the same all along the swing: steps that followed its phases would feed it.
 ///
 ///     power = (k v^2 + mu a^2) / 2,    energy of the swing = power mu / k > energy of the bond at its limit
+///
+/// While it is pressed, v is that at which it closes or opens, so that what slides does not count. What has come out of
+/// the swing open is about to break, and has no more to lose than that takes.
 template <int D>
-void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, ContactKey key, const Held& held) {
+void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, ContactKey key, const Held& held,
+              double dt) {
   const int a = model.piece_body[first_piece(key)], b = model.piece_body[second_piece(key)];
   if (!model.bodies[a].is_rigid() || !model.bodies[b].is_rigid() || !(held.stiffness > 0)) return;
   const double one = work.impacts.mass[a], other = work.impacts.mass[b];
   const double mass = one == 0 ? other : other == 0 ? one : one * other / (one + other);
   const auto [speed, gain] = relative_motion(model, state, work, a, b);
-  const double power = 0.5 * (held.stiffness * speed * speed + mass * gain * gain);
-  if (power * mass > held.stiffness * held.strength) work.impacts.blows.push_back({0, power});
+  const double of_gain = 0.5 * mass * gain * gain, power = 0.5 * held.stiffness * speed * speed + of_gain;
+  if (!(power * mass > held.stiffness * held.strength)) return;
+  if (held.pressed) {
+    const Nearing m = nearing(model, state, work, first_piece(key), second_piece(key), dt);
+    work.impacts.blows.push_back({0, 0.5 * held.stiffness * m.speed * m.speed + of_gain});
+  } else {
+    work.impacts.blows.push_back({0, std::min(power, held.strength / (dt * dt))});
+  }
 }
 
 /// What each of the pairs asks for: from when on, and how much. Returns the energy that they have stored [J].
@@ -236,7 +250,7 @@ double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, d
   double stored = 0;
   for (const ContactKey key : own.key) {
     if (const std::optional<Held> held = held_by_mortar(model, work, key)) {
-      add_held(model, state, work, key, *held);
+      add_held(model, state, work, key, *held, dt);
       continue;
     }
     const Nearing m = nearing(model, state, work, first_piece(key), second_piece(key), dt);

@@ -77,8 +77,9 @@ local function drop_on_bonded(dim, law, accuracy, aside)
   return out
 end
 
--- At a thousandth .04 to .22 % are missed, of a blow, a break and blows after it; what is missed without shorter steps
--- as the block swings is 1.3 to 11 %.
+-- At a thousandth .06 to .17 % are missed, of a blow, a break and blows after it; with mortar that softens, whose loss is
+-- of the first order in the step, up to .8 %. Where steps grow as the stone leaves it is .06 to 10 %.
+local limits = { bonded = { [1e-3] = 3e-3, [1e-4] = 5e-4 }, cohesive = { [1e-3] = 1e-2, [1e-4] = 4e-3 } }
 local struck = {
   bonded = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5 },
   cohesive = trilith.cohesive { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5, energy_tension = 100,
@@ -87,7 +88,7 @@ local struck = {
 for _, dim in ipairs { 2, 3 } do
   for law, value in pairs(struck) do
     for _, aside in ipairs { -0.1, 0.15 } do
-      for accuracy, limit in pairs { [1e-3] = 3e-3, [1e-4] = 1e-3 } do
+      for accuracy, limit in pairs(limits[law]) do
         local out = drop_on_bonded(dim, value, accuracy, aside)
         assert(out < limit, ("%s, %d dimensions, %g m aside, %g: out by %.3g"):format(law, dim, aside, accuracy, out))
       end
