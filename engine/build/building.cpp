@@ -143,7 +143,7 @@ class BuildingCourses {
     };
     for (const Stretch& run : between(wall.along, taken, same)) {
       fill_before(run.low);
-      if (run.high - run.low < plan_.least * (1 - 1e-9)) refuse_beside(wall, pockets, run, s, c);
+      if (run.high - run.low < plan_.least * (1 - 1e-9)) refuse_short(wall, pockets, run, s, c);
       for (const CourseUnit& unit : without_short(units_in(wall, whole, run, same)))
         unit_of(wall, unit, s, c, ++number);
     }
@@ -157,9 +157,9 @@ class BuildingCourses {
       unit_box(wall, pocket.along, across, s, c, std::to_string(++number));
   }
 
-  /// A stretch of masonry that is too short stays beside an opening; beside a pocket it is refused.
-  void refuse_beside(const PlannedWall& wall, const std::vector<const BeamPocket*>& pockets, const Stretch& run,
-                     std::size_t s, int c) const {
+  /// Of a stretch of masonry that is too short: beside a pocket, an opening or a lintel it is refused.
+  void refuse_short(const PlannedWall& wall, const std::vector<const BeamPocket*>& pockets, const Stretch& run,
+                    std::size_t s, int c) const {
     for (const BeamPocket* pocket : pockets)
       if (pocket->along.high == run.low || pocket->along.low == run.high)
         throw InputError(fmt::format(
@@ -168,6 +168,13 @@ class BuildingCourses {
             "give a smaller least_length",
             plan_.owner, s + 1, pocket->beam, run.high - run.low, c + 1, wall.name, wall.axis == 0 ? "x" : "y", run.low,
             run.high, plan_.least));
+    for (const WallVoid& v : wall.voids[s])
+      if (c >= v.first && c < v.end && (v.along.high == run.low || v.along.low == run.high))
+        throw InputError(fmt::format(
+            "{}, storey {}, course {}: the masonry from {} = {:g} to {:g} m is {:g} m long, less than the least length "
+            "of {:g} m; move the opening, {}or give a smaller least_length",
+            title_of(plan_, wall), s + 1, c + 1, wall.axis == 0 ? "x" : "y", run.low, run.high, run.high - run.low,
+            plan_.least, v.lintel ? "give its lintel another bearing, " : ""));
   }
 
   /// Units of the whole course cut to a run, in the direction of the axis, its ends to the bit.

@@ -115,9 +115,9 @@ struct Building {
 /// behind a beam's end is filled, a unit for each course. Units that meet share the coordinates of their faces to the
 /// bit. Throws InputError, with place, value and what is allowed: lines that are not along x or y, walls along each
 /// other that share room, sizes out of range, heights that are no whole number of courses, openings off the course
-/// lines, outside of their wall, in a junction or on each other; beams that find no two walls to end in, lie in a wall
-/// along them, in a junction, on each other, on openings or lintels or over an opening without one, or leave short
-/// pieces beside or behind them.
+/// lines, outside of their wall, in a junction, on each other or next to less masonry than the least length; beams that
+/// find no two walls to end in, lie in a wall along them, in a junction, on each other, on openings or lintels or over
+/// an opening without one, or leave short pieces beside or behind them.
 SolidParts build_building(const Building& building);
 
 /// One wall with a thickness.

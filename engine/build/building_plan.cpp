@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "build/beam_plan.hpp"
+#include "shape/half_plane.hpp"
 
 namespace trilith {
 namespace {
@@ -34,6 +35,21 @@ bool has_headers(const LeafBond& bond) {
   return bond.first.find('H') != std::string_view::npos || bond.second.find('H') != std::string_view::npos;
 }
 
+/// The area of an outline within a box [m2].
+double area_within(const Polygon& outline, const Vec2& low, const Vec2& high) {
+  std::vector<Polygon> left{outline};
+  for (const HalfPlane& side : {HalfPlane{{-1, 0}, -low.x()}, HalfPlane{{1, 0}, high.x()}, HalfPlane{{0, -1}, -low.y()},
+                                HalfPlane{{0, 1}, high.y()}}) {
+    std::vector<Polygon> inside;
+    for (const Polygon& part : left)
+      for (Polygon& cut : cut_by(part, side, 0)) inside.push_back(std::move(cut));
+    left = std::move(inside);
+  }
+  double area = 0;
+  for (const Polygon& part : left) area += signed_area(part);
+  return area;
+}
+
 class Planner {
  public:
   Planner(const Building& building, const std::string& owner) : b_(building) {
@@ -52,10 +68,7 @@ class Planner {
   BuildingPlan take() { return std::move(plan_); }
 
  private:
-  [[nodiscard]] std::string wall_title(std::size_t w) const {
-    const std::string& name = plan_.walls[w].name;  // empty of a wall that stands for itself
-    return name.empty() ? plan_.owner : fmt::format("{}: wall '{}'", plan_.owner, name);
-  }
+  [[nodiscard]] std::string wall_title(std::size_t w) const { return title_of(plan_, plan_.walls[w]); }
 
   void check_sizes() {
     const Masonry& m = b_.masonry;
@@ -304,6 +317,35 @@ class Planner {
     CheckedPolygon checked = check_polygon(b_.slab_outline, plan_.owner + ": slab outline");
     plan_.floor = std::move(checked.outline);
     plan_.notes.insert(plan_.notes.end(), checked.notes.begin(), checked.notes.end());
+    for (std::size_t s = 1; s < plan_.storeys.size(); ++s)
+      if (plan_.storeys[s - 1].top > plan_.storeys[s - 1].line.back())
+        for (std::size_t w = 0; w < plan_.walls.size(); ++w) check_foot(w, s);
+  }
+
+  /// A wall stands on the slab under its storey, not on the wall below, from which the slab's height parts it.
+  void check_foot(std::size_t w, std::size_t s) {
+    const PlannedWall& wall = plan_.walls[w];
+    std::vector<Stretch> doors;
+    for (const WallVoid& v : wall.voids[s])
+      if (v.first == 0) doors.push_back(v.along);
+    double foot = 0, carried = 0;
+    for (const Stretch& run : between(wall.along, doors, 1e-9 * plan_.unit)) {
+      const Stretch &x = wall.axis == 0 ? run : wall.across, &y = wall.axis == 0 ? wall.across : run;
+      foot += (x.high - x.low) * (y.high - y.low);
+      carried += area_within(plan_.floor, {x.low, y.low}, {x.high, y.high});
+    }
+    if (carried > (1 - 1e-6) * foot) return;
+    const std::string what = fmt::format("{}, storey {}", wall_title(w), s + 1);
+    const double gap = plan_.storeys[s - 1].top - plan_.storeys[s - 1].line.back();
+    if (!(carried > 1e-6 * foot))
+      throw InputError(
+          fmt::format("{}: nothing of the slab below is under it, so that it hangs {:g} m above the wall "
+                      "below; let slab_outline reach under all walls, or leave it out",
+                      what, gap));
+    plan_.notes.push_back(
+        fmt::format("{}: the slab below is under {:.3g} % of its foot; the rest hangs {:g} m above the "
+                    "wall below",
+                    what, 100 * carried / foot, gap));
   }
 
   const Building& b_;
@@ -311,6 +353,11 @@ class Planner {
 };
 
 }  // namespace
+
+std::string title_of(const BuildingPlan& plan, const PlannedWall& wall) {
+  // A wall that stands for itself has no name here.
+  return wall.name.empty() ? plan.owner : fmt::format("{}: wall '{}'", plan.owner, wall.name);
+}
 
 std::span<const LeafBond> leaf_bonds() {
   return leaf_patterns;

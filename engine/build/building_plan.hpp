@@ -71,6 +71,9 @@ struct BuildingPlan {
   std::vector<std::string> notes;
 };
 
+/// How messages begin that are of one wall.
+std::string title_of(const BuildingPlan& plan, const PlannedWall& wall);
+
 /// Checks everything but pieces that come out short; throws InputError as build_building does.
 BuildingPlan plan_building(const Building& building, const std::string& owner);
 

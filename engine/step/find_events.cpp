@@ -9,6 +9,7 @@
 #include "step/beam_events.hpp"
 #include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
+#include "step/bond_figure.hpp"
 #include "step/contact_resultants.hpp"
 #include "step/contact_rows.hpp"
 #include "step/evaluate.hpp"
@@ -49,29 +50,58 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
 }
 
-/// True where the bond of a row opened beyond its limit, and did not slide beyond it.
-/// By the gaps of now, with what the law remembers of before: after is lost with the bond.
-bool is_pulled(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+/// Completes the event of a bond of a row by its mode and its figure. By the gaps of now, with what the law remembers
+/// of before: after is lost with the bond. It was pulled where a half that lost its bond opened beyond its limit.
+void tell_mode(const Model<2>& model, const State<2>& state, const Work<2>& work, int row, Event& e) {
+  const NearPair& p = work.pairs[row];
+  const ContactHistory& before = contacts_before(state, work);
+  const bool broken = e.type == EventType::bond_broken;
+  with_kernel(law_in_use(model, p.law), [&]<class K>(const K& law) {
+    if constexpr (K::bonds) {
+      const auto overlap = face_overlap(work, p);
+      const auto gaps = law.gaps(overlap, before.memory[row], law_memory<K>(before.law_numbers(row)));
+      e.mode = JointMode::shear;
+      for (const int h : {0, 1}) {
+        const bool gone = !broken || before.memory[row].bonded(h) != work.contacts.memory[row].bonded(h);
+        if (gone && law.pulled({gaps[h], gaps[h]})) e.mode = JointMode::tension;
+      }
+      tell_figure(e, {.tension = law.tension * overlap.shared,
+                      .cohesion = law.cohesion * overlap.shared,
+                      .stress = law.tension / model.thickness,
+                      .softened = broken && K::softens});
+    }
+  });
+}
+
+/// The ends of a face where they were as the step behind began.
+FaceEnds<double> ends_before(const State<2>& state, const Work<2>& work, int from, int to) {
+  FaceEnds<double> ends = face_ends(work, from, to);
+  const auto mean = [&](int point, double u, double v) {
+    return work.skin_mean.empty() ? Vec2(u, v) : work.skin_mean[static_cast<std::size_t>(point)];
+  };
+  const Vec2 first = state.last_dt * mean(from, ends.u0, ends.v0), last = state.last_dt * mean(to, ends.u1, ends.v1);
+  ends.x0 -= first.x(), ends.y0 -= first.y(), ends.x1 -= last.x(), ends.y1 -= last.y();
+  return ends;
+}
+
+/// What a row carried as the step behind began.
+ContactResultant resultant_before(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
   return with_kernel(law_in_use(model, p.law), [&]<class K>(const K& law) {
-    if constexpr (K::bonds)
-      return law.pulled(law.gaps(face_overlap(work, p), before.memory[row], law_memory<K>(before.law_numbers(row))));
-    else
-      return false;
+    return face_resultant(ends_before(state, work, p.a0, p.a1), ends_before(state, work, p.b0, p.b1),
+                          before.memory[row], law_memory<K>(before.law_numbers(row)), law);
   });
 }
 
 /// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
 void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];
-  const ContactHistory& before = contacts_before(state, work);
-  const ContactResultant carried = face_resultant(model, work, p, before.memory[row], before.law_numbers(row));
-  const bool pulled = is_pulled(model, state, work, row);
+  const ContactResultant carried = resultant_before(model, state, work, row);
   Event e = event_now(state, type, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
   e.value = carried.force.norm();
   e.set_place(carried.point);
-  e.mode = pulled ? JointMode::tension : JointMode::shear;
+  tell_mode(model, state, work, row, e);
   work.events.push_back(e);
 }
 

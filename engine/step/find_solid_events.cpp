@@ -2,10 +2,11 @@
 #include <algorithm>
 
 #include "contact/joint.hpp"
-#include "contact/joint_motion.hpp"
+#include "contact/joint_step.hpp"
 #include "step/beam_events.hpp"
 #include "step/bearing_events.hpp"
 #include "step/body_events.hpp"
+#include "step/bond_figure.hpp"
 #include "step/contact_rows.hpp"
 #include "step/find_events.hpp"
 #include "step/parted_contacts.hpp"
@@ -45,13 +46,52 @@ void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) 
   work.events.push_back(e);
 }
 
-/// By which of its limits a joint went: it was pulled where its widest opening stressed it more than its shear did.
-JointMode mode_of(const Model<3>& model, const NearPair& pair, const JointMemory& before, const SolidMemory& contact) {
+/// The widest opening of patches of a joint that stands so now, by what it remembers of before [m].
+template <class K>
+double widest_opening(const K& law, const JointMemory& before, std::uint32_t patches, const JointMotion& now) {
+  const JointPlan& plan = *before.plan;
   double widest = 0;
-  for (const Vec2& p : before.plan->outline) widest = std::max(widest, -before.moved(p));
-  const double kn = std::visit([](const auto& l) { return l.kn; }, model.laws[pair.law]);
-  const double shear = contact.shear.area > 0 ? contact.shear.total.norm() / contact.shear.area : 0;
-  return kn * widest >= shear ? JointMode::tension : JointMode::shear;
+  for (std::size_t k = 0; k < plan.patch.size(); ++k) {
+    if ((patches >> k & 1U) == 0) continue;
+    const JointPatch& p = plan.patch[k];
+    const double slip = before.sound ? 0.0 : before.patch[k].slip;
+    const PatchOverlaps o(plan, p, now.moved.raised(opened_by(law, slip) - before.crushed[k]));
+    for (const Vec2& x : plan.corners(p)) widest = std::max(widest, -o.asked(p, x));
+  }
+  return widest;
+}
+
+/// The couple about its normal that the springs of a joint carry, where they carry nothing else [N m].
+double couple_of(const JointMemory& joint) {
+  if (joint.sound) return joint.elastic.z();
+  double couple = 0;
+  for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) {
+    const JointPatch& p = joint.plan->patch[k];
+    const PatchMemory& m = joint.patch[k];
+    couple += sum_of(lanes_of(p.point_x) * lanes_of(m.elastic_y) - lanes_of(p.point_y) * lanes_of(m.elastic_x));
+  }
+  return couple;
+}
+
+/// Completes the event of a joint's bond by its mode and its figure: it was pulled where one of its patches that went
+/// opened beyond its limit.
+void tell_mode(const Model<3>& model, const NearPair& pair, const JointMemory& before, const JointMemory& after,
+               const JointMotion& now, Event& e) {
+  const JointPlan& plan = *before.plan;
+  const bool broken = e.type == EventType::bond_broken;
+  with_kernel({model.laws[pair.law]}, [&]<class K>(const K& law) {
+    if constexpr (K::bonds) {
+      const std::uint32_t went = broken ? before.bonds & ~after.bonds : before.bonds;
+      const bool pulled = law.kn * widest_opening(law, before, went, now) > law.tension;
+      e.mode = pulled ? JointMode::tension : JointMode::shear;
+      tell_figure(e, {.tension = law.tension * plan.whole.area,
+                      .cohesion = law.cohesion * plan.whole.area,
+                      .stress = law.tension,
+                      .couple = couple_of(before),
+                      .arm = plan.friction_arm,
+                      .softened = broken && K::softens});
+    }
+  });
 }
 
 /// The depth by which the mortar of a row is crushed somewhere [m].
@@ -90,7 +130,7 @@ void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, i
                         body_motion(model, state, pair.piece_b, plan.face_b));
   e.set_place(now.origin);
   e.value = carried_force(*before, contacts.memory[r], {model.laws[pair.law]});
-  e.mode = mode_of(model, pair, *before, contacts.memory[r]);
+  tell_mode(model, pair, *before, *work.contacts.joint_at(r), now, e);
   work.events.push_back(e);
 }
 

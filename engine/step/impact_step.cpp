@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "body/rigid_turn.hpp"
+#include "contact/joint_plan.hpp"
+#include "contact/list.hpp"
 #include "detect/solid_pairs.hpp"
 #include "step/bearing_blows.hpp"
+#include "step/contact_rows.hpp"
 #include "step/nearing.hpp"
 #include "step/stable_step.hpp"
 
@@ -19,7 +23,6 @@ constexpr double least_fall = 1e-3;
 /// Of what one blow may be before it is looked at: two that lie apart and close so slowly that they have less are left
 /// out, however fast they go together.
 constexpr double quiet_part = 1.0 / 8;
-
 /// What has been put in so far, but for what moves now, found from the ledger's sums [J].
 template <int D>
 double given_off(const Work<D>& work) {
@@ -88,15 +91,43 @@ FatBox<3> reached_box(const Model<3>& /*model*/, const Work<3>& work, int piece,
   return widened(box_around(work.solids.placed[piece]), by);
 }
 
-/// True where mortar holds the two together: their contact neither closes nor opens.
-bool are_bonded(const State<2>& state, ContactKey key) {
-  const int row = state.contacts.find(key);
-  return row >= 0 && state.contacts.memory[row].bonds != 0;
+double turning_of(double moment, double inertia) {
+  return std::abs(moment) / inertia;
 }
-bool are_bonded(const State<3>& state, ContactKey key) {
-  const int row = state.contacts.find(key);
-  const JointMemory* joint = row < 0 ? nullptr : state.contacts.joint_at(static_cast<std::size_t>(row));
-  return joint != nullptr && joint->bonds != 0;
+double turning_of(const Vec3& moment, const Vec3& inertia) {
+  return moment.norm() / inertia.minCoeff();
+}
+
+/// What mortar holds two pieces with.
+struct Held {
+  double stiffness;  ///< [N/m]
+  double strength;   ///< the least energy with which it breaks [J]
+  bool pressed;      ///< in the mean
+};
+
+/// Of a bond over a length or area, by the numbers of its law.
+Held held_over(const LawInUse& use, double size, bool pressed) {
+  return with_kernel(use, [&]<class K>(const K& law) {
+    if constexpr (K::bonds) {
+      const double pull = law.tension * law.tension / law.kn,
+                   shear = law.ks > 0 ? law.cohesion * law.cohesion / law.ks : pull;
+      return Held{law.kn * size, 0.5 * size * std::min(pull, shear), pressed};
+    }
+    return Held{};
+  });
+}
+std::optional<Held> held_by_mortar(const Model<2>& model, const Work<2>& work, ContactKey key) {
+  const int row = work.contacts.find(key);
+  if (row < 0 || work.contacts.memory[row].bonds == 0) return {};
+  const FaceOverlap<double> faces = face_overlap(work, work.pairs[row]);
+  return held_over(law_in_use(model, work.pairs[row].law), faces.shared, faces.gap_lo + faces.gap_hi < 0);
+}
+std::optional<Held> held_by_mortar(const Model<3>& model, const Work<3>& work, ContactKey key) {
+  const int row = work.contacts.find(key);
+  const JointMemory* joint = row < 0 ? nullptr : work.contacts.joint_at(static_cast<std::size_t>(row));
+  if (joint == nullptr || joint->bonds == 0) return {};
+  const JointPlan& plan = *joint->plan;
+  return held_over({model.laws[work.pairs[row].law]}, plan.whole.area, joint->moved.at + plan.standing.at > 0);
 }
 
 /// Of two bodies, one of which moves, between which a law holds.
@@ -167,6 +198,50 @@ void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, dou
   own.key.erase(std::unique(own.key.begin(), own.key.end()), own.key.end());
 }
 
+/// The speed and the acceleration of two bodies against each other, at most at any of their points [m/s], [m/s2].
+template <int D>
+std::array<double, 2> relative_motion(const Model<D>& model, const State<D>& state, const Work<D>& work, int a, int b) {
+  Vec<D> speed = Vec<D>::Zero(), gain = Vec<D>::Zero();
+  std::array<double, 2> turning{};
+  for (const int body : {a, b}) {
+    const int n = model.bodies[body].first_node;
+    const double side = body == a ? -1 : 1;
+    speed += side * state.velocity[n];
+    turning[0] += spin_size(state.spin[n]) * model.body_radius[body];
+    if (!model.body_moves(body)) continue;
+    gain += side / model.mass[n] * work.force[n];
+    turning[1] += turning_of(work.moment[n], model.inertia[n]) * model.body_radius[body];
+  }
+  return {speed.norm() + turning[0], gain.norm() + turning[1]};
+}
+
+/// Two rigid bodies that mortar holds together. What holds is a spring both ways and keeps its energy however it
+/// swings, as long as steps are alike; where they change, m a^2 (dt'^2 - dt^2) / 8 is lost or gained, which comes back
+/// as it swings on, but not once the bond has broken. So it counts as a blow where it swings by more than it takes to
+/// break it, by what is the same all along the swing: steps that followed its phases would feed it.
+///
+///     power = (k v^2 + mu a^2) / 2,    energy of the swing = power mu / k > energy of the bond at its limit
+///
+/// While it is pressed, v is that at which it closes or opens, so that what slides does not count. What has come out of
+/// the swing open is about to break, and has no more to lose than that takes.
+template <int D>
+void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, ContactKey key, const Held& held,
+              double dt) {
+  const int a = model.piece_body[first_piece(key)], b = model.piece_body[second_piece(key)];
+  if (!model.bodies[a].is_rigid() || !model.bodies[b].is_rigid() || !(held.stiffness > 0)) return;
+  const double one = work.impacts.mass[a], other = work.impacts.mass[b];
+  const double mass = one == 0 ? other : other == 0 ? one : one * other / (one + other);
+  const auto [speed, gain] = relative_motion(model, state, work, a, b);
+  const double of_gain = 0.5 * mass * gain * gain, power = 0.5 * held.stiffness * speed * speed + of_gain;
+  if (!(power * mass > held.stiffness * held.strength)) return;
+  if (held.pressed) {
+    const Nearing m = nearing(model, state, work, first_piece(key), second_piece(key), dt);
+    work.impacts.blows.push_back({0, 0.5 * held.stiffness * m.speed * m.speed + of_gain});
+  } else {
+    work.impacts.blows.push_back({0, std::min(power, held.strength / (dt * dt))});
+  }
+}
+
 /// What each of the pairs asks for: from when on, and how much. Returns the energy that they have stored [J].
 template <int D>
 double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
@@ -174,8 +249,12 @@ double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, d
   own.blows.clear();
   double stored = 0;
   for (const ContactKey key : own.key) {
+    if (const std::optional<Held> held = held_by_mortar(model, work, key)) {
+      add_held(model, state, work, key, *held, dt);
+      continue;
+    }
     const Nearing m = nearing(model, state, work, first_piece(key), second_piece(key), dt);
-    if (m.apart || are_bonded(state, key)) continue;
+    if (m.apart) continue;
     const double depth = std::max(-m.gap, 0.0), force = m.stiffness * depth;
     stored += 0.5 * force * depth;
     own.blows.push_back(

@@ -10,7 +10,7 @@
 //
 // mu the mass of both together and E the energy that has been put in so far. What comes into contact later than that is
 // reached by a step that ends where it touches. Contacts count, and bearings that close and open: gaps, pounding,
-// cables.
+// cables. So do two that mortar holds and that swing by more than their bond stands.
 #pragma once
 
 #include "world/model.hpp"

@@ -187,7 +187,7 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
     attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpec& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
-  check_held_up(model, floating_bodies(bodies_), faults);
+  check_held_up(model, floating_bodies(bodies_, judge_standing), faults);
   attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }

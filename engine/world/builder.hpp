@@ -55,7 +55,9 @@ class ModelBuilder {
   double still_speed = 2.54e-7;        ///< [m/s]
   double still_time = 0.5;             ///< [s]
   double overlap_allowed = 1e-6;       ///< deepest overlap at the start, share of the smaller body's size
-  Bounds<2> bounds;                    ///< sides that are infinite are those of default_bounds
+  /// What stands on nothing is a fault as it is built or added; false: not before who runs it asks (standing_faults).
+  bool judge_standing = true;
+  Bounds<2> bounds;  ///< sides that are infinite are those of default_bounds
 
   // Each throws InputError, and leaves the builder as it was.
   void add_material(const Material& material);

@@ -16,7 +16,7 @@ Model<2> ModelBuilder::extended(const Model<2>& model, const State<2>& state) {
   carry_conditions(model, grown);
   append_links(model, state, grown);
   const Model<2> standing = as_it_stands(grown, state);
-  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_), faults, notes);
+  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_, judge_standing), faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
   widen_bounds(standing, bounds, grown);
   notes_.insert(notes_.end(), notes.begin(), notes.end());

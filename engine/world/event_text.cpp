@@ -31,6 +31,13 @@ bool stands(const Model<D>& model, int body) {
   return body >= 0 && !model.body_moves(body);
 }
 
+/// " in shear at 12 kN", or by another figure where the event has one; none where the net force is none.
+std::string joint_text(const Event& e) {
+  const std::string in = fmt::format(" in {}", name_of(e.mode));
+  if (!e.text.empty()) return fmt::format("{} at {}", in, e.text);
+  return e.value != 0 ? fmt::format("{} at {:.3g} kN", in, 1e-3 * e.value) : in;
+}
+
 template <int D>
 std::string failed_text(const Event& e, const Model<D>& model, std::string_view what) {
   const std::string name = e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
@@ -75,11 +82,11 @@ std::string event_text(const Event& e, const Model<D>& model) {
     case EventType::stage_ended:
       return ended_text(e.text);
     case EventType::bond_broken:
-      return fmt::format("bond of {} and {} broke in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
+      return fmt::format("bond of {} and {} broke{}", a, b, joint_text(e));
     case EventType::bond_cracked:
-      return fmt::format("bond of {} and {} cracked in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
+      return fmt::format("bond of {} and {} cracked{}", a, b, joint_text(e));
     case EventType::joint_crushed:
-      return fmt::format("joint of {} and {} crushed in {} at {:.3g} kN", a, b, name_of(e.mode), 1e-3 * e.value);
+      return fmt::format("joint of {} and {} crushed{}", a, b, joint_text(e));
     case EventType::bearing_yielded:
       return failed_text(e, model, "yielded");
     case EventType::bearing_failed:

@@ -59,6 +59,14 @@ void check_newcomers(const Model<D>& standing, const State<D>& state, double all
 }
 
 template <int D>
+std::vector<std::string> standing_faults(const Model<D>& model, const State<D>& state,
+                                         const std::vector<std::uint8_t>& floating) {
+  std::vector<std::string> faults;
+  check_held_up(as_it_stands(model, state), floating, faults, {0, &state.left});
+  return faults;
+}
+
+template <int D>
 void check_put_back(const Model<D>& model, const State<D>& state, double allowed, const std::vector<int>& bodies) {
   std::vector<std::uint8_t> out = state.left, back(model.bodies.size(), 0);
   for (const int b : bodies) out[static_cast<std::size_t>(b)] = 0, back[static_cast<std::size_t>(b)] = 1;
@@ -80,6 +88,8 @@ template void carry_conditions(const Model<2>&, Model<2>&);
 template void carry_conditions(const Model<3>&, Model<3>&);
 template Model<2> as_it_stands(const Model<2>&, const State<2>&);
 template Model<3> as_it_stands(const Model<3>&, const State<3>&);
+template std::vector<std::string> standing_faults(const Model<2>&, const State<2>&, const std::vector<std::uint8_t>&);
+template std::vector<std::string> standing_faults(const Model<3>&, const State<3>&, const std::vector<std::uint8_t>&);
 template void check_newcomers(const Model<2>&, const State<2>&, double, const std::vector<std::uint8_t>&,
                               std::vector<std::string>&, std::vector<std::string>&);
 template void check_newcomers(const Model<3>&, const State<3>&, double, const std::vector<std::uint8_t>&,

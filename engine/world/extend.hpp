@@ -23,11 +23,11 @@ void attempt(std::vector<std::string>& faults, Part&& part) {
   }
 }
 
-/// [body] 1 where it may start with nothing that holds it up.
+/// [body] 1 where it may start with nothing that holds it up: all of them where that is not judged yet.
 template <class Specs>
-std::vector<std::uint8_t> floating_bodies(const Specs& bodies) {
+std::vector<std::uint8_t> floating_bodies(const Specs& bodies, bool judged = true) {
   std::vector<std::uint8_t> floating;
-  for (const auto& b : bodies) floating.push_back(b.floating ? 1 : 0);
+  for (const auto& b : bodies) floating.push_back(b.floating || !judged ? 1 : 0);
   return floating;
 }
 
@@ -46,6 +46,11 @@ template <int D>
 void check_newcomers(const Model<D>& standing, const State<D>& state, double allowed,
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
                      std::vector<std::string>& notes);
+
+/// What stands on nothing now, of all bodies that are there by `state`, a line each.
+template <int D>
+std::vector<std::string> standing_faults(const Model<D>& model, const State<D>& state,
+                                         const std::vector<std::uint8_t>& floating);
 
 /// Throws InputError where one of `bodies`, which are out by `state`, would stand in what is there now, deeper than
 /// check_newcomers allows. What comes back together stands as it did.

@@ -183,7 +183,7 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
     attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
-  check_held_up(model, floating_bodies(bodies_), faults);
+  check_held_up(model, floating_bodies(bodies_, judge_standing), faults);
   attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }
@@ -195,7 +195,7 @@ Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& stat
   carry_conditions(model, grown);
   append_links(model, state, grown);
   const Model<3> standing = as_it_stands(grown, state);
-  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_), faults, notes);
+  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_, judge_standing), faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
   widen_bounds(standing, bounds, grown);
   notes_.insert(notes_.end(), notes.begin(), notes.end());

@@ -17,10 +17,10 @@ void push_texts(lua_State* L, const std::vector<std::string>& texts) {
   }
 }
 
-/// core.faults(model): what keeps it from being built; empty once it is.
+/// core.faults(model): what keeps it from being built or, before its first stage, from beginning.
 int faults(lua_State* L) {
   const ScriptModel& m = handle<ModelBox>(L, 1).get();
-  push_texts(L, m.built() ? std::vector<std::string>{} : m.faults());
+  push_texts(L, m.faults());
   return 1;
 }
 

@@ -121,7 +121,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// What was repaired or is worth knowing; complete once the model is built.
   [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
   virtual void add_note(const std::string& line) = 0;
-  /// What keeps it from being built, a line for each.
+  /// What keeps it from being built, or once it is from its first stage, a line for each.
   [[nodiscard]] virtual std::vector<std::string> faults() const = 0;
 
   /// Builds where that was not done. Throws InputError as the builder does.

@@ -276,6 +276,8 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     throw InputError(fmt::format("{}: a stage runs already; begin the next one when it has ended", title()));
   Simulation<D>& s = simulation();
   catch_up();
+  if (const std::vector<std::string> faults = standing_faults(); !faults.empty()) throw InputError(faults.front());
+  judge_standing();
   if (!balance_at_start_) balance_at_start_ = evaluated().energy().balance();
   for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
     host.observer->note(notes()[notes_shown_]);

@@ -81,7 +81,12 @@ class SimulatedModel : public ScriptModel {
   std::string finish(const std::string& error) override;
 
  protected:
+  /// Of the builder. What stands on nothing is judged as the first stage begins, for a bearing may still come.
   [[nodiscard]] virtual Model<D> built_model() = 0;
+  /// What stands on nothing, a line each, of a model that is built; none once that was judged.
+  [[nodiscard]] virtual std::vector<std::string> standing_faults() const = 0;
+  /// From now on what is added is judged at once.
+  virtual void judge_standing() = 0;
   /// `model` with what was added to the builder since, beside what stands there by `state`.
   [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
   /// Deepest overlap of two bodies as they are put, as a share of the smaller one's size.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulated_model.hpp"
+#include "world/extend.hpp"
 #include "world/solid_model_builder.hpp"
 
 namespace trilith::script {
@@ -33,11 +34,26 @@ class SpaceModel final : public SimulatedModel<3> {
   [[nodiscard]] const std::vector<std::string>& groups_of(int body) const override { return spec(body).groups; }
   [[nodiscard]] const std::vector<std::string>& notes() const override { return builder.notes(); }
   void add_note(const std::string& line) override { builder.note(line); }
-  [[nodiscard]] std::vector<std::string> faults() const override { return builder.faults(); }
+  [[nodiscard]] std::vector<std::string> faults() const override {
+    return built() ? standing_faults() : builder.faults();
+  }
   [[nodiscard]] const SolidSpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
 
  protected:
-  [[nodiscard]] Model<3> built_model() override { return builder.build(); }
+  [[nodiscard]] Model<3> built_model() override {
+    builder.judge_standing = false;
+    try {
+      return builder.build();
+    } catch (const InputError&) {
+      builder.judge_standing = true;
+      throw;
+    }
+  }
+  [[nodiscard]] std::vector<std::string> standing_faults() const override {
+    if (builder.judge_standing) return {};
+    return trilith::standing_faults(if_built()->model(), if_built()->state(), floating_bodies(builder.bodies()));
+  }
+  void judge_standing() override { builder.judge_standing = true; }
   [[nodiscard]] double overlap_allowed() const override { return builder.overlap_allowed; }
   [[nodiscard]] Model<3> extended_model(const Model<3>& model, const State<3>& state) override {
     return builder.extended(model, state);

@@ -17,9 +17,15 @@ local function add_keys(lines, keys, title)
   for _, key in ipairs(keys) do lines[#lines + 1] = key_row(key) end
 end
 
---- Those that all bodies take stand with model:body alone; whoever takes more tells the rest.
+--- Where the keys stand that all bodies take: those of the plane and of space are not the same.
+local function told_at(entry)
+  return entry.owner == "space" and "space:block" or "model:body"
+end
+
+--- Those that all bodies take stand there alone; whoever takes more tells the rest.
 local function add_keys_of_bodies(lines, entry)
-  local told, body = {}, "model:body"
+  local told, body = {}, told_at(entry)
+  local bodies = entry.owner == "space" and "bodies in space" or "bodies"
   for _, other in ipairs(console.manual().list) do
     if other.name == body and entry.name ~= body then
       for _, key in ipairs(other.with) do told[key.name] = true end
@@ -27,7 +33,8 @@ local function add_keys_of_bodies(lines, entry)
   end
   local more = {}
   for _, key in ipairs(entry.with) do more[#more + 1] = not told[key.name] and key or nil end
-  lines[#lines + 1] = "\nAnd what " .. (entry.name == body and "all bodies take:" or "bodies take, see `model:body`.")
+  local which = entry.name == body and "all %s take:" or "%s take, see `" .. body .. "`."
+  lines[#lines + 1] = "\nAnd what " .. which:format(bodies)
   add_keys(lines, more, "key")
 end
 

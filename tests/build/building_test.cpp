@@ -125,6 +125,23 @@ TEST_CASE("a building may be turned, and its floors have any outline") {
   CHECK(named(made.parts, "house.s2.floor").pieces.size() == 2);
 }
 
+TEST_CASE("a storey whose walls no slab carries is refused and one that a slab carries in part is told of") {
+  Building building = house();
+  building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
+  CHECK(says(
+      refusal_of([&] { build_building(building); }),
+      "wall 'south', storey 2: nothing of the slab below is under it, so that it hangs 0.2 m above the wall below; "
+      "let slab_outline reach under all walls, or leave it out"));
+  building.slab_outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+  const std::vector<std::string> notes = build_building(building).notes;
+  REQUIRE(notes.size() == building.walls.size());
+  // 6.0 m of 6.2 m of its length and a half of its thickness
+  CHECK(says(notes[0], "wall 'south', storey 2: the slab below is under 48.4 % of its foot; the rest hangs 0.2 m"));
+  building.storeys[0].slab_height = 0;  // it stands on the walls below
+  building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
+  CHECK(build_building(building).notes.empty());
+}
+
 TEST_CASE("no head joint of a wall lies over another in any bond") {
   for (const LeafBond& bond : leaf_bonds()) {
     CAPTURE(bond.name);
@@ -184,6 +201,26 @@ TEST_CASE("openings cut units, short pieces join their neighbours with a note") 
   check_sound(made.parts);
   wall.openings[0].sill = 0.45, wall.masonry.snap = true;
   CHECK(build_solid_wall(wall).notes.size() == 3);
+}
+
+TEST_CASE("masonry beside an opening or a lintel that is shorter than the least length is refused") {
+  SolidWall wall = wall_of(4, 10, "stretcher");
+  const auto refused = [&] { return refusal_of([&] { build_solid_wall(wall); }); };
+  wall.openings = {{.from = 0.05, .sill = 0.4, .width = 1, .height = 1, .lintel = false}};
+  CHECK(says(refused(),
+             "wall 'W', storey 1, course 3: the masonry from x = 0 to 0.05 m is 0.05 m long, less than the "
+             "least length of 0.08 m; move the opening, or give a smaller least_length"));
+  wall.openings = {{.from = 1, .width = 1, .height = 1}, {.from = 2.43, .width = 1, .height = 1}};
+  CHECK(says(refused(),
+             "course 6: the masonry from x = 2.2 to 2.23 m is 0.03 m long, less than the least length of 0.08 "
+             "m; move the opening, give its lintel another bearing, or give a smaller least_length"));
+  wall.masonry.least_length = 0.03;
+  CHECK_NOTHROW(build_solid_wall(wall));
+  Building building = house();  // its corner is 0.2 m wide, its first joint 0.1 m beyond that
+  building.walls[0].openings[2] = {.storey = 2, .from = 0.15, .sill = 0.8, .width = 1, .height = 1, .lintel = false};
+  CHECK(says(refusal_of([&] { build_building(building); }),
+             "wall 'south', storey 2, course 6: the masonry from x = 0.1 to "
+             "0.15 m is 0.05 m long"));
 }
 
 TEST_CASE("buildings that cannot be are refused") {

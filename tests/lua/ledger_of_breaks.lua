@@ -48,3 +48,50 @@ for _, dim in ipairs { 2, 3 } do
     assert(out < 5e-4, ("bonded, shear, %d dimensions, %s: out by %.3g"):format(dim, integrator, out))
   end
 end
+
+-- Asked for an accuracy, a blow on a block that mortar holds keeps its energy too: what swings on its mortar until that
+-- breaks counts as what strikes. A stone falls from half a metre on the middle of the block or near its end.
+local function drop_on_bonded(dim, law, accuracy, aside)
+  local m = trilith.model { name = "struck", dim = dim }
+  m:material { name = "stone", density = 2400 }
+  m:contact { between = { "*", "*" }, law = law }
+  m:contact { between = { "ball", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6 } }
+  local function block(name, x, z, width, height, options)
+    options.name, options.material, options.floating = name, "stone", true
+    if dim == 2 then
+      options.width, options.height, options.at = width, height, { x, z }
+    else
+      options.size, options.at = { width, width, height }, { x, 0.5 - width/2, z }
+    end
+    return m:block(options)
+  end
+  block("base", 0, -0.5, 1, 0.5, { support = "fixed" })
+  block("top", 0.2, 0, 0.6, 0.3, {})
+  local ball = block("ball", 0.2 + aside, 0.8, 0.3, 0.3, {})
+  local broken = 0
+  m:on("bond.broken", function() broken = broken + 1 end)
+  m:run { duration = 0.8, accuracy = accuracy }
+  local out = math.abs(m.energy.residual)/(ball.mass*9.80665*0.5)
+  assert(broken > 0)
+  m:close()
+  return out
+end
+
+-- At a thousandth .06 to .17 % are missed, of a blow, a break and blows after it; with mortar that softens, whose loss is
+-- of the first order in the step, up to .8 %. Where steps grow as the stone leaves it is .06 to 10 %.
+local limits = { bonded = { [1e-3] = 3e-3, [1e-4] = 5e-4 }, cohesive = { [1e-3] = 1e-2, [1e-4] = 4e-3 } }
+local struck = {
+  bonded = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5 },
+  cohesive = trilith.cohesive { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5, energy_tension = 100,
+                                energy_shear = 300 },
+}
+for _, dim in ipairs { 2, 3 } do
+  for law, value in pairs(struck) do
+    for _, aside in ipairs { -0.1, 0.15 } do
+      for accuracy, limit in pairs(limits[law]) do
+        local out = drop_on_bonded(dim, value, accuracy, aside)
+        assert(out < limit, ("%s, %d dimensions, %g m aside, %g: out by %.3g"):format(law, dim, aside, accuracy, out))
+      end
+    end
+  end
+end

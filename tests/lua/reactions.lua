@@ -25,6 +25,30 @@ for _, divisions in ipairs { 1, 2, 8 } do
   m:close()
 end
 
+-- Pressure on a cantilever comes to its support whole, however it leans and is divided, with a moment about it of q L/2;
+-- the shear of the first beam is that at its middle.
+for _, case in ipairs { { dim = 2, width = 1 }, { dim = 3, width = 0.1 } } do
+  for _, divisions in ipairs { 1, 8, 40 } do
+    for _, tip in ipairs { { 2, 0 }, { 1.6, 1.2 } } do
+      local m = trilith.model { name = "pressed", dim = case.dim, gravity = 0 }
+      m:material { name = "wood", density = 500, E = 1e10, nu = 0.3 }
+      local function at(p) return case.dim == 2 and p or { p[1], 0, p[2] } end
+      local b = m:beam { name = "b", from = at { 0, 0 }, to = at(tip), material = "wood", divisions = divisions,
+        section = trilith.rectangle_section { width = 0.1, depth = 0.2 }, from_support = "fixed" }
+      m:pressure { body = b, face = "top", value = 1000, follow = false }
+      m:consolidate { integrator = "static" }
+      local r, load = b:reactions()[1], 1000*case.width*2
+      -- 12 EI/l^3 of the shortest beams is 6e10 N/m: rounding of places by 1e-15 m makes 1e-4 N.
+      assert(math.abs(r.fx + load*tip[2]/2) < 1e-5*load)
+      near(case.dim == 2 and r.fy or r.fz, load*tip[1]/2, 1e-5)
+      near(math.abs(r.m or r.my), load*1, 5e-4) -- the top turns by some 2e-3 about the axis, .1 m below it
+      local first = b:forces()[1]
+      near(math.abs(first.shear or first.shear_y), load*(1 - 0.5/divisions), 1e-5)
+      m:close()
+    end
+  end
+end
+
 -- What stands on a fixed base comes through it, with the base's own weight; a base that is moved takes all along.
 for _, dim in ipairs { 2, 3 } do
   local m = trilith.model { name = "stand", dim = dim }
