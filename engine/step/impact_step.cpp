@@ -23,6 +23,7 @@ constexpr double least_fall = 1e-3;
 /// Of what one blow may be before it is looked at: two that lie apart and close so slowly that they have less are left
 /// out, however fast they go together.
 constexpr double quiet_part = 1.0 / 8;
+
 /// What has been put in so far, but for what moves now, found from the ledger's sums [J].
 template <int D>
 double given_off(const Work<D>& work) {
