@@ -47,6 +47,31 @@ TRILITH_INLINE void spread_one_node(const State<2>& state, const BodyRow& body, 
   work.moment[body.node] = load.moment;
 }
 
+/// True of rigid bodies with as many skin points.
+TRILITH_INLINE bool are_alike(const BodyRow& a, const BodyRow& b) {
+  return a.layout == SkinLayout::one_node && b.layout == SkinLayout::one_node && a.skins == b.skins;
+}
+
+/// spread of two rigid bodies that are alike, side by side: the operations of spread_rigid() for each.
+TRILITH_INLINE void spread_two(const State<2>& state, const BodyRow& a, const BodyRow& b, Work<2>& work) {
+  const auto both = [](const double* of_a, const double* of_b) {
+    const LanePair low = load_pair(of_a), high = load_pair(of_b);
+    return Lanes(__builtin_shufflevector(low, high, 0, 1, 2, 3));
+  };
+  const auto swapped = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 0, 3, 2)); };
+  const Lanes origin = both(state.position[a.node].data(), state.position[b.node].data());
+  Lanes sum{}, moment{};  // the moments in lanes 0 and 2
+  for (int i = 0; i < a.skins; ++i) {
+    const Lanes force = both(work.skin_force[a.skin + i].data(), work.skin_force[b.skin + i].data()),
+                arm = both(&work.skin[a.skin + i].x, &work.skin[b.skin + i].x) - origin, turning = arm * swapped(force);
+    sum += force;
+    moment += turning - swapped(turning);
+  }
+  store_pair(work.force[a.node].data(), LanePair{sum[0], sum[1]});
+  store_pair(work.force[b.node].data(), LanePair{sum[2], sum[3]});
+  work.moment[a.node] = moment[0], work.moment[b.node] = moment[2];
+}
+
 /// spread of a body in space whose nodes do not turn: what its elements give, and the forces on its fits.
 void spread_fits(const Model<3>& model, const BodyRow& body, Work<3>& work) {
   for (int n = body.node; n < body.node + body.nodes; ++n) {
@@ -158,6 +183,21 @@ void keep_larger(const LargestForces& of, LargestForces& largest) {
   largest.carried = std::max(largest.carried, of.carried);
 }
 
+/// Spreads body b, in the plane with the next one where they are alike and it is before `last`. Returns the next body.
+TRILITH_INLINE int spread_some(const Model<2>& model, const State<2>& state, int b, int last, Work<2>& work) {
+  const BodyRow* const body = &work.body[static_cast<std::size_t>(b)];
+  if (b + 1 < last && are_alike(body[0], body[1])) {
+    spread_two(state, body[0], body[1], work);
+    return b + 2;
+  }
+  spread_body(model, state, body[0], work);
+  return b + 1;
+}
+TRILITH_INLINE int spread_some(const Model<3>& model, const State<3>& state, int b, int /*last*/, Work<3>& work) {
+  spread_body(model, state, work.body[static_cast<std::size_t>(b)], work);
+  return b + 1;
+}
+
 /// Sums of the bodies from `first` to before `last`, and where all their forces are there by then what acts from
 /// outside.
 template <int D>
@@ -165,10 +205,12 @@ TRILITH_INLINE void sum_each(const Model<D>& model, const State<D>& state, const
                              Work<D>& work, LargestForces& largest) {
   const bool at_once = model.bearings.empty();
   LargestForces of = largest;  // of its own: no force that is written can change it
-  for (int b = first; b < last; ++b) {
-    const BodyRow body = work.body[static_cast<std::size_t>(b)];
-    spread_body(model, state, body, work);
-    if (at_once) add_outside(model, field, body.node, body.node + body.nodes, work, of);
+  for (int b = first; b < last;) {
+    const BodyRow* const body = work.body.data();
+    const int next = spread_some(model, state, b, last, work);
+    const BodyRow& end = body[next - 1];
+    if (at_once) add_outside(model, field, body[b].node, end.node + end.nodes, work, of);
+    b = next;
   }
   largest = of;
 }
