@@ -239,14 +239,14 @@ end
 -- A free body that spins, with nothing stiff in the model: its axis goes round its angular momentum at L/I1, by steps
 -- that follow its turn.
 do
-  local m = trilith.model { name = "spun", dim = 3, gravity = 0 }
-  m:material { name = "stone", density = 1500 }
-  local plate = m:block { name = "plate", size = { 0.6, 0.6, 0.2 }, at = { -0.3, -0.3, -0.1 }, material = "stone",
+  local free = trilith.model { name = "spun", dim = 3, gravity = 0 }
+  free:material { name = "stone", density = 1500 }
+  local plate = free:block { name = "plate", size = { 0.6, 0.6, 0.2 }, at = { -0.3, -0.3, -0.1 }, material = "stone",
                           floating = true, spin = { 0.7, 0, 14 } }
   local across, along = (0.6^2 + 0.2^2)/12*0.7, 2*0.6^2/12*14
-  m:run { duration = 2.3 }
+  free:run { duration = 2.3 }
   local size = math.sqrt(across^2 + along^2)
-  local turned, cone = size/((0.6^2 + 0.2^2)/12)*m.time, across/size
+  local turned, cone = size/((0.6^2 + 0.2^2)/12)*free.time, across/size
   local x, y = plate:point { 0, 0, 0.1 }
   -- Seen along the momentum, which leans by the cone's angle from z towards x, the axis began at -x.
   local lean = math.atan(across, along)
