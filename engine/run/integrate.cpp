@@ -74,7 +74,8 @@ NextStep Simulation<D>::choose_step() const {
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
   const double longest = stable_step(model_, state_, work_).dt;
   // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
-  const double dt = is_as_asked(longest, options) ? options.mass_scaling->step : settled_step(longest, options.safety);
+  const double turning = std::min(longest, turning_step(model_, state_));
+  const double dt = is_as_asked(longest, options) ? options.mass_scaling->step : settled_step(turning, options.safety);
   return {given > 0 ? given : dt, safety, longest};
 }
 

@@ -295,6 +295,10 @@ StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<
   return found;
 }
 
+double turning_step(const Model<2>& /*model*/, const State<2>& /*state*/) {
+  return longest_step;
+}
+
 template <int D>
 StableStep unbanded_step(Model<D> model, const State<D>& state, const Work<D>& work) {
   for (RateBound& own : model.element_bound)

@@ -49,7 +49,12 @@ void bound_faces(const Model<3>& model, Work<3>& work);
 StableStep stable_step(const Model<2>& model, const State<2>& state, const Work<2>& work);
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work);
 
-/// The same without what damping over a band adds to the stiffness of beams.
+/// The longest step in which no rigid body of unlike principal moments turns by more than a tenth, so that its axis
+/// goes round as it must, to some parts in ten thousand; longest_step where that is longer, and in the plane [s].
+double turning_step(const Model<2>& model, const State<2>& state);
+double turning_step(const Model<3>& model, const State<3>& state);
+
+/// As stable_step, without what damping over a band adds to the stiffness of beams.
 template <int D>
 StableStep unbanded_step(Model<D> model, const State<D>& state, const Work<D>& work);
 

@@ -193,6 +193,8 @@ BodyRates rates_of(const Model<3>& model, const Work<3>& work, const SolidLocals
 
 /// Bodies that a thread rates at a time: some ten microseconds.
 constexpr int rated_solids = 32;
+/// By which a body turns in a step at most [rad].
+constexpr double longest_turn = 0.1;
 
 }  // namespace
 
@@ -202,6 +204,16 @@ std::vector<BodyRates> body_rates(const Model<3>& model, const State<3>& state, 
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (model.body_moves(static_cast<int>(b))) out[b] = rates_of(model, work, locals, b);
   return out;
+}
+
+double turning_step(const Model<3>& model, const State<3>& state) {
+  double fastest = 0;
+  for (const Body& body : model.bodies) {
+    if (!body.is_rigid()) continue;
+    const Vec3& inertia = model.inertia[body.first_node];
+    if (inertia.maxCoeff() > inertia.minCoeff()) fastest = std::max(fastest, state.spin[body.first_node].norm());
+  }
+  return fastest * longest_step > longest_turn ? longest_turn / fastest : longest_step;
 }
 
 StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<3>& work) {

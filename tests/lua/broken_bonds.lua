@@ -1,4 +1,4 @@
--- What the event of a bond says as it breaks: which limit governed, and the force, the stress or the couple it broke at.
+-- What the event of a bond says as it breaks: which limit governed, and the force, the stress or the couple of it.
 local trilith = require "trilith"
 
 local tension, cohesion <const> = 2e5, 3e5
@@ -81,7 +81,7 @@ for _, law in ipairs { "bonded", "cohesive" } do
   check(2, law, { couple = 6e4 }, "tension", "kPa", 200, 1e-3)
 end
 
--- A blow breaks the bond within a step, before it carried anything: its strength is told where a stress alone passed it.
+-- A blow breaks the bond within a step, before it carried anything: told is its strength, where tension passed it.
 for _, dim in ipairs { 2, 3 } do
   check(dim, "undamped", { velocity = { 0, 0, 3 } }, "tension", "kPa", 200, 1e-3)
   local struck = first_event(dim, "undamped", { velocity = { 3, 0, 0 } })

@@ -77,8 +77,8 @@ local function drop_on_bonded(dim, law, accuracy, aside)
   return out
 end
 
--- At a thousandth .06 to .17 % are missed, of a blow, a break and blows after it; with mortar that softens, whose loss is
--- of the first order in the step, up to .8 %. Where steps grow as the stone leaves it is .06 to 10 %.
+-- At a thousandth .06 to .17 % are missed, of a blow, a break and blows after it; with mortar that softens, whose loss
+-- is of the first order in the step, up to .8 %. Where steps grow as the stone leaves it is .06 to 10 %.
 local limits = { bonded = { [1e-3] = 3e-3, [1e-4] = 5e-4 }, cohesive = { [1e-3] = 1e-2, [1e-4] = 4e-3 } }
 local struck = {
   bonded = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5 },

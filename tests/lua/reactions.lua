@@ -25,8 +25,8 @@ for _, divisions in ipairs { 1, 2, 8 } do
   m:close()
 end
 
--- Pressure on a cantilever comes to its support whole, however it leans and is divided, with a moment about it of q L/2;
--- the shear of the first beam is that at its middle.
+-- Pressure on a cantilever comes to its support whole, however it leans and is divided, with its moment about it; the
+-- shear of the first beam is that at its middle.
 for _, case in ipairs { { dim = 2, width = 1 }, { dim = 3, width = 0.1 } } do
   for _, divisions in ipairs { 1, 8, 40 } do
     for _, tip in ipairs { { 2, 0 }, { 1.6, 1.2 } } do
