@@ -140,7 +140,7 @@ class JointStep {
     }
     slide(k, stress, law_.kn * normal_at_points(p, o, bonded, hold, damped, force));
     const bool weaker = was_bonded && (!after_.bonded(static_cast<int>(k)) || is.damage != was.damage);
-    if (weaker || deeper > 0) sums.lost.fracture += given_off(k, stress);
+    if (weaker || deeper > 0) sums.lost.fracture += given_off(k, stress, deeper > 0);
     sums.softened = sums.softened || is.damage != was.damage || deeper > 0;
     sum_shear(p, is, is.slip - was.slip);
   }
@@ -183,14 +183,20 @@ class JointStep {
 
   /// What a bond that holds less than before, or mortar that was crushed, gave off: its energy before and after the
   /// step, and the work between, with the mean of the stresses of both instants, which is what a leapfrog step does
-  /// [J]. `now`: the stress of now.
-  [[nodiscard]] double given_off(std::size_t k, const PatchStress& now) const {
+  /// [J]. Of a bond without what the faces alone would press: what a step misses of that as they part is no fracture.
+  /// `now`: the stress of now; `crushes`: its mortar was crushed, which takes of that pressure.
+  [[nodiscard]] double given_off(std::size_t k, PatchStress now, bool crushes) const {
     const JointPatch& p = plan_.patch[k];
-    const PatchOverlaps then = overlaps(k, before_.moved, before_.crushed[k]);
-    const PatchStress first =
+    const PatchOverlaps then = overlaps(k, before_.moved, before_.crushed[k]),
+                        here = overlaps(k, motion_.moved, after_.crushed[k]);
+    PatchStress first =
         elastic_stress(plan_, p, then, before_.bonded(static_cast<int>(k)), holds_of(law_, before_.patch[k]));
-    const PatchStress last = elastic_stress(plan_, p, overlaps(k, motion_.moved, after_.crushed[k]),
-                                            after_.bonded(static_cast<int>(k)), holds_of(law_, after_.patch[k]));
+    PatchStress last =
+        elastic_stress(plan_, p, here, after_.bonded(static_cast<int>(k)), holds_of(law_, after_.patch[k]));
+    if (!crushes) {
+      const PatchStress pressed = where_closed(plan_, p, here.faces);
+      first.add(where_closed(plan_, p, then.faces), -1), last.add(pressed, -1), now.add(pressed, -1);
+    }
     const LinearOverlap gained = motion_.moved.plus(before_.moved, -1);
     const double work = 0.5 * ((first.force + now.force) * gained.at + (first.moment + now.moment).dot(gained.slope));
     return law_.kn * (first.energy - last.energy + work);

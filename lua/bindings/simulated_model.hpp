@@ -13,6 +13,18 @@
 
 namespace trilith::script {
 
+/// Builds without asking what stands on nothing, which the first stage will; where it cannot be built it is asked too.
+template <class Builder>
+auto built_unjudged(Builder& builder) {
+  builder.judge_standing = false;
+  try {
+    return builder.build();
+  } catch (const InputError&) {
+    builder.judge_standing = true;
+    throw;
+  }
+}
+
 template <int D>
 class SimulatedModel : public ScriptModel {
  public:

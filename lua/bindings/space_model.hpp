@@ -40,15 +40,7 @@ class SpaceModel final : public SimulatedModel<3> {
   [[nodiscard]] const SolidSpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
 
  protected:
-  [[nodiscard]] Model<3> built_model() override {
-    builder.judge_standing = false;
-    try {
-      return builder.build();
-    } catch (const InputError&) {
-      builder.judge_standing = true;
-      throw;
-    }
-  }
+  [[nodiscard]] Model<3> built_model() override { return built_unjudged(builder); }
   [[nodiscard]] std::vector<std::string> standing_faults() const override {
     if (builder.judge_standing) return {};
     return trilith::standing_faults(if_built()->model(), if_built()->state(), floating_bodies(builder.bodies()));
