@@ -4,7 +4,7 @@ return {
 stage.begun         a stage began
 stage.ended         a stage ended; text: how
 bond.cracked        the bond of a joint opened on a part of its face; value: the force it then carried
-bond.broken         the bond of a joint is lost; value: the force it carried last; text: the couple or stress it broke at
+bond.broken         the bond of a joint is lost; value: the force it carried last; text: a couple or stress it broke at
 joint.crushed       a joint reached its strength in compression; value: the force
 bearing.yielded     a bearing left its elastic range for the first time
 bearing.failed      a bearing reached its limit, as that counts, and carries nothing more, or what it becomes does
