@@ -96,9 +96,9 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Pressed in at 1 m/s a block swings back and tears off within one step that is far too long for it. What that step
--- misses is told as missed, in space as in the plane; the bond gives off no more than it held, and never less than
--- nothing.
+-- Pressed in at 1 m/s a block swings back and goes from pressed to torn off within one step, of a quarter to a third of
+-- the longest stable one. What that step misses is told as missed, in space as in the plane; the bond gives off no more
+-- than it held, and never less than nothing.
 local function torn(dim, dt)
   local m = trilith.model { name = "torn", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 2000 }
