@@ -9,6 +9,7 @@
 #include "body/rigid.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/evaluate.hpp"
+#include "step/face_columns.hpp"
 
 namespace trilith {
 namespace {
@@ -54,10 +55,7 @@ TRILITH_INLINE bool are_alike(const BodyRow& a, const BodyRow& b) {
 
 /// spread of two rigid bodies that are alike, side by side: the operations of spread_rigid() for each.
 TRILITH_INLINE void spread_two(const State<2>& state, const BodyRow& a, const BodyRow& b, Work<2>& work) {
-  const auto both = [](const double* of_a, const double* of_b) {
-    const LanePair low = load_pair(of_a), high = load_pair(of_b);
-    return Lanes(__builtin_shufflevector(low, high, 0, 1, 2, 3));
-  };
+  const auto both = [](const double* of_a, const double* of_b) { return join(load_pair(of_a), load_pair(of_b)); };
   const auto swapped = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 0, 3, 2)); };
   const Lanes origin = both(state.position[a.node].data(), state.position[b.node].data());
   Lanes sum{}, moment{};  // the moments in lanes 0 and 2
