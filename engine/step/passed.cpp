@@ -146,12 +146,13 @@ bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other
 }
 
 /// How much deeper the pieces of a row may get [m]; below 0: they are too deep, and that was not told yet. Of those
-/// that are not half as deep as that, at least half.
+/// that are not half as deep as that, at least half; of those that do not touch any depth: as they begin to, they are
+/// looked at.
 double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
   const double allowed = deepest_allowed(model, p, q), half = 0.5 * allowed;
-  if ((work.contacts.memory[row].state & contact_touching) == 0) return half;
+  if ((work.contacts.memory[row].state & contact_touching) == 0) return unbounded;
   if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
   if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
   if (is_told(model, state, p, q)) return half;
@@ -171,17 +172,19 @@ double clear_until(const Work<2>& work, int row, double room) {
 /// Of rows that are found to be too deep, until that is told.
 constexpr double too_deep = -1;
 
+/// Looks at a row. Returns the path until which that will do; `too_deep` where it is.
+double look_at_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const double room = room_of(model, state, work, row);
+  return work.clear_until[row] = room < 0 ? too_deep : clear_until(work, row, room);
+}
+
 /// Looks at those rows from `first` to before `last` that are to be looked at by now. Returns the shortest path until
 /// which all of them will do, `too_deep` where some is.
 double look_at_rows(const Model<2>& model, const State<2>& state, Work<2>& work, int first, int last) {
   double least = unbounded;
   for (int row = first; row < last; ++row) {
-    double& clear = work.clear_until[row];
-    if (!(work.travel < clear)) {
-      const double room = room_of(model, state, work, row);
-      clear = room < 0 ? too_deep : clear_until(work, row, room);
-    }
-    least = std::min(least, clear);
+    const double clear = work.clear_until[row];
+    least = std::min(least, work.travel < clear ? clear : look_at_row(model, state, work, row));
   }
   return least;
 }
@@ -217,9 +220,10 @@ void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector
   if (work.clear_path == too_deep) tell_deep(model, state, work, told);
 }
 
-/// Where a bearing held a contact off, it may begin deep.
-void look_at_new(Work<2>& work) {
-  for (const int row : work.changed_rows) work.clear_until[row] = work.clear_path = 0;
+/// Looks at rows that began to touch just now, and at no others: where a bearing held a contact off, it may begin deep.
+void look_at_new(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  for (const int row : work.changed_rows)
+    work.clear_path = std::min(work.clear_path, look_at_row(model, state, work, row));
 }
 
 /// What turns so fast that more looks are needed is no motion that a step could follow: the watch on speeds tells of
@@ -251,7 +255,7 @@ std::vector<Event> notice_passed(const Model<2>& model, State<2>& state, Work<2>
   if (!goes_slowly(model, work, state.last_dt, 1))
     for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
       if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);
-  look_at_new(work);
+  look_at_new(model, state, work);
   if (!(work.travel < work.clear_path)) look_now(model, state, work, told);
   return told;
 }
