@@ -63,7 +63,7 @@ Extent extent_of(const Model<D>& model, int body) {
   return e;
 }
 
-/// From the top of the storey below, or its own lowest point, to its own highest; its top is its floor or, without,
+/// From the top of what is below, or its own lowest point, to its own highest; its top is its floor or, without,
 /// what reaches up to there within a thousandth of its height.
 template <int D>
 void lay_storey(const Model<D>& model, Storey& storey, double below) {
@@ -80,6 +80,17 @@ void lay_storey(const Model<D>& model, Storey& storey, double below) {
   if (!storey.top.empty()) return;
   for (const int body : storey.bodies)
     if (extent_of(model, body).high >= all.high - same_height * storey.height) storey.top.push_back(body);
+}
+
+/// The highest top of the base that is not above a storey's lowest point, as drift is told against the base: between
+/// the two may be bearings or columns that are in no group. -unbounded where there is none.
+template <int D>
+double level_of_base(const Model<D>& model, const Storey& storey) {
+  double low = unbounded, level = -unbounded;
+  for (const int body : storey.bodies) low = std::min(low, extent_of(model, body).low);
+  for (const int body : find_base(model))
+    if (const double high = extent_of(model, body).high; high <= low) level = std::max(level, high);
+  return level;
 }
 
 /// Some node is free along a level axis.
@@ -127,7 +138,8 @@ std::vector<Storey> find_storeys(const Model<D>& model) {
   std::vector<Storey> storeys;
   for (auto& [number, storey] : by_number) {
     storey.number = number;
-    lay_storey(model, storey, storeys.empty() ? -unbounded : storeys.back().bottom + storeys.back().height);
+    lay_storey(model, storey,
+               storeys.empty() ? level_of_base(model, storey) : storeys.back().bottom + storeys.back().height);
     storeys.push_back(std::move(storey));
   }
   return storeys;

@@ -14,7 +14,8 @@ struct Storey {
   std::vector<int> bodies;        ///< all of it
   std::vector<int> top;           ///< its floors (groups "slabs", "slab", "floors"; of them those not in "beams" where
                                   ///< there are such), or else its topmost bodies
-  double bottom = 0, height = 0;  ///< at the start, from the top of the storey below (or its own lowest point) [m]
+  double bottom = 0, height = 0;  ///< at the start, from the top of the storey below, or of the base under it, or its
+                                  ///< own lowest point [m]
 };
 
 /// Lowest first; a storey without a body in between is not there. Bodies of several walls that stand beside each other

@@ -288,6 +288,7 @@ void Watch::count_from(const Instant<D>& now, const Energy& energy) {
   free_dofs_ = now.model.free_dofs();
   given_speed_ = given_speed(now);
   most_energy_ = held(energy);
+  most_put_in_ = 0;
 }
 
 /// Two bounds that no sound run passes, however wild:
@@ -298,7 +299,8 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
   // What was freed or left took its motion along: from here on.
   if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
-  const double start = held(from_), given = std::max(0.0, put_in(e) - put_in(from_));
+  most_put_in_ = std::max(most_put_in_, put_in(e) - put_in(from_));
+  const double start = held(from_), given = most_put_in_;
   const double lost = given_off(e) - given_off(from_), made = held(e) + lost - start - (put_in(e) - put_in(from_));
   double mass = 0;
   for (int n = 0; n < now.model.nodes(); ++n)
@@ -308,7 +310,8 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
                trifle = 0.5 * mass * trifling_speed * trifling_speed;
   const auto fastest = [&] {
     const int body = worst_bodies(now.model, now.work).fastest;
-    return fmt::format("{} is fastest, at {:.3g} m/s", body >= 0 ? now.model.bodies[body].name : "?", now.speed);
+    if (body < 0) return std::string("all bodies are held or driven");
+    return fmt::format("{} is fastest, at {:.3g} m/s", now.model.bodies[body].name, now.speed);
   };
   if (!std::isfinite(made))
     return Divergence{fmt::format("the energy is no longer a finite number; {}", fastest()),
@@ -348,6 +351,8 @@ std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
   if (auto found = look_at_elements(now)) return found;
   if (auto found = look_at_beams(now)) return found;
   if (!now.stage.watched) return std::nullopt;
+  // A support that is led to and fro takes out again what it put in, and no look may fall between the two.
+  if (counts_) most_put_in_ = std::max(most_put_in_, put_in(now.state.given) - put_in(from_));
   // Energies cost a pass over all contacts, so they are looked at now and then.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;
   return look_at_magnitudes(now);

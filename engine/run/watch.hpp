@@ -67,6 +67,7 @@ class Watch {
   int free_dofs_ = 0;           // then
   double given_speed_ = 0;      // that bodies had then, and motions have [m/s]
   double most_energy_ = 0;      // that was there, or put in, at any look [J]
+  double most_put_in_ = 0;      // since energies count, at any instant [J]
   double looked_speed_ = 0;     // fastest point when it last looked at magnitudes [m/s]
   std::int64_t next_look_ = 0;  // at this step
 };

@@ -136,6 +136,11 @@ void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner) {
 template <int D>
 void add_bearing_doubts(const BearingSpecOf<D>& spec, const std::string& owner, std::vector<std::string>& notes) {
   for (const DirectionLaw& law : all_laws(spec)) doubt_direction(law, owner, notes);
+  if (spec.replaces_contact && is_none(spec.law[Directions<D>::axial]))
+    notes.push_back(
+        fmt::format("{}: replaces_contact takes the flat contact of its bodies away while it holds, and it has no "
+                    "axial law to carry in its place; give one, or leave replaces_contact out",
+                    owner));
 }
 
 template <int D>

@@ -305,6 +305,27 @@ const std::array bearing_method_list{
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
 };
 
+/// The table on top of the stack: displacements by direction. What it does not name stays, or has none.
+template <int D>
+void read_limit_table(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others) {
+  Keys own(keys.lua(), -1, "limit");
+  bool any = false;
+  const auto read = [&](const char* key, std::string_view unit, double& limit) {
+    any = any || own.has(key);
+    limit = own.number(key, unit, others == OtherLimits::kept ? limit : unbounded);
+  };
+  const auto& names = Directions<D>::names;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    read(names[k], unit_of_direction<D>(static_cast<int>(k)), spec.limit[k]);
+  if constexpr (D == 3) read("horizontal", "m", spec.horizontal_limit);
+  if (!any) own.problem("no direction is named; give the displacement of one, as in limit = { along = 0.1 }");
+  try {
+    own.finish();
+  } catch (const InputError& e) {
+    keys.problem(e.what());
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -315,24 +336,13 @@ void read_directions(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others) {
   };
   for (std::size_t k = 0; k < names.size(); ++k) read_law(names[k], spec.law[k]);
   if constexpr (D == 3) read_law("horizontal", spec.horizontal);
-  lua_State* L = keys.lua();
   const int type = keys.push("limit");
-  if (type == LUA_TTABLE) {
-    Keys own(L, -1, "limit");
-    const auto preset = [&](double limit) { return others == OtherLimits::kept ? limit : unbounded; };
-    for (std::size_t k = 0; k < names.size(); ++k)
-      spec.limit[k] = own.number(names[k], unit_of_direction<D>(static_cast<int>(k)), preset(spec.limit[k]));
-    if constexpr (D == 3) spec.horizontal_limit = own.number("horizontal", "m", preset(spec.horizontal_limit));
-    try {
-      own.finish();
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  } else if (type != LUA_TNIL) {
+  if (type == LUA_TTABLE)
+    read_limit_table(keys, spec, others);
+  else if (type != LUA_TNIL)
     keys.wrong("limit", D == 2 ? "a table { along = , axial = , turning = }"
                                : "a table { along = , across = , horizontal = , axial = , turning_along = , ... }");
-  }
-  lua_pop(L, 1);
+  lua_pop(keys.lua(), 1);
 }
 template void read_directions(Keys&, BearingSpecOf<2>&, OtherLimits);
 template void read_directions(Keys&, BearingSpecOf<3>&, OtherLimits);

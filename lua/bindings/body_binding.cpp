@@ -168,8 +168,10 @@ const std::array body_properties{
     BodyProperty{"y", "m", "height of the centroid; in space its place along y", along_axis<&BodyMotion::place, 1>},
     in_space(BodyProperty{"z", "m", "height of the centroid in space", along_axis<&BodyMotion::place, 2>}),
     in_plane(BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation}),
-    in_space(BodyProperty{"turn_x", "rad", "turn since the start in space: rotation vector along x",
-                          along_axis<&BodyMotion::turned, 0>}),
+    in_space(BodyProperty{
+        "turn_x", "rad",
+        "turn since the start in space: rotation vector along x; of a frame that of its first joint by name",
+        along_axis<&BodyMotion::turned, 0>}),
     in_space(BodyProperty{"turn_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
     in_space(BodyProperty{"turn_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),
     BodyProperty{"vx", "m/s", "velocity of the centroid along x", along_axis<&BodyMotion::velocity, 0>},
@@ -177,7 +179,9 @@ const std::array body_properties{
     in_space(
         BodyProperty{"vz", "m/s", "velocity of the centroid along z, in space", along_axis<&BodyMotion::velocity, 2>}),
     in_plane(BodyProperty{"spin", "rad/s", "rate of rotation, in the plane", spin}),
-    in_space(BodyProperty{"spin_x", "rad/s", "rate of rotation about x, in space", along_axis<&BodyMotion::spin, 0>}),
+    in_space(BodyProperty{"spin_x", "rad/s",
+                          "rate of rotation about x, in space; of a frame that of its first joint by name",
+                          along_axis<&BodyMotion::spin, 0>}),
     in_space(BodyProperty{"spin_y", "rad/s", "rate of rotation about y, in space", along_axis<&BodyMotion::spin, 1>}),
     in_space(BodyProperty{"spin_z", "rad/s", "rate of rotation about z, in space", along_axis<&BodyMotion::spin, 2>}),
     BodyProperty{"ux", "m", "displacement along x since the start", along_axis<&BodyMotion::moved, 0>},

@@ -40,6 +40,7 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
                                      p.unit == "1" ? "" : p.unit, p.range()));
         }
         if (!any) keys.problem("no number is given; give one of the law's, such as mu");
+        check_ways(keys, l);
         if constexpr (requires { l.check(); }) note_failed_check(keys, l);
       },
       law);

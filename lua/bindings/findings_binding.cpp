@@ -152,7 +152,7 @@ const std::array model_findings{
 using S = Property<StoreyHandle>;
 const std::array storey_properties{
     S{"number", "1", "its number, from 1 at the bottom", [](const StoreyHandle& h) { return h.index + 1.0; }},
-    S{"height", "m", "from the top of the storey below to its own", height_of},
+    S{"height", "m", "from the top of the storey below, or the base, to its own", height_of},
     S{"drift", "m",
       "horizontal displacement of its top against that of the storey below, or the base; in space its length",
       drift_of},

@@ -48,6 +48,20 @@ std::string law_text(const Law& law) {
   return text;
 }
 
+/// Numbers of a contact law that are allowed each for itself, and mean nothing between two ways or without each other.
+template <class L>
+void check_ways(Keys& keys, const L& law) {
+  if constexpr (requires { law.loss_by_point; })
+    if (law.loss_by_point != 0 && law.loss_by_point != 1)
+      keys.problem(fmt::format("'loss_by_point' is {:g}, must be 0 or 1", law.loss_by_point));
+  if constexpr (requires { law.dilation_slip; })
+    if ((law.dilation > 0) != (law.dilation_slip > 0))
+      keys.problem(fmt::format(
+          "'{}' is given without '{}', so that the joint does not dilate; give both, the opening per slip and the "
+          "slip up to which it opens",
+          law.dilation > 0 ? "dilation" : "dilation_slip", law.dilation > 0 ? "dilation_slip" : "dilation"));
+}
+
 /// A constructor of a law that is its declared numbers alone, as a `Value` (handles.hpp).
 template <class Value, class L>
 int make_law(lua_State* lua) {

@@ -15,6 +15,7 @@ int make_contact_law(lua_State* lua) {
   ContactLawValue value;
   value.name = keys.text("name", "");
   keys.declared(law);
+  check_ways(keys, law);
   keys.finish();
   value.law = law;
   push_handle(lua, std::move(value));

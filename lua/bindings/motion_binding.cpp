@@ -64,8 +64,23 @@ std::vector<double> read_samples(Keys& keys) {
   return samples;
 }
 
+/// What is of another way to make a motion, and would be left unread.
+void refuse_other_ways(Keys& keys, const char* way, std::initializer_list<std::pair<const char*, const char*>> others) {
+  for (const auto& [key, why] : others) keys.refuse(key, fmt::format("'{}' does not go with '{}': {}", key, way, why));
+}
+
+constexpr const char* of_records = "it is of records; a steady motion takes velocity and duration alone";
+
 /// motion{ velocity =, duration = }: the ground moves on steadily, then stands.
 void make_steady(lua_State* L, Keys& keys) {
+  refuse_other_ways(keys, "velocity",
+                    {{"acceleration", "velocity is a steady motion instead of samples, which begin with v0"},
+                     {"file", "velocity is a steady motion instead of a file; motion:start_velocity is for that"},
+                     {"dt", of_records},
+                     {"v0", of_records},
+                     {"u0", of_records},
+                     {"unit", of_records},
+                     {"allow_drift", of_records}});
   const double velocity = keys.number("velocity", "m/s"), duration = keys.number("duration", "s");
   if (!(duration > 0)) keys.problem(fmt::format("'duration' is {:g} s, must be above 0", duration));
   keys.finish();
@@ -87,6 +102,12 @@ int make_motion(lua_State* L) {
   }
   std::string file = keys.text("file", "");
   const bool allow_drift = keys.flag("allow_drift", false);
+  if (!file.empty())
+    refuse_other_ways(keys, "file",
+                      {{"acceleration", "keep one, the samples of the file or those of the script"},
+                       {"v0", "a file begins as its header says, or with motion:start_velocity"},
+                       {"u0", "a file begins as its header says"},
+                       {"duration", "a file lasts as long as its samples"}});
   if (!file.empty() && (keys.has("unit") || keys.has("dt"))) {
     const PlainForm form{keys.text("unit"), keys.maybe_number("dt", "s")};
     keys.finish();
@@ -101,6 +122,7 @@ int make_motion(lua_State* L) {
   const std::vector<double> samples = read_samples(keys);
   if (!keys.has("acceleration"))
     keys.missing("acceleration", "a list of numbers in m/s2, or a file, or a velocity and a duration");
+  refuse_other_ways(keys, "acceleration", {{"duration", "samples last as long as their number times dt"}});
   const double dt = keys.number("dt", "s");
   const MotionStart start{keys.number("v0", "m/s", 0), keys.number("u0", "m", 0)};
   MotionSource source;

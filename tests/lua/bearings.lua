@@ -109,3 +109,18 @@ for _, dim in ipairs { 2, 3 } do
     end
   end
 end
+
+-- What stands for the flat contact of its bodies has to carry in its place: without a law that does, a note says so.
+for _, axial in ipairs { false, true } do
+  local b = trilith.model { name = "stood for" }
+  b:material { name = "stone", density = 2000 }
+  b:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.5, beta = 1e-4 } }
+  b:block { name = "base", width = 1, height = 1, at = { 0, -1 }, material = "stone", support = "fixed" }
+  b:block { name = "top", width = 1, height = 1, material = "stone" }
+  b:bearing { name = "k", between = { "base", "top" }, at = { 0.5, 0 }, along = trilith.linear { stiffness = 1e7 },
+    axial = axial and trilith.linear { stiffness = 1e8 } or nil, replaces_contact = true }
+  b:run { duration = 1e-3 }
+  local said = #b.notes > 0 and b.notes[1]:find("bearing 'k': replaces_contact takes", 1, true) ~= nil
+  assert(said == not axial, table.concat(b.notes, "\n"))
+  b:close()
+end

@@ -96,3 +96,44 @@ do
     "there are no storeys; leave 'storey' out")
   fails(function() m:bodies { name = "stone" }:damage_by_storey() end, "none of these 1 bodies is in a group")
 end
+
+-- Slabs on springs, with nothing of their storeys in between: heights count from the top of the base, as drifts do, and
+-- each storey gives by the weight's level part above it over its spring, in the plane and along any azimuth.
+for _, case in ipairs { { 2, 0 }, { 3, 0.6 }, { 3, 2.8 } } do
+  local dim, azimuth = table.unpack(case)
+  local tilt, stiffness, heights = 0.02, { 4e6, 3e6, 2e6 }, { 3.3, 3, 3 }
+  local level, down = g*math.sin(tilt), -g*math.cos(tilt)
+  local m = trilith.model { name = "slabs", dim = dim,
+    gravity = dim == 2 and { level, down } or { level*math.cos(azimuth), level*math.sin(azimuth), down } }
+  m:material { name = "stone", density = 2400 }
+  m:contact { between = { "*", "*" }, law = "none" }
+  local upright = trilith.linear { stiffness = 1e9 }
+  local function slab(name, z, height, spec)
+    if dim == 2 then spec.width, spec.height, spec.at = 3, height, { -1.5, z }
+    else spec.size, spec.at, spec.anchor = { 3, 2, height }, { 0, 0, z + height/2 }, "centre" end
+    spec.name, spec.material = name, "stone"
+    return m:block(spec)
+  end
+  slab("slab 0", -0.5, 0.5, { support = "fixed" })
+  slab("pit", -4, 0.5, { support = "fixed" })
+  local mass, top = 0, 0
+  for i = 1, 3 do
+    mass = mass + slab("slab " .. i, 3*i, 0.3, { groups = { "storey " .. i, "slabs" },
+      support = dim == 2 and { rotation = "fixed" } or { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }).mass
+    local at = dim == 2 and { 0, 3*i - 0.1 } or { 0, 0, 3*i - 0.1 }
+    m:bearing { name = "spring " .. i, between = { "slab " .. i - 1, "slab " .. i }, from = at, to = at,
+      angle = azimuth, along = trilith.linear { stiffness = stiffness[i] }, across = dim == 3 and upright or nil,
+      axial = upright }
+  end
+  m:consolidate { integrator = "static" }
+  for i = 1, 3 do
+    local storey, drift = m.storeys[i], mass*(4 - i)/3*level/stiffness[i]
+    near(storey.height, heights[i], 1e-12)
+    near(storey.drift, drift, 1e-6)
+    near(storey.drift_ratio, drift/heights[i], 1e-6)
+    top = top + drift
+  end
+  near(m.top_drift, top, 1e-6)
+  near(m.base_shear, mass*level, 1e-6)
+  m:close()
+end
