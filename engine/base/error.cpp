@@ -12,6 +12,10 @@ std::string figures(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{:g}", value);
 }
 
+std::string with_unit(double value, std::string_view unit) {
+  return fmt::format("{}{}{}", figures(value), unit.empty() ? "" : " ", unit);
+}
+
 }  // namespace
 
 double require_finite(double value, std::string_view what) {
@@ -21,13 +25,13 @@ double require_finite(double value, std::string_view what) {
 
 double require_positive(double value, std::string_view what, std::string_view unit) {
   if (!(std::isfinite(value) && value > 0))
-    throw InputError(fmt::format("{} is {} {}, must be finite and above 0", what, figures(value), unit));
+    throw InputError(fmt::format("{} is {}, must be finite and above 0", what, with_unit(value, unit)));
   return value;
 }
 
 double require_not_negative(double value, std::string_view what, std::string_view unit) {
   if (!(std::isfinite(value) && value >= 0))
-    throw InputError(fmt::format("{} is {} {}, must be finite and not below 0", what, figures(value), unit));
+    throw InputError(fmt::format("{} is {}, must be finite and not below 0", what, with_unit(value, unit)));
   return value;
 }
 

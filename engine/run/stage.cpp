@@ -46,7 +46,7 @@ void require_valid(const StageOptions& o) {
     require_not_negative(v, owner + ": interval", "s");
   if (o.until_rest) {
     require_positive(o.still_speed, owner + ": speed at rest", "m/s");
-    require_positive(o.still_ratio, owner + ": unbalanced ratio at rest", "1");
+    require_positive(o.still_ratio, owner + ": unbalanced ratio at rest", "");
     require_not_negative(o.still_hold, owner + ": hold", "s");
   }
 }

@@ -119,7 +119,20 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
-/// One that failed at the step before: its last force works for half a step more, which no spring is there to take.
+/// Work over half of the step behind by the forces that a bearing had as it began [J].
+template <int D>
+double half_work(const Model<D>& model, const State<D>& state, std::size_t i, double dt) {
+  const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);
+  double sum = 0;
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    const DirectionMemory& last = state.bearing[i].direction[k];
+    sum += 0.5 * dt * (last.force + last.damping) * mean[k];
+  }
+  return sum;
+}
+
+/// One that failed at the step before: its last force works for half a step more, which no spring is there to take. The
+/// first force of the bearing that followed it has not worked yet, and takes its first half step from nowhere.
 template <int D>
 void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
   const BearingStatus status = state.bearing[i].status;
@@ -128,12 +141,12 @@ void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::si
   const bool held = std::any_of(last_of.begin(), last_of.end(),
                                 [](const DirectionMemory& last) { return last.force != 0 || last.damping != 0; });
   if (!held) return;  // let go by now
-  const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);
-  for (std::size_t k = 0; k < mean.size(); ++k) {
-    DirectionMemory& last = work.bearing[i].direction[k];
-    work.given[EnergyTerm::bearing_failure] += 0.5 * dt * (last.force + last.damping) * mean[k];
-    last.force = last.damping = 0;
-  }
+  double& given_off = work.given[EnergyTerm::bearing_failure];
+  given_off += half_work(model, state, i, dt);
+  for (DirectionMemory& last : work.bearing[i].direction) last.force = last.damping = 0;
+  const int next = model.bearings[i].becomes_bearing;
+  if (status == BearingStatus::changed && next >= 0 && is_live(state.bearing[next].status))
+    given_off -= half_work(model, state, static_cast<std::size_t>(next), dt);
 }
 
 /// Of a live one: its laws are asked again for both ways. A law of both horizontal directions is left out.

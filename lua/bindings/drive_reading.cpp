@@ -132,6 +132,8 @@ std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
   if (type == LUA_TTABLE) {
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     if (count == 0) keys.problem("'motions' is empty; give { {body = , x = }, ... }");
+    for (const char* const key : {"body", "x", "y", "z", "rotation", "turn_x", "turn_y", "turn_z"})
+      keys.refuse(key, fmt::format("'{}' does not go with 'motions', whose rows say it each for itself", key));
     for (lua_Integer i = 1; i <= count; ++i) {
       lua_rawgeti(L, -1, i);
       try {

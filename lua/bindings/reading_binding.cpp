@@ -226,6 +226,8 @@ int history(lua_State* L) {
   if (function) {
     h.unit = keys.text("unit", "1");
     h.sentence = keys.text("doc", "of a function of the script");
+    for (const char* const key : {"what", "body", "bearing", "seat", "storey"})
+      keys.refuse(key, fmt::format("'{}' does not go with 'of', whose function gives the number; keep one", key));
   } else {
     read_followed(keys, h, m);
   }

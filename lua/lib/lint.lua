@@ -174,7 +174,7 @@ local function expected_slip(options)
   end
   local slip = options.slip
   if slip ~= nil and not (type(slip) == "number" and slip > 0) then
-    error("lint: 'slip' must be a number in m, above 0", 0)
+    error(("lint: 'slip' is %s, must be a number in m, above 0"):format(tostring(slip)), 0)
   end
   return slip
 end

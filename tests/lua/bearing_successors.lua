@@ -43,6 +43,7 @@ for _, dim in ipairs { 2, 3 } do
         -- Beyond the limit of the second one from its first instant on.
         m:run { duration = 0.4, dt = 5e-4, integrator = integrator }
         assert(first.status == "changed" and second.status == "failed", second.status)
+        assert(math.abs(m.energy.residual) < 1e-9*5000, m.energy.residual)
       else
         m:run { duration = 0.6, dt = 5e-4, integrator = integrator }
         assert(first.status == "changed" and second.status == "intact", second.status)

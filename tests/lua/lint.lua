@@ -112,7 +112,8 @@ lacks(model {}:lint(), "before it slides")
 lacks(model {}:lint { slip = 0.021 }, "before it slides")
 has(model {}:lint { slip = 0.019 }, "law 'joint' gives by 2e-05 m before it slides ('low' under its own weight)")
 has(model {}:lint { slip = 0.01 }, "more than 0.001 of a slip of 0.01 m")
-local refused = { { { slip = 0 }, "'slip' must be" }, { { slide = 1 }, "unknown key 'slide'" }, { 1, "takes a table" } }
+local refused = { { { slip = 0 }, "'slip' is 0, must be a number in m, above 0" },
+  { { slide = 1 }, "unknown key 'slide'" }, { 1, "takes a table" } }
 for _, case in ipairs(refused) do
   local done, said = pcall(model {}.lint, model {}, case[1])
   assert(not done and said:find(case[2], 1, true), said)

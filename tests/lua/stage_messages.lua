@@ -59,6 +59,13 @@ given.check {
       .. "mean velocity needs -50 cm/s), use a version that begins and ends at rest, or allow drift" },
   { function() b:fix("block", "xz") end,
     "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
+  { function() b:shake { body = "base", motions = { { body = "base", x = trilith.ramp { by = 1, duration = 1 } } } }
+    end,
+    "shake: 'body' does not go with 'motions', whose rows say it each for itself" },
+  { function() b:history { name = "of two", of = function() return 1 end, what = "ux" } end,
+    "history 'of two': 'what' does not go with 'of', whose function gives the number; keep one" },
+  { function() new():consolidate { ratio = 0 } end,
+    "stage 'consolidation': unbalanced ratio at rest is 0, must be finite and above 0" },
   { function() b:fix(7) end, "fix: 7 is no body; give a body, a set, a name, or a list of these" },
   { function() b:fix(m:body "base") end, "fix: body 'base' belongs to another model" },
   { function() b:fix(nobody) end,
