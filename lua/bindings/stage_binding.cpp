@@ -64,7 +64,8 @@ void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_vi
 /// Which of the given keys say how explicit steps come to rest, "'damping', 'grow'"; "": none.
 std::string explicit_keys(Keys& keys) {
   std::string out;
-  for (const char* const key : {"damping", "grow", "hold", "ratio", "speed", "duration", "dt", "safety"})
+  for (const char* const key :
+       {"damping", "grow", "hold", "ratio", "speed", "duration", "dt", "safety", "until_collapse", "until_true"})
     if (keys.has(key)) out += fmt::format("{}'{}'", out.empty() ? "" : ", ", key);
   return out;
 }
