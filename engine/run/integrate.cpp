@@ -19,8 +19,6 @@ namespace {
 
 /// The explicit step is looked at anew every so many steps.
 constexpr std::int64_t steps_between_estimates = 32;
-/// Longest implicit step, where none is given [s].
-constexpr double usual_implicit_step = 0.005;
 /// Implicit steps are not cut below this share of the longest one for what they miss of their energies.
 constexpr double shortest_for_energy = 1.0 / 16384;
 /// What an implicit step costs, in explicit ones: one that is not so many times as long does not pay.
@@ -29,7 +27,7 @@ constexpr double least_gain = 20;
 constexpr double tries_after = 40;
 
 double longest_implicit(const StageOptions& o) {
-  return o.dt > 0 ? o.dt : usual_implicit_step;
+  return o.dt > 0 ? o.dt : usual_longest_step;
 }
 
 /// True where the longest stable step allows for the one that masses are scaled for.
@@ -75,7 +73,8 @@ NextStep Simulation<D>::choose_step() const {
   const double longest = stable_step(model_, state_, work_).dt;
   // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
   const double turning = std::min(longest, turning_step(model_, state_));
-  const double dt = is_as_asked(longest, options) ? options.mass_scaling->step : settled_step(turning, options.safety);
+  const double dt = is_as_asked(longest, options) ? options.mass_scaling->step
+                                                  : std::min(usual_longest_step, settled_step(turning, options.safety));
   return {given > 0 ? given : dt, safety, longest};
 }
 
