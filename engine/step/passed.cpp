@@ -220,7 +220,8 @@ void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector
   if (work.clear_path == too_deep) tell_deep(model, state, work, told);
 }
 
-/// Looks at rows that began to touch just now, and at no others: where a bearing held a contact off, it may begin deep.
+/// Looks at rows that began or ceased to touch just now, and at no others: where a bearing held a contact off, it may
+/// begin deep.
 void look_at_new(const Model<2>& model, const State<2>& state, Work<2>& work) {
   for (const int row : work.changed_rows)
     work.clear_path = std::min(work.clear_path, look_at_row(model, state, work, row));

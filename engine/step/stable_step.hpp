@@ -24,8 +24,8 @@
 namespace trilith {
 
 inline constexpr double longest_step = 0.1;  ///< where nothing is stiff [s]
-/// Where no step is given [s]: of implicit steps; and of explicit ones, which could be far longer where all is soft,
-/// and would then see too little of a record, and of a limit before it is passed.
+/// Where no step is given [s]: of implicit steps; and of explicit ones without an accuracy, which could be far longer
+/// where all is soft, and would then see too little of a record, and of a limit before it is passed.
 inline constexpr double usual_longest_step = 0.005;
 
 struct StableStep {
