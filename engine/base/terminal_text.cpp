@@ -38,6 +38,13 @@ std::string without_control(std::string_view text, bool keep_lines) {
   return out += text.substr(done);
 }
 
+/// The beginning of UTF-8 `text`, of at most `most` bytes and whole characters.
+std::string_view first_characters(std::string_view text, std::size_t most) {
+  const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
+  while (most > 0 && most < text.size() && continues(most)) --most;
+  return text.substr(0, most);
+}
+
 }  // namespace
 
 std::size_t find_control(std::string_view text, std::size_t from) {
@@ -54,7 +61,10 @@ std::string one_line(std::string_view text) {
   return without_control(text, false);
 }
 
-void require_printable(std::string_view name, std::string_view what) {
+void require_printable(std::string_view name, std::string_view what, std::size_t longest) {
+  if (name.size() > longest)
+    throw InputError(fmt::format("{} '{}...' is {} bytes long, must be at most {}; give a shorter one", what,
+                                 one_line(first_characters(name, 20)), name.size(), longest));
   const std::size_t at = find_control(name);
   if (at == std::string_view::npos) return;
   throw InputError(fmt::format("{} '{}' holds the control character {}; leave it out", what, one_line(name),

@@ -17,7 +17,11 @@ std::string terminal_text(std::string_view text);
 /// The same of what has to stay on one line, such as a name in a message: line ends and tabs too.
 std::string one_line(std::string_view text);
 
-/// Throws InputError, begun with `what`, where `name` holds a control character: names are printed everywhere.
-void require_printable(std::string_view name, std::string_view what);
+inline constexpr std::size_t longest_name = 255;   ///< [bytes] of a name
+inline constexpr std::size_t longest_text = 4096;  ///< [bytes] of any other text, such as a path
+
+/// Throws InputError, begun with `what`, where `name` holds a control character or is longer than `longest` [bytes]:
+/// names are printed everywhere.
+void require_printable(std::string_view name, std::string_view what, std::size_t longest = longest_text);
 
 }  // namespace trilith

@@ -152,7 +152,6 @@ void GrowingSet::transfer(std::int64_t first, std::int64_t count, const std::byt
   h5::check(H5Sselect_hyperslab(file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
             "cannot select rows of " + path_);
   h5::check(H5Dwrite(dataset_.get(), type_, memory.get(), file.get(), H5P_DEFAULT, data), "cannot write " + path_);
-  h5::check(H5Dflush(dataset_.get()), "cannot flush " + path_);
 }
 
 }  // namespace trilith::results

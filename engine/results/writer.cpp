@@ -316,7 +316,8 @@ void ResultsWriter::Body::flush() {
   guarded([&] { write_rows(); });
 }
 
-// The order is the guarantee: rows first, on the disk where asked, and only then the counters that vouch for them.
+// The order is the guarantee: rows first, on the disk where asked, and only then the counters that vouch for them. The
+// whole file is flushed once: HDF5 walks through its whole cache for each set that is flushed alone.
 void ResultsWriter::Body::write_rows() {
   for (GrowingSet* set : sets_) set->write();
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/nearest.hpp"
 #include "world/names.hpp"
@@ -20,7 +21,8 @@ std::vector<std::string> ContactRules::law_names() const {
 /// Its parameters are checked one by one, then together, and what is possible and yet unlikely is noted.
 void ContactRules::add_law(const std::string& name, const ContactLaw& law, std::vector<std::string>& notes) {
   require_name(name, "contact law");
-  require_new(laws_, name, "contact law", [](const auto& l) { return l.first; });
+  if (law_rows_.contains(name))
+    throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", name));
   std::visit(
       [&](const auto& l) {
         check_parameters(l);
@@ -31,49 +33,84 @@ void ContactRules::add_law(const std::string& name, const ContactLaw& law, std::
             notes.push_back(fmt::format("contact law '{}': {}", name, note));
       },
       law);
+  law_rows_.emplace(name, static_cast<int>(laws_.size()));
   laws_.emplace_back(name, law);
 }
 
 void ContactRules::set_contact(const std::string& a, const std::string& b, const std::string& law) {
-  std::vector<std::string> known = law_names();
-  known.emplace_back("none");
-  if (std::find(known.begin(), known.end(), law) == known.end())
+  if (law != "none" && !law_rows_.contains(law)) {
+    std::vector<std::string> known = law_names();
+    known.emplace_back("none");
     throw InputError(fmt::format("contact of '{}' and '{}': there is no law '{}'{}", a, b, law, name_hint(law, known)));
+  }
   statements_.push_back({a, b, law});
 }
 
-/// Statements become a table: bodies that no statement tells apart share a surface, and of each pair of surfaces the
-/// last statement that fits both gives the law.
+namespace {
+
+/// Surfaces by the names that a statement may use for them.
+class SurfaceNames {
+ public:
+  void add(const Body& body, int surface) {
+    all_.push_back(surface);
+    std::vector<std::string> names = body.groups;
+    names.push_back(body.material);
+    names.push_back(body.name);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    for (const std::string& name : names) surfaces_[name].push_back(surface);
+  }
+  [[nodiscard]] const std::vector<int>& of(const std::string& name) const {
+    static const std::vector<int> none;
+    if (name == "*") return all_;
+    const auto found = surfaces_.find(name);
+    return found == surfaces_.end() ? none : found->second;
+  }
+
+ private:
+  std::map<std::string, std::vector<int>> surfaces_;
+  std::vector<int> all_;
+};
+
+}  // namespace
+
+/// Bodies that no statement distinguishes share a surface: those of one material and one set of groups, unless a
+/// statement names one of them.
+template <int D>
+std::vector<const Body*> ContactRules::assign_surfaces(Model<D>& model) const {
+  std::set<std::string> named;
+  for (const Statement& c : statements_) named.insert({c.a, c.b});
+  std::map<std::pair<std::string, std::vector<std::string>>, int> surface;
+  std::vector<const Body*> example;
+  for (Body& body : model.bodies) {
+    std::vector<std::string> key = body.groups;
+    if (named.contains(body.name)) key.push_back(body.name);
+    const auto [it, fresh] = surface.try_emplace({body.material, key}, static_cast<int>(surface.size()));
+    body.surface = it->second;
+    if (fresh) example.push_back(&body);
+  }
+  return example;
+}
+
+/// Of each pair of surfaces the last statement that fits both gives the law.
 template <int D>
 void ContactRules::fill(Model<D>& model) const {
   for (const auto& [name, law] : laws_) {
     model.laws.push_back(law);
     model.law_names.push_back(name);
   }
-  // Bodies of one material and one set of groups share a surface, unless a statement names one of them.
-  std::map<std::pair<std::string, std::vector<std::string>>, int> surface;
-  std::vector<const Body*> example;
-  for (Body& body : model.bodies) {
-    std::vector<std::string> key = body.groups;
-    for (const Statement& c : statements_)
-      if (c.a == body.name || c.b == body.name) key.push_back(body.name);
-    const auto [it, fresh] = surface.try_emplace({body.material, key}, static_cast<int>(surface.size()));
-    body.surface = it->second;
-    if (fresh) example.push_back(&body);
-  }
-  const auto fits = [](const Body& body, const std::string& name) {
-    return name == "*" || body.material == name || body.name == name ||
-           std::find(body.groups.begin(), body.groups.end(), name) != body.groups.end();
-  };
-  model.surfaces = static_cast<int>(surface.size());
-  model.law_of.assign(surface.size() * surface.size(), -1);
+  const std::vector<const Body*> example = assign_surfaces(model);
+  SurfaceNames names;
+  for (std::size_t i = 0; i < example.size(); ++i) names.add(*example[i], static_cast<int>(i));
+  model.surfaces = static_cast<int>(example.size());
+  model.law_of.assign(example.size() * example.size(), -1);
   for (const Statement& c : statements_) {
-    const auto law = std::find(model.law_names.begin(), model.law_names.end(), c.law);
-    const int index = c.law == "none" ? -1 : static_cast<int>(law - model.law_names.begin());
-    for (std::size_t i = 0; i < example.size(); ++i)
-      for (std::size_t j = 0; j < example.size(); ++j)
-        if ((fits(*example[i], c.a) && fits(*example[j], c.b)) || (fits(*example[i], c.b) && fits(*example[j], c.a)))
-          model.law_of[i * surface.size() + j] = index;
+    const int index = c.law == "none" ? -1 : law_rows_.at(c.law);
+    for (const int i : names.of(c.a))
+      for (const int j : names.of(c.b)) {
+        model.law_of[static_cast<std::size_t>(i * model.surfaces + j)] = index;
+        model.law_of[static_cast<std::size_t>(j * model.surfaces + i)] = index;
+      }
   }
 }
 
@@ -81,14 +118,16 @@ void ContactRules::fill(Model<D>& model) const {
 /// names them only where one is near.
 void ContactRules::check_sides(std::vector<std::string> known, const std::vector<std::string>& bodies,
                                std::vector<std::string>& faults) const {
+  std::set<std::string> any;
   std::vector<std::string> told;
   for (const std::string& name : known)
-    if (std::find(told.begin(), told.end(), name) == told.end()) told.push_back(name);
+    if (any.insert(name).second) told.push_back(name);
   known = told;
   known.insert(known.end(), bodies.begin(), bodies.end());
+  any.insert(bodies.begin(), bodies.end());
   for (const Statement& c : statements_)
     for (const std::string& side : {c.a, c.b}) {
-      if (std::find(known.begin(), known.end(), side) != known.end()) continue;
+      if (any.contains(side)) continue;
       const bool near = !nearest_name(side, known).empty();
       faults.push_back(fmt::format("contact of '{}' and '{}': there is no material, group or body '{}'{}", c.a, c.b,
                                    side, name_hint(side, near ? known : told)));

@@ -2,6 +2,7 @@
 // materials, groups or bodies.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,7 +44,11 @@ class ContactRules {
   void check_sides(std::vector<std::string> known, const std::vector<std::string>& bodies,
                    std::vector<std::string>& faults) const;
 
+  template <int D>
+  std::vector<const Body*> assign_surfaces(Model<D>& model) const;
+
   std::vector<std::pair<std::string, ContactLaw>> laws_;
+  std::map<std::string, int> law_rows_;  ///< rows of laws_ by name
   std::vector<Statement> statements_;
 };
 

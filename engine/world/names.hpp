@@ -12,10 +12,11 @@
 
 namespace trilith {
 
-/// Throws InputError where there is no name.
+/// Throws InputError where there is no name, or one of more than `longest_name` bytes: each row of a results table is
+/// as wide as the longest name in it.
 inline void require_name(const std::string& name, std::string_view kind) {
   if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
-  require_printable(name, kind);
+  require_printable(name, kind, longest_name);
 }
 
 /// Throws InputError where a row is called so already; name_of(row) is its name.

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/terminal_text.hpp"
 
 namespace trilith::script {
@@ -94,6 +97,19 @@ int trace_text(lua_State* L) {
   return 1;
 }
 
+/// The function of Lua that is at work, as "wall: ", or "" where it has no name.
+std::string name_at_work(lua_State* L) {
+  lua_Debug frame;
+  if (lua_getstack(L, 0, &frame) != 1 || lua_getinfo(L, "n", &frame) == 0 || frame.name == nullptr) return "";
+  return std::string(frame.name) + ": ";
+}
+
+InputError lack_of_memory(lua_State* L) {
+  return InputError(name_at_work(L) +
+                    "needs more memory than this machine has; ask for fewer or larger pieces, fewer samples, or a "
+                    "longer interval, and look at the counts and lengths given for a slip of units");
+}
+
 }  // namespace
 
 std::string user_place(lua_State* L) {
@@ -130,6 +146,10 @@ int run_guarded(lua_State* L, lua_CFunction body) {
       take_error_object(L);
     else
       push_message(L, e, true);
+  } catch (const std::bad_alloc&) {
+    push_message(L, lack_of_memory(L), false);
+  } catch (const std::length_error&) {
+    push_message(L, lack_of_memory(L), false);
   } catch (const std::exception& e) {
     push_message(L, e, false);
   }

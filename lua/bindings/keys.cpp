@@ -204,7 +204,8 @@ bool Keys::flag(std::string_view key, bool preset) {
 std::string Keys::printable(std::string_view key) {
   std::string text = text_at(L_, -1);
   try {
-    require_printable(text, fmt::format("'{}'", key));
+    const bool names = key == "name" || key == "group";
+    require_printable(text, fmt::format("'{}'", key), names ? longest_name : longest_text);
   } catch (const InputError& e) {
     problem(e.what());
   }

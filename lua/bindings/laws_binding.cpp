@@ -119,9 +119,13 @@ std::string require_law(ScriptModel& model, const ContactLawValue& law, const st
   if (use.empty()) {
     const std::string kind =
         std::visit([](const auto& l) { return std::string(std::decay_t<decltype(l)>::name); }, law.law);
-    const auto known = model.law_names();
-    for (int i = 1; use.empty() || std::find(known.begin(), known.end(), use) != known.end(); ++i)
-      use = fmt::format("{} {}", kind, i);
+    // The numbers below the last one are taken already.
+    int& number = model.last_unnamed_law[kind];
+    const auto taken = [&] {
+      return std::any_of(model.laws.begin(), model.laws.end(), [&](const auto& l) { return l.first == use; });
+    };
+    do use = fmt::format("{} {}", kind, ++number);
+    while (taken());
   }
   model.add_law(use, law.law);
   model.laws.emplace_back(use, law.law);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::string name;
   bool closed = false;                                   ///< for all handles, whoever still holds it
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
+  std::map<std::string, int> last_unnamed_law;           ///< [kind] number in the name that a law without one got last
   std::vector<Material> materials;                       ///< as given to the builder
   std::vector<std::string> bearings, seats;              ///< names, in order
   std::vector<History> histories;
