@@ -1,6 +1,7 @@
 #include "step/take_out.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "step/bearing_motion.hpp"
@@ -187,7 +188,7 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
 }
 
 /// Bodies come back where they were left, at rest, and may overlap a little what has moved there meanwhile: the energy
-/// of that is found by the same two balances. Bearings begin anew at the displacement they have now.
+/// of that is found by the same two balances. Displacements of bearings count from now on, or from the first place.
 template <int D>
 std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             const Parts& parts) {
@@ -200,7 +201,9 @@ std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, con
     events.push_back(body_event(model, state, EventType::body_added, b));
   }
   for (const int i : parts.bearings) {
-    begin_bearing(model, state, work, i, state.bearing[i].begun_at);
+    begin_bearing(model, state, work, i,
+                  parts.from_start ? std::array<double, Space<D>::dofs>{}
+                                   : bearing_motion(model, state, static_cast<std::size_t>(i)).displacement);
     state.bearing[i] = work.bearing[i];
     if (model.bearings[i].starts_waiting) state.bearing[i].status = BearingStatus::waiting;
     events.push_back(bearing_event_of(model, state, EventType::bearing_added, static_cast<std::size_t>(i)));

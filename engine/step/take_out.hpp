@@ -24,6 +24,8 @@ std::vector<Event> take_out(Model<D>& model, State<D>& state, Work<D>& work, con
 /// Which bodies and bearings a change of the model is about.
 struct Parts {
   std::span<const int> bodies, bearings;
+  /// Of put_back: displacements of the bearings count from where they were placed first, not from where they are now.
+  bool from_start = false;
 };
 
 /// The same of bodies and bearings that are removed: bearings of the bodies are removed too. The energy goes to
@@ -33,8 +35,8 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
                           const Parts& parts);
 
 /// Puts back what was removed: bodies at rest where they stood, with the supports they had; bearings, whose bodies must
-/// be there, begin anew where they are: springs act from where the bearing was placed first. What that puts in goes to
-/// EnergyTerm::added. Gives body.added and bearing.added.
+/// be there, begin anew where they are, free of force; with Parts::from_start springs act from where the bearing was
+/// placed first. The energy that this puts in goes to EnergyTerm::added. Gives body.added and bearing.added.
 template <int D>
 std::vector<Event> put_back(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                             const Parts& parts);

@@ -273,13 +273,25 @@ int remove_parts(lua_State* L) {
   return 0;
 }
 
-/// m:put_back(what): bodies and bearings that were removed.
+/// m:put_back(what, { from = "here" | "start" }): where displacements of the bearings count from.
+bool read_from_start(lua_State* L) {
+  if (lua_isnoneornil(L, 3)) return false;
+  Keys keys(L, 3, "put_back");
+  const bool from_start = keys.choice("from", {"here", "start"}, 0) == 1;
+  keys.finish();
+  return from_start;
+}
+
+/// m:put_back(what, how): bodies and bearings that were removed.
 int put_back_parts(lua_State* L) {
   ScriptModel& m = this_model(L);
   const Chosen chosen = chosen_at(L, m, "put_back");
   if (!chosen.loads.empty())
     throw InputError(fmt::format("put_back: load '{}' is there; put a new one on", chosen.loads.front()));
-  m.put_back(chosen.bodies, chosen.bearings, user_place(L));
+  const bool from_start = read_from_start(L);
+  if (from_start && chosen.bearings.empty())
+    throw InputError("put_back: 'from' is of bearings, and none is put back; leave it out");
+  m.put_back(chosen.bodies, chosen.bearings, from_start, user_place(L));
   return 0;
 }
 
@@ -288,7 +300,7 @@ const std::array change_method_list{
            "change{law=, mu=, ...} or change{bearing=, along=, axial=, turning=, limit=, ...}: from now on"},
     Method{"remove", guarded<remove_parts>, "remove(bodies | bearing | load, or a list): from now on it is not there"},
     Method{"put_back", guarded<put_back_parts>,
-           "put_back(bodies | bearing, or a list): what was removed is there again"},
+           "put_back(bodies | bearing, or a list, {from=}): what was removed is there again"},
 };
 
 /// core.contact_laws(model): a list of the model's laws, with their names.

@@ -87,6 +87,38 @@ void apply_drive(ScriptModel& m, const DriveOrder& order) {
     apply_drive<2>(require_plane(m, "drive"), order);
 }
 
+namespace {
+
+/// A motion that ends at more than this share of its peak velocity, and at more than this speed [m/s] or [rad/s], stops
+/// its bodies with a jolt. Records that are corrected end far below.
+constexpr double abrupt_share = 0.1, abrupt_speed = 1e-3;
+
+/// The speed that a motion's end takes away at once; 0 where that is negligible.
+double speed_lost(const GroundMotion& motion) {
+  const double end = std::abs(motion.samples().back().velocity);
+  return end > abrupt_speed && end > abrupt_share * std::abs(motion_peaks(motion).velocity.value) ? end : 0;
+}
+
+}  // namespace
+
+void tell_abrupt_ends(ScriptModel& m, const std::string& owner, const std::vector<DriveOrder>& orders, Host& host) {
+  const auto names = drive_names(m.dim());
+  for (const DriveOrder& order : orders)
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!order.motion[k] || order.bodies.empty()) continue;
+      const double lost = speed_lost(*order.motion[k]);
+      if (lost == 0) continue;
+      const std::string others = order.bodies.size() == 1 ? "" : fmt::format(" and {} more", order.bodies.size() - 1);
+      m.note_at_once(
+          fmt::format(
+              "{}: motion '{}' ends at {:.3g} {} after {:.4g} s, and '{}'{} stops there along {} within one step: "
+              "a jolt for all that rides on it; let the motion end at rest, or another one follow in time",
+              owner, order.motion[k]->description(), lost, is_turn(m.dim(), k) ? "rad/s" : "m/s",
+              order.motion[k]->end_time(), m.body_name(order.bodies.front()), others, names[k]),
+          host);
+    }
+}
+
 void tell_motions(const ScriptModel& m, const std::vector<DriveOrder>& orders, RunObserver* observer) {
   if (observer == nullptr) return;
   const auto names = drive_names(m.dim());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "keys.hpp"
@@ -10,6 +11,7 @@
 
 namespace trilith::script {
 
+struct Host;
 class RunObserver;
 class ScriptModel;
 
@@ -24,6 +26,8 @@ struct DriveOrder {
 std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m);
 /// From now on, or the next step border on, the bodies follow.
 void apply_drive(ScriptModel& m, const DriveOrder& order);
+/// Notes motions that end at speed, as their bodies stop there within one step. `owner`: "shake" or "drive".
+void tell_abrupt_ends(ScriptModel& m, const std::string& owner, const std::vector<DriveOrder>& orders, Host& host);
 /// Says what the ground does, each motion once: "shake: 'base' x: elcentro.csv, x 0.1: PGA 0.0349 g, 53.8 s".
 void tell_motions(const ScriptModel& m, const std::vector<DriveOrder>& orders, RunObserver* observer);
 /// When the last of the motions is over, from its start [s].

@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/quantity_text.hpp"
 #include "guard.hpp"
+#include "load/motion.hpp"
 #include "simulated_model.hpp"
 #include "world/extend.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {
@@ -25,7 +28,55 @@ bool is_bearing_removed(const State<D>& state, int bearing) {
   throw ScriptError(place + what);
 }
 
+/// What is said of a bearing that pulls or pushes with more than the weight of its bodies as it is put back; "" where
+/// it does not.
+template <int D>
+std::string jolt_text(Simulation<D>& sim, std::size_t bearing) {
+  sim.refresh();
+  const Model<D>& model = sim.model();
+  const Bearing<D>& b = model.bearings[bearing];
+  if (!is_live(sim.state().bearing[bearing].status)) return "";
+  double weight = 0;
+  for (const int body : {b.body_a, b.body_b})
+    if (model.body_moves(body)) weight += standard_gravity * body_mass(model, body);
+  const double force = sim.work().bearing_force[bearing].norm();
+  if (!(force > weight)) return "";
+  return fmt::format(
+      "put_back: bearing '{}' acts with {} at once, more than the {} that its bodies weigh, as its displacement counts "
+      "from where it was placed first; without from = \"start\" it begins free of force",
+      b.name, quantity_text(force, "N"), quantity_text(weight, "N"));
+}
+
 }  // namespace
+
+template <int D>
+bool SimulatedModel<D>::is_out(int body) const {
+  const auto row = static_cast<std::size_t>(body);
+  return simulation_ && row < simulation_->state().left.size() && simulation_->state().left[row] != 0;
+}
+
+template <int D>
+bool SimulatedModel<D>::is_bearing_out(int bearing) const {
+  const auto row = static_cast<std::size_t>(bearing);
+  if (!simulation_ || row >= simulation_->model().bearings.size()) return false;
+  const Bearing<D>& b = simulation_->model().bearings[row];
+  return is_bearing_removed(simulation_->state(), bearing) || is_out(b.body_a) || is_out(b.body_b);
+}
+
+template <int D>
+bool SimulatedModel<D>::is_seat_out(int seat) const {
+  const auto row = static_cast<std::size_t>(seat);
+  if (!simulation_ || row >= simulation_->model().seats.size()) return false;
+  const Seat<D>& s = simulation_->model().seats[row];
+  return is_out(s.body) || is_out(s.support);
+}
+
+template <int D>
+bool SimulatedModel<D>::is_storey_out(int number) {
+  const auto& storeys = findings().storeys;
+  const auto it = std::ranges::find(storeys, number, &Storey::number);
+  return it != storeys.end() && std::ranges::all_of(it->top, [this](int body) { return is_out(body); });
+}
 
 template <int D>
 void SimulatedModel<D>::catch_up() {
@@ -148,11 +199,11 @@ void SimulatedModel<D>::remove(const std::vector<int>& which, const std::vector<
 }
 
 template <int D>
-void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vector<int>& links,
+void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vector<int>& links, bool from_start,
                                  const std::string& place) {
   simulation();
   const bool waits = running_ && !paused_;
-  change([this, which, links, place = waits ? place : ""](Model<D>& model) {
+  change([this, which, links, from_start, place = waits ? place : ""](Model<D>& model) {
     for (const int b : which)
       if (!removed_at(b))
         refuse_later(place, fmt::format("put_back: body '{}' is there; what was removed can be put back",
@@ -162,13 +213,24 @@ void SimulatedModel<D>::put_back(const std::vector<int>& which, const std::vecto
         refuse_later(place, fmt::format("put_back: bearing '{}' is there; what was removed can be put back",
                                         model.bearings[static_cast<std::size_t>(i)].name));
     if (!which.empty()) check_put_back(model, simulation_->state(), overlap_allowed(), which);
-    simulation_->put_back({which, links});
+    simulation_->put_back({which, links, from_start});
+    for (const int i : links)
+      if (const std::string jolt = jolt_text(*simulation_, static_cast<std::size_t>(i)); !jolt.empty())
+        add_note(jolt), note(jolt);
   });
 }
 
 template void SimulatedModel<2>::alter(std::function<void(Model<2>&)>, std::vector<int>);
 template void SimulatedModel<2>::change_supports(std::function<void(Model<2>&)>);
 template void SimulatedModel<3>::change_supports(std::function<void(Model<3>&)>);
+template bool SimulatedModel<2>::is_out(int) const;
+template bool SimulatedModel<2>::is_bearing_out(int) const;
+template bool SimulatedModel<2>::is_seat_out(int) const;
+template bool SimulatedModel<2>::is_storey_out(int);
+template bool SimulatedModel<3>::is_out(int) const;
+template bool SimulatedModel<3>::is_bearing_out(int) const;
+template bool SimulatedModel<3>::is_seat_out(int) const;
+template bool SimulatedModel<3>::is_storey_out(int);
 template void SimulatedModel<2>::catch_up();
 template std::vector<double> SimulatedModel<2>::heights() const;
 template void SimulatedModel<2>::extend();
@@ -180,7 +242,7 @@ template std::optional<double> SimulatedModel<2>::removed_at(int) const;
 template std::string SimulatedModel<2>::why_absent(int) const;
 template void SimulatedModel<2>::require_unpushed(const std::vector<int>&) const;
 template void SimulatedModel<2>::remove(const std::vector<int>&, const std::vector<int>&, const std::string&);
-template void SimulatedModel<2>::put_back(const std::vector<int>&, const std::vector<int>&, const std::string&);
+template void SimulatedModel<2>::put_back(const std::vector<int>&, const std::vector<int>&, bool, const std::string&);
 template void SimulatedModel<3>::alter(std::function<void(Model<3>&)>, std::vector<int>);
 template void SimulatedModel<3>::catch_up();
 template std::vector<double> SimulatedModel<3>::heights() const;
@@ -193,6 +255,6 @@ template std::optional<double> SimulatedModel<3>::removed_at(int) const;
 template std::string SimulatedModel<3>::why_absent(int) const;
 template void SimulatedModel<3>::require_unpushed(const std::vector<int>&) const;
 template void SimulatedModel<3>::remove(const std::vector<int>&, const std::vector<int>&, const std::string&);
-template void SimulatedModel<3>::put_back(const std::vector<int>&, const std::vector<int>&, const std::string&);
+template void SimulatedModel<3>::put_back(const std::vector<int>&, const std::vector<int>&, bool, const std::string&);
 
 }  // namespace trilith::script

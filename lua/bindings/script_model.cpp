@@ -82,6 +82,13 @@ int ScriptModel::require_body(const std::string& body, const std::string& owner)
   throw InputError(fmt::format("{}: there is no body '{}'{}", owner, one_line(body), name_hint(body, body_names())));
 }
 
+void ScriptModel::note_at_once(const std::string& text, Host& host) {
+  add_note(text);
+  note(text);
+  for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
+    host.observer->note(notes()[notes_shown_]);
+}
+
 void ScriptModel::pause(const std::function<void()>& ask) {
   paused_ = true;
   struct Scope {

@@ -100,7 +100,15 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// Takes bodies and bearings away, or puts them back: now, or at the next step border where a stage runs. Throws
   /// InputError for what is not there, or is there. `place`: of the script, for a message at the border.
   virtual void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) = 0;
-  virtual void put_back(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) = 0;
+  /// `from_start`: the bearings count displacements from where they were placed first, not from where they are now.
+  virtual void put_back(const std::vector<int>& which, const std::vector<int>& links, bool from_start,
+                        const std::string& place) = 0;
+  /// Whether a part of the model is out of the step: the body was removed or has left the bounds; the bearing was
+  /// removed, or one of its bodies is out; one of the seat's bodies is out; all bodies at the top of the storey are.
+  [[nodiscard]] virtual bool is_out(int body) const = 0;
+  [[nodiscard]] virtual bool is_bearing_out(int bearing) const = 0;
+  [[nodiscard]] virtual bool is_seat_out(int seat) const = 0;
+  [[nodiscard]] virtual bool is_storey_out(int number) = 0;
   /// Why the body cannot be used: "was removed at 3.2 s", "is added at the next step border"; "" where it can.
   [[nodiscard]] virtual std::string why_absent(int body) const = 0;
   /// When it was removed [s]; nothing where it was not, or is back.
@@ -165,6 +173,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   virtual double rewind(double time, Host& host) = 0;
   /// A line for the notes of the results file, where there is one.
   virtual void note(const std::string& text) = 0;
+  /// A note that is shown at once, and kept in the results file where there is one.
+  void note_at_once(const std::string& text, Host& host);
   /// Calls `ask` with the model paused: it can be read as it is now, and changed at once.
   void pause(const std::function<void()>& ask);
   /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.

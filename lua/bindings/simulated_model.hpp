@@ -25,11 +25,19 @@ auto built_unjudged(Builder& builder) {
   }
 }
 
+/// A push whose force a load path has scaled: the load of that name holds it.
+template <int D>
+struct LoadPush {
+  Push<D> push;            ///< its name, points and direction
+  double first_place = 0;  ///< of its points along it, as the path began [m]
+};
+
 template <int D>
 class SimulatedModel : public ScriptModel {
  public:
   using ScriptModel::ScriptModel;
 
+  std::vector<LoadPush<D>> load_pushes;          ///< in the order of their stages
   std::function<void(const Instant<D>&)> watch;  ///< of the engine's own, after each step; empty: none
 
   [[nodiscard]] int dim() const override { return D; }
@@ -57,7 +65,12 @@ class SimulatedModel : public ScriptModel {
   void catch_up() override;
   void follow_more() override;
   void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;
-  void put_back(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;
+  void put_back(const std::vector<int>& which, const std::vector<int>& links, bool from_start,
+                const std::string& place) override;
+  [[nodiscard]] bool is_out(int body) const override;
+  [[nodiscard]] bool is_bearing_out(int bearing) const override;
+  [[nodiscard]] bool is_seat_out(int seat) const override;
+  [[nodiscard]] bool is_storey_out(int number) override;
   [[nodiscard]] std::string why_absent(int body) const override;
   [[nodiscard]] std::optional<double> removed_at(int body) const override;
 

@@ -215,6 +215,7 @@ int shake(lua_State* L) {
   if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
   m.build();
   for (const DriveOrder& order : orders) apply_drive(m, order);
+  tell_abrupt_ends(m, "shake", orders, host(L));
   tell_motions(m, orders, host(L).observer);
   return finish_stage(L, m, o, until);
 }
@@ -226,6 +227,7 @@ int drive(lua_State* L) {
   keys.finish();
   m.build();
   for (const DriveOrder& order : orders) apply_drive(m, order);
+  tell_abrupt_ends(m, "drive", orders, host(L));
   return 0;
 }
 
@@ -306,10 +308,8 @@ Bounds<D> read_bounds(Keys& keys) {
 
 template <class M, int D>
 void choose_bounds(M& m, const Bounds<D>& chosen) {
-  if (m.built())
-    m.change([chosen](Model<D>& model) { set_bounds(model, chosen); });
-  else
-    m.builder.bounds = chosen;
+  m.builder.bounds = chosen;  // for what is added later too
+  if (m.built()) m.change([chosen](Model<D>& model) { set_bounds(model, chosen); });
 }
 
 /// m:bounds{ left =, right =, bottom =, top = }, in space front and back too: what leaves them is followed no more.

@@ -78,8 +78,10 @@ inward   point?  from the edge over the seat; without it level from the edge tow
   { "model:remove", "Takes bodies, bearings or loads away: at once between stages, else at the next step border. What "
     .. "leaned on them is free from the next step on.",
     args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },
-  { "model:put_back", "Puts back bodies, at rest where they stood if that is free, and bearings, which begin anew.",
-    args = "what  bodies  what was removed: a body, set, bearing, name or a list of these" },
+  { "model:put_back", "Puts back bodies, at rest where they stood if that is free, and bearings, which begin anew where "
+    .. "they are, free of force.",
+    args = "what  bodies  what was removed: a body, set, bearing, name or a list of these\nhow   table?  for bearings: "
+      .. '{ from = "start" }: displacements count from where the bearing was placed first' },
   shared = { body = [[
 material        text?            its material
 groups          names?           groups it belongs to

@@ -29,7 +29,9 @@ frequencies  numbers     at which they are, Hz]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },
-  { "trilith.motion", "A ground motion: a file's name, samples, or a steady velocity.",
+  { "trilith.motion", "A ground motion: a file's name, samples, or a steady velocity. Before its first sample and after "
+    .. "its last one the ground rests: a motion that ends at speed stops what follows it within one step, and a note "
+    .. "says so.",
     args = "file  text?  name of a file with accelerations; or the table",
     keys = [[
 file          text?              a file with accelerations
@@ -40,7 +42,7 @@ v0            number m/s = 0     velocity at the start
 u0            number m = 0       displacement at the start
 velocity      number m/s?        instead of samples: a steady velocity
 duration      number s?          of the steady velocity
-allow_drift   flag = false       it need not come to rest
+allow_drift   flag = false       it need not end at rest, where it stops within one step
 name          text?              what messages call it]], gives = "motion", beside = { duration = true, unit = true } },
   { "trilith.ramp", "A motion from rest to rest, smoothly: for supports that are moved.", keys = [[
 by        number           how far: m, or rad of a rotation
