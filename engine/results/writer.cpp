@@ -41,7 +41,6 @@ class ResultsWriter::Body {
 
   void add(const FrameRow& frame);
   void add_history(double time, std::span<const double> values);
-  bool may_be_sampled(std::size_t history, double value);
   void add(EventRow event);
   void add_energy(double time, std::span<const double> terms, double residual);
   void add(const NoteRow& note);
@@ -72,7 +71,6 @@ class ResultsWriter::Body {
   std::vector<std::string> bodies_, bearings_;
   std::vector<std::size_t> field_size_;  // numbers in a row of each field
   std::vector<Quantity> history_names_, term_names_;
-  std::vector<bool> followed_;                      // [history] it has begun
   std::vector<std::vector<double>> accelerations_;  // of motions, each once
   std::vector<std::int64_t> first_sample_;          // of each of those
   std::optional<PartFile> file_;
@@ -191,21 +189,14 @@ void ResultsWriter::Body::add(const FrameRow& frame) {
   flush_if_full();
 }
 
-// No number is a sample that was not taken: before the first one.
-bool ResultsWriter::Body::may_be_sampled(std::size_t history, double value) {
-  followed_.resize(history_names_.size(), false);
-  if (std::isnan(value)) return !followed_[history];
-  followed_[history] = true;
-  return std::isfinite(value);
-}
-
 void ResultsWriter::Body::add_history(double time, std::span<const double> values) {
   require_open();
   if (values.size() != history_names_.size())
     throw ResultsError(fmt::format("results histories at t = {:g} s: {} values for {} histories", time, values.size(),
                                    history_names_.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!may_be_sampled(i, values[i]) || !std::isfinite(time))
+    // NaN is a sample that was not taken: before the history begins, and while its owner is out of the model.
+    if (std::isinf(values[i]) || !std::isfinite(time))
       throw ResultsError(fmt::format("history '{}' at t = {:g} s is {}", history_names_[i].name, time, values[i]));
   copy(layout_->history_time, time);
   for (std::size_t i = 0; i < values.size(); ++i) copy(layout_->histories[i], values[i]);

@@ -36,8 +36,8 @@ class ResultsWriter {
   /// Each append copies its row into a buffer; the buffers are flushed by themselves at a few megabytes.
   /// Throws ResultsError where a number is not finite, an array has the wrong size, or a flush failed.
   void append_frame(const FrameRow& frame);
-  /// One sample of every history, in the order of Header::histories. `time`: s. A history that was not followed from
-  /// the start on begins with values that are no numbers.
+  /// One sample of every history, in the order of Header::histories. `time`: s. NaN stands for a sample that
+  /// was not taken: before a history begins, and while its owner is out of the model.
   void append_history(double time, std::span<const double> values);
   void append_event(EventRow event);
   /// `terms`: J, in the order of Header::energy_terms; `residual`: J.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -37,7 +38,11 @@ StudyFigure figure_of(const std::string& line) {
   return {field[0], field[1], value};
 }
 
-double take_from(const std::vector<double>& values, StudyTake take) {
+/// `last`: no number where what is followed was out of the model by then. The others are of the numbers there are.
+double take_from(std::vector<double> values, StudyTake take) {
+  if (take == StudyTake::last) return values.back();
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   switch (take) {
     case StudyTake::last:
       return values.back();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct ViewBlock {
   std::vector<std::int32_t> values;
   std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
 };
+
+/// Stands for a sample that was not taken: the page makes NaN of it.
+inline constexpr std::int32_t no_sample = std::numeric_limits<std::int32_t>::min();
 
 /// The whole number nearest to value / quantum, held within 2^30 on both sides; 0 where `value` is not finite.
 std::int32_t quantised(double value, double quantum);

@@ -19,14 +19,15 @@ void put_number(std::uint32_t number, std::string& out) {
     out += static_cast<char>(static_cast<unsigned char>(number >> shift & 255));
 }
 
-/// One column of samples, every so many of them, and the last; 50,000 steps over its range.
+/// One column of samples, every so many of them, and the last; 50,000 steps over its range, `no_sample` for NaN.
 ViewBlock samples(const std::string& name, const std::vector<double>& values, std::size_t stride) {
   constexpr double parts = 50000;
   double largest = 0;
   for (const double v : values) largest = std::isfinite(v) ? std::max(largest, std::abs(v)) : largest;
   ViewBlock block{name, 1, largest > 0 ? largest / parts : 1, {}};
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (i % stride == 0 || i + 1 == values.size()) block.values.push_back(quantised(values[i], block.quantum));
+    if (i % stride == 0 || i + 1 == values.size())
+      block.values.push_back(std::isnan(values[i]) ? no_sample : quantised(values[i], block.quantum));
   return block;
 }
 

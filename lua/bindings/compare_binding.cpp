@@ -90,7 +90,7 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
     const std::size_t common = std::min({before.size(), now.size(), branch.times.size(), m.history_times.size()});
     double most = 0, at = 0;
     for (std::size_t i = 0; i < common; ++i) {
-      if (std::abs(now[i] - before[i]) <= most) continue;
+      if (!(std::abs(now[i] - before[i]) > most)) continue;  // no number in either: there is nothing to compare
       most = std::abs(now[i] - before[i]);
       at = m.history_times[i];
     }

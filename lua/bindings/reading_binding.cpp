@@ -139,7 +139,21 @@ std::vector<std::string> number_names(const H& h) {
   return names;
 }
 
-/// Follows the number `what` of a handle.
+/// Whether it is out of the step, so that its numbers are of nothing.
+bool is_out(const BodyHandle& h) {
+  return h.model().is_out(h.index);
+}
+bool is_out(const BearingHandle& h) {
+  return h.model().is_bearing_out(h.index);
+}
+bool is_out(const SeatHandle& h) {
+  return h.model().is_seat_out(h.index);
+}
+bool is_out(const StoreyHandle& h) {
+  return h.model().is_storey_out(h.index + 1);
+}
+
+/// Follows the number `what` of a handle; no number (NaN) while that is out of the step.
 template <class H>
 void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   const Property<H>* p = find_property<H>(what);
@@ -148,7 +162,12 @@ void follow(Keys& keys, History& history, const std::string& what, const H& h) {
         fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names(h))));
     return;
   }
-  history.sample = [h, p] { return p->number(h); };
+  history.sample = [h, p, name = history.name] {
+    if (is_out(h)) return std::numeric_limits<double>::quiet_NaN();
+    const double value = p->number(h);
+    if (!std::isnan(value) || !h.model().recording()) return value;
+    throw InputError(fmt::format("history '{}' at t = {:g} s is nan", name, h.model().time()));
+  };
   history.unit = p->unit;
   history.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(h));
 }
@@ -183,7 +202,11 @@ void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& 
     lua_pop(keys.lua(), 1);
     return;
   }
-  h.sample = [owner = Owner(m.shared_from_this()), p] { return p->number(ModelBox{owner.get().shared_from_this()}); };
+  h.sample = [owner = Owner(m.shared_from_this()), p, name = h.name] {
+    const double value = p->number(ModelBox{owner.get().shared_from_this()});
+    if (!std::isnan(value) || !owner.get().recording()) return value;
+    throw InputError(fmt::format("history '{}' at t = {:g} s is nan", name, owner.get().time()));
+  };
   h.unit = p->unit;
   h.sentence = p->doc;
 }
@@ -291,7 +314,8 @@ void push_array(lua_State* L, const std::vector<double>& values) {
 double extreme(const HistoryHandle& h, double sign) {
   double most = -unbounded;
   for (const double v : row(h).values) most = std::max(most, sign * v);
-  return row(h).values.empty() ? 0 : sign * most;
+  if (row(h).values.empty()) return 0;
+  return std::isfinite(most) ? sign * most : std::numeric_limits<double>::quiet_NaN();
 }
 
 using HistoryProperty = Property<HistoryHandle>;
@@ -304,7 +328,8 @@ const std::array history_properties{
                     [](lua_State* L, const HistoryHandle& h) { push_array(L, h.model().history_times); }},
     HistoryProperty{"values", "", "values, one for each time", nullptr,
                     [](lua_State* L, const HistoryHandle& h) { push_array(L, row(h).values); }},
-    HistoryProperty{"last", "", "latest value, 0 before the first",
+    HistoryProperty{"last", "",
+                    "latest value, 0 before the first; no number (NaN) once what it follows is out of the model",
                     [](const HistoryHandle& h) { return row(h).values.empty() ? 0 : row(h).values.back(); }},
     HistoryProperty{"max", "", "largest value", [](const HistoryHandle& h) { return extreme(h, 1); }},
     HistoryProperty{"min", "", "smallest value", [](const HistoryHandle& h) { return extreme(h, -1); }},

@@ -18,10 +18,11 @@ function rangeOf(lists) {
   return [low - margin, high + margin];
 }
 
-const largestOf = (values) => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0);
+const largestOf = (values) => values.reduce((m, v) => (Math.abs(v) > m ? Math.abs(v) : m), 0);
 const scaledBy = (values, factor) => Float64Array.from(values, (v) => v * factor);
 
-/** Per pixel column the lowest and highest value, so that no peak is lost; lines as [x, y] on the canvas. */
+/** Per pixel column the lowest and highest value, so that no peak is lost; lines as [x, y] on the canvas. A sample that
+ * was not taken (NaN) is a gap, [NaN, NaN]. */
 function path(times, values, xOf, yOf) {
   const out = [];
   let column = NaN, low = 0, high = 0;
@@ -29,6 +30,12 @@ function path(times, values, xOf, yOf) {
     if (!Number.isNaN(column)) out.push([column, yOf(low)], [column, yOf(high)]);
   };
   for (let i = 0; i < times.length; i++) {
+    if (Number.isNaN(values[i])) {
+      flush();
+      column = NaN;
+      out.push([NaN, NaN]);
+      continue;
+    }
     const x = Math.round(2 * xOf(times[i])) / 2;
     if (x !== column) {
       flush();
@@ -41,6 +48,16 @@ function path(times, values, xOf, yOf) {
   }
   flush();
   return out;
+}
+
+/** Draws points as lines, which end at a gap and go on after it. */
+function trace(c, points) {
+  let down = false;
+  for (const [x, y] of points) {
+    const gap = Number.isNaN(x) || Number.isNaN(y);
+    if (!gap) down ? c.lineTo(x, y) : c.moveTo(x, y);
+    down = !gap;
+  }
 }
 
 /** Shows a plot as large as the window, and puts it back where it was when that is closed. */
@@ -168,8 +185,7 @@ export class Plot {
       c.lineWidth = 1.3;
       c.lineJoin = "round";
       c.beginPath();
-      if (this.over) this.over.values.forEach((v, k) => c.lineTo(x(v), y(line.values[k])));
-      else for (const point of path(line.times, line.values, x, y)) c.lineTo(...point);
+      trace(c, this.over ? Array.from(this.over.values, (v, k) => [x(v), y(line.values[k])]) : path(line.times, line.values, x, y));
       c.stroke();
     });
     c.restore();
@@ -189,6 +205,7 @@ export class Plot {
     this.lines.forEach((line, i) => {
       const k = Math.max(0, upperBound(line.times, time + 1e-9) - 1), value = line.values[k];
       if (value === undefined) return;
+      if (Number.isNaN(value)) return void (this.readings[i].textContent = "\u2013");
       c.fillStyle = this.over ? theme.ink : this.colours[i % this.colours.length];
       c.beginPath();
       c.arc(this.over ? x(this.over.values[k]) : at, y(value), this.over ? 4 : 3, 0, 7);

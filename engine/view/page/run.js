@@ -23,7 +23,9 @@ export function upperBound(times, time) {
   return low;
 }
 
-const floats = (block) => Float64Array.from(block.values, (v) => v * block.quantum);
+/** Stands for a sample that was not taken (engine/view/bytes.hpp). */
+const noSample = -2147483648;
+const floats = (block) => Float64Array.from(block.values, (v) => (v === noSample ? NaN : v * block.quantum));
 
 export class Run {
   constructor({ head, blocks }) {
