@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,6 +49,26 @@ GroundMotion even_motion(double distance, double speed) {
   shape[1] = 1, shape[intervals - 1] = -1;
   return to_distance(shape, std::abs(distance) / speed / (intervals - 2), distance,
                      fmt::format("by {:g} m at {:g} m/s", distance, speed));
+}
+
+/// Twenty of a hundred intervals to get going, by an acceleration a that rises and falls over ten each: the speed is
+/// v = 10 a dt, and the distance, of which each end is worth ten intervals, 80 v dt.
+GroundMotion gentle_motion(double distance, double acceleration, double duration) {
+  check_distance(distance, "push");
+  require_positive(acceleration, "push: the acceleration", "m/s2");
+  constexpr std::size_t intervals = 100, half = 10;
+  std::array<double, intervals + 1> shape{};
+  for (std::size_t i = 0; i <= 2 * half; ++i) {
+    const double share = 1 - std::abs(static_cast<double>(i) - half) / half;
+    shape[i] = share, shape[intervals - i] = -share;
+  }
+  const double step =
+      std::max(std::sqrt(std::abs(distance) / (acceleration * half * (intervals - 2 * half))), duration / intervals);
+  return to_distance(shape, step, distance, fmt::format("by {:g} m within {:g} s", distance, step * intervals));
+}
+
+double gentle_speed(const GroundMotion& motion) {
+  return std::abs(motion.at(0.5 * motion.duration()).velocity);
 }
 
 GroundMotion stopping_motion(double displacement, double velocity, double duration) {

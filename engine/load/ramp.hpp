@@ -14,6 +14,12 @@ GroundMotion ramp_motion(double distance, double duration);
 /// comes to rest as ramp_motion does. Either sign of distance; throws InputError as ramp_motion does.
 GroundMotion even_motion(double distance, double speed);
 
+/// By `distance` [m] likewise, but for a fifth of the time at either end, so that it speeds up by no more than
+/// `acceleration` [m/s2] and takes at least `duration` [s].
+GroundMotion gentle_motion(double distance, double acceleration, double duration);
+/// The speed in the middle of it [m/s].
+double gentle_speed(const GroundMotion& motion);
+
 /// From `displacement` [m] at `velocity` [m/s] to rest within `duration` [s], above 0.
 GroundMotion stopping_motion(double displacement, double velocity, double duration);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "step/push_compliance.hpp"
 #include "world/pushes.hpp"
 
 namespace trilith {
@@ -14,6 +16,19 @@ constexpr int samples_below = 3;
 
 std::size_t PushCurve::peak() const {
   return static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
+}
+
+double PushPeak::share_of_inertia() const {
+  return force != 0 ? std::abs(force - carried) / std::abs(force) : 0;
+}
+
+PushCurve with_peak(PushCurve curve, const PushPeak& peak) {
+  const auto at = std::upper_bound(curve.time.begin(), curve.time.end(), peak.time) - curve.time.begin();
+  curve.time.insert(curve.time.begin() + at, peak.time);
+  curve.displacement.insert(curve.displacement.begin() + at, peak.displacement);
+  curve.force.insert(curve.force.begin() + at, peak.force);
+  curve.drift.insert(curve.drift.begin() + at, peak.drift);
+  return curve;
 }
 
 template <int D>
@@ -33,10 +48,13 @@ bool PushoverRecorder<D>::step(const Instant<D>& now) {
     begun_ = true;
     first_place_ = at->origin + at->motion->displacement(0);
     first_drift_ = drift;
+    last_place_ = place;
     next_ = now.state.time - now.state.last_dt + interval_;
   }
+  take_peak(now, *at, {now.state.time, place - first_place_, now.work.push_force[index], drift - first_drift_});
+  take_work(now, place, now.work.push_force[index]);
   // Means over the interval, weighed by the steps: the force of a push rings with the contacts, and a single instant of
-  // it says little.
+  // it says little of how it goes on.
   const double dt = now.dt;
   time_ += dt * now.state.time, displacement_ += dt * (place - first_place_), force_ += dt * now.work.push_force[index];
   sway_ += dt * (drift - first_drift_), weight_ += dt;
@@ -49,8 +67,29 @@ bool PushoverRecorder<D>::step(const Instant<D>& now) {
 }
 
 template <int D>
+void PushoverRecorder<D>::take_work(const Instant<D>& now, double place, double force) {
+  push_work_ += force * (place - std::exchange(last_place_, place));
+  unbalanced_work_ += unbalanced_power(now.model, now.state, now.work) * now.state.last_dt;
+}
+
+/// `one`: of this instant.
+template <int D>
+void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, const PushPeak& one) {
+  if (has_peak_ && one.force <= peak_.force) return;
+  has_peak_ = peak_in_sample_ = true;
+  peak_ = one;
+  peak_.carried = one.force - unsupported_force(now.model, now.work, push.direction);
+}
+
+template <int D>
 void PushoverRecorder<D>::take_sample() {
   if (!(weight_ > 0)) return;
+  // What turns or sways as it is pushed may have its inertia though all forces balance along the push.
+  if (std::exchange(peak_in_sample_, false) && push_work_ != 0) {
+    const double carried = peak_.force * (1 - unbalanced_work_ / push_work_);
+    if (std::abs(peak_.force - carried) > std::abs(peak_.force - peak_.carried)) peak_.carried = carried;
+  }
+  push_work_ = unbalanced_work_ = 0;
   curve_.time.push_back(time_ / weight_);
   curve_.displacement.push_back(displacement_ / weight_);
   curve_.force.push_back(force_ / weight_);

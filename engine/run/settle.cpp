@@ -12,6 +12,7 @@
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
 #include "step/equilibrium.hpp"
+#include "world/postpone.hpp"
 
 namespace trilith {
 namespace {
@@ -30,29 +31,51 @@ StageEnd rest_end(const Equilibrium& found) {
 
 }  // namespace
 
-/// The state is another one meanwhile, and so are the loads that the path has scaled. What is strained beyond its limit
-/// is not told, as in a stage that diverges.
+/// The state is another one meanwhile, and so are the loads that the path has scaled; time goes on from point to point,
+/// and all that goes by time waits for as long. A point that is strained beyond its limit is
+/// not told, as in a stage that diverges.
 template <int D>
 void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
   const State<D> end = state_;
-  const std::vector<PointLoad<D>> loads = model_.point_loads;
-  const StageOptions& options = stage_->options;
-  for (const Waypoint<D>& point : way.points) {
+  double told = 0;  // time since the stage began [s]
+  const auto go_to = [&](const Waypoint<D>& point, const State<D>& state, double since) {
     auto unit = way.loads.begin();
     for (PointLoad<D>& load : model_.point_loads)
       if (unit != way.loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
-    state_ = point.state;
+    postpone_courses(model_, since - std::exchange(told, since));
+    state_ = state;
+    state_.time = end.time + since, state_.last_dt = 0;
     drop_work();
     refresh();
-    const Instant<D> now = instant();
-    if (is_overstrained(model_, state_)) break;
-    if (options.frame_interval > 0 && listener.on_frame) listener.on_frame(now);
-    if (options.history_interval > 0 && listener.on_history) listener.on_history(now);
+  };
+  const std::size_t last = way.points.size() - 1;
+  try {
+    for (std::size_t i = 0; i <= last; ++i) {
+      const Waypoint<D>& point = way.points[i];
+      go_to(point, point.state, way.time_of(i));
+      if (i == 0) tell(stage_event(EventType::stage_begun, instant(), stage_->options.name), listener, instant());
+      if (is_overstrained(model_, state_)) break;
+      tell_point(point, listener);
+    }
+  } catch (...) {  // a handler failed: the model is where the path has ended all the same
+    go_to(way.points[last], end, way.duration());
+    throw;
   }
-  model_.point_loads = loads;
-  state_ = end;
-  drop_work();
-  refresh();
+  go_to(way.points[last], end, way.duration());
+}
+
+/// What has led to a point, and its samples.
+template <int D>
+void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& listener) {
+  const Instant<D> now = instant();
+  const StageOptions& options = stage_->options;
+  for (Event e : point.events) {
+    e.time = state_.time;
+    tell(std::move(e), listener, now);
+  }
+  if (options.frame_interval > 0 && listener.on_frame) listener.on_frame(now);
+  if (options.history_interval > 0 && listener.on_history) listener.on_history(now);
+  if (listener.on_step) listener.on_step(now);
 }
 
 /// All of it lies between two looks at the same instant: what led to rest is told at the second one. What is strained
@@ -66,9 +89,12 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
   StageReport& report = stage_->report;
   const Flagged running(running_);
   try {
-    refresh();
-    tell(stage_event(EventType::stage_begun, instant(), options.name), listener, instant());
-    if (way != nullptr) tell_way(*way, listener);
+    if (way != nullptr && !way->points.empty()) {
+      tell_way(*way, listener);
+    } else {
+      refresh();
+      tell(stage_event(EventType::stage_begun, instant(), options.name), listener, instant());
+    }
     std::optional<Divergence> diverged =
         watch_->look_at_strains(instant(), way != nullptr ? loads_text(way) : "as the stage began");
     Equilibrium found;
@@ -89,6 +115,8 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     if (report.end == StageEnd::not_at_rest) report.reason = no_rest_reason(model_, found);
     if (!diverged) tell_samples(listener, now, true);
     tell_end(listener, now);
+    // What handlers asked for holds from the end of the stage on.
+    if (listener.change_model && listener.change_model(model_)) unscale_masses(), edited();
   } catch (...) {
     stage_.reset();
     throw;

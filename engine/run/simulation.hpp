@@ -56,6 +56,8 @@ class Tangent;
 struct EquilibriumOptions;
 template <int D>
 struct LoadWay;
+template <int D>
+struct Waypoint;
 
 template <int D>
 class Simulation {
@@ -74,7 +76,8 @@ class Simulation {
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
   /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
   /// none is found the state is as it was, and the report says what fails. Of `options` name and intervals count.
-  /// `way`: what has led here, each of its points a frame and a sample, all of them at the present time.
+  /// `way`: the load path that has led here, each of its points a frame and a sample; the stage then lasts as long as
+  /// path_duration (run/load_way.hpp).
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
                      const LoadWay<D>* way = nullptr);
   /// Runs a stage that restore() has brought back to its end.
@@ -140,6 +143,7 @@ class Simulation {
   void see_off();
   bool ends(const RunListener<D>& listener, const Instant<D>& now);
   void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
+  void tell_point(const Waypoint<D>& point, const RunListener<D>& listener);
   void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
   [[nodiscard]] bool wants_implicit() const;

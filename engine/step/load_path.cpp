@@ -271,7 +271,8 @@ bool Path<D>::add_point(int iterations) {
   // Of the path by arcs, whatever it is controlled by: limit points are looked for over it.
   const double length = last_way_.size() == 0 ? 0 : std::sqrt(inner(last_way_, last_way_));
   const double before = out_.points.empty() ? 0 : out_.points.back().length;
-  out_.points.push_back({factor_, followed_place(), before + length, iterations});
+  out_.points.push_back(
+      {factor_, followed_place(), before + length, iterations, out_.events.size() + trial_.events().size()});
   look_for_limit();
   return !options_.goes_on || options_.goes_on(out_.points.back(), trial_.state());
 }

@@ -43,6 +43,7 @@ struct PathPoint {
   double displacement = 0;  ///< weighed sum of the followed freedoms since the path began [m] or [rad]
   double length = 0;        ///< of the path up to here, by arcs [m]
   int iterations = 0;       ///< that led here
+  std::size_t events = 0;   ///< how many of LoadPath::events had happened by then
 };
 
 /// Where the factor turns: the top or bottom of the parabola through the three points about it.

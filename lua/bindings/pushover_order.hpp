@@ -19,7 +19,8 @@ struct PushOrder {
   std::string place;
   Vec<D> direction = Vec<D>::UnitX();
   PushPattern pattern = PushPattern::mass;
-  double rate = 0, displacement = 0;
+  double rate = 0;  ///< [m/s]; 0: so slow that inertia stays small
+  double displacement = 0;
   int storey = 0, samples = 200;
   PushLimits limits;
   StageOptions stage;

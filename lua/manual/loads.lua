@@ -44,7 +44,7 @@ at            place = "centroid"  a point {x, y} of one body, {x, y, z} in space
 direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    share of each body: mass, uniform or triangle
 control       text = "time"    "time": pushed steadily; "arc": by equilibria past limit points
-rate          number m/s?      how fast, by time
+rate          number m/s?      by time: how fast; left out, so slow that inertia stays small
 arc           number m?        by arc: length of the first step; a hundredth of the displacement
 displacement  number m?        how far; or drift
 drift         number m?        until this drift of the top, in space along the push

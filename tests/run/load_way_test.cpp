@@ -52,6 +52,53 @@ TEST_CASE("every equilibrium of a path is told as a frame with its place and loa
   }
 }
 
+TEST_CASE("points of a path come at times that grow with its length, with their events, and what goes by time waits") {
+  Model<2> model = shallow_truss();
+  LoadWay<2> way{model.point_loads, {}};
+  LoadPathOptions how;
+  how.first = how.longest = 0.02;
+  how.goes_on = [&](const PathPoint& point, const State<2>& state) {
+    way.points.push_back({state, point.factor, point.length, {}});
+    return state.position[1].y() > -0.3;
+  };
+  State<2> end = initial_state(model);
+  REQUIRE(follow_loads(model, end, how).end == PathEnd::arrived);
+  Event yielded;
+  yielded.type = EventType::member_yielded, yielded.body_a = 0;
+  way.points[5].events = {yielded};
+  for (PointLoad<2>& load : model.point_loads) load.force *= way.points.back().factor;
+  PointLoad<2> other = model.point_loads[0];
+  other.name = "other", other.force = Vec2::Zero(), other.curve = {{-1, 1}, {0, 1}, false};
+  model.point_loads.push_back(other);
+  Simulation<2> sim(model, end);
+  StageOptions stage;
+  stage.name = "pushed", stage.duration = path_duration, stage.frame_interval = 10;
+  std::vector<double> times;
+  double told = -1;
+  RunListener<2> listener;
+  listener.on_frame = [&](const Instant<2>& now) {
+    times.push_back(now.state.time);
+    CHECK(near(now.model.point_loads.back().curve.at(now.state.time), 0.5, 1e-12));
+  };
+  listener.on_event = [&](const Event& e, const Instant<2>& now) {
+    if (e.type != EventType::member_yielded) return;
+    told = e.time;
+    CHECK(e.cause >= 0);
+    CHECK(now.state.position[1] == way.points[5].state.position[1]);
+  };
+  const StageReport report = sim.settle(stage, {}, listener, &way);
+  REQUIRE(times.size() == way.points.size() + 1);
+  CHECK(times.front() == 0);
+  for (std::size_t i = 1; i < times.size(); ++i) CHECK(times[i] > times[i - 1]);
+  const double length = way.points.back().length, last = times[times.size() - 2];
+  for (std::size_t i = 0; i < way.points.size(); ++i)
+    CHECK(near(times[i], last * way.points[i].length / length, 1e-12));
+  CHECK(times.back() == path_duration);
+  CHECK(report.ended == path_duration);
+  CHECK(sim.state().time == path_duration);
+  CHECK(told == times[5]);
+}
+
 TEST_CASE("a path whose points are strained beyond the limit is told up to there and ends as diverged") {
   Model<2> model = shallow_truss();
   LoadWay<2> way{model.point_loads, {}};

@@ -1,0 +1,78 @@
+-- What a pushover in time says of a capacity: its largest force is that of all steps, and the part of inertia is no
+-- capacity. A block that is pushed at its middle rocks at W b/h, and a post that bends takes k times its way.
+local trilith = require "trilith"
+local near = require "near_expected"
+local g = 9.80665
+
+local function rocking(dim)
+  local m = trilith.model { name = "rocking", dim = dim }
+  m:material { name = "stone", density = 2400 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e10, ks = 5e9, mu = 0.9, beta = 1e-5 } }
+  local block
+  if dim == 2 then
+    m:block { name = "ground", width = 4, height = 0.5, at = { -2, -0.5 }, material = "stone", support = "fixed" }
+    block = m:block { name = "b", width = 0.5, height = 1, at = { -0.25, 0 }, material = "stone" }
+  else
+    m:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "stone", support = "fixed" }
+    block = m:block { name = "b", size = { 0.5, 1, 1 }, at = { -0.25, -0.5, 0 }, material = "stone" }
+  end
+  m:consolidate { ratio = 1e-5 }
+  return m, block
+end
+-- On springs the toe's pressure is a triangle of length c = sqrt(2 W/(kn turn)), of this and of all turns.
+local function limit_of(weight)
+  local most = 0
+  for turn = 1e-5, 0.04, 1e-5 do
+    most = math.max(most, weight*(0.25 - math.sqrt(2*weight/(1e10*turn))/3 - 0.5*turn)/0.5)
+  end
+  return most
+end
+local function said(m) return table.concat(m.notes, "; ") end
+
+local function push(dim, rate, displacement)
+  local m, block = rocking(dim)
+  local most, way = 0, 0
+  m:on_step(function()
+    if m.push_force > most then most, way = m.push_force, m.push_displacement end
+  end)
+  local r = m:pushover { body = block, rate = rate, displacement = displacement, samples = 60 }
+  -- The largest of all steps, with its place, and one of the curve's points; times grow.
+  near("peak of all steps", r.peak_force, most, 1e-12)
+  near("its place", r.displacement_at_peak, way, 1e-9)
+  local largest = 0
+  for i, force in ipairs(r.curve.force) do
+    largest = math.max(largest, force)
+    assert(i == 1 or r.curve.t[i] >= r.curve.t[i - 1])
+  end
+  assert(largest == r.peak_force)
+  return m, r, limit_of(block.mass*g)
+end
+
+for _, dim in ipairs { 2, 3 } do
+  local displacement = dim == 2 and 0.02 or 0.004
+  for _, rate in ipairs(dim == 2 and { 0.02, 0.1, 1 } or { 0.1, 1 }) do
+    local m, r, limit = push(dim, rate, displacement)
+    assert(r.peak_force > 1.05*limit and not r.quasi_static and r.carried_at_peak < 0.95*r.peak_force)
+    assert(said(m):find("is no capacity: the structure carries", 1, true), said(m))
+    m:close()
+  end
+  -- Where none is given it is slow enough, and nothing is said.
+  local m, r, limit = push(dim, nil, displacement)
+  near("capacity without a rate", r.peak_force, limit, 0.015)
+  near("what the supports take up", r.carried_at_peak, r.peak_force, 0.02)
+  assert(r.quasi_static and not said(m):find "capacity", said(m))
+  m:close()
+end
+
+-- A soft post: the push lasts as long as its periods ask for.
+local length, mass = 3, 5000
+local m = trilith.model { name = "post", gravity = 0 }
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+m:contact { between = { "*", "*" }, law = "none" }
+local post = m:frame { name = "post", material = "steel", joints = {
+    foot = { at = { 0, 0 }, support = "fixed" }, head = { at = { 0, length }, mass = mass } },
+  members = { { from = "foot", to = "head", section = trilith.rectangle_section { width = 0.1, depth = 0.1 } } } }
+local r = m:pushover { body = post, at = "head", displacement = 2e-3 }
+near("force of a soft post", r.peak_force, 3*2.1e11*0.1^4/12/length^3*2e-3, 0.02)
+assert(r.quasi_static and r.ended - r.begun > 5)
+m:close()
