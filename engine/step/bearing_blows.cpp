@@ -5,6 +5,7 @@
 
 #include "bearing/clearance.hpp"
 #include "step/bearing_motion.hpp"
+#include "step/node_gain.hpp"
 
 namespace trilith {
 namespace {
@@ -69,25 +70,74 @@ double yielding_along(const Model<D>& model, const State<D>& state, const Bearin
   return yielding_turn(model, state, b.end_a.turn[0], axis) + yielding_turn(model, state, b.end_b.turn[0], axis);
 }
 
+/// Acceleration along `e` of the end of a bearing at a place, and about `axis` where it turns.
+Vec2 gain_at(const Model<2>& model, const State<2>& state, const Work<2>& work, const Tie<2>& tie, const Vec2& at,
+             double dt) {
+  Vec2 sum = Vec2::Zero();
+  for (int i = 0; i < tie.nodes; ++i) {
+    const int n = tie.node[i];
+    sum += tie.weight[i] * gain_of(model, state, work, n, dt).at(at - state.position[n]);
+  }
+  return sum;
+}
+Vec3 gain_at(const Model<3>& model, const State<3>& state, const Work<3>& work, const Tie<3>& tie, const Vec3& at,
+             double dt) {
+  const int n = tie.node[0];
+  if (n >= 0) return gain_of(model, state, work, n, dt).at(at - state.position[n]);
+  const Fit& fit = model.fits[static_cast<std::size_t>(-1 - n)];
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < fit.nodes; ++i)
+    mean += gain_of(model, state, work, fit.node[static_cast<std::size_t>(i)], dt).along / fit.nodes;
+  return mean;
+}
+Spin<2> turning_gain_of(const Model<2>& model, const State<2>& state, const Work<2>& work, const Tie<2>& tie,
+                        double dt) {
+  return gain_of(model, state, work, tie.turn[0], dt).about;
+}
+Spin<3> turning_gain_of(const Model<3>& model, const State<3>& state, const Work<3>& work, const Tie<3>& tie,
+                        double dt) {
+  return tie.turn[0] < 0 ? Vec3(Vec3::Zero()) : gain_of(model, state, work, tie.turn[0], dt).about;
+}
+
+/// By which the rate along direction k grows [m/s2] or [rad/s2].
+template <int D>
+double gain_along(const Model<D>& model, const State<D>& state, const Work<D>& work, const Bearing<D>& b,
+                  const BearingMotion<D>& motion, int k, double dt) {
+  std::array<double, Space<D>::dofs> unit{};
+  unit[static_cast<std::size_t>(k)] = 1;
+  if (k < Directions<D>::first_turning) {
+    const Vec<D> gain =
+        gain_at(model, state, work, b.end_b, motion.point, dt) - gain_at(model, state, work, b.end_a, motion.point, dt);
+    return -motion.force(unit).dot(gain);  // which resists displacement
+  }
+  const Spin<D> gain =
+      turning_gain_of(model, state, work, b.end_b, dt) - turning_gain_of(model, state, work, b.end_a, dt);
+  if constexpr (D == 3)
+    return -motion.moment(unit).dot(gain);
+  else
+    return gain;
+}
+
 bool may_close(const DirectionLaw& law) {
   return std::visit([](const auto& l) { return ClosesAndOpens<std::decay_t<decltype(l)>>; }, law);
 }
 
 /// One way of a direction: how far from closing, how fast it closes, how stiff it is then.
 struct Closing {
-  double gap, speed, stiffness;  ///< [m], [m/s], [N/m]
+  double gap, speed, gain, stiffness;  ///< [m], [m/s], [m/s2], [N/m]
 };
 
-/// Calls f with both ways of direction k, where its law closes and opens.
+/// Calls f with both ways of direction k, where its law closes and opens. `rate`, `gain`: speed and acceleration of
+/// now.
 template <int D, class F>
 void each_closing(const Bearing<D>& b, const BearingMemory<D>& memory, const BearingMotion<D>& motion, std::size_t k,
-                  F&& f) {
+                  double rate, double gain, F&& f) {
   const double displacement = motion.counted(memory)[k];
   std::visit(
       [&](const auto& law) {
         if constexpr (ClosesAndOpens<std::decay_t<decltype(law)>>)
           for (const double way : {1.0, -1.0})
-            f(Closing{clearance(law, memory.direction[k], displacement, way), way * motion.rate[k], law.stiffness});
+            f(Closing{clearance(law, memory.direction[k], displacement, way), way * rate, way * gain, law.stiffness});
       },
       b.law[k]);
 }
@@ -103,15 +153,20 @@ double list_bearing_blows(const Model<D>& model, const State<D>& state, Work<D>&
     if (!is_live(state.bearing[i].status) || (own.counts[b.body_a] == 0 && own.counts[b.body_b] == 0)) continue;
     if (std::none_of(b.law.begin(), b.law.end(), may_close)) continue;
     const BearingMotion<D> motion = bearing_motion(model, state, i);
-    for (std::size_t k = 0; k < b.law.size(); ++k)
-      each_closing(b, state.bearing[i], motion, k, [&](const Closing& c) {
-        if (c.gap > 0 && !(c.gap < c.speed * dt)) return;
+    for (std::size_t k = 0; k < b.law.size(); ++k) {
+      if (!may_close(b.law[k])) continue;
+      const double gain = gain_along(model, state, work, b, motion, static_cast<int>(k), dt),
+                   rate = motion.rate[k] + 0.5 * state.last_dt * gain;
+      each_closing(b, state.bearing[i], motion, k, rate, gain, [&](const Closing& c) {
+        if (c.gap > 0 && !(c.gap < farthest(c.speed, c.gain, dt))) return;
         const double depth = std::max(-c.gap, 0.0), force = c.stiffness * depth;
         stored += 0.5 * force * depth;
         const double yielding = depth > 0 ? yielding_along(model, state, b, motion, static_cast<int>(k)) : 0;
-        own.blows.push_back(
-            {c.gap > 0 ? c.gap / c.speed : 0, 0.5 * (c.stiffness * c.speed * c.speed + force * force * yielding)});
+        const double speed = c.gap > 0 ? speed_at_touch(c.gap, c.speed, c.gain) : c.speed;
+        own.blows.push_back({c.gap > 0 ? time_to_touch(c.gap, c.speed, c.gain) : 0,
+                             0.5 * (c.stiffness * speed * speed + force * force * yielding)});
       });
+    }
   }
   return stored;
 }

@@ -258,8 +258,7 @@ double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, d
     if (m.apart) continue;
     const double depth = std::max(-m.gap, 0.0), force = m.stiffness * depth;
     stored += 0.5 * force * depth;
-    own.blows.push_back(
-        {m.gap > 0 ? m.gap / m.speed : 0, 0.5 * (m.stiffness * m.speed * m.speed + force * force / m.mass)});
+    own.blows.push_back({m.gap > 0 ? m.touches : 0, 0.5 * (m.stiffness * m.speed * m.speed + force * force / m.mass)});
   }
   return stored;
 }
@@ -304,8 +303,22 @@ void list_masses(const Model<D>& model, Work<D>& work) {
   }
 }
 
-/// Three looks, each only where the one before it left something: at the fastest point of all, at each body, and at the
-/// pairs of pieces of those bodies.
+/// True where some body could have twice that energy of motion, were it as fast as `fastest` [m/s] beside the ground,
+/// of which nothing moves faster. A body that does not move and goes elsewhere than the ground has the mass of all.
+template <int D>
+bool some_could_count(const Model<D>& model, const State<D>& state, const ImpactWork& own, const Vec<D>& common,
+                      double fastest, double energy) {
+  double heaviest = 0;
+  for (std::size_t b = 0; b < own.mass.size(); ++b) {
+    heaviest = std::max(heaviest, own.mass[b]);
+    const int n = model.bodies[b].first_node;
+    if (own.mass[b] == 0 && (state.velocity[n] != common || state.spin[n] != nothing<Spin<D>>())) return true;
+  }
+  return heaviest * fastest * fastest > energy;
+}
+
+/// Four looks, each only where the one before it left something: at the fastest point of all, at the
+/// heaviest body, at each body, and at the pairs of pieces of those bodies.
 template <int D>
 double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, double dt,
                    const ImpactOptions& options) {
@@ -318,9 +331,10 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
   const double fastest = work.fastest + work.unbalanced / own.lightest * dt;
   if (!(own.total * fastest * fastest > share * put_in)) return dt;
 
-  put_in = std::max(put_in, moving_energy(model, state) + lost);
   // Beside what stands, or goes with the ground.
   const Vec<D> common = own.still >= 0 ? state.velocity[own.still] : Vec<D>(Vec<D>::Zero());
+  if (!some_could_count(model, state, own, common, fastest + common.norm(), share * put_in)) return dt;
+  put_in = std::max(put_in, moving_energy(model, state) + lost);
   own.speed.assign(own.mass.size(), 0), own.counts.assign(own.mass.size(), 0);
   bool any = false;
   for (std::size_t b = 0; b < own.mass.size(); ++b) {

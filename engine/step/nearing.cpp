@@ -8,6 +8,7 @@
 #include "contact/solid_pressure.hpp"
 #include "detect/moving_piece.hpp"
 #include "shape/separation_3d.hpp"
+#include "step/node_gain.hpp"
 #include "world/carrier.hpp"
 
 namespace trilith {
@@ -17,7 +18,8 @@ namespace {
 template <int D>
 struct Front {
   double outermost = -unbounded;                            ///< along the direction [m]
-  double fastest = -unbounded;                              ///< the most that one of them goes along it [m/s]
+  double fastest = -unbounded;                              ///< largest velocity of a corner along it now [m/s]
+  double gain = -unbounded;                                 ///< largest acceleration of a corner along it [m/s2]
   std::array<double, static_cast<std::size_t>(D - 1)> low;  ///< the least and the most across [m]
   std::array<double, static_cast<std::size_t>(D - 1)> high;
 };
@@ -34,17 +36,19 @@ Axes<3> axes_of(const Vec3& n) {
   return {n, across, cross(n, across)};
 }
 
-/// A piece as it stands and moves; `radius`: of a sphere about its one corner, else 0; `mass`: without end where it
-/// does not move.
+/// A piece as it stands and moves; `gain`: accelerations of its corners; `radius`: of a sphere about its one corner,
+/// else 0; `mass`: without end where it does not move.
 template <int D>
 struct Side;
 template <>
 struct Side<2> {
   const MovingPiece& piece;
+  std::array<Vec2, max_piece_corners> gains;
   double radius, mass;
   [[nodiscard]] std::size_t corners() const { return static_cast<std::size_t>(piece.corners); }
   [[nodiscard]] const Vec2& at(std::size_t i) const { return piece.at[i]; }
   [[nodiscard]] const Vec2& velocity(std::size_t i) const { return piece.velocity[i]; }
+  [[nodiscard]] const Vec2& gain(std::size_t i) const { return gains[i]; }
   [[nodiscard]] std::size_t edges() const { return corners(); }
   [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const { return {e, e + 1 == corners() ? 0 : e + 1}; }
 };
@@ -52,10 +56,12 @@ template <>
 struct Side<3> {
   const PlacedSolid& placed;
   BodyMotion motion;
+  NodeGain<3> gains;
   double radius, mass;
   [[nodiscard]] std::size_t corners() const { return placed.corners.size(); }
   [[nodiscard]] const Vec3& at(std::size_t i) const { return placed.corners[i]; }
   [[nodiscard]] Vec3 velocity(std::size_t i) const { return motion.velocity_at(placed.corners[i]); }
+  [[nodiscard]] Vec3 gain(std::size_t i) const { return gains.at(placed.corners[i] - motion.place); }
   [[nodiscard]] std::size_t edges() const { return placed.solid->edges.size(); }
   [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const {
     const SolidEdge& edge = placed.solid->edges[e];
@@ -63,9 +69,10 @@ struct Side<3> {
   }
 };
 
-/// What lies within `depth` of the outermost. `along`: 1, or -1 to look the other way.
+/// What lies within `depth` of the outermost. `along`: 1, or -1 to look the other way. `behind`: half of the step
+/// behind, as velocities are of its middle [s].
 template <int D>
-Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double depth) {
+Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double depth, double behind) {
   Front<D> front;
   front.low.fill(unbounded), front.high.fill(-unbounded);
   const auto reach = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
@@ -80,7 +87,9 @@ Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double
   };
   for (std::size_t i = 0; i < side.corners(); ++i) {
     if (reach(i) < level) continue;
-    front.fastest = std::max(front.fastest, along * axes[0].dot(side.velocity(i)));
+    const double gain = along * axes[0].dot(side.gain(i));
+    front.fastest = std::max(front.fastest, along * axes[0].dot(side.velocity(i)) + behind * gain);
+    front.gain = std::max(front.gain, gain);
     add(side.at(i));
   }
   // Where edges go below.
@@ -102,22 +111,25 @@ double shared(const Front<D>& a, const Front<D>& b, double depth) {
   return measure;
 }
 
-/// `kn`: stiffness by length or area. How deep the two will get is not known before the area is, nor the area before
-/// the depth: first with all that they have, then with what lies within a depth that is drawn near to its own result.
+/// `kn`: stiffness by length or area. `behind`: see front_of. How deep the two will get is not known before the area
+/// is, nor the area before the depth: first with all that they have, then with what lies within a depth that is drawn
+/// near to its own result.
 template <int D>
-Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn, double dt) {
+Nearing meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn, double behind, double dt) {
   constexpr int looks = 4;
   const Axes<D> axes = axes_of(normal);
   Nearing m;
   m.mass = 1 / (1 / a.mass + 1 / b.mass);
   double depth = unbounded;
   for (int look = 0; look < looks; ++look) {
-    const Front<D> of_a = front_of(a, axes, 1, depth), of_b = front_of(b, axes, -1, depth);
+    const Front<D> of_a = front_of(a, axes, 1, depth, behind), of_b = front_of(b, axes, -1, depth, behind);
+    const double now = of_a.fastest + of_b.fastest, gain = of_a.gain + of_b.gain;
     m.gap = -of_b.outermost - of_a.outermost;
-    m.speed = of_a.fastest + of_b.fastest;
+    m.speed = now;
     // Less of them goes no faster.
-    m.apart = m.gap > 0 && !(m.gap < m.speed * dt);
+    m.apart = m.gap > 0 && !(m.gap < farthest(now, gain, dt));
     if (m.apart) break;
+    if (m.gap > 0) m.speed = speed_at_touch(m.gap, now, gain), m.touches = time_to_touch(m.gap, now, gain);
     m.stiffness = kn * shared(of_a, of_b, look == 0 ? 0 : depth);
     if (!(m.stiffness > 0)) break;
     // Elastic: v sqrt(m/k), beside what they overlap by already.
@@ -154,6 +166,29 @@ double piece_mass(const Model<3>& model, int piece) {
   return sum;
 }
 
+/// Accelerations of the corners of a piece.
+std::array<Vec2, max_piece_corners> gains_of(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                             int piece, const MovingPiece& now, double dt) {
+  std::array<Vec2, max_piece_corners> out;
+  int known = -1;
+  NodeGain<2> gain;
+  for (int c = 0; c < now.corners; ++c) {
+    const int skin = model.corner_skin[model.piece_first[piece] + c], n = model.skin_node[skin];
+    if (n != known) gain = gain_of(model, state, work, n, dt), known = n;
+    out[c] = gain.at(now.at[c] - state.position[n]);
+  }
+  return out;
+}
+/// Acceleration of a piece with the node or the mean of the nodes that it goes with.
+NodeGain<3> gain_of_piece(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece, double dt) {
+  if (!model.is_fitted(piece)) return gain_of(model, state, work, model.node_of_piece(piece), dt);
+  const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
+  NodeGain<3> mean;
+  for (int i = 0; i < whole.nodes; ++i)
+    mean.along += gain_of(model, state, work, whole.node[static_cast<std::size_t>(i)], dt).along / whole.nodes;
+  return mean;
+}
+
 /// Keeps the outward normal along which `b` lies farthest from the faces of `a`.
 void look_along_edges(const MovingPiece& a, const MovingPiece& b, double turned, double& most, Vec2& normal) {
   for (int i = 0; i < a.corners; ++i) {
@@ -183,23 +218,25 @@ Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
 
 }  // namespace
 
-Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& /*work*/, int p, int q, double dt) {
+Nearing nearing(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q, double dt) {
   const MovingPiece a = moving_piece(model, state, p), b = moving_piece(model, state, q);
   double most = -unbounded;
   Vec2 normal = Vec2::UnitX();
   look_along_edges(a, b, 1, most, normal);
   look_along_edges(b, a, -1, most, normal);
-  return meet<2>({a, 0, piece_mass(model, p)}, {b, 0, piece_mass(model, q)}, normal, closing_stiffness(model, p, q),
-                 dt);
+  const auto side = [&](const MovingPiece& moving, int piece) {
+    return Side<2>{moving, gains_of(model, state, work, piece, moving, dt), 0, piece_mass(model, piece)};
+  };
+  return meet<2>(side(a, p), side(b, q), normal, closing_stiffness(model, p, q), 0.5 * state.last_dt, dt);
 }
 
 Nearing nearing(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q, double dt) {
   const PlacedSolid &a = work.solids.placed[p], &b = work.solids.placed[q];
   const auto side = [&](const PlacedSolid& placed, int piece) {
-    return Side<3>{placed, motion_of(model, state, model.carrier_of(piece)), placed.solid->radius,
-                   piece_mass(model, piece)};
+    return Side<3>{placed, motion_of(model, state, model.carrier_of(piece)),
+                   gain_of_piece(model, state, work, piece, dt), placed.solid->radius, piece_mass(model, piece)};
   };
-  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q), dt);
+  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q), 0.5 * state.last_dt, dt);
 }
 
 }  // namespace trilith

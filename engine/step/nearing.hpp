@@ -10,7 +10,8 @@ namespace trilith {
 /// Along the direction that parts two convex pieces best.
 struct Nearing {
   double gap = 0;        ///< below 0 where they overlap [m]
-  double speed = 0;      ///< at which their nearest parts close, below 0 where they open [m/s]
+  double speed = 0;      ///< at which their nearest parts close as they touch, or now; below 0 where they open [m/s]
+  double touches = 0;    ///< time until they touch, with what forces and motions add to the speed on the way [s]
   double stiffness = 0;  ///< of the contact over the area that they would share, at least what it will be [N/m]
   double mass = 0;       ///< m_a m_b / (m_a + m_b), of what does not move without end [kg]
   bool apart = false;    ///< they stay apart all along the step; the others are then bounds, or not found

@@ -45,6 +45,8 @@ bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
 /// Share of the longest stable step where blows find their own, by `accuracy`, and nothing is braked to rest: what is
 /// left is stability. Room for contacts that grow half as stiff again until the step is looked at anew.
 constexpr double safety_beside_accuracy = 0.8;
+/// Of explicit steps where none is given: a blow that counts keeps its energy to 1 % as it closes, and as it opens.
+constexpr double usual_blow_accuracy = 0.02;
 /// Less than this takes steps without end: they shorten in proportion.
 constexpr double least_accuracy = 1e-9;
 
@@ -73,6 +75,7 @@ std::string explicit_keys(Keys& keys) {
 /// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
+  o.impact_accuracy = usual_blow_accuracy;
   double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
   accuracy = keys.number("accuracy", "1", accuracy);
   if (!(accuracy >= 0 && accuracy <= 1))
@@ -80,8 +83,8 @@ void read_integrator(Keys& keys, StageOptions& o) {
   if (accuracy > 0 && accuracy < least_accuracy)
     keys.problem(fmt::format("'accuracy' is {:g}, must be 0, for any, or at least {:g}, or its steps would hardly end",
                              accuracy, least_accuracy));
-  const bool given = keys.has("safety");
-  if (name == "explicit" && accuracy > 0 && !given && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
+  const bool alone = keys.has("accuracy") && !keys.has("safety");
+  if (name == "explicit" && accuracy > 0 && alone && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
   if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");
   if (name != "implicit" && name != "auto")
     keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
