@@ -1,4 +1,4 @@
-#include "contact/corner_overlap.hpp"
+#include "contact/chord.hpp"
 
 #include <bit>
 #include <cassert>
@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/registers.hpp"
+#include "contact/chord.hpp"
 #include "contact/corner_shapes.hpp"
 
 namespace trilith {
@@ -14,8 +15,8 @@ namespace {
 /// Points of pieces and how they move, as columns.
 struct PieceMotions {
   Plane2 at, velocity;
-  Lanes spin;
-  TRILITH_INLINE explicit PieceMotions(const PlacedPiece* const* p) {
+  Lanes spin, chord;
+  TRILITH_INLINE PieceMotions(const PlacedPiece* const* p, double dt) {
     const auto row = [&](int i) {
       const LanePair place = load_pair(p[i]->origin.data()), rate = load_pair(p[i]->velocity.data());
       return Lanes(__builtin_shufflevector(place, rate, 0, 1, 2, 3));
@@ -23,10 +24,12 @@ struct PieceMotions {
     const FourByFour columns(row(0), row(1), row(2), row(3));
     at = {columns.v[0], columns.v[1]}, velocity = {columns.v[2], columns.v[3]};
     spin = Lanes{p[0]->spin, p[1]->spin, p[2]->spin, p[3]->spin};
+    chord = chord_rate(spin, dt);
   }
-  /// Of what moves with the piece at a point of the world.
+  /// Of the point of the piece that is at a point of the world, over the step.
   [[nodiscard]] TRILITH_INLINE Plane2 velocity_at(const Plane2& x) const {
-    return {velocity.x - spin * (x.y - at.y), velocity.y + spin * (x.x - at.x)};
+    const Plane2 arm = x - at;
+    return {velocity.x - spin * arm.y + chord * arm.x, velocity.y + spin * arm.x + chord * arm.y};
   }
 };
 
@@ -122,7 +125,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   const Lanes zero{}, one = all_lanes(1);
   const LaneMask wedge_is_b = mask_of_bits(pieces.wedge_is_b);
   const Lanes sign = select(wedge_is_b, one, -one);  // of the force on b to that on the wedge
-  const PieceMotions w(pieces.wedge), o(pieces.owner);
+  const PieceMotions w(pieces.wedge, law.dt), o(pieces.owner, law.dt);
   RelativeMotion motion;
   motion.at_corner = w.velocity_at(t.corner) - o.velocity_at(t.corner);
   motion.spin = w.spin - o.spin;

@@ -1,6 +1,7 @@
 #include "contact/flat_contact.hpp"
 
 #include "base/registers.hpp"
+#include "contact/chord.hpp"
 #include "contact/nearest_held.hpp"
 #include "contact/solid_faces.hpp"
 
@@ -199,6 +200,8 @@ TRILITH_INLINE void add_friction(const FlatContacts& in, const FlatPressure& p, 
   const Lanes half_step = Lanes{} + 0.5 * in.dt, step = Lanes{} + in.dt;
   const Triple<Lanes>& n = out.normal;
   Triple<Lanes> rate = in.b.velocity_at(out.middle) - in.a.velocity_at(out.middle);
+  rate = rate + (chord_part(in.b.spin, out.middle - in.b.origin, in.dt) -
+                 chord_part(in.a.spin, out.middle - in.a.origin, in.dt));
   rate = rate + n * (p.radius * n.dot(in.b.spin - in.a.spin) - n.dot(rate));
   const TurnedPlane<Lanes> plane(in.before.normal, n, half_step * n.dot(in.a.spin + in.b.spin));
   const ShearForce<Lanes> before{plane.carry(in.before.shear.elastic), plane.carry(in.before.shear.total),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/registers.hpp"
+#include "contact/chord.hpp"
 #include "contact/laid_shear.hpp"
 #include "contact/solid_faces.hpp"
 #include "contact/sound_joint.hpp"
@@ -80,7 +81,14 @@ void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& mot
 /// How the seats move; after an implicit step with the mean rates of the way.
 JointMotion motion_over_step(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b, double dt) {
   JointMotion motion(plan, a, b);
-  if (a.behind == nullptr || b.behind == nullptr) return motion;
+  if (a.behind == nullptr || b.behind == nullptr) {
+    const Vec3 chord =
+        chord_part(b.spin, Vec3(motion.origin - b.place), dt) - chord_part(a.spin, Vec3(motion.origin - a.place), dt);
+    motion.rate.at -= motion.normal.dot(chord);
+    motion.slip += Vec2(motion.x.dot(chord), motion.y.dot(chord));
+    motion.mean_slip = motion.slip;
+    return motion;
+  }
   const auto begin = [](const BodyMotion& body) {
     return BodyMotion{body.behind->place_before, body.behind->rotation_before, Vec3::Zero(), Vec3::Zero()};
   };

@@ -46,11 +46,17 @@ TRILITH_INLINE double merging_loss(const ContactMemory& m, double ks) {
 /// Velocities of b against a where they press each other: of now, and their mean over the step.
 struct CentreRates {
   Vec2 now, mean;
-  TRILITH_INLINE CentreRates(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre)
-      : now(at_centre(a, b, sums, centre)),
+  TRILITH_INLINE CentreRates(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre,
+                             double dt)
+      : now(at_centre(a, b, sums, centre) + chord_of(b, centre, dt) - chord_of(a, centre, dt)),
         mean(a.over_step == nullptr && b.over_step == nullptr ? now : at_centre(a.mean(), b.mean(), sums, centre)) {}
 
  private:
+  /// Of a rigid piece after a leapfrog step; corners go straight.
+  TRILITH_INLINE static Vec2 chord_of(const PlacedPiece& p, const Vec2& x, double dt) {
+    if (p.over_step != nullptr || !p.corner_velocity.empty()) return Vec2::Zero();
+    return chord_rate(p.spin, dt) * (x - p.origin);
+  }
   TRILITH_INLINE static Vec2 at_centre(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums,
                                        const Vec2& centre) {
     return b.velocity_at(sums.edge_b, centre) - a.velocity_at(sums.edge_a, centre);
@@ -191,7 +197,7 @@ TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, Overl
   out.memory.damping_force[1] = sums.damping.y();
   out.memory.damping_moment = sums.damping_moment;
   if (sums.pressure > 0) out.centre = sums.moment_arm / sums.pressure;
-  const CentreRates rates(a, b, sums, out.centre);
+  const CentreRates rates(a, b, sums, out.centre, law.dt);
   out.lost_damping = damping_loss(a, b, before, sums, rates.mean, law.dt, out);
   if (sums.pressure > 0) {
     out.lost_friction = merged;

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "base/four_by_four.hpp"
+#include "contact/chord.hpp"
 #include "contact/overlap_pair.hpp"
 
 namespace trilith {
@@ -132,6 +133,11 @@ struct OverlapPress {
     if (p.corner_velocity.empty() && q.corner_velocity.empty()) {
       u = (q.velocity.x() - q.spin * (y - q.origin.y())) - (p.velocity.x() - p.spin * (y - p.origin.y()));
       v = (q.velocity.y() + q.spin * (x - q.origin.x())) - (p.velocity.y() + p.spin * (x - p.origin.x()));
+      if (p.over_step == nullptr && q.over_step == nullptr) {
+        const double of_q = chord_rate(q.spin, law.dt), of_p = chord_rate(p.spin, law.dt);
+        u += of_q * (x - q.origin.x()) - of_p * (x - p.origin.x());
+        v += of_q * (y - q.origin.y()) - of_p * (y - p.origin.y());
+      }
     } else
       for (int i = 0; i < lane_count; ++i) {
         const Vec2 at(x[i], y[i]);

@@ -1,5 +1,6 @@
 #include "contact/solid_contact.hpp"
 
+#include "contact/chord.hpp"
 #include "contact/edge_pressure.hpp"
 #include "contact/solid_energy.hpp"
 #include "contact/solid_faces.hpp"
@@ -39,7 +40,8 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   const double normal_force = own ? pressed.force.norm() : pressed.force.dot(pressed.along);
   const Vec3 n = own ? Vec3(pressed.force / normal_force) : pressed.along;
   const double radius = pressed.radius, turning = n.dot(Vec3(b.spin - a.spin));
-  Vec3 rate = b.velocity_at(pressed.middle) - a.velocity_at(pressed.middle);
+  Vec3 rate =
+      chord_velocity_at(b, b.origin, pressed.middle, law.dt) - chord_velocity_at(a, a.origin, pressed.middle, law.dt);
   rate += (radius * turning - n.dot(rate)) * n;
   const SlidingMotion motion{
       law.dt * (a.behind == nullptr ? rate : mean_sliding(a, b, pressed.middle, n, radius, law.dt)), rate,

@@ -1,5 +1,6 @@
 #include "contact/sphere_contact.hpp"
 
+#include "contact/chord.hpp"
 #include "contact/sphere_facets.hpp"
 
 namespace trilith {
@@ -101,7 +102,7 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
                          const SphereArea& at, SolidResponse& out) {
   const Vec3& n = at.normal;
   const double radius = out.radius, limit = law.mu * at.force;
-  Vec3 rate = b.velocity_at(at.middle) - a.velocity_at(at.middle);
+  Vec3 rate = chord_velocity_at(b, b.origin, at.middle, law.dt) - chord_velocity_at(a, a.origin, at.middle, law.dt);
   rate += (radius * n.dot(Vec3(b.spin - a.spin)) - n.dot(rate)) * n;
   Vec3 path = law.dt * rate;
   if (a.behind != nullptr) {

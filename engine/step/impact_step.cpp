@@ -303,18 +303,18 @@ void list_masses(const Model<D>& model, Work<D>& work) {
   }
 }
 
-/// True where some body could have twice that energy of motion, were it as fast as `fastest` [m/s] beside the ground,
-/// of which nothing moves faster. A body that does not move and goes elsewhere than the ground has the mass of all.
+/// Twice the energy of motion that some body has at most, as none is faster than `fastest` [m/s] beside the ground. A
+/// body that does not move and goes elsewhere than the ground has the mass of all: without bound [J].
 template <int D>
-bool some_could_count(const Model<D>& model, const State<D>& state, const ImpactWork& own, const Vec<D>& common,
-                      double fastest, double energy) {
+double most_of_one(const Model<D>& model, const State<D>& state, const ImpactWork& own, const Vec<D>& common,
+                   double fastest) {
   double heaviest = 0;
   for (std::size_t b = 0; b < own.mass.size(); ++b) {
     heaviest = std::max(heaviest, own.mass[b]);
     const int n = model.bodies[b].first_node;
-    if (own.mass[b] == 0 && (state.velocity[n] != common || state.spin[n] != nothing<Spin<D>>())) return true;
+    if (own.mass[b] == 0 && (state.velocity[n] != common || state.spin[n] != nothing<Spin<D>>())) return unbounded;
   }
-  return heaviest * fastest * fastest > energy;
+  return heaviest * fastest * fastest;
 }
 
 /// Four looks, each only where the one before it left something: at the fastest point of all, at the
@@ -333,8 +333,10 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
 
   // Beside what stands, or goes with the ground.
   const Vec<D> common = own.still >= 0 ? state.velocity[own.still] : Vec<D>(Vec<D>::Zero());
-  if (!some_could_count(model, state, own, common, fastest + common.norm(), share * put_in)) return dt;
+  const double of_one = most_of_one(model, state, own, common, fastest + common.norm());
+  if (!(of_one > share * put_in)) return dt;
   put_in = std::max(put_in, moving_energy(model, state) + lost);
+  if (!(of_one > share * put_in)) return dt;
   own.speed.assign(own.mass.size(), 0), own.counts.assign(own.mass.size(), 0);
   bool any = false;
   for (std::size_t b = 0; b < own.mass.size(); ++b) {

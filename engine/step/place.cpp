@@ -6,6 +6,7 @@
 #include "base/portable_lanes.hpp"
 #include "base/team.hpp"
 #include "body/rigid.hpp"
+#include "contact/chord.hpp"
 #include "step/evaluate.hpp"
 #include "step/placed_reach.hpp"
 
@@ -19,10 +20,25 @@ TRILITH_INLINE void place_point(const Vec2& x, const Vec2& v, SkinMotion<2>& ski
   store_lanes(&skin.x, now);
 }
 
+/// Of a spin over the step behind, per arm [1/s]; after an implicit step velocities are those of its end.
+TRILITH_INLINE double chord_now(const State<2>& state, double spin) {
+  return state.implicit() ? 0 : chord_rate(spin, state.last_dt);
+}
+
 /// place of a body whose skin points are its nodes.
 TRILITH_INLINE void place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work, SkinReach& reach) {
   for (int i = 0; i < body.skins; ++i)
     place_point(state.position[body.node + i], state.velocity[body.node + i], work.skin[body.skin + i], reach);
+}
+
+/// place_rigid of a body that turns, whose points go along chords: see contact/chord.hpp. `chord`: per arm [1/s].
+TRILITH_INLINE void place_turning(const NodeMotion<2>& node, const portable::SineCosine& turn, double chord,
+                                  std::span<const Vec2> skin, std::span<SkinMotion<2>> out, SkinReach& reach) {
+  const auto [s, c] = turn;
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const Vec2 arm(c * skin[i].x() - s * skin[i].y(), s * skin[i].x() + c * skin[i].y());
+    place_point(node.position + arm, node.velocity + cross(node.spin, arm) + chord * arm, out[i], reach);
+  }
 }
 
 /// place of a frame: each skin point turns with the node of its section.
@@ -31,7 +47,8 @@ TRILITH_INLINE void place_sections(const Model<2>& model, const State<2>& state,
   for (int s = body.skin; s < body.skin + body.skins; ++s) {
     const int n = model.skin_node[s], t = model.skin_turn[s];
     const Vec2 arm = Turn(state.rotation[t]).apply(model.skin_place[s]);
-    place_point(state.position[n] + arm, state.velocity[n] + cross(state.spin[t], arm), work.skin[s], reach);
+    const Vec2 chord = chord_now(state, state.spin[t]) * arm;
+    place_point(state.position[n] + arm, state.velocity[n] + cross(state.spin[t], arm) + chord, work.skin[s], reach);
   }
 }
 
@@ -40,8 +57,13 @@ TRILITH_INLINE void place_one_node(const Model<2>& model, const State<2>& state,
                                    const portable::SineCosine& turn, Work<2>& work, SkinReach& reach) {
   const int n = body.node;
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
-  place_rigid(NodeMotion<2>{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]}, turn,
-              std::span(model.skin_place).subspan(first, count), std::span(work.skin).subspan(first, count), reach);
+  const NodeMotion<2> motion{state.position[n], state.rotation[n], state.velocity[n], state.spin[n]};
+  const std::span skin = std::span(model.skin_place).subspan(first, count);
+  const std::span out = std::span(work.skin).subspan(first, count);
+  if (const double chord = chord_now(state, motion.spin); chord > 0)
+    place_turning(motion, turn, chord, skin, out, reach);
+  else
+    place_rigid(motion, turn, skin, out, reach);
 }
 
 /// `turn`: of the rotation of its first node, where the body is rigid.
