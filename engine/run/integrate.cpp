@@ -11,6 +11,7 @@
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
+#include "step/followed_step.hpp"
 #include "step/implicit_step.hpp"
 #include "step/stable_step.hpp"
 
@@ -73,9 +74,8 @@ NextStep Simulation<D>::choose_step() const {
   const double longest = stable_step(model_, state_, work_).dt;
   // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
   const double turning = std::min(longest, turning_step(model_, state_));
-  // With an accuracy steps that strike are cut by themselves, from whatever length.
   const double own = settled_step(turning, options.safety);
-  const double usual = options.impact_accuracy > 0 ? own : std::min(usual_longest_step, own);
+  const double usual = followed_step(model_, state_, own, (steps_between_estimates + 1) * own);
   const double dt = is_as_asked(longest, options) ? options.mass_scaling->step : usual;
   return {given > 0 ? given : dt, safety, longest};
 }

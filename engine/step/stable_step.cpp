@@ -347,8 +347,9 @@ template <int D>
 std::string explain_step(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   const StableStep s = stable_step(model, state, work);
   if (s.body < 0)
-    return fmt::format("nothing stiff governs; steps are held to {:g} s, and to {:g} s where none is given",
-                       longest_step, usual_longest_step);
+    return fmt::format(
+        "nothing stiff governs; steps are held to {:g} s, and to what motions, loads and bearings ask for",
+        longest_step);
   std::string text = fmt::format("body '{}' governs: stable step {:.4g} s, {:.4g} s without damping; its contacts:",
                                  model.bodies[s.body].name, s.dt, step_for(s.stiffness, 0));
   if (!model.bodies[s.body].is_rigid()) {

@@ -47,7 +47,7 @@ given.check {
   { function() m:run { duration = -1 } end, "stage 'run': duration is -1 s, must be finite and above 0" },
   { function() m:run { duration = 1, dt = 1 } end,
     "stage 'run': dt is 1 s, the longest stable step is 0.1 s at t = 0 s; leave dt out, or: nothing "
-      .. "stiff governs; steps are held to 0.1 s, and to 0.005 s where none is given" },
+      .. "stiff governs; steps are held to 0.1 s, and to what motions, loads and bearings ask for" },
   { function() b:shake { body = "bass", x = quake } end,
     "shake: body: there is no body or group 'bass'; did you mean 'base'?" },
   { function() b:shake { body = "base" } end, "shake: no motion is given; give x, y or rotation = trilith.motion ..." },
