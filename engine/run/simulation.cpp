@@ -28,6 +28,8 @@ namespace {
 
 /// A step below this [s], or below this share of its stage, is no step: time would stand still.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
+/// In fewer steps the kinetic energy of a leapfrog step, which is that of its middle, is no measure of what it makes.
+constexpr std::int64_t least_told_steps = 20;
 /// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
 constexpr double open_ended = 1e8;
 
@@ -283,6 +285,7 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
   const std::optional<Divergence> diverged = watch_->look(now, ending);
   if (!ending && !diverged) return false;
   if (diverged && diverged->event) tell(*diverged->event, listener, now);
+  if (!diverged && stage.report.steps >= least_told_steps) stage.report.found = watch_->ledger_text();
   set_end(stage.report, now, diverged,
           rests                ? StageEnd::rest
           : stopped            ? StageEnd::stopped

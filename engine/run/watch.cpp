@@ -30,6 +30,9 @@ constexpr double rock_sound = 5000;
 /// Energies that would move all bodies no faster than this are not worth a word [m/s].
 constexpr double trifling_speed = 1e-3;
 
+/// Beyond this share of the energy put in, what steps gained or lost is told.
+constexpr double told_share = 0.05;
+
 /// A corner of an element: its two edges at the start and now.
 struct Corner {
   Vec2 first, second, first_now, second_now;
@@ -289,6 +292,17 @@ void Watch::count_from(const Instant<D>& now, const Energy& energy) {
   given_speed_ = given_speed(now);
   most_energy_ = held(energy);
   most_put_in_ = 0;
+  off_ = 0;
+}
+
+std::string Watch::ledger_text() const {
+  const double input = std::max(most_energy_, held(from_) + most_put_in_);
+  if (!counts_ || !(std::abs(off_) > told_share * input)) return "";
+  return fmt::format(
+      "its steps {} {}, {:.2g} % of the {} that were put in; blows ask for shorter ones: leave dt out, or "
+      "give a smaller dt, safety or accuracy",
+      off_ > 0 ? "gained" : "lost", quantity_text(std::abs(off_), "J"), 100 * std::abs(off_) / input,
+      quantity_text(input, "J"));
 }
 
 /// Two bounds that no sound run passes, however wild:
@@ -333,6 +347,7 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
         "look at loads and masses near it; a speed that is meant is given at the start",
         sound_until_,
         {}};
+  if (std::abs(made) > std::max(trifle, std::abs(off_))) off_ = made;
   // Energy made does not count as what was there, or a slow growth would raise its own bound.
   most_energy_ = std::max({most_energy_, start + given, held(e) + lost - std::max(0.0, made)});
   looked_speed_ = std::max(now.speed, least_speed);

@@ -44,6 +44,8 @@ class Watch {
   /// `under`: of which loads that is told, after a comma.
   template <int D>
   std::optional<Divergence> look_at_strains(const Instant<D>& now, const std::string& under);
+  /// What its steps gained or lost of the energy put in, where that is more than a stated share of it; else nothing.
+  [[nodiscard]] std::string ledger_text() const;
   /// Bodies that have just come outside the bounds with all of their nodes, in order. Call it at every instant too.
   template <int D>
   std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);
@@ -67,6 +69,7 @@ class Watch {
   int free_dofs_ = 0;           // then
   double given_speed_ = 0;      // that bodies had then, and motions have [m/s]
   double most_energy_ = 0;      // that was there, or put in, at any look [J]
+  double off_ = 0;              // energy made, at the look where it was most of either sign [J]
   double most_put_in_ = 0;      // since energies count, at any instant [J]
   double looked_speed_ = 0;     // fastest point when it last looked at magnitudes [m/s]
   std::int64_t next_look_ = 0;  // at this step

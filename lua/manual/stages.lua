@@ -23,13 +23,13 @@ to          number s?     or until this time
 name        text = "run"  what results call it
 damping     number = 0    share of the unbalanced force that brakes each body
 dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
-safety      number = 0.5  share of the longest stable step, at most 0.9; explicit with accuracy 0.8
+safety      number = 0.5  share of the longest stable step, at most 0.9; where accuracy is given 0.8
 mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0
+accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0.02
 watch       flag = true   speeds and energies that nothing gave end it as diverged
 until_rest  rest?         end at rest: ]] .. rest .. until_keys, gives = "report" },
   { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
@@ -57,13 +57,13 @@ still     rest?           end at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  what results call it
 dt        number s?       fixed step
-safety    number = 0.5    share of the longest stable step, at most 0.9; explicit with accuracy 0.8
+safety    number = 0.5    share of the longest stable step, at most 0.9; where accuracy is given 0.8
 mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
 integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0
+accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0.02
 watch     flag = true     speeds and energies that nothing gave end it as diverged]] .. until_keys,
     beside = in_space, gives = "report" },
   { "model:drive", "A body follows a motion from now on.", keys = drive, beside = in_space },

@@ -93,3 +93,15 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 if os.getenv "TRILITH_SHOW" then print("worst of the usual steps", worst) end
+
+-- What a given step gains or loses beyond a twentieth of what was put in is noted; a fine one is not.
+for dt, notes in pairs { [1e-3] = 1, [5e-5] = 0 } do
+  local m = trilith.model { name = "told" }
+  m:material { name = "stone", density = 400 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 0, mu = 0 } }
+  m:block { name = "base", width = 3, height = 1, at = { -1.5, -1 }, material = "stone", support = "fixed" }
+  m:block { name = "block", width = 1, height = 0.5, at = { -0.5, 0.2 }, material = "stone", floating = true }
+  m:run { duration = 0.4, dt = dt }
+  assert(#m.notes == notes, ("a step of %g s: %d notes"):format(dt, #m.notes))
+  m:close()
+end

@@ -59,6 +59,7 @@ end
 for _, dim in ipairs { 2, 3 } do
   local out, back, crept, friction = flying(dim, 4)
   if os.getenv "TRILITH_SHOW" then print(dim, out, back, crept, friction) end
-  assert(math.max(out, back) < 0.05*crept + 3e-6 and math.abs(friction) < 1e-3, ("%dD: mortar that spins creeps by %g and %g m, steps by %g; %g J of friction")
-    :format(dim, out, back, crept, friction))
+  assert(math.max(out, back) < 0.05*crept + 3e-6 and math.abs(friction) < 1e-3,
+    ("dim %d: mortar that spins creeps by %g and %g m, steps by %g; %g J of friction"):format(dim, out, back, crept,
+      friction))
 end
