@@ -62,7 +62,8 @@ do
   assert(grains.mass == again.mass)
   m:run { duration = 0.5 }
   for _, g in ipairs(grains) do
-    assert(math.abs(g.x) < 0.2 and math.abs(g.y) < 0.3 and g.z > 0.02 and g.z < 0.5, g.name)
+    -- One that lies on the floor has its centre of mass as low as 0.0185 m.
+    assert(math.abs(g.x) < 0.2 and math.abs(g.y) < 0.3 and g.z > 0.015 and g.z < 0.5, g.name)
   end
 end
 
