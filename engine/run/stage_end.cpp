@@ -85,9 +85,16 @@ std::string unsettled_reason(const Instant<D>& now) {
   return what + "; give more duration, or look at how it moves: it may be unable to stand";
 }
 
-/// Of a step that did not converge at any length: when, how far it came, and the body with the most left over.
+/// Of a step that was not found at any length: when, how far it came, and the body with the most left over, or the two
+/// that it would take through each other.
 template <int D>
 std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step) {
+  const auto body_of = [&](int piece) { return model.bodies[model.piece_body[piece]].name; };
+  if (step.through_a >= 0)
+    return fmt::format(
+        "every step from t = {:.6g} s on, down to {:.2g} s, takes '{}' and '{}' through each other; take a smaller dt, "
+        "look at how fast they go and how stiff their contact law is, or go on with integrator = \"explicit\"",
+        state.time, step.dt, body_of(step.through_a), body_of(step.through_b));
   const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
   return fmt::format(
       "no step from t = {:.6g} s on converges, down to {:.2g} s: {:.2g} of the largest force is left over, most of it "

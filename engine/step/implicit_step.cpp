@@ -10,6 +10,7 @@
 #include "step/evaluate.hpp"
 #include "step/node_forces.hpp"
 #include "step/nodes_at_start.hpp"
+#include "step/tunnelling.hpp"
 #include "step/turned_back.hpp"
 
 namespace trilith {
@@ -77,6 +78,8 @@ class Trial {
   [[nodiscard]] Energy booked() const;
   /// What it missed of its energies with that, as a share.
   [[nodiscard]] double missed(const Energy& booked) const;
+  /// True where it took two pieces through each other, which forces at its end do not show.
+  [[nodiscard]] bool tunnels(ImplicitStep& out) const;
 
  private:
   void predict();
@@ -270,6 +273,7 @@ bool Trial<D>::serves_on(double merit_before) const {
 template <int D>
 bool Trial<D>::attempt(double dt, ImplicitStep& out) {
   dt_ = dt;
+  out.through_a = out.through_b = -1;
   predict();
   evaluate_trial();
   tangent_.shape(model_, work_);
@@ -299,6 +303,14 @@ bool Trial<D>::attempt(double dt, ImplicitStep& out) {
     serves = serves_on(before);
   }
   return false;
+}
+
+template <int D>
+bool Trial<D>::tunnels(ImplicitStep& out) const {
+  const Tunnelling<D> t =
+      find_tunnelling(model_, state_, work_, {start_.position, start_.velocity, start_.rotation, dt_});
+  out.through_a = t.piece_a, out.through_b = t.piece_b;
+  return t.piece_a >= 0;
 }
 
 /// Back to where the step began. What led there is committed, so no step lies behind it any more: its half of the work
@@ -364,7 +376,7 @@ ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>&
   out.dt = options.dt;
   for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
     const int before = out.iterations;
-    if (!trial.attempt(out.dt, out)) continue;
+    if (!trial.attempt(out.dt, out) || trial.tunnels(out)) continue;
     const Energy booked = trial.booked();
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;

@@ -26,12 +26,13 @@ struct ImplicitOptions {
 /// How a step came out.
 struct ImplicitStep {
   bool converged = false;
-  int iterations = 0;  ///< of all attempts
-  int cuts = 0;        ///< how often it was halved
-  double dt = 0;       ///< length taken [s]
-  double left = 0;     ///< force left over, as a share of the largest carried one
-  double missed = 0;   ///< see ImplicitOptions::accuracy
-  int worst = -1;      ///< the node where the most is left over
+  int iterations = 0;                  ///< of all attempts
+  int cuts = 0;                        ///< how often it was halved
+  double dt = 0;                       ///< length taken [s]
+  double left = 0;                     ///< force left over, as a share of the largest carried one
+  double missed = 0;                   ///< see ImplicitOptions::accuracy
+  int worst = -1;                      ///< the node where the most is left over
+  int through_a = -1, through_b = -1;  ///< pieces that the last attempt would have taken through each other; -1: none
 };
 
 /// Makes a state that explicit steps have led to one that an implicit scheme goes on from, or the other way: `work` is
@@ -42,8 +43,9 @@ template <int D>
 void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work);
 
 /// Takes one step from an instant that has been evaluated and committed, with the ledger `energy`; halved where it does
-/// not converge. Where it fails, State is as it was. `work` is then evaluated at the end of the step, which is not
-/// committed. State::dt: the step to try next, at most options.dt.
+/// not converge, and where it would take bodies through each other (step/tunnelling.hpp). Where it fails, State is as
+/// it was. `work` is then evaluated at the end of the step, which is not committed. State::dt: the step to try next, at
+/// most options.dt.
 template <int D>
 ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>& work, const Energy& energy,
                                 Tangent<D>& tangent, const ImplicitOptions& options, StepTimes* times = nullptr);

@@ -3,17 +3,21 @@
 
 #include <algorithm>
 
+#include "shape/separation_3d.hpp"
+#include "shape/sphere_distance.hpp"
 #include "step/body_events.hpp"
+#include "step/implicit_turn.hpp"
 #include "step/passed.hpp"
+#include "step/tunnelling.hpp"
 #include "world/pose.hpp"
 
 namespace trilith {
 namespace {
 
-/// What is half as deep as the thinner is thick presses on no less than this share of its thickness squared, but for
-/// slivers: a tetrahedron of a mesh that has but an edge in the plane of a joint counts as deep in the other body as
-/// its own next outer face is far.
-constexpr double least_area = 0.01;
+/// Inner cuts of a body part its pieces: a body that is half in one of them may share less with each of two.
+constexpr double share_by_cuts = 0.9;
+/// Rounding of a depth, as a share of it.
+constexpr double rounding = 1e-9;
 
 /// 1 / mass of what may move, 0 of what may not; of a frame of one node of it, of elements of the whole body [1/kg].
 double mobility_of(const Model<3>& model, int piece) {
@@ -35,15 +39,42 @@ double needed_stiffness(const Model<3>& model, const State<3>& state, const Work
 }
 
 /// The faster body is named first, as the one that passed.
+Event event_of(const Model<3>& model, const State<3>& state, int p, int q) {
+  const Vec3 va = motion_of(model, state, model.carrier_of(p)).velocity,
+             vb = motion_of(model, state, model.carrier_of(q)).velocity;
+  const bool turned = vb.norm() > va.norm();
+  return event_now(state, EventType::body_passed, model.piece_body[turned ? q : p], model.piece_body[turned ? p : q]);
+}
+
+/// The least translation that parts two pieces, cuts and all [m]. A contact knows the depth of its faces below the
+/// nearest face of the other piece, which is never above half of that piece's thickness: of two that are equally thick
+/// it does not tell half from through.
+double overlap_of(const Work<3>& work, const NearPair& pair) {
+  const PlacedSolid &a = work.solids.placed[pair.piece_a], &b = work.solids.placed[pair.piece_b];
+  const bool round = a.solid->is_sphere() || b.solid->is_sphere();
+  return -(round ? sphere_distance(a, b) : separation(a, b).distance);
+}
+
+/// Both depths are asked for, one of them beyond the share that is reported and the other beyond half of that. The
+/// overlap alone does not do for a piece that others of its body surround, nor the depth of faces for a tetrahedron
+/// that has but an edge in the plane of a joint: it is as deep in the other body as its own next face is far.
+bool is_too_deep(const Model<3>& model, const Work<3>& work, const GeneralContact<3>& c, double thickness) {
+  const NearPair& pair = work.pairs[c.row];
+  const double allowed = passed_share * thickness;
+  if (c.depth <= 0.5 * allowed) return false;
+  const bool cut = model.bodies[model.piece_body[pair.piece_a]].pieces > 1 ||
+                   model.bodies[model.piece_body[pair.piece_b]].pieces > 1;
+  const double overlap = overlap_of(work, pair);
+  return overlap > (c.depth > allowed ? 0.5 : cut ? share_by_cuts : 1 - rounding) * allowed;
+}
+
 Event passed_event(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& c,
                    double thickness) {
   const NearPair& pair = work.pairs[c.row];
-  const int a = model.piece_body[pair.piece_a], b = model.piece_body[pair.piece_b];
   const Vec3 va = motion_of(model, state, model.carrier_of(pair.piece_a)).velocity,
              vb = motion_of(model, state, model.carrier_of(pair.piece_b)).velocity;
-  const bool turned = vb.norm() > va.norm();
-  Event e = event_now(state, EventType::body_passed, turned ? b : a, turned ? a : b);
-  e.value = c.depth;
+  Event e = event_of(model, state, pair.piece_a, pair.piece_b);
+  e.value = overlap_of(work, pair);
   e.set_place(c.centre);
   const double speed = (va - vb).norm();
   e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", speed, thickness,
@@ -51,21 +82,56 @@ Event passed_event(const Model<3>& model, const State<3>& state, const Work<3>& 
   return e;
 }
 
+double thinner_of(const Model<3>& model, int p, int q) {
+  return std::min(model.piece_thickness[p], model.piece_thickness[q]);
+}
+
+/// Remembers that two bodies are reported; false where they were before.
+bool remember(const Model<3>& model, State<3>& state, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  const ContactKey key = contact_key(std::min(a, b), std::max(a, b));
+  const auto at = std::lower_bound(state.passed.begin(), state.passed.end(), key);
+  if (at != state.passed.end() && *at == key) return false;
+  state.passed.insert(at, key);
+  return true;
+}
+
+/// Two that the last step took through each other, in and out again.
+Event through_event(const Model<3>& model, const State<3>& state, const Tunnelling<3>& t) {
+  Event e = event_of(model, state, t.piece_a, t.piece_b);
+  e.value = t.depth;
+  e.set_place(t.place);
+  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick, within a step of {:.2g} s; take a shorter one",
+                       t.speed, t.thickness, state.last_dt);
+  return e;
+}
+
+/// Follows fast pieces back through the last step, by the velocities of its end: a leapfrog step has gone exactly so.
+void look_back(const Model<3>& model, State<3>& state, const Work<3>& work, std::vector<Event>& told) {
+  if (!(2 * work.fastest * state.last_dt > model.least_thickness)) return;
+  std::vector<Vec3> position(state.position);
+  std::vector<UnitQuaternion> rotation(state.rotation);
+  for (std::size_t n = 0; n < position.size(); ++n) {
+    position[n] -= state.last_dt * state.velocity[n];
+    rotation[n] = turned_by(Vec3(-state.last_dt * state.spin[n]), rotation[n]);
+  }
+  const StepBegin<3> begin{position, state.velocity, rotation, state.last_dt};
+  for (const Tunnelling<3>& t : list_tunnelling(model, state, work, begin, passed_share))
+    if (remember(model, state, t.piece_a, t.piece_b)) told.push_back(through_event(model, state, t));
+}
+
 }  // namespace
 
-/// Every contact that touches knows how deep it is; what goes through between two steps, the sweep keeps from it.
+/// Two ways to be too deep, as in the plane: through and out again within the last step, which is followed back, and
+/// deeper step by step.
 std::vector<Event> notice_passed(const Model<3>& model, State<3>& state, Work<3>& work) {
   std::vector<Event> told;
+  look_back(model, state, work, told);
   for (const GeneralContact<3>& c : work.general_touching) {
     const NearPair& pair = work.pairs[c.row];
-    const double thickness = std::min(model.piece_thickness[pair.piece_a], model.piece_thickness[pair.piece_b]);
-    if (c.depth <= passed_share * thickness || c.size <= least_area * thickness * thickness) continue;
-    const int a = model.piece_body[pair.piece_a], b = model.piece_body[pair.piece_b];
-    const ContactKey key = contact_key(std::min(a, b), std::max(a, b));
-    const auto at = std::lower_bound(state.passed.begin(), state.passed.end(), key);
-    if (at != state.passed.end() && *at == key) continue;
-    state.passed.insert(at, key);
-    told.push_back(passed_event(model, state, work, c, thickness));
+    const double thickness = thinner_of(model, pair.piece_a, pair.piece_b);
+    if (is_too_deep(model, work, c, thickness) && remember(model, state, pair.piece_a, pair.piece_b))
+      told.push_back(passed_event(model, state, work, c, thickness));
   }
   return told;
 }
