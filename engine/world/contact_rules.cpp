@@ -7,11 +7,11 @@
 #include <set>
 
 #include "base/nearest.hpp"
+#include "world/missing_laws.hpp"
 #include "world/names.hpp"
 #include "world/usual.hpp"
 
 namespace trilith {
-
 std::vector<std::string> ContactRules::law_names() const {
   std::vector<std::string> names;
   for (const auto& l : laws_) names.push_back(l.first);
@@ -103,7 +103,7 @@ void ContactRules::fill(Model<D>& model) const {
   SurfaceNames names;
   for (std::size_t i = 0; i < example.size(); ++i) names.add(*example[i], static_cast<int>(i));
   model.surfaces = static_cast<int>(example.size());
-  model.law_of.assign(example.size() * example.size(), -1);
+  model.law_of.assign(example.size() * example.size(), undeclared_law);
   for (const Statement& c : statements_) {
     const int index = c.law == "none" ? -1 : law_rows_.at(c.law);
     for (const int i : names.of(c.a))

@@ -259,7 +259,9 @@ std::uint64_t structure_of(const Model<D>& m) {
   add(hash, m.solids), add(hash, m.elements), add(hash, m.element_number), add(hash, m.beams), add(hash, m.members);
   if (m.beam_memory > 0) add(hash, m.yields);
   for (const DampingBranches& b : m.bands) add_law(hash, b.band);
-  add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, m.law_of);
+  std::vector<int> law_of = m.law_of;
+  for (int& law : law_of) law = std::max(law, -1);  // that no statement speaks of a pair makes no other model
+  add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, law_of);
   add(hash, m.bearings), add(hash, m.seats);
   if constexpr (D == 3) add(hash, m.piece_solid);
   for (const Beam3& beam : m.beams_3d) add(hash, beam);

@@ -3,6 +3,7 @@
 #include "build/check_solids.hpp"
 #include "run/contact_damping.hpp"
 #include "table_fields.hpp"
+#include "world/missing_laws.hpp"
 #include "world/usual.hpp"
 
 namespace trilith::script {
@@ -17,10 +18,18 @@ void push_texts(lua_State* L, const std::vector<std::string>& texts) {
   }
 }
 
-/// core.faults(model): what keeps it from being built or, before its first stage, from beginning.
+template <int D>
+std::vector<std::string> missing_laws_of(SimulatedModel<D>& m) {
+  return missing_laws(m.simulation().model());
+}
+
+/// core.faults(model): what keeps it from being built or, once it can be, from beginning its next stage.
 int faults(lua_State* L) {
-  const ScriptModel& m = handle<ModelBox>(L, 1).get();
-  push_texts(L, m.faults());
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  std::vector<std::string> all = m.faults();
+  if (all.empty() && m.body_count() > 0)
+    all = m.dim() == 2 ? missing_laws_of(static_cast<PlaneModel&>(m)) : missing_laws_of(static_cast<SpaceModel&>(m));
+  push_texts(L, all);
   return 1;
 }
 

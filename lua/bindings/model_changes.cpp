@@ -12,6 +12,7 @@
 #include "simulated_model.hpp"
 #include "world/extend.hpp"
 #include "world/pose.hpp"
+#include "world/missing_laws.hpp"
 
 namespace trilith::script {
 namespace {
@@ -99,7 +100,9 @@ void SimulatedModel<D>::extend() {
   caught_up_ = additions_;
   findings_.reset();
   try {
-    simulation_->grow(extended_model(simulation_->model(), simulation_->state()));
+    Model<D> grown = extended_model(simulation_->model(), simulation_->state());
+    if (running_) require_laws(grown);  // else the next stage does, before which a law may still come
+    simulation_->grow(std::move(grown));
   } catch (const InputError&) {
     forget_added();
     throw;

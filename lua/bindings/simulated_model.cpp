@@ -11,6 +11,7 @@
 #include "run/missed_bonds.hpp"
 #include "step/stable_step.hpp"
 #include "world/event_text.hpp"
+#include "world/missing_laws.hpp"
 #include "world/motion_hash.hpp"
 #include "world/pose.hpp"
 
@@ -277,6 +278,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   Simulation<D>& s = simulation();
   catch_up();
   if (const std::vector<std::string> faults = standing_faults(); !faults.empty()) throw InputError(faults.front());
+  require_laws(s.model());
   judge_standing();
   if (!balance_at_start_) balance_at_start_ = evaluated().energy().balance();
   for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
