@@ -15,7 +15,7 @@ local p = trilith.params {
   mu = { 0.1, "friction of seats" },
   limit = { 10, unit = "inch", "horizontal displacement that ends a fixed bearing" },
   side = { 15, unit = "inch", "seat beside the outer girder" },
-  overlap = { 0.005, unit = "inch", "of a girder and its seat under an 80 ft span; makes the stiffness of contact" },
+  overlap = { 0.001, unit = "inch", "of a girder and its seat under an 80 ft span; makes the stiffness of contact" },
   zeta = { 0.05, "damping of contact" },
   soil = { 60e6, unit = "Pa", "shear modulus of the ground" },
   duration = { 30, unit = "s", "of the shaking" },
