@@ -26,6 +26,7 @@ std::string loads_text(const LoadWay<D>* way) {
 
 StageEnd rest_end(const Equilibrium& found) {
   if (found.end == EquilibriumEnd::stopped) return StageEnd::stopped;
+  if (found.end == EquilibriumEnd::unstable) return StageEnd::unstable;
   return found.converged ? StageEnd::rest : StageEnd::not_at_rest;
 }
 
@@ -113,6 +114,7 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     report.speed = now.speed, report.ratio = found.left;
     set_end(report, now, diverged, rest_end(found));
     if (report.end == StageEnd::not_at_rest) report.reason = no_rest_reason(model_, found);
+    if (report.end == StageEnd::unstable) set_unstable(report, model_, found.travel, how.within);
     if (!diverged) tell_samples(listener, now, true);
     tell_end(listener, now);
     // What handlers asked for holds from the end of the stage on.

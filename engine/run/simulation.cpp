@@ -174,6 +174,7 @@ void Simulation<D>::begin_stage(const StageOptions& options) {
         fmt::format("stage '{}': cannot begin, as the run {}; go back to before that, or build the model anew",
                     options.name, verdict_.fault(Fault::diverged).first));
   stage_.emplace(options, state_.time);
+  if (options.until_rest && options.within > 0) watch_->keep_places(state_);
   rest_ = {options.rest_share};
   evaluated_ = false;
   watch_->reset();
@@ -286,12 +287,15 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
   if (!ending && !diverged) return false;
   if (diverged && diverged->event) tell(*diverged->event, listener, now);
   if (!diverged && stage.report.steps >= least_told_steps) stage.report.found = watch_->ledger_text();
-  set_end(stage.report, now, diverged,
-          rests                ? StageEnd::rest
-          : stopped            ? StageEnd::stopped
-          : all_left_          ? StageEnd::all_left
-          : options.until_rest ? StageEnd::not_at_rest
-                               : StageEnd::time);
+  StageEnd end = rests                ? StageEnd::rest
+                 : stopped            ? StageEnd::stopped
+                 : all_left_          ? StageEnd::all_left
+                 : options.until_rest ? StageEnd::not_at_rest
+                                      : StageEnd::time;
+  const bool found = end == StageEnd::rest || end == StageEnd::all_left;
+  if (found && watch_->look_at_places(now).body >= 0) end = StageEnd::unstable;
+  set_end(stage.report, now, diverged, end);
+  if (end == StageEnd::unstable && !diverged) set_unstable(stage.report, model_, watch_->displaced(), options.within);
   return true;
 }
 

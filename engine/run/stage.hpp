@@ -13,9 +13,10 @@
 namespace trilith {
 
 /// Why a stage ended.
-enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left, not_converged };
+enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left, not_converged, unstable };
 constexpr const char* name_of(StageEnd e) {
-  constexpr const char* names[] = {"time", "rest", "stopped", "not at rest", "diverged", "all left", "not converged"};
+  constexpr const char* names[] = {"time",     "rest",     "stopped",       "not at rest",
+                                   "diverged", "all left", "not converged", "unstable"};
   return names[static_cast<int>(e)];
 }
 
@@ -44,8 +45,11 @@ struct StageOptions {
   double still_ratio = 1;        ///< ... and the unbalanced force at most this share of the largest carried one ...
   double still_hold = 0.5;       ///< ... for this long [s]
 
-  bool must_rest = false;  ///< with until_rest: where it is not reached, the run's verdict says so
+  bool must_rest = false;  ///< with until_rest: where it is not reached, or not in place, the run's verdict says so
   bool watched = true;     ///< speeds and energies beyond what was put in end the stage as diverged
+  /// With until_rest: a body that rests farther than this share of its size from where the stage began has left its
+  /// place, and the stage is unstable (step/travel.hpp); 0: any place.
+  float within = 0;
 
   double frame_interval = 0;    ///< [s]; 0: none
   double history_interval = 0;  ///< [s]; 0: none
@@ -66,7 +70,7 @@ struct StageReport {
   double thread_gain = 0;                  ///< how many times as fast as one these were; 0: not timed
   std::optional<ScaledMass> scaled;        ///< with StageOptions::mass_scaling
   std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
-  std::string found;                       ///< where it diverged: what and where alone
+  std::string found;                       ///< where it diverged or was unstable: what and where alone
   double sound_until = 0;                  ///< where it diverged: the last instant that was looked at and sound [s]
 };
 

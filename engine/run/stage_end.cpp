@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "run/body_forces.hpp"
 #include "step/equilibrium.hpp"
 #include "step/implicit_step.hpp"
@@ -72,6 +74,25 @@ void set_end(StageReport& report, const Instant<D>& now, const std::optional<Div
   }
 }
 
+/// "unstable: top moved by 0.21 m and turned by 0.6 rad, 0.4 of its size; ..."
+template <int D>
+void set_unstable(StageReport& report, const Model<D>& model, const Travel& travel, double within) {
+  report.found = fmt::format("unstable: {} {}", model.bodies[travel.body].name, travel_text(travel));
+  const double needed = std::max({1.1 * travel.share, 1.1 * travel.fallen, 2 * within});
+  report.reason = fmt::format(
+      "{}, and equilibrium is looked for within {:g} of a body's size from where it began; support it, or change the "
+      "geometry, friction or bonds that let it go; within = {:.2g} lets bodies go farther",
+      report.found, within, needed);
+}
+
+template <int D>
+Event unstable_event(const Instant<D>& now, const StageReport& report, const Travel& travel) {
+  Event e = stage_event(EventType::stage_unsettled, now, report.found);
+  e.body_a = travel.body;
+  e.value = now.ratio;
+  return e;
+}
+
 template <int D>
 Event diverged_event(const Instant<D>& now, const StageReport& report) {
   Event e = stage_event(EventType::stage_diverged, now, report.found);
@@ -139,6 +160,10 @@ template std::string stuck_reason(const Model<2>&, const State<2>&, const Implic
 template std::string stuck_reason(const Model<3>&, const State<3>&, const ImplicitStep&);
 template std::string no_rest_reason(const Model<2>&, const Equilibrium&);
 template std::string no_rest_reason(const Model<3>&, const Equilibrium&);
+template void set_unstable(StageReport&, const Model<2>&, const Travel&, double);
+template void set_unstable(StageReport&, const Model<3>&, const Travel&, double);
+template Event unstable_event(const Instant<2>&, const StageReport&, const Travel&);
+template Event unstable_event(const Instant<3>&, const StageReport&, const Travel&);
 template Event stage_event(EventType, const Instant<2>&, const std::string&);
 template Event integrator_event(const Instant<2>&, const std::string&);
 template void set_end(StageReport&, const Instant<2>&, const std::optional<Divergence>&, StageEnd);

@@ -37,6 +37,12 @@ std::string stuck_reason(const Model<D>& model, const State<D>& state, const Imp
 /// Where statics found no rest: what goes off, or where the most is left over, and what to try.
 template <int D>
 std::string no_rest_reason(const Model<D>& model, const Equilibrium& found);
+/// For a stage that is unstable: which body has left its place, farther than `within`, and what to try.
+template <int D>
+void set_unstable(StageReport& report, const Model<D>& model, const Travel& travel, double within);
+/// The same as an event without advice.
+template <int D>
+Event unstable_event(const Instant<D>& now, const StageReport& report, const Travel& travel);
 /// Why rest was not reached, as an event without advice.
 template <int D>
 Event unsettled_event(const Instant<D>& now);

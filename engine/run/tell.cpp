@@ -5,6 +5,7 @@
 
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
+#include "run/watch.hpp"
 #include "step/step_times.hpp"
 #include "world/event_text.hpp"
 
@@ -31,6 +32,8 @@ void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& n
   report.threads = threads_.chosen(), report.thread_gain = threads_.gain();
   if (report.end == StageEnd::diverged) tell(diverged_event(now, report), listener, now);
   if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
+  if (report.end == StageEnd::unstable && now.stage.must_rest)
+    tell(unstable_event(now, report, watch_->displaced()), listener, now);
   tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,
        now);
 }

@@ -234,10 +234,6 @@ bool is_overstrained(const Model<D>& model, const State<D>& state) {
   return worst_element(model, state, room).spare <= 0 || worst_beam(model, state).spare <= 0;
 }
 
-void Watch::reset() {
-  *this = {};
-}
-
 template <int D>
 std::optional<Divergence> Watch::look_at_elements(const Instant<D>& now) {
   const auto& elements = elements_of(now.model);

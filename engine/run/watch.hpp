@@ -4,9 +4,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "run/stage.hpp"
+#include "step/travel.hpp"
 
 namespace trilith {
 
@@ -50,6 +53,16 @@ class Watch {
   template <int D>
   std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
+  /// Remembers where all nodes are as a stage that looks for rest in place begins. What earlier stages began with is
+  /// kept, as a run may go back into them.
+  template <int D>
+  void keep_places(const State<D>& state);
+  /// At the end of such a stage: the body that has left its place since it began, farther than StageOptions::within.
+  template <int D>
+  const Travel& look_at_places(const Instant<D>& now);
+  /// Of the last stage that was looked at so.
+  [[nodiscard]] const Travel& displaced() const { return displaced_; }
+
  private:
   template <int D>
   std::optional<Divergence> look_at_elements(const Instant<D>& now);
@@ -73,6 +86,8 @@ class Watch {
   double most_put_in_ = 0;      // since energies count, at any instant [J]
   double looked_speed_ = 0;     // fastest point when it last looked at magnitudes [m/s]
   std::int64_t next_look_ = 0;  // at this step
+  std::vector<std::pair<double, std::variant<Placement<2>, Placement<3>>>> places_;  // by the begin of stages [s]
+  Travel displaced_;
 };
 
 }  // namespace trilith

@@ -56,7 +56,12 @@ template <int D>
 class Search {
  public:
   Search(const Model<D>& model, const State<D>& state, const EquilibriumOptions& options)
-      : model_(model), options_(options), trial_(model, state), begin_(state.position), body_of_(model.mass.size(), 0) {
+      : model_(model),
+        options_(options),
+        trial_(model, state),
+        given_(placement_of(state)),
+        begin_(state.position),
+        body_of_(model.mass.size(), 0) {
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       for (int i = 0; i < model.bodies[b].nodes; ++i) body_of_[model.bodies[b].first_node + i] = static_cast<int>(b);
   }
@@ -73,10 +78,12 @@ class Search {
   [[nodiscard]] bool too_long() const;
   [[nodiscard]] bool stopped() const { return options_.is_stopped && options_.is_stopped(); }
   [[nodiscard]] int gone() const;
+  bool leaves(Equilibrium& out) const;
 
   const Model<D>& model_;
   const EquilibriumOptions& options_;
   StaticTrial<D> trial_;
+  Placement<D> given_;         // as the search began
   std::vector<Vec<D>> begin_;  // [node] as the share of the loads began
   std::vector<int> body_of_;
   double merit_ = 0;
@@ -109,6 +116,19 @@ int Search<D>::gone() const {
     if (way > most) most = way, worst = n;
   }
   return worst;
+}
+
+/// True where a body has left its place, or has gone off.
+template <int D>
+bool Search<D>::leaves(Equilibrium& out) const {
+  out.travel = displaced_body(model_, trial_.state(), given_, options_.within);
+  if (out.travel.body >= 0) {
+    out.end = EquilibriumEnd::unstable, out.worst = model_.bodies[out.travel.body].first_node;
+    return true;
+  }
+  const int n = gone();
+  if (n >= 0) out.end = EquilibriumEnd::goes_off, out.worst = n;
+  return n >= 0;
 }
 
 /// Goes along `full` to about where the forces left over do no more work along it: there a potential, where they have
@@ -201,10 +221,7 @@ bool Search<D>::settle(Equilibrium& out) {
       break;
     }
     ++out.steps;
-    if (const int n = gone(); n >= 0) {
-      out.end = EquilibriumEnd::goes_off, out.worst = n;
-      break;
-    }
+    if (leaves(out)) break;
     trial_.measure(0);
     h *= growth(out.iterations - before);
   }
@@ -214,6 +231,7 @@ bool Search<D>::settle(Equilibrium& out) {
 void check_rest(const EquilibriumOptions& o) {
   require_positive(o.tolerance, "equilibrium: tolerance", "");
   require_positive(o.first, "equilibrium: first step", "s");
+  require_positive(o.within, "equilibrium: within", "");
   require_positive(o.farthest, "equilibrium: farthest", "");
   if (o.shares < 1 || o.shares > most_shares)
     throw InputError(fmt::format("equilibrium: {} shares, must be 1 to {}", o.shares, most_shares));
@@ -224,7 +242,7 @@ void check_rest(const EquilibriumOptions& o) {
 }  // namespace
 
 std::string_view name_of(EquilibriumEnd end) {
-  constexpr std::array<std::string_view, 5> names{"at rest", "goes off", "stuck", "unsettled", "stopped"};
+  constexpr std::array<std::string_view, 6> names{"at rest", "goes off", "stuck", "unsettled", "stopped", "unstable"};
   return names[static_cast<std::size_t>(end)];
 }
 

@@ -10,6 +10,7 @@
 #include "shape/polygon.hpp"
 #include "shape/separation_3d.hpp"
 #include "shape/sphere_distance.hpp"
+#include "world/held_up.hpp"
 
 namespace trilith {
 namespace {
@@ -134,9 +135,7 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
 /// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`);
 /// what is not in its set would fall. Pieces with a small gap between them count as touching.
 template <int D>
-void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
-                   const Newcomers& among) {
-  if (model.gravity.field.isZero()) return;
+std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers& among) {
   const auto bodies = static_cast<int>(model.bodies.size());
   std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
   std::iota(parent.begin(), parent.end(), 0);
@@ -157,14 +156,26 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
     const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
     if (separation < near && may_touch(model, p, q) && among.is_there(a) && among.is_there(b)) join(a, b);
   });
-  for (int b = among.first; b < bodies; ++b)
-    if (floating[b] == 0 && root_of(parent, b) != root_of(parent, bodies))
+  std::vector<std::uint8_t> out(model.bodies.size(), 0);
+  for (int b = 0; b < bodies; ++b) out[b] = root_of(parent, b) == root_of(parent, bodies) ? 1 : 0;
+  return out;
+}
+
+template <int D>
+void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
+                   const Newcomers& among) {
+  if (model.gravity.field.isZero()) return;
+  const std::vector<std::uint8_t> held_up = held_up_bodies(model, among);
+  for (int b = among.first; b < static_cast<int>(model.bodies.size()); ++b)
+    if (floating[b] == 0 && held_up[b] == 0)
       faults.push_back(
           fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
                       "set it on something, give a contact law for its material, or say floating = true",
                       model.bodies[b].name));
 }
 
+template std::vector<std::uint8_t> held_up_bodies(const Model<2>&, const Newcomers&);
+template std::vector<std::uint8_t> held_up_bodies(const Model<3>&, const Newcomers&);
 template void check_overlaps(const Model<3>&, double, std::vector<std::string>&, std::vector<std::string>&,
                              const Newcomers&);
 template void check_held_up(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,

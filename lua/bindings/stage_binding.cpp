@@ -165,7 +165,12 @@ int consolidate(lua_State* L) {
   if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
   const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
   const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
+  const double within = keys.number("within", "1", usual_travel);
+  if (!(within > 0))
+    keys.problem(fmt::format("'within' is {:g}, must be above 0: a share of each body's size", within));
+  o.within = static_cast<float>(within);
   EquilibriumOptions how;
+  how.within = within;
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
   if (!by_statics) refuse(keys, {"shares", "tolerance"}, "static");
   if (by_statics && o.mass_scaling)
@@ -187,6 +192,11 @@ int consolidate(lua_State* L) {
   if (report.end == StageEnd::not_at_rest && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
+  if (by_statics && report.end == StageEnd::unstable && !or_go_on)
+    throw InputError(fmt::format(
+        "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true goes on "
+        "all the same",
+        o.name, report.reason));
   // What explicit steps bring beyond strain_limit moves, and its verdict says so; statics was asked for rest.
   if (by_statics && report.end == StageEnd::diverged && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest: {}", o.name, report.reason));
@@ -197,6 +207,7 @@ int consolidate(lua_State* L) {
   if (!unused.empty()) note(fmt::format("{}: {} told explicit steps what to do; statics takes none", o.name, unused));
   if (report.end == StageEnd::not_at_rest)
     note(fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason));
+  if (report.end == StageEnd::unstable) note(fmt::format("{}: {}", o.name, report.reason));
   if (fresh && report.end != StageEnd::diverged) m.set_bonds();
   push_report(L, report);
   return 1;

@@ -21,7 +21,7 @@ body.left           a body left the bounds and is no longer part of the step
 body.passed         a body was found in another; the run is not to be trusted from here
 element.overstrained  an element went beyond the strain its law holds for
 stage.diverged      a stage broke off; value: until when it may be trusted; text: why
-stage.unsettled     a consolidation did not come to rest; value: the unbalanced force left
+stage.unsettled     a consolidation did not come to rest, or not near where it began; value: the unbalanced force left
 body.added          a body came, new or back
 body.removed        a body was taken away; value: how fast it was
 bearing.added       a bearing came, new or back

@@ -40,7 +40,8 @@ hold      number s?               for how long
 damping   number = 0.8            share of the unbalanced force that brakes each body
 grow      number s = 0.5          gravity comes on over this time
 fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
-or_go_on  flag = false            where rest is not reached: a note instead of an error
+or_go_on  flag = false            where rest is not reached, or not in place: a note, and the verdict stays sound
+within    number = 0.25           a body that rests farther than this share of its size from where it was is unstable
 integrator  text = "explicit"     or "static": found by Newton's method, in no time, without damping or steps
 shares     integer = 1            static: weight and loads come on in so many shares
 tolerance  number = 1e-8          static: force left over, as a share of the largest

@@ -3,7 +3,7 @@ return {
   tables = {
     report = [[
 name         text      what the stage is called
-ending       text      time, rest, stopped, not at rest, diverged or all left
+ending       text      time, rest, unstable (at rest elsewhere), stopped, not at rest, diverged or all left
 rests        flag      true where it ended at rest
 reason       text      what went otherwise, in words
 steps        integer   steps taken

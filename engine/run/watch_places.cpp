@@ -1,0 +1,36 @@
+// Where bodies were as a stage that looks for rest began, and which of them have left their places at its end.
+#include <algorithm>
+
+#include "run/watch.hpp"
+
+namespace trilith {
+
+void Watch::reset() {
+  auto places = std::move(places_);
+  *this = {};
+  places_ = std::move(places);
+}
+
+template <int D>
+void Watch::keep_places(const State<D>& state) {
+  std::erase_if(places_, [&](const auto& stage) { return stage.first >= state.time; });
+  places_.emplace_back(state.time, placement_of(state));
+}
+
+template <int D>
+const Travel& Watch::look_at_places(const Instant<D>& now) {
+  displaced_ = {};
+  const double within = now.stage.within;
+  const auto stage = std::find_if(places_.begin(), places_.end(), [&](const auto& s) { return s.first == now.begun; });
+  if (!(within > 0) || stage == places_.end()) return displaced_;
+  if (const auto* const from = std::get_if<Placement<D>>(&stage->second))
+    displaced_ = displaced_body(now.model, now.state, *from, within);
+  return displaced_;
+}
+
+template void Watch::keep_places(const State<2>&);
+template void Watch::keep_places(const State<3>&);
+template const Travel& Watch::look_at_places(const Instant<2>&);
+template const Travel& Watch::look_at_places(const Instant<3>&);
+
+}  // namespace trilith
