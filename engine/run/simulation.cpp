@@ -12,6 +12,7 @@
 #include "base/flagged.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
+#include "step/bond_step.hpp"
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/displacement_control.hpp"
@@ -99,13 +100,15 @@ void Simulation<D>::set_bonds(double reach) {
 template <int D>
 void Simulation<D>::refresh() {
   if (evaluated_) return;
-  if (!work_.valid) all_left_ = hold_left(model_, state_);
+  if (!work_.valid) all_left_ = hold_left(model_, state_), watch_->bonds().reset();
   evaluate(model_, state_, work_, state_.last_dt, times_);
   StepClock clock(times_);
   next_ = choose_step();
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   if (const double accuracy = impact_accuracy(); accuracy > 0)
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
+  // A step that is given is kept, see notice_missed_bonds.
+  if (next_.safety > 0 && !state_.implicit()) swept_.dt = bond_step(model_, state_, work_, swept_.dt, watch_->bonds());
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   add_inertia(model_, state_, work_, {swept_.dt, rest_});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "run/stage.hpp"
+#include "step/bond_step.hpp"
 #include "step/travel.hpp"
 
 namespace trilith {
@@ -38,7 +39,7 @@ class Watch {
   /// Forgets all, as for another stage or state: what is there now counts as given.
   void reset();
   /// Looks at everything at the next instant: the model was changed.
-  void doubt() { element_room_ = beam_room_ = bounds_room_ = 0; }
+  void doubt() { element_room_ = beam_room_ = bounds_room_ = 0, bonds_.reset(); }
   /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
   /// on when it looked before.
   template <int D>
@@ -62,6 +63,8 @@ class Watch {
   const Travel& look_at_places(const Instant<D>& now);
   /// Of the last stage that was looked at so.
   [[nodiscard]] const Travel& displaced() const { return displaced_; }
+  /// Until when no bond can come near its strength, see step/bond_step.hpp.
+  BondRoom& bonds() { return bonds_; }
 
  private:
   template <int D>
@@ -77,6 +80,7 @@ class Watch {
   double beam_room_ = 0;     // ... a beam of a member [m]
   double bounds_room_ = 0;   // ... until a node may be outside the bounds [m]
   double sound_until_ = 0;   // [s]
+  BondRoom bonds_;
   bool counts_ = false;
   Energy from_;                 // ledger from which energies count
   int free_dofs_ = 0;           // then
