@@ -12,6 +12,10 @@ namespace {
 /// Shares of the displacement over which a bond is lost: of a step along the softening line; and by which a step may
 /// go past the peak, of softening and of brittle bonds.
 constexpr double softening_share = 1.0 / 32, past_peak = 1.0 / 256, past_brittle_peak = 1.0 / 64;
+/// What an explicit step that is shortened may gain or lose, as a share of the fracture energy.
+constexpr double shortened_share = 0.004;
+/// Steps before its peak at which a bond is noticed: shortened while it carries little, they gain or lose little.
+constexpr double steps_ahead = 4;
 /// What an implicit step may miss, as a share of the fracture energy.
 constexpr double missed_share = 0.01;
 /// ... and any step, as a share of the kinetic energy of two bodies against each other.
@@ -50,20 +54,26 @@ double allowed_share(const Work<D>& work, const PlacedBond& bond, double speed, 
   return energy > 0 ? std::max(share, kinetic_share * 0.5 * mass * speed * speed / energy) : share;
 }
 
+/// How far a bond may go in one step at that speed [m]. On its way to the peak the step is bounded too: where it is
+/// then shortened, leapfrog steps gain or lose up to a quarter of (way/peak)^2 of the elastic energy.
+template <int D>
+double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
+  const BondCurve& c = bond.curve;
+  const bool brittle = !(c.last > c.peak);
+  const double share = allowed_share(work, bond, speed, brittle ? past_brittle_peak : past_peak);
+  const double past = share * c.whole, elastic = 0.5 * c.top * c.peak;
+  if (!brittle && bond.at >= c.peak - past) return std::max(share, softening_share) * c.whole;
+  const double up = c.peak * std::sqrt(4 * allowed_share(work, bond, speed, shortened_share) * c.energy / elastic);
+  return std::max(past, std::min(c.peak - bond.at, up));
+}
+
 /// The longest time up to dt that leads no farther than the peak, or along the softening line by its share.
 template <int D>
 double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double dt) {
-  const BondCurve& c = bond.curve;
-  if (!(c.top > 0)) return dt;
   const double gain = acceleration_of(model, work, bond.body_a) + acceleration_of(model, work, bond.body_b);
   const double speed = bond.rate + 0.5 * (state.last_dt + dt) * gain;
-  if (!(speed > 0) || bond.at + speed * dt <= c.peak) return dt;
-  const bool brittle = !(c.last > c.peak);
-  const double past = allowed_share(work, bond, speed, brittle ? past_brittle_peak : past_peak);
-  const double along = std::max(past, softening_share);
-  const bool softens = !brittle && bond.at >= c.peak - past * c.whole;
-  const double way = softens ? along * c.whole : std::max(c.peak - bond.at, past * c.whole);
-  return std::min(dt, std::max(way / speed, shortest_share * dt));
+  if (!(speed > 0) || bond.at + steps_ahead * speed * dt <= bond.curve.peak) return dt;
+  return std::min(dt, std::max(way_of(work, bond, speed) / speed, shortest_share * dt));
 }
 
 template <int D>
@@ -100,10 +110,10 @@ double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& wo
   each_bond(model, state, work, true, 0, [&](const PlacedBond& bond) {
     const BondCurve& c = bond.curve;
     if (!(c.top > 0)) return;
-    room.room = std::min(room.room, 0.5 * (c.peak - bond.at));
+    room.room = std::min(room.room, (c.peak - bond.at) / (steps_ahead + 1));
     room.speed = std::max(room.speed, std::abs(bond.rate));
     room.way = std::min(room.way, (c.last > c.peak ? past_peak : past_brittle_peak) * c.whole);
-    if (bond.at + (std::abs(bond.rate) + gain) * dt > c.peak)
+    if (bond.at + steps_ahead * (std::abs(bond.rate) + gain) * dt > c.peak)
       time = std::min(time, time_of(model, state, work, bond, dt));
   });
   return time < dt ? settled_step(time, 1) : dt;
