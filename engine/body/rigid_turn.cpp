@@ -1,6 +1,6 @@
 #include "body/rigid_turn.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
@@ -21,6 +21,33 @@ void turn_about(int k, const Vec3& inertia, double dt, UnitQuaternion& rotation,
   own[i] = c * a + s * b, own[j] = c * b - s * a;
 }
 
+/// Corrections of a spin that is held about some axis: each squares the error, which begins with the turn of a step.
+constexpr int most_corrections = 12;
+
+Eigen::Matrix3d tensor_of(const Vec3& inertia, const UnitQuaternion& rotation) {
+  const Turn3 turn(rotation);
+  Eigen::Matrix3d axes;
+  axes << turn.x(), turn.y(), turn.z();
+  return axes * inertia.asDiagonal() * axes.transpose();
+}
+
+/// The matrix of v x.
+Eigen::Matrix3d crossing(const Vec3& v) {
+  Eigen::Matrix3d out;
+  out << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return out;
+}
+
+/// Solves the rows and columns of the free axes; 0 on the others.
+Vec3 solve_free(Eigen::Matrix3d left, Vec3 right, const std::array<bool, 3>& free) {
+  for (int k = 0; k < 3; ++k) {
+    if (free[static_cast<std::size_t>(k)]) continue;
+    left.row(k).setZero(), left.col(k).setZero();
+    left(k, k) = 1, right[k] = 0;
+  }
+  return left.inverse() * right;
+}
+
 }  // namespace
 
 // In the body's own axes the tensor of inertia is the diagonal J, so that turning there, multiplying and turning back
@@ -35,30 +62,36 @@ Vec3 spin_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& mo
   return turn.apply(turn.undo(momentum).cwiseQuotient(inertia));
 }
 
-// Comes in: spin w, moment M, which axes of the world are free. Goes out: the spin after `span`.
+Vec3 spin_rate_by(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& moment,
+                  const std::array<bool, 3>& free) {
+  return solve_free(tensor_of(inertia, rotation), moment, free);
+}
+
+// Free about all axes: L grows by span M, and w follows from it exactly. Held about some, L is not conserved, as
+// supports take part of it. There Euler's equation in the axes of the world, I = R J R^T, holds on the free axes alone,
+// with the mean spin u = (w + w') / 2:
 //
-// Free about all axes: L grows by span M, and w follows from it exactly. Held about some, L is no longer the body's own
-// to keep, as supports take part of it; there Euler's equation in the axes of the world, R J R^T w' = M - w x L, is
-// solved for the free components alone, the rows and columns of the held ones being those of w' = 0.
+//   I (w' - w) / span + u x I u = M
+//
+// Its product with u, which on held axes is 0, is (w' I w' - w I w) / (2 span) = M u: the moment's work, and no more.
+// The turn about w' that follows leaves w' I w' as it is. So without moments the energy is kept but for rounding.
 Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin, const Vec3& moment, double span,
-                const std::array<bool, 3>& free) {
+                const std::array<bool, 3>& free, const Vec3& held) {
   if (free[0] && free[1] && free[2])
     return spin_of(inertia, rotation, momentum_of(inertia, rotation, spin) + span * moment);
-  if (!free[0] && !free[1] && !free[2]) return Vec3::Zero();
-  const Turn3 turn(rotation);
-  Eigen::Matrix3d axes, left;
-  axes << turn.x(), turn.y(), turn.z();
-  left = axes * inertia.asDiagonal() * axes.transpose();
-  Vec3 right = moment - cross(spin, Vec3(left * spin));
-  for (int k = 0; k < 3; ++k) {
-    if (free[static_cast<std::size_t>(k)]) continue;
-    left.row(k).setZero(), left.col(k).setZero();
-    left(k, k) = 1, right[k] = 0;
-  }
-  const Vec3 more = left.ldlt().solve(right);
-  Vec3 next = Vec3::Zero();
+  if (!free[0] && !free[1] && !free[2]) return held;
+  const Eigen::Matrix3d tensor = tensor_of(inertia, rotation);
+  Vec3 next = held;
   for (int k = 0; k < 3; ++k)
-    if (free[static_cast<std::size_t>(k)]) next[k] = spin[k] + span * more[k];
+    if (free[static_cast<std::size_t>(k)]) next[k] = spin[k];
+  for (int i = 0; i < most_corrections; ++i) {
+    const Vec3 mean = 0.5 * (spin + next), momentum = tensor * mean;
+    const Vec3 left = span * (moment - cross(mean, momentum)) - tensor * (next - spin);
+    const Eigen::Matrix3d tangent = tensor + 0.5 * span * (crossing(mean) * tensor - crossing(momentum));
+    const Vec3 by = solve_free(tangent, left, free);
+    next += by;
+    if (!(by.squaredNorm() > 1e-30 * next.squaredNorm())) break;
+  }
   return next;
 }
 

@@ -23,10 +23,14 @@ Vec3 momentum_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3
 Vec3 spin_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& momentum);
 
 /// The spin [rad/s] a moment [N m] leads to from `spin` in a time `span` [s], the body being turned as now. `free`:
-/// about which axes of the world it may turn; about the others it does not. A free body's angular momentum grows by
-/// moment times time; of one that is held, its free spins do by what moment and the turning of its axes leave them.
+/// about which axes of the world it may turn; about the others its spin becomes that of `held`. The angular momentum of
+/// a free body grows by moment times time; a held body is subject to Euler's equation along its free axes.
 Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin, const Vec3& moment, double span,
-                const std::array<bool, 3>& free);
+                const std::array<bool, 3>& free, const Vec3& held);
+
+/// Rate of the spin [rad/s2] on the free axes that a moment adds, the other axes keeping theirs.
+Vec3 spin_rate_by(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& moment,
+                  const std::array<bool, 3>& free);
 
 /// Where a free body of that angular momentum is turned to after `dt` [s].
 UnitQuaternion turned_freely(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& momentum, double dt);

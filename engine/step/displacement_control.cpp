@@ -39,8 +39,7 @@ void add_turning(const Model<2>& model, const State<2>& /*state*/, int n, double
 void add_turning(const Model<3>& model, const State<3>& state, int n, const Vec3& lever, const Vec3& next, double span,
                  Response& r) {
   r.rate += lever.dot(next);
-  const Vec3 still = Vec3::Zero();
-  r.per_force += lever.dot(spin_ahead(model.inertia[n], state.rotation[n], still, lever, span, free_turns(model, n)));
+  r.per_force += span * lever.dot(spin_rate_by(model.inertia[n], state.rotation[n], lever, free_turns(model, n)));
 }
 
 /// The velocity after the step under the forces of now, weighed as the push weighs its points, and sum of w^2 / m

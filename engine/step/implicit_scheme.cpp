@@ -68,7 +68,7 @@ void begin_turning(const Model<2>& model, State<2>& state, int n, double moment,
 void begin_turning(const Model<3>& model, State<3>& state, int n, const Vec3& moment, double half) {
   const std::array<bool, 3> free = free_turns(model, n);
   if (!free[0] && !free[1] && !free[2]) return;
-  const Vec3 spin = spin_ahead(model.inertia[n], state.rotation[n], state.spin[n], moment, half, free);
+  const Vec3 spin = spin_ahead(model.inertia[n], state.rotation[n], state.spin[n], moment, half, free, state.spin[n]);
   for (int k = 0; k < 3; ++k)
     if (free[static_cast<std::size_t>(k)]) state.spin[n][k] = spin[k];
   state.spin_rate[n] = spin_rate_under(model, state, n, moment);

@@ -175,7 +175,9 @@ void Trial<D>::predict() {
       } else if (model_.support[n][k] == Support::driven) {
         const Drive& drive = model_.drives[model_.drive_of[n][k]];
         const MotionAt motion = drive.motion->at(state_.time - drive.start);
-        path_[n][k] = drive.origin + motion.displacement - place_along(start_, n, k);
+        const bool turns = D == 3 && axis >= 0;
+        path_[n][k] = turns ? driven_turn(drive, time_, state_.time)
+                            : drive.origin + motion.displacement - place_along(start_, n, k);
         rate = motion.velocity, rise = motion.acceleration;
       } else {
         rate = rise = 0;

@@ -197,10 +197,17 @@ inline double place_along(const State<3>& state, int n, int k) {
   return k >= 3 ? angle_of(state.rotation[n])[k - 3] : state.position[n][k];
 }
 
+/// Turn that a drive makes about its axis of the world from one time to another [rad]. In space turns about several
+/// axes do not add up to a place, so that a drive gives the way and not the place.
+inline double driven_turn(const Drive& drive, double from, double to) {
+  return drive.motion->displacement(to - drive.start) - drive.motion->displacement(from - drive.start);
+}
+
 /// Velocity of a driven degree of freedom that brings it to its motion's place at the end of the step.
 template <int D>
 double driven_velocity(const Model<D>& model, const State<D>& state, int n, int k, double dt) {
   const Drive& drive = model.drives[model.drive_of[n][k]];
+  if (D == 3 && k >= Space<D>::translations) return driven_turn(drive, state.time, state.time + dt) / dt;
   const double now = place_along(state, n, k);
   return (drive.origin + drive.motion->displacement(state.time + dt - drive.start) - now) / dt;
 }
@@ -220,13 +227,14 @@ template <int D>
     if (model.support[n][k] == Support::free) next[k] = v[k] + f.force[k] / model.mass[n] * span;
   if constexpr (D == 2) {
     if (model.support[n][2] == Support::free) next[2] = v[2] + f.force[2] / model.inertia[n] * span;
-  } else {
-    const Vec3 spin =
-        spin_ahead(model.inertia[n], state.rotation[n], about_of(v), about_of(f.force), span, free_turns(model, n));
-    for (int k = 3; k < 6; ++k) next[k] = spin[k - 3];
   }
   for (int k = 0; k < Space<D>::dofs; ++k)
     if (model.support[n][k] == Support::driven) next[k] = driven_velocity(model, state, n, k, dt);
+  if constexpr (D == 3) {
+    const Vec3 spin = spin_ahead(model.inertia[n], state.rotation[n], about_of(v), about_of(f.force), span,
+                                 free_turns(model, n), about_of(next));
+    for (int k = 3; k < 6; ++k) next[k] = spin[k - 3];
+  }
   return next;
 }
 

@@ -170,7 +170,8 @@ const std::array body_properties{
     in_plane(BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation}),
     in_space(BodyProperty{
         "turn_x", "rad",
-        "turn since the start in space: rotation vector along x; of a frame that of its first joint by name",
+        "turn since the start in space: rotation vector along x, up to 2 pi long, of a driven body with all its turns; "
+        "of a frame that of its first joint by name",
         along_axis<&BodyMotion::turned, 0>}),
     in_space(BodyProperty{"turn_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
     in_space(BodyProperty{"turn_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),

@@ -2,6 +2,7 @@
 
 #include "world/pose.hpp"
 #include "world/space_builder.hpp"
+#include "world/turn_reading.hpp"
 
 namespace trilith::script {
 namespace {
@@ -27,7 +28,7 @@ BodyMotion motion_in_space(const SpaceModel& m, int body) {
     return {centre, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
   }
   const Pose3 pose = body_pose(s->model(), s->state(), body);
-  return {pose.place, pose.moved, angle_of(pose.turned), pose.velocity, pose.spin};
+  return {pose.place, pose.moved, turn_reading(s->model(), s->state(), body), pose.velocity, pose.spin};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "host.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
-#include "step/node_forces.hpp"
+#include "world/turn_reading.hpp"
 
 namespace trilith::script {
 namespace {
@@ -65,10 +65,9 @@ void apply_drive(SimulatedModel<D>& m, const DriveOrder& order) {
   m.change_supports([order, self_model](Model<D>& model) {
     const State<D>& state = self_model->if_built()->state();
     for (const int body : order.bodies) {
-      const int node = model.bodies[static_cast<std::size_t>(body)].first_node;
       for (int k = 0; k < Space<D>::dofs; ++k)
         if (const auto& motion = order.motion[static_cast<std::size_t>(k)])
-          set_drive(model, body, k, motion, state.time, place_along(state, node, k), &state);
+          set_drive(model, body, k, motion, state.time, drive_origin(model, state, body, k), &state);
     }
   });
 }

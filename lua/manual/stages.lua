@@ -9,7 +9,7 @@ x         motion?  along x
 y         motion?  along y
 z         motion?  along z, in space
 rotation  motion?  about the centroid, in the plane
-turn_x    motion?  about the centroid along x, in space
+turn_x    motion?  about the axis of the world along x through the centroid, in space
 turn_y    motion?  ... along y
 turn_z    motion?  ... along z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
