@@ -159,6 +159,9 @@ constexpr std::size_t rows_at_once = 16;
 /// Unknowns are moved by this share of what other terms are by: places against each other have more digits than places,
 /// and less is disturbed of what hardly touches.
 constexpr double share_of_disturbance = 1.0 / 8;
+/// ... and by no more than this share of the depth to which the two faces press each other, or the difference would be
+/// of faces that open on one side; by so much at least, for rounding [m].
+constexpr double share_of_depth = 0.01, least_move = 1e-13;
 /// Faces that just meet are differentiated as if they were pressed in by so many disturbances.
 constexpr double pressed_in = 32;
 
@@ -192,6 +195,20 @@ class FaceTerms {
     const NearPair& p = work_.pairs[row];
     nodes_.clear();
     for (const int s : {p.a0, p.a1, p.b0, p.b1}) nodes_.add_skin(sum_.model, s);
+    const double depth = depth_of(p);
+    most_ = depth > 0 ? std::max(share_of_depth * depth, least_move) / share_of_disturbance : unbounded;
+  }
+  /// Greatest depth of the second face below the first one where they lie beside each other; below 0 where apart [m].
+  [[nodiscard]] double depth_of(const NearPair& p) const {
+    const auto at = [&](int s) { return Vec2(work_.skin[s].x, work_.skin[s].y); };
+    const Vec2 from = at(p.a0), along = Vec2(at(p.a1) - from).normalized();
+    const Vec2 b0 = at(p.b0) - from, b1 = at(p.b1) - from;
+    const double length = along.dot(Vec2(at(p.a1) - from)), s0 = along.dot(b0), s1 = along.dot(b1);
+    const double d0 = left_of(along).dot(b0), d1 = left_of(along).dot(b1);
+    const double low = std::max(0.0, std::min(s0, s1)), high = std::min(length, std::max(s0, s1));
+    if (!(low < high) || s0 == s1) return -1;
+    const auto depth = [&](double s) { return d0 + (s - s0) / (s1 - s0) * (d1 - d0); };
+    return std::max(depth(low), depth(high));
   }
   /// f(moved, column) for the unknowns of a row.
   template <class F>
@@ -201,7 +218,7 @@ class FaceTerms {
         if (sum_.unknown[n][k] >= 0) f(Freedom{n, k}, sum_.unknown[n][k]);
   }
   [[nodiscard]] double step_of(const Freedom& f) const {
-    return share_of_disturbance * disturbance_of(sum_.model, f, sum_.options);
+    return share_of_disturbance * disturbance_of(sum_.model, f, sum_.options, most_);
   }
   /// One as it stands, then two for each unknown.
   void copy_row(int row, bool pressed) {
@@ -253,6 +270,7 @@ class FaceTerms {
   std::vector<int> rows_, met_;
   TermNodes nodes_;
   TermForces more_, less_;
+  double most_ = unbounded;  // see step_of, of the row whose nodes are listed
 };
 
 /// The rows that evaluation asks the laws of: what touches, and what is so near that it may. Faces that just meet, as

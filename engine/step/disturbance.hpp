@@ -13,9 +13,10 @@
 namespace trilith {
 
 /// How far an unknown is moved [m] or [rad]: small against overlaps of faces, large against rounding; over a short step
-/// less, so that its velocity is not changed much. A rotation moves what is a radius of gyration away as far.
+/// less, so that its velocity is not changed much. A rotation moves what is a radius of gyration away as far. `most`:
+/// no farther than this, as of faces pressed together by little.
 template <int D>
-double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options);
+double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options, double most = unbounded);
 
 /// What is farther apart than this touches nowhere as an unknown is moved: no corner goes farther than some
 /// disturbances as its body turns [m].

@@ -12,6 +12,10 @@
 namespace trilith {
 namespace {
 
+/// Unknowns are moved by no more than this share of the depth to which the two of a contact press each other, or the
+/// difference would be that of a contact which opens on one side; and by so much at least, for rounding [m].
+constexpr double share_of_depth = 0.01, least_move = 1e-13;
+
 /// The contact of a row with those whose springs turn its direction at a ridge that pieces share
 /// (step/met_ridges.hpp). Comes in: a state with one unknown moved. Goes out: forces of the row at its nodes. As it
 /// ends, pieces stand and what is remembered of the row is as it was.
@@ -47,6 +51,13 @@ class SolidTerm {
     nodes.clear();
     for (const TermNodes& of : nodes_)
       for (const int n : of.list()) nodes.add(n);
+  }
+  /// How far unknowns may be moved at the state as it stands [m].
+  [[nodiscard]] double most_move() {
+    SolidAnswer answer;
+    respond_row(sum_.model, sum_.state, work_, row_, sum_.options.dt, answer);
+    if (answer.row < 0 || !answer.touching || !(answer.depth > 0)) return unbounded;
+    return std::max(share_of_depth * answer.depth, least_move);
   }
   void respond(const Freedom& moved, NodeArrays<3>& to) {
     place(moved.node);
@@ -114,10 +125,11 @@ void add_solid_terms(TermSum<3>& sum, Work<3>& work) {
     if (!holds && work.asleep_until[r] > way_of(work, work.pairs[r]) + reach) continue;
     SolidTerm term(sum, work, row);
     term.list_nodes(nodes);
-    sum.add(nodes, [&](const Freedom& moved, TermForces& out) {
+    const auto respond = [&](const Freedom& moved, TermForces& out) {
       term.respond(moved, all);
       all.take(nodes, out);
-    });
+    };
+    sum.add(nodes, respond, term.most_move());
   }
 }
 

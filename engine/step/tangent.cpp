@@ -17,8 +17,8 @@ namespace trilith {
 
 /// A rotation moves what is a radius of gyration away as far as a place is moved.
 template <int D>
-double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options) {
-  const double move = options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8);
+double disturbance_of(const Model<D>& model, const Freedom& f, const TangentOptions& options, double most) {
+  const double move = std::min(most, options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8));
   if (!is_turn<D>(f)) return move;
   const double radius = gyration_of(model, f.node);
   return move / (radius > 0 ? radius : 1);
@@ -214,8 +214,8 @@ bool Tangent<D>::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   return true;
 }
 
-template double disturbance_of(const Model<2>&, const Freedom&, const TangentOptions&);
-template double disturbance_of(const Model<3>&, const Freedom&, const TangentOptions&);
+template double disturbance_of(const Model<2>&, const Freedom&, const TangentOptions&, double);
+template double disturbance_of(const Model<3>&, const Freedom&, const TangentOptions&, double);
 template double net_force(const Model<2>&, const State<2>&, const Work<2>&, const Freedom&);
 template double net_force(const Model<3>&, const State<3>&, const Work<3>&, const Freedom&);
 template class Tangent<2>;

@@ -68,14 +68,15 @@ struct TermSum {
   /// Adds the column of an unknown: forces on `nodes` with it moved by `apart` [m] or [rad] between the two.
   void add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less, double apart);
 
-  /// Adds a term: respond(moved, forces) finds those on `nodes` at the state of now; they are 0 before.
+  /// Adds a term: respond(moved, forces) finds those on `nodes` at the state of now; they are 0 before. Unknowns are
+  /// moved by no more than `most` [m], or as much at a radius of gyration.
   template <class Respond>
-  void add(const TermNodes& nodes, Respond&& respond) {
+  void add(const TermNodes& nodes, Respond&& respond, double most = unbounded) {
     for (const int node : nodes.list())
       for (int k = 0; k < Space<D>::dofs; ++k) {
         const int column = unknown[node][k];
         if (column < 0) continue;
-        const double by = disturbance_of(model, {node, k}, options);
+        const double by = disturbance_of(model, {node, k}, options, most);
         for (const bool up : {true, false}) {
           const Moved<D> moved(state, {node, k}, up ? by : -by, options.rate);
           TermForces& out = up ? more_ : less_;
