@@ -28,7 +28,7 @@ class EndsBeside {
     out = {};
     if (take_turns(out) && keeps(out)) return out;
     // From surfaces so wide that none flows, the ends are followed down to their own.
-    constexpr double least = 1e-12;
+    constexpr double least = 1e-12, widest = 1e30;
     const std::array<double, 2> share = share_;
     double wide = 1;
     for (const std::size_t i : {0, 1})
@@ -36,6 +36,7 @@ class EndsBeside {
         wide = std::max(wide, gauge(hinge_[i], part(trial_, i), std::max(share[i], least)));
     SpaceEnds at;
     const SpaceEnds* before = nullptr;
+    if (!(wide <= widest)) return out.settled = false, out;
     for (double narrower = 0.7; wide > 1; wide *= narrower) {
       for (const std::size_t i : {0, 1}) share_[i] = wide * std::max(share[i], least);
       SpaceEnds next;

@@ -13,6 +13,9 @@
 namespace trilith {
 namespace {
 
+/// Places tried for each stone, of which an outline takes its share of the box around it.
+constexpr std::size_t most_trials = 100000;
+
 bool is_inside(const Polygon& outline, const Vec2& p) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -77,7 +80,13 @@ class Filling {
   /// Even over the outline, by trial; none on top of another.
   void scatter() {
     const Box2 box = bounding_box(outline_);
-    while (points_.size() < static_cast<std::size_t>(rubble_.stones)) {
+    const auto stones = static_cast<std::size_t>(rubble_.stones);
+    for (std::size_t trial = 0; points_.size() < stones; ++trial) {
+      if (trial == most_trials * stones)
+        throw InputError(
+            fmt::format("{}: no room is found for {} stones, as its outline fills next to nothing of the "
+                        "box around it; give a wider one, or fewer stones",
+                        owner_, rubble_.stones));
       const double x = random_between(bits_, box.low.x(), box.high.x());
       const double y = random_between(bits_, box.low.y(), box.high.y());
       const Vec2 p(x, y);

@@ -14,6 +14,9 @@
 namespace trilith {
 namespace {
 
+/// Places tried for each stone, of which an outline takes its share of the box around it.
+constexpr std::size_t most_trials = 100000;
+
 /// Smallest area of a face over the square of a stone's mean size.
 constexpr double least_face = 1e-7;
 /// Shortest edge over that size.
@@ -115,7 +118,13 @@ class SolidFilling {
   void scatter() {
     Vec3 low = solid_.corners[0], high = low;
     for (const Vec3& p : solid_.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    while (points_.size() < static_cast<std::size_t>(rubble_.stones)) {
+    const auto stones = static_cast<std::size_t>(rubble_.stones);
+    for (std::size_t trial = 0; points_.size() < stones; ++trial) {
+      if (trial == most_trials * stones)
+        throw InputError(
+            fmt::format("{}: no room is found for {} stones, as its outline fills next to nothing of the "
+                        "box around it; give a wider one, or fewer stones",
+                        owner_, rubble_.stones));
       const Vec3 p = random_in_box(low, high);
       const auto too_near = [&](const Vec3& q) { return (p - q).norm() < 1e-2 * size_; };
       if (is_within(p) && std::none_of(points_.begin(), points_.end(), too_near)) points_.push_back(p);

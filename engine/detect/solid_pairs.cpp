@@ -134,12 +134,14 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
     if (search.may_move[p] != 0) put_off(work, p, Vec3::Constant(search.margin[p]));
   }
   search.found.clear();
-  for (const int p : search.due)
+  for (const int p : search.due) {
+    if (!search.boxes.holds(p)) continue;  // one out of all measure meets nothing
     search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
       if (q == p || (search.is_due[q] != 0 && q < p)) return;
       if (law_between(model, state, search, p, q) >= 0)
         search.found.push_back(contact_key(std::min(p, q), std::max(p, q)));
     });
+  }
   const SolidHistory& before = work.valid ? contacts_before(state, work) : state.contacts;
   list_due_rows(before.key, search);
   for (const int row : search.due_rows) {

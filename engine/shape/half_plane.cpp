@@ -26,7 +26,8 @@ std::vector<Chain> chains_of(const Polygon& outline, const std::vector<double>& 
   const std::size_t n = outline.size();
   std::vector<Chain> chains;
   std::size_t start = 0;  // begin where the outline enters
-  while (!(depth[start] >= 0 && depth[(start + 1) % n] < 0)) ++start;
+  while (start < n && !(depth[start] >= 0 && depth[(start + 1) % n] < 0)) ++start;
+  if (start == n) return chains;  // it enters nowhere: all inside, all outside, or no numbers
   for (std::size_t i = start; i < start + n; ++i) {
     const std::size_t a = i % n, b = (i + 1) % n;
     const bool a_inside = depth[a] < 0, b_inside = depth[b] < 0;

@@ -187,6 +187,7 @@ void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, dou
     const Body& body = model.bodies[b];
     for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
       const double by = (own.speed[b] + fastest) * dt;
+      if (!work.search.boxes.holds(p)) continue;  // one out of all measure meets nothing
       work.search.boxes.for_meeting(reached_box(model, work, p, by), [&](int q) {
         if (!may_strike(model, state, own, p, q)) return;
         const ContactKey key = contact_key(std::min(p, q), std::max(p, q));

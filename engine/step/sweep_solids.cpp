@@ -52,7 +52,7 @@ SweptStep swept_step(const Model<3>& model, const State<3>& state, const Work<3>
     const int body = model.piece_body[p];
     if (state.left[body] != 0 || !model.body_moves(body)) continue;
     const double reach = (fastest_point(model, state, p) + work.fastest) * step.dt;
-    if (reach <= share * model.least_thickness) continue;
+    if (reach <= share * model.least_thickness || !work.search.boxes.holds(p)) continue;
     const FatBox<3> box = box_around(work.solids.placed[p]);
     work.search.boxes.for_meeting(widened(box, reach), [&](int q) {
       const int other = model.piece_body[q];

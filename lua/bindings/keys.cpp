@@ -151,10 +151,21 @@ void Keys::refuse(std::string_view key, const std::string& why) {
   problem(why);
 }
 
+namespace {
+
+/// Sizes below it are slips: products and quotients of such numbers run out of digits, or of all measure.
+constexpr double least_number = 1e-300;
+
+}  // namespace
+
 double Keys::read_number(std::string_view key, std::string_view unit) {
   double value = 0;
   if (lua_type(L_, -1) == LUA_TNUMBER) {
     value = lua_tonumber(L_, -1);
+    if (value != 0 && std::abs(value) < least_number)
+      problem(
+          fmt::format("'{}' is {}, too small for any quantity; give a size of at least {:g}{}, or 0 where it may be 0",
+                      key, number_text(value), least_number, unit == "1" ? "" : fmt::format(" {}", unit)));
     if (!std::isfinite(value))
       problem(fmt::format("'{}' is {}, must be a finite number{}", key, number_text(value),
                           unit == "1" ? "" : fmt::format(" in {}", unit)));
