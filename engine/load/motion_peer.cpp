@@ -34,27 +34,43 @@ void require_units_of_g(std::string_view line, const TextLines& lines) {
     lines.fail(fmt::format("must say 'UNITS OF G', says '{}'; is this an AT2 file?", shown(line)));
   const auto words = words_of(std::string_view(lower).substr(at + mark.size()), ",;");
   if (words.empty() || (words[0] != "g" && words[0] != "g."))
-    lines.fail(fmt::format("unit is '{}', must be G; convert the values to g and say so here",
-                           words.empty() ? "" : shown(words[0])));
+    lines.fail(
+        fmt::format("unit is '{}', must be G; convert the values to g and say so here, or give unit, dt and skip = 4",
+                    words.empty() ? "" : shown(words[0])));
 }
 
-/// Fourth line: "NPTS=   5372, DT=   .0100 SEC," or "NPTS=  4000, DT= .01000 SEC" or "4000 0.0100 NPTS, DT".
-void read_counts(std::string_view line, PeerHeader& header, const TextLines& lines) {
-  const std::string lower = lower_case(line);
-  const auto words = words_of(lower, "=,");
-  const bool names_first = words.size() >= 4 && words[0] == "npts" && words[2] == "dt";
-  const bool names_last = words.size() >= 4 && words[2] == "npts" && words[3] == "dt";
-  if (!names_first && !names_last)
+/// The unit of the step: "0.0100 SEC", "20.0 MSEC"; seconds where there is none.
+double step_unit(std::string_view word) {
+  return word == "msec" || word == "ms" || word == "milliseconds" ? 1e-3 : 1;
+}
+
+/// Fourth line: "NPTS=   5372, DT=   .0100 SEC," or "NPTS=  4000, DT= .01000 SEC" or "4000 0.0100 NPTS, DT"; or the
+/// names alone, with the numbers in the same line behind them or in the next.
+void read_counts(std::string_view line, PeerHeader& header, TextLines& lines) {
+  std::string lower = lower_case(line);
+  const std::vector<std::string_view> named = words_of(lower, "=,:");
+  std::string text = lower;
+  if (named.size() == 2 && named[0] == "npts" && named[1] == "dt")
+    if (const auto next = lines.next()) text += " " + lower_case(trimmed(*next));
+  const auto words = words_of(text, "=,:");
+  const auto at = [&words](std::size_t i) { return i < words.size() ? words[i] : std::string_view(); };
+  std::size_t count = 1, step = 3;  // NPTS n DT dt
+  if (at(0) == "npts" && at(1) == "dt")
+    count = 2, step = 3;  // NPTS DT n dt
+  else if (at(2) == "npts" && at(3) == "dt")
+    count = 0, step = 1;  // n dt NPTS DT
+  else if (words.size() < 4 || at(0) != "npts" || at(2) != "dt" || at(3).empty())
     lines.fail(fmt::format("must be like 'NPTS= 5372, DT= .0100 SEC', is '{}'", shown(line)));
-  header.count = lines.require_count(words[names_first ? 1 : 0], "NPTS");
-  header.step = lines.require_number(words[names_first ? 3 : 1], "DT");
+  header.count = lines.require_count(at(count), "NPTS");
+  header.step = lines.require_number(at(step), "DT") * step_unit(at(step + 1));
   if (!(header.step > 0)) lines.fail(fmt::format("DT is {:g} s, must be above 0", header.step));
 }
 
 /// The component is what stands behind the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180".
-PeerHeader read_header(TextLines& lines) {
+PeerHeader read_header(TextLines& lines, bool skip_empty) {
   PeerHeader header;
-  header.source.agency = header_line(lines);
+  do header.source.agency = header_line(lines);
+  while (skip_empty && header.source.agency.empty());
   header.source.title = header_line(lines);
   const auto comma = header.source.title.rfind(',');
   if (comma != std::string::npos) header.source.component = trimmed(header.source.title.substr(comma + 1));
@@ -67,10 +83,20 @@ PeerHeader read_header(TextLines& lines) {
 
 }  // namespace
 
+bool names_samples_in_fourth_line(std::string_view text, bool skip_empty) {
+  TextLines lines(text, "");
+  int seen = 0;
+  while (const auto line = lines.next()) {
+    if (skip_empty && seen == 0 && trimmed(*line).empty()) continue;
+    if (++seen == 4) return lower_case(*line).find("npts") != std::string::npos;
+  }
+  return false;
+}
+
 /// Four lines of header, then samples, several in a line.
 GroundMotion parse_peer_motion(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
-  PeerHeader header = read_header(lines);
+  PeerHeader header = read_header(lines, !names_samples_in_fourth_line(text, false));
   header.source.file = name;
   std::vector<double> acceleration;  // [g]
   while (const auto line = lines.next()) {

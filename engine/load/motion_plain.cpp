@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "load/motion_columns.hpp"
+#include "load/motion_formats.hpp"
 #include "load/motion_read.hpp"
 #include "load/motion_samples.hpp"
 #include "load/text_lines.hpp"
@@ -15,8 +17,8 @@
 namespace trilith {
 namespace {
 
-// A file of numbers that says nothing of itself: one or two columns, or many accelerations in a line, after lines of
-// words that become the title. The script says the unit, and the step where there is no column of times.
+// A file of numbers without a format of its own: columns, or accelerations line by line, after lines of words that
+// become the title. The script gives the unit, and the step where there is no column of times.
 
 struct AccelerationUnit {
   std::string_view name;
@@ -39,51 +41,75 @@ double unit_in_g(const std::string& name, const std::string& file) {
   throw InputError(fmt::format("motion file '{}': unit is '{}', must be one of {}", file, name, plain_units()));
 }
 
-/// The columns of a file, and the lines that stood before them.
-struct Columns {
-  std::vector<double> times, values;
-  std::string title;
-};
-
-/// The first line of numbers decides: two columns are time and acceleration, anything else is accelerations in a row.
-void read_line(TextLines& lines, std::string_view line, const PlainForm& form, Columns& columns) {
-  const std::vector<std::string_view> words = words_of(line, ",;");
-  if (columns.values.empty() && !number_in(words.empty() ? line : words[0])) {
-    columns.title += (columns.title.empty() ? "" : ", ") + shown(line);
-    return;
+/// The mean step of some times. They are even to a tenth of it, or to their rounding where the step is given.
+double even_step(const std::vector<double>& times, double resolution, bool given, const TextLines& lines) {
+  const std::size_t n = times.size();
+  if (n < 2) lines.fail_whole("has fewer than 2 samples");
+  const double step = (times.back() - times.front()) / static_cast<double>(n - 1);
+  if (!(step > 0)) lines.fail_whole("has times that do not grow");
+  const double rounded = 1.01 * resolution, allowed = std::max(0.1 * step, given ? rounded : 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double due = times.front() + static_cast<double>(i) * step, off = std::abs(times[i] - due);
+    if (off > allowed)
+      lines.fail_whole(
+          fmt::format("sample {} is at {:g} s, must be at {:g} s: the step must be uniform{}", i + 1, times[i], due,
+                      off > rounded ? "" : fmt::format("; times are rounded to {:g} s, so say dt", resolution)));
   }
-  std::vector<double> numbers;
-  for (const std::string_view word : words) numbers.push_back(lines.require_number(word, "value"));
-  const bool with_time = columns.values.empty() ? numbers.size() == 2 : !columns.times.empty();
-  if (with_time && numbers.size() != 2)
-    lines.fail(fmt::format("has {} columns, the first line of numbers has 2: time and acceleration", numbers.size()));
-  if (with_time) {
-    columns.times.push_back(numbers[0]);
-    columns.values.push_back(numbers[1]);
-    return;
-  }
-  if (!form.step)
-    lines.fail(fmt::format("has {} column(s) and no time; say the step of the samples (dt)", numbers.size()));
-  columns.values.insert(columns.values.end(), numbers.begin(), numbers.end());
+  return step;
 }
 
-/// The mean step of the times, where they are uniform.
-double step_of(const Columns& columns, const PlainForm& form, const TextLines& lines) {
-  if (columns.times.empty()) return *form.step;
-  const std::size_t n = columns.times.size();
-  if (n < 2) lines.fail_whole("has fewer than 2 samples");
-  const double step = (columns.times.back() - columns.times.front()) / static_cast<double>(n - 1);
-  if (!(step > 0)) lines.fail_whole("has times that do not grow");
-  for (std::size_t i = 0; i < n; ++i) {
-    const double due = columns.times.front() + static_cast<double>(i) * step;
-    // Times are mostly rounded to a few decimals, which moves none by a tenth of a step.
-    if (std::abs(columns.times[i] - due) > 0.1 * step)
-      lines.fail_whole(fmt::format("sample {} is at {:g} s, must be at {:g} s: the step must be uniform", i + 1,
-                                   columns.times[i], due));
-  }
-  if (form.step && std::abs(*form.step - step) > 1e-3 * step)
-    lines.fail_whole(fmt::format("has steps of {:g} s, dt is given as {:g} s", step, *form.step));
-  return form.step.value_or(step);
+/// Times that no record has as seconds: numbers of samples, or another unit.
+[[noreturn]] void refuse_times(double step, double resolution, const TextLines& lines) {
+  const bool numbers = resolution == 1 && std::abs(step - 1) < 1e-9;
+  lines.fail_whole(fmt::format("has times that grow by {:g} a sample, {}; say the step in seconds, as in dt = {:g}",
+                               step,
+                               numbers ? "as the numbers of samples do" : "too much for seconds: they look like ms",
+                               numbers ? 0.01 : step / 1000));
+}
+
+/// Does a column of times name ms as its unit? "time ms", "t [msec]".
+bool names_ms(const std::string& name) {
+  const std::string lower = lower_case(name);
+  for (const std::string_view word : words_of(lower, "()[]_/,"))
+    if (word == "ms" || word == "msec" || word == "milliseconds") return true;
+  return false;
+}
+
+/// The step that is given rules, where the times agree with it within their rounding: as seconds, as ms or as numbers
+/// of samples.
+double given_step(double step, double resolution, std::size_t n, double given, const TextLines& lines) {
+  for (const double size : {1.0, 1e-3, 1e-6, given})  // of the times' unit [s]
+    if (std::abs(step * size - given) <=
+        std::max(1e-3 * given, 0.9999 * size * resolution / static_cast<double>(n - 1)))
+      return given;
+  lines.fail_whole(fmt::format("has steps of {:g} s, dt is given as {:g} s", step, given));
+}
+
+double step_of(const NumberTable& table, std::size_t time, const PlainForm& form, const TextLines& lines) {
+  if (time == RecordColumns::none) return *form.step;
+  const double resolution = table.resolution[time];
+  const double step = even_step(table.column(time), resolution, form.step.has_value(), lines);
+  if (form.step) return given_step(step, resolution, table.rows(), *form.step, lines);
+  if (step > largest_credible_step || names_ms(table.name(time))) refuse_times(step, resolution, lines);
+  return step;
+}
+
+/// A first sample that is a number of the head: the step, the rate, the number of samples.
+void refuse_number_of_head(const std::vector<double>& samples, double step, const TextLines& lines) {
+  const auto n = static_cast<double>(samples.size());
+  const double first = samples.empty() ? 0 : samples[0];
+  const auto is = [first](double number) { return std::abs(first - number) <= 1e-9 * std::abs(number); };
+  const char* const what = n < 10                                    ? ""
+                           : is(step)                                ? "the step of the samples"
+                           : first >= 10 && is(1 / step)             ? "the samples in a second"
+                           : first >= 10 && (is(n - 1) || is(n - 2)) ? "the number of samples that follow"
+                           : first >= 10 && is((n - 1) * step)       ? "the duration"
+                                                                     : "";
+  if (*what != 0)
+    lines.fail_whole(
+        fmt::format("begins with {:g}, which is {}; say how many lines of head it has (skip = 1), or skip = 0 "
+                    "where it is a sample",
+                    first, what));
 }
 
 /// The unit is the script's word, so it is that which a size beyond any ground speaks against.
@@ -104,25 +130,44 @@ std::string plain_units() {
   return text;
 }
 
-/// Line by line; what is no number before the first sample is the title, later it is an error.
+/// A file whose format has a name says its unit and step itself; those of the script must be the same.
+GroundMotion parse_named_motion(std::string_view text, const std::string& name, const PlainForm& form,
+                                const MotionFormat& format) {
+  TextLines lines(text, name);
+  if (!format.unit.empty() && unit_in_g(form.unit, name) != unit_in_g(std::string(format.unit), name))
+    lines.fail_whole(
+        fmt::format("is {}, whose samples are in {}; unit is given as {}. Leave the unit out, or say how many "
+                    "lines of head are skipped (skip) to read it as plain columns",
+                    format.name, format.unit, form.unit));
+  GroundMotion motion = parse_motion(text, name);
+  if (form.step && std::abs(*form.step - motion.step()) > 1e-6 * motion.step())
+    lines.fail_whole(fmt::format("is {}, whose step is {:g} s; dt is given as {:g} s. Leave dt out", format.name,
+                                 motion.step(), *form.step));
+  return motion;
+}
+
+/// A named format first; else the columns of numbers.
 GroundMotion parse_plain_motion(std::string_view text, const std::string& name, const PlainForm& form) {
-  text = without_byte_order_mark(text);
+  text = without_padding(without_byte_order_mark(text));
   const double in_g = unit_in_g(form.unit, name);
   TextLines lines(text, name);
-  Columns columns;
-  while (const auto line = lines.next()) {
-    const std::string_view content = trimmed(*line);
-    if (content.empty() || content[0] == '#' || content[0] == '%') continue;
-    read_line(lines, content, form, columns);
-  }
-  if (columns.values.empty()) lines.fail_whole("has no numbers");
-  const double step = step_of(columns, form, lines);
-  for (double& value : columns.values) value *= in_g;
-  check_peak(columns.values, form.unit, lines);
+  if (form.step && !(*form.step > 0)) lines.fail_whole(fmt::format("dt is {:g} s, must be above 0", *form.step));
+  if (const MotionFormat format = named_format(text, name); format && !form.skip)
+    return parse_named_motion(text, name, form, format);
+  const NumberTable table = read_number_table(lines, text, form);
+  if (table.values.empty()) lines.fail_whole("has no numbers");
+  const RecordColumns columns = find_record_columns(table, form, lines);
+  const bool all = columns.acceleration == RecordColumns::none;
+  const double step = step_of(table, columns.time, form, lines);
+  std::vector<double> samples = all ? table.values : table.column(columns.acceleration);
+  if (all && !form.skip) refuse_number_of_head(samples, step, lines);
+  for (double& value : samples) value *= in_g;
+  check_peak(samples, form.unit, lines);
   MotionSource source;
-  source.file = name, source.title = columns.title;
-  const std::size_t count = columns.values.size();
-  return motion_from_g(std::move(columns.values), count, step, {}, std::move(source), lines);
+  source.file = name, source.title = table.title;
+  if (table.width > 1 && !all) source.component = table.name(columns.acceleration);
+  const std::size_t count = samples.size();
+  return motion_from_g(std::move(samples), count, step, {}, std::move(source), lines);
 }
 
 GroundMotion read_plain_motion(const std::filesystem::path& path, const PlainForm& form) {

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "load/motion_csv.hpp"
-#include "load/motion_peer.hpp"
+#include "load/motion_formats.hpp"
 #include "load/text_lines.hpp"
 
 namespace trilith {
@@ -35,33 +35,24 @@ std::string text_of(const std::filesystem::path& path) {
   return std::move(text).str();
 }
 
-/// By its fourth line, which names the number of samples.
-bool looks_like_peer(std::string_view text) {
-  TextLines lines(text, "");
-  for (int i = 0; i < 3; ++i)
-    if (!lines.next()) return false;
-  const auto fourth = lines.next();
-  return fourth && lower_case(*fourth).find("npts") != std::string::npos;
-}
-
 }  // namespace
 
 GroundMotion read_motion(const std::filesystem::path& path) {
   return parse_motion(text_of(path), path.string());
 }
 
-/// What a file is shows from its first bytes, its name or its fourth line; nothing is guessed beyond that.
+/// By the format that the content shows; nothing is guessed beyond that.
 GroundMotion parse_motion(std::string_view text, const std::string& name) {
-  text = without_byte_order_mark(text);
+  text = without_padding(without_byte_order_mark(text));
   TextLines lines(text, name);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) lines.fail_whole("is empty");
+  if (const MotionFormat format = named_format(text, name)) return format.parse(text, name);
   if (text[first] == '#') return parse_csv_motion(text, name);
-  const bool named_peer = lower_case(std::filesystem::path(name).extension().string()) == ".at2";
-  if (named_peer || looks_like_peer(text)) return parse_peer_motion(text, name);
   lines.fail_whole(
-      "is neither a CSV record (first line '# title: ...') nor a PEER AT2 file (fourth line 'NPTS= ..., DT= ...'); "
-      "say the unit of a file of plain columns");
+      "is neither a CSV record (first line '# title: ...') nor a PEER AT2 file (fourth line 'NPTS= ..., DT= ...') nor "
+      "of "
+      "ESM or K-NET; say the unit of a file of plain columns");
 }
 
 }  // namespace trilith

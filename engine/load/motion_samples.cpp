@@ -4,9 +4,38 @@
 
 #include <cmath>
 
+#include "load/motion_measures.hpp"
+#include "load/motion_process.hpp"
 #include "load/motion_read.hpp"
 
 namespace trilith {
+namespace {
+
+/// Step and duration that a record can have.
+void require_credible_times(double step, std::size_t count, const TextLines& lines) {
+  if (!(step >= least_credible_step && step <= largest_credible_step))
+    lines.fail_whole(fmt::format("step is {:g} s, records have {:g} to {:g} s; {}", step, least_credible_step,
+                                 largest_credible_step,
+                                 step > 1 ? "is it in ms? Give it in seconds" : "check the step, or its unit"));
+  const double duration = step * static_cast<double>(count - 1);
+  if (duration > largest_credible_duration)
+    lines.fail_whole(fmt::format("lasts {:g} s, records last up to {:g} s; check the step of {:g} s", duration,
+                                 largest_credible_duration, step));
+}
+
+/// Velocity and displacement that ground can have, but for an offset that a baseline takes out.
+void require_credible_motion(const GroundMotion& motion, const TextLines& lines) {
+  const GroundMotion flat = motion.samples().size() > 4 ? baseline_corrected(motion, 2) : motion;
+  const MotionPeaks peaks = motion_peaks(flat);
+  const double v = std::abs(peaks.velocity.value), u = std::abs(peaks.displacement.value);
+  if (v > largest_credible_velocity || u > largest_credible_displacement)
+    lines.fail_whole(
+        fmt::format("has a peak velocity of {:.3g} m/s and a peak displacement of {:.3g} m after a baseline "
+                    "correction, ground stays below {:g} m/s and {:g} m; check the step of {:g} s and the unit",
+                    v, u, largest_credible_velocity, largest_credible_displacement, motion.step()));
+}
+
+}  // namespace
 
 /// Samples that came out as announced, of a size that ground can have: a record in cm/s2 read as g would be a thousand
 /// times too strong.
@@ -23,8 +52,11 @@ GroundMotion motion_from_g(std::vector<double> acceleration, std::size_t announc
         fmt::format("peak is {:g} g, above {:g} g; probably the values are not in g: divide cm/s2 by 980.665, "
                     "m/s2 by 9.80665",
                     peak, largest_credible_peak));
+  require_credible_times(step, acceleration.size(), lines);
   for (double& a : acceleration) a *= standard_gravity;
-  return GroundMotion(acceleration, step, start, std::move(source));
+  GroundMotion motion(acceleration, step, start, std::move(source));
+  require_credible_motion(motion, lines);
+  return motion;
 }
 
 }  // namespace trilith

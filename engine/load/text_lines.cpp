@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -17,6 +18,13 @@ std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view without_padding(std::string_view text) {
+  constexpr std::string_view padding("\x1a\0", 2);
+  const std::size_t last = text.find_last_not_of(std::string(padding) + " \t\r\n");
+  const std::size_t mark = text.find_first_of(padding, last == std::string_view::npos ? 0 : last);
+  return text.substr(0, std::min(mark, text.size()));
 }
 
 std::vector<std::string_view> words_of(std::string_view text, std::string_view separators) {
@@ -66,6 +74,12 @@ void TextLines::fail_whole(const std::string& message) const {
 
 double TextLines::require_number(std::string_view text, std::string_view what) const {
   const auto value = number_in(text);
+  std::string pointed(text);
+  if (!value && std::count(text.begin(), text.end(), ',') == 1) {
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    if (number_in(pointed))
+      fail(fmt::format("{} is '{}', must have a decimal point, as {}", what, shown(text), pointed));
+  }
   if (!value) fail(fmt::format("{} is '{}', must be a finite number", what, shown(text)));
   return *value;
 }

@@ -11,6 +11,9 @@ namespace trilith {
 /// `text` without blanks (space, tab, carriage return) at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// `text` without the marks (Ctrl-Z, zero bytes) that some programs end a text file with.
+std::string_view without_padding(std::string_view text);
+
 /// The words of `text`, split at blanks and at any of `separators`.
 std::vector<std::string_view> words_of(std::string_view text, std::string_view separators = "");
 

@@ -80,6 +80,9 @@ void make_steady(lua_State* L, Keys& keys) {
                      {"v0", of_records},
                      {"u0", of_records},
                      {"unit", of_records},
+                     {"column", of_records},
+                     {"skip", of_records},
+                     {"decimal", of_records},
                      {"allow_drift", of_records}});
   const double velocity = keys.number("velocity", "m/s"), duration = keys.number("duration", "s");
   if (!(duration > 0)) keys.problem(fmt::format("'duration' is {:g} s, must be above 0", duration));
@@ -88,6 +91,37 @@ void make_steady(lua_State* L, Keys& keys) {
   MotionSource source;
   source.title = fmt::format("steady {:g} m/s for {:g} s", velocity, duration);
   push_motion(L, GroundMotion(still, duration, {velocity, 0}, source), true);
+}
+
+/// `column` is a number or a name.
+std::string column_of(Keys& keys) {
+  const int type = keys.push("column");
+  lua_pop(keys.lua(), 1);
+  if (type == LUA_TNIL) return "";
+  return type == LUA_TNUMBER ? fmt::format("{}", keys.count("column", 1)) : keys.text("column");
+}
+
+std::optional<int> skipped_lines(Keys& keys) {
+  const auto skip = keys.maybe_number("skip", "1");
+  if (!skip) return std::nullopt;
+  if (*skip >= 0 && *skip <= 1e6 && *skip == std::floor(*skip)) return static_cast<int>(*skip);
+  keys.problem(fmt::format("'skip' is {:g}, must be a whole number of lines, 0 or above", *skip));
+  return std::nullopt;
+}
+
+constexpr std::array form_keys{"unit", "dt", "column", "skip", "decimal"};
+
+/// How to read a file of plain columns; none where the table says nothing of it.
+std::optional<PlainForm> read_form(Keys& keys) {
+  bool any = false;
+  for (const char* const key : form_keys) any = keys.has(key) || any;
+  if (!any) return std::nullopt;
+  PlainForm form{keys.text("unit"), keys.maybe_number("dt", "s"), column_of(keys), skipped_lines(keys)};
+  const std::string decimal = keys.text("decimal", "");
+  if (!decimal.empty() && decimal != "," && decimal != ".")
+    keys.problem(fmt::format("'decimal' is \"{}\", must be \".\" or \",\"", decimal));
+  form.decimal = decimal.empty() ? '\0' : decimal[0];
+  return form;
 }
 
 int make_motion(lua_State* L) {
@@ -108,15 +142,11 @@ int make_motion(lua_State* L) {
                        {"v0", "a file begins as its header says, or with motion:start_velocity"},
                        {"u0", "a file begins as its header says"},
                        {"duration", "a file lasts as long as its samples"}});
-  if (!file.empty() && (keys.has("unit") || keys.has("dt"))) {
-    const PlainForm form{keys.text("unit"), keys.maybe_number("dt", "s")};
-    keys.finish();
-    push_motion(L, read_plain_motion(find_record(host(L), file), form), allow_drift);
-    return 1;
-  }
   if (!file.empty()) {
+    const std::optional<PlainForm> form = read_form(keys);
     keys.finish();
-    push_motion(L, read_motion(find_record(host(L), file)), allow_drift);
+    const fs::path record = find_record(host(L), file);
+    push_motion(L, form ? read_plain_motion(record, *form) : read_motion(record), allow_drift);
     return 1;
   }
   const std::vector<double> samples = read_samples(keys);

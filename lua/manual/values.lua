@@ -38,12 +38,16 @@ file          text?              a file with accelerations
 acceleration  numbers?           samples [m/s2]
 dt            number s?          step of the samples; with a file of plain columns: of its samples
 unit          text?              with a file of plain columns: of its accelerations, as in "cm/s2" or "g"
+column        text?             with a file of plain columns: of the accelerations, its number or name; "rows": line by line
+skip          integer?           with a file of plain columns: lines of head before the numbers
+decimal       text?              with a file of plain columns: sign before decimals, "." or ","
 v0            number m/s = 0     velocity at the start
 u0            number m = 0       displacement at the start
 velocity      number m/s?        instead of samples: a steady velocity
 duration      number s?          of the steady velocity
 allow_drift   flag = false       it need not end at rest, where it stops within one step
-name          text?              what messages call it]], gives = "motion", beside = { duration = true, unit = true } },
+name          text?              what messages call it]], gives = "motion",
+    beside = { duration = true, unit = true, column = true, skip = true, decimal = true } },
   { "trilith.ramp", "A motion from rest to rest, smoothly: for supports that are moved.", keys = [[
 by        number           how far: m, or rad of a rotation
 duration  number s         how long]], gives = "motion" },

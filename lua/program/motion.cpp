@@ -21,9 +21,11 @@ struct MotionOptions {
   std::string file, out;
   std::optional<double> scale, peak, time_scale;
   bool reverse = false, no_picture = false;
-  std::string unit;
+  std::string unit, column;
   int number = 1;
   std::optional<double> step;
+  std::optional<int> skip;
+  char decimal = 0;
   std::optional<int> baseline;
   FilterBand band;
 };
@@ -40,11 +42,13 @@ GroundMotion motion_of_run(const std::string& file, int number) {
 GroundMotion read_record(const MotionOptions& options) {
   if (std::filesystem::path(options.file).extension() == ".h5") return motion_of_run(options.file, options.number);
   return options.unit.empty() ? read_motion(options.file)
-                              : read_plain_motion(options.file, {options.unit, options.step});
+                              : read_plain_motion(options.file, {options.unit, options.step, options.column,
+                                                                 options.skip, options.decimal});
 }
 
 GroundMotion read_processed(const MotionOptions& options) {
-  if (options.step && options.unit.empty()) throw InputError("--dt goes with --unit, for a file of plain columns");
+  if (options.unit.empty() && (options.step || !options.column.empty() || options.skip || options.decimal != 0))
+    throw InputError("--dt, --column, --skip and --decimal go with --unit, for a file of plain columns");
   GroundMotion motion = read_record(options);
   if (options.baseline) motion = baseline_corrected(motion, *options.baseline);
   return options.band.low > 0 || options.band.high > 0 ? filtered(motion, options.band) : motion;
@@ -89,6 +93,14 @@ void add_motion(CLI::App& app, int& code) {
       ->type_name("UNIT");
   verb->add_option("--dt", o->step, "with --unit: step of its samples [s], where it has no column of time")
       ->type_name("STEP");
+  verb->add_option("--column", o->column, "with --unit: of the accelerations, its number or name; rows: line by line")
+      ->type_name("COLUMN");
+  verb->add_option("--skip", o->skip, "with --unit: lines of head before the numbers")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("LINES");
+  verb->add_option("--decimal", o->decimal, "with --unit: sign before decimals, . or ,")
+      ->check(CLI::IsMember(std::vector<char>{'.', ','}))
+      ->type_name("SIGN");
   verb->add_option("--baseline", o->baseline, "take out the polynomial of this degree")->type_name("DEGREE");
   verb->add_option("--low", o->band.low, "Butterworth filter: take out what is slower [Hz]")->type_name("HZ");
   verb->add_option("--high", o->band.high, "Butterworth filter: take out what is faster [Hz]")->type_name("HZ");

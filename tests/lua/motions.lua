@@ -24,6 +24,27 @@ near(wave:at(1.75), -math.sin(math.pi*1.75/4)^2, 1e-5)
 refused("must be one of g", trilith.motion, { file = name, unit = "stone" })
 refused("unit", trilith.motion, { file = name, dt = 0.01 })
 refused("say the unit", trilith.motion, name)
+
+-- Other columns: by name, by number, after a head, with decimal commas.
+local function write(text)
+  local f <close> = assert(io.open(name, "w"))
+  f:write(text)
+end
+local rows = {}
+for i = 0, 400 do rows[#rows + 1] = ("%.2f;%.6f;%.6f"):format(i*0.01, wave:at(i*0.01), -0.5*wave:at(i*0.01)) end
+write("t;ns;ew\n" .. table.concat(rows, "\n"))
+refused('column = 2 or column = "ns"', trilith.motion, { file = name, unit = "m/s2" })
+refused('column = 2 or column = "ns"', trilith.motion, { file = name, unit = "m/s2", dt = 0.01 })
+refused("did you mean 'ew'", trilith.motion, { file = name, unit = "m/s2", column = "we" })
+refused("must be a whole number of lines", trilith.motion, { file = name, unit = "m/s2", column = 2, skip = 0.5 })
+refused('must be "." or ","', trilith.motion, { file = name, unit = "m/s2", column = 2, decimal = "x" })
+refused("'unit'", trilith.motion, { file = name, column = 2 })
+near(trilith.motion { file = name, unit = "m/s2", column = "ns" }.pga, wave.pga, 1e-5)
+near(trilith.motion { file = name, unit = "m/s2", column = 3, skip = 1 }.pga, 0.5*wave.pga, 1e-5)
+write("t;ns;ew\n" .. table.concat(rows, "\n"):gsub("%.", ","))
+refused("decimal commas", trilith.motion, { file = name, unit = "m/s2", column = "ew" })
+near(trilith.motion { file = name, unit = "m/s2", column = "ew", decimal = "," }.pga, 0.5*wave.pga, 1e-5)
+refused("does not go with", trilith.motion, { velocity = 1, duration = 1, column = 2 })
 os.remove(name)
 
 -- Scale by the spectrum, and back; a factor of 0 is a control run.
