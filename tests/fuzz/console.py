@@ -19,13 +19,13 @@ LINES = ["help", "m", "a.model", "a.body", "a", "help(a.body)", "m:step()", "m:s
          "m:story(function() m:wait(0.004) error 'mine' end)", "m:on('*', function() a.x.y = 1 end)", "m:bodies { name = '*' }"]
 
 
-def text(draw, made):
-    """A session; `made` makes programs, and knows sound calls."""
+def text(draw, made, dim):
+    """A session with a model of `dim` dimensions; `made` makes programs, and knows sound calls."""
     lines = []
     for _ in range(draw.randint(3, 25)):
-        dice, call = draw.random(), draw.choice(made.calls)
+        dice, call = draw.random(), draw.choice(made.calls_in(dim))
         if dice < 0.3:
-            step = made.sound(draw, call)
+            step = made.sound(draw, call, dim)
             if draw.random() < 0.4:
                 programs.spoil(draw, step, "a.model.time")
             lines.append(step.text())
@@ -46,8 +46,9 @@ def fuzz(program, until, seed, findings, made):
 
     def work(number):
         draw = random.Random(f"{seed} console {number}")
-        script = made.head() + "local m = a.model\n" + draw.choice(["", "m:run { duration = 0.005 }\n", 'm:break_on "stage.begun"\n'])
-        files = {"models.lua": made.models, "model.lua": script, "typed": text(draw, made).encode("utf8", "surrogateescape")}
+        dim = draw.choice(programs.DIMENSIONS)
+        script = made.head(dim, dim) + "local m = a.model\n" + draw.choice(["", "m:run { duration = 0.005 }\n", 'm:break_on "stage.begun"\n'])
+        files = {"models.lua": made.models, "model.lua": script, "typed": text(draw, made, dim).encode("utf8", "surrogateescape")}
         command = f"{path} {draw.choice(['-i model.lua', '-i model.lua', 'console', 'console -q model.lua'])} <typed"
         shared.attempt(shared.Job("console", command, files), findings)
     return f"{len(shared.in_parallel(until, work))} sessions at the console"

@@ -11,6 +11,9 @@ SANE = {
     "names": ['"stone"', '{ "stone", "soft" }', '"pile"', '{ "low", "high" }', '{ "dry" }'],
     "point": ["{ 0, 0 }", "{ 0, 0.5 }", "{ 3, 0 }", "{ -0.5, 1 }", "{ 2, 3 }"],
     "points": ["{ { 4, 0 }, { 5, 0 }, { 5, 1 } }", "{ { 0, 4 }, { 1, 4 }, { 0.5, 4.1 }, { 0, 5 } }"],
+    "vector": ["{ 0, 0, 0 }", "{ 0, 0, 1 }", "{ 3, 0, 0.5 }", "{ 1, 1, 0.5 }", "{ -0.5, 1, 2 }"],
+    "vectors": ["{ { 4, 0, 0 }, { 5, 0, 0 }, { 4, 1, 0 }, { 4, 0, 1 } }",
+                "{ { 0, 4, 0 }, { 1, 4, 0 }, { 1, 5, 0 }, { 0, 5, 0 }, { 0, 4, 1 }, { 1, 4, 1 }, { 1, 5, 1 }, { 0, 5, 1 } }"],
     "place": ['"top"', '"centroid"', "{ 0, 0.2 }"],
     "bodies": ["a.body", "a.set", "a.mesh", '"low"', "{ a.body, a.mesh }", '"pile"'],
     "two bodies": ["{ a.body, a.base }", '{ "low", "high" }'],
@@ -26,6 +29,8 @@ SANE = {
     "rest": ["true", "{ speed = 1e-3, hold = 0.01 }"], "course": ["0.5", "{ ramp = 0.1 }", "{ { 0, 0 }, { 1, 1 } }"],
     "body form": ['"rigid"', '"quad"', "{ mesh = { 2, 2 } }"],
     "contact law": ["a.law", '"dry"', '"none"'], "law": ["a.law"], "direction law": ["a.spring"],
+    "hinge law": ["trilith.end_hinge { sagging = 1e4 }", "trilith.end_hinge { sagging = 1e4, across = 2e4, ultimate = 0.05 }"],
+    "fibre law": ["trilith.kent_park { strength = 30e6 }", "trilith.bilinear_steel { E = 2e11, yield = 4e8 }"],
     "solid law": ["trilith.j2 { E = 1e8, nu = 0.2, yield = 1e5 }"],
     "section": ["trilith.rectangle_section { width = 0.2, depth = 0.3 }", "trilith.circle_section { diameter = 0.3 }"],
 }
@@ -36,6 +41,19 @@ BY_NAME = {"joints": ['{ A = { 3, 1 }, B = { 3, 4 }, C = { at = { 5, 4 }, mass =
            "beams": ["{ along = 'x', count = 2, width = 0.1 }", "{ { along = 'y', spacing = 0.5, width = 0.1, bearing = 0.1 } }"],
            "pinned": ['"from"', '{ "from", "to" }'], "from_support": ['"fixed"'], "to_support": ['{ x = "fixed" }'],
            "material": ['"stone"', '"soft"'], "what": ['"y"', '"speed"', '"force_along"', '"length"', '"drift"']}
+# What a model in space takes where one of the plane has two coordinates, by kind and by name.
+IN_SPACE = {"point": SANE["vector"], "points": SANE["vectors"],
+            "place": ['"centroid"', "{ 0, 0, 0.2 }", "{ 0.2, 0.1, 0.1 }"],
+            "body form": ['"rigid"', '"brick"', "{ mesh = { 1, 2, 1 } }", '{ mesh = { 1, 1, 1 }, element = "tet10" }'],
+            "list": ["{ a.body, a.base }", "{ { body = a.base, x = a.motion } }", "{ { 0, 1 }, { 1, 2 } }",
+                     "{ { body = a.base, z = a.motion, turn_x = a.motion } }", "{ { x = 1 }, { y = 2 } }"]}
+BY_NAME_IN_SPACE = {"joints": ["{ A = { 3, 1, 0 }, B = { 3, 1, 3 }, C = { at = { 5, 1, 3 }, mass = 10 } }"],
+                    "size": ["{ 1, 1, 1 }", "{ 0.5, 0.4, 0.3 }"], "divisions": ["{ 1, 1, 1 }", "2"],
+                    "outline": ["{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }", "{ { 3, 3 }, { 4, 3 }, { 3.5, 4 } }"],
+                    "what": ['"z"', '"uz"', '"speed"', '"force_along"', '"turn_x"'],
+                    "spheres": ["{ { at = { 3, 3, 1 }, radius = 0.2 }, { at = { 3.2, 3, 1 }, radius = 0.2 } }"],
+                    "force": ["{ 0, 0, -1e3 }", "{ 1e3, 0, 0 }"], "axis": ["{ 0, 0, 1 }", '"x"'],
+                    "face": ['"top"', '"front"'], "direction": ['"x"', "{ 0, 1, 0 }"]}
 # Values that fit nowhere.
 WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2^53", "-2^63", "math.mininteger", "1e9",
         "nil", "true", "false", '""', '"*"', '"\\0"', '("x"):rep(5000)', '"\\27[2J"', '"%s%n"', '"a/../b"', "{}", "{ {} }",
@@ -65,6 +83,9 @@ CLOSE = {"number": NUMBERS, "integer": WHOLE, "bodies": OTHERS, "body": OTHERS, 
          "contact law": ["b.law", "a.spring"], "law": ["b.law", "a.spring"], "direction law": ["a.law", "b.spring"],
          "points": ["{ { 0, 0 } }", "{ { 0/0, 0 } }", "{ { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }", "{ { 0, 0 }, { 0, 0 } }"],
          "point": ["{ 0/0, 0 }", "{ 1e308, -1e308 }", "{ 1 }", "{ 1e9, 1e9 }", "{}", "{ 0, 0, 0 }"],
+         "vector": ["{ 0/0, 0, 0 }", "{ 1e308, -1e308, 1 }", "{ 1, 2 }", "{ 1e9, 1e9, 1e9 }", "{}", "{ 0, 0, 0, 0 }"],
+         "vectors": ["{ { 0, 0, 0 } }", "{ { 0/0, 0, 0 } }", "{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } }"],
+         "hinge law": ["b.law", "a.spring"], "fibre law": ["a.law", "trilith.end_hinge { sagging = 1 }"],
          "place": ["{ 0/0, 0 }", '"nowhere"', "{ 1e9, 0 }"]}
 # These end the program, run for long, or read names that are made up elsewhere.
 LEFT_OUT = {"trilith.params", "trilith.version"}
@@ -123,10 +144,15 @@ def kinds_of(kind):
     return [kind] if kind in SANE else kind.split(" or ")
 
 
-def sane(draw, row):
-    """A value that the row of a declaration asks for, as far as that can be told."""
+def sane(draw, row, dim=2):
+    """A value that the row of a declaration asks for in a model of `dim` dimensions, as far as that can be told."""
     name, kind, _, words = row
     kinds = [k for k in kinds_of(kind) if k in SANE]
+    if dim == 3 and name in BY_NAME_IN_SPACE and draw.random() < 0.7:
+        return draw.choice(BY_NAME_IN_SPACE[name])
+    in_space = [k for k in kinds if k in IN_SPACE]
+    if dim == 3 and in_space and draw.random() < 0.85:
+        return draw.choice(IN_SPACE[draw.choice(in_space)])
     if name in BY_NAME and draw.random() < 0.8:
         return draw.choice(BY_NAME[name])
     if name == "name" and draw.random() < 0.7:

@@ -14,11 +14,34 @@ function fuzz.try(number, f)
   if type(given) == "string" then io.write(number, ": ", given, "\n") end
 end
 
-local function fill(m)
+local function add_laws(m)
   m:material { name = "stone", density = 2400 }
   m:material { name = "soft", density = 2000, E = 1e8, nu = 0.2 }
   local law = trilith.frictional { name = "dry", kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-3 }
   m:contact { between = { "*", "*" }, law = law }
+  return law
+end
+
+local function fill_space(m)
+  local law = add_laws(m)
+  local base = m:block { name = "base", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone", support = "fixed" }
+  local low = m:block { name = "low", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0 }, material = "stone", groups = "pile" }
+  local high = m:block { name = "high", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5 }, material = "soft", groups = "pile",
+    body = { mesh = { 2, 1, 1 } } }
+  m:sphere { name = "ball", radius = 0.2, at = { 1.5, 1.5, 0.2 }, material = "stone", groups = "pile" }
+  local spring = trilith.linear { stiffness = 1e6, damping = 1e3 }
+  local bearing = m:bearing { name = "link", between = { "base", "low" }, at = { 0, 0, 0 }, along = spring,
+    limit = { along = 0.05 } }
+  local seat = m:seat { name = "rest", body = low, support = base, at_end = { -0.5, 0, 0 }, edge = { 3, 0, 0 },
+    inward = { -1, 0, 0 } }
+  local history = m:history { name = "top", body = high, what = "z" }
+  return { model = m, body = low, mesh = high, base = base, set = m:bodies { group = "pile" }, bearing = bearing,
+    none = m:bodies { name = "zz*" }, seat = seat, history = history, law = law, spring = spring,
+    motion = trilith.ramp { by = 0.1, duration = 1 } }
+end
+
+local function fill(m)
+  local law = add_laws(m)
   local base = m:block { name = "base", width = 6, height = 0.5, at = { -3, -0.5 }, material = "stone",
     support = "fixed" }
   local low = m:block { name = "low", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone", groups = "pile" }
@@ -35,9 +58,10 @@ local function fill(m)
     motion = trilith.ramp { by = 0.1, duration = 1 } }
 end
 
--- A model with its handles. Each of its stages ends after some steps, whatever was asked for.
-function fuzz.make(name)
-  local all, count = fill(trilith.model { name = name }), 0
+-- A model with its handles, in the plane or in space. Each of its stages ends after some steps, whatever was asked for.
+function fuzz.make(name, dim)
+  local m = trilith.model { name = name, dim = dim or 2 }
+  local all, count = dim == 3 and fill_space(m) or fill(m), 0
   all.model:on_step(function(m) count = count + 1 if count % 100 == 0 then m:stop() end end)
   return all
 end

@@ -11,7 +11,7 @@ import declared
 import shared
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SUBJECTS = {"model": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
+SUBJECTS = {"model": "a.model", "space": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
 HANDLES = ["model", "body", "mesh", "base", "set", "bearing", "seat", "history", "motion", "law"]
 BODY = {"material", "name"}  # what most bodies are given
 LEARNING = 25     # programs made to learn from, four times; the number is fixed, so that a seed gives the same programs
@@ -20,8 +20,9 @@ HEAD = """\
 local fuzz = dofile "models.lua"
 local trilith, try = fuzz.trilith, fuzz.try
 fuzz.fields = {{ {} }}
-local a, b = fuzz.make "a", fuzz.make "b"
+local a, b = fuzz.make("a", {}), fuzz.make("b", {})
 """
+DIMENSIONS = (2, 3)
 # Where a call is made from: %s is a function that makes it.
 PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s)", "a.model:every(0.01, %s)",
           "a.model:story(%s)", "a.model:story(function(m) m:wait(0.01) return (%s)(m) end)", "coroutine.wrap(%s)()",
@@ -37,14 +38,14 @@ ENDS = ["b = nil fuzz.forget() a.model:run { duration = 0.05 } fuzz.read_all(a)"
         "a.model:close() fuzz.read_all(a)", "a.model = nil fuzz.forget() fuzz.read_all(a)",
         "a.model:run { duration = 0.05 } fuzz.read_all(a)", "table.insert(fuzz.late, function() fuzz.read_all(a) end)",
         "for _, x in pairs(a) do fuzz.late[#fuzz.late + 1] = function() fuzz.read(x) end end",
-        'b = fuzz.make "b" fuzz.forget() a.model:run { duration = 0.02 }', "a, b = b, a a.model:run { duration = 0.01 }"]
+        'b = fuzz.make("b", 3) fuzz.forget() a.model:run { duration = 0.02 }', "a, b = b, a a.model:run { duration = 0.01 }"]
 
 
 class Step:
     """A call with its values, each [row, text]; positional where `by_key` is false."""
 
-    def __init__(self, call, subject, by_key, values):
-        self.call, self.subject, self.by_key, self.values = call, subject, by_key, values
+    def __init__(self, call, subject, by_key, values, dim=2):
+        self.call, self.subject, self.by_key, self.values, self.dim = call, subject, by_key, values, dim
 
     def text(self):
         name = self.call.name
@@ -55,19 +56,19 @@ class Step:
         return f"{name} {{ {', '.join(f'{row[0]} = {text}' for row, text in self.values)} }}"
 
     def copy(self):
-        return Step(self.call, self.subject, self.by_key, [list(pair) for pair in self.values])
+        return Step(self.call, self.subject, self.by_key, [list(pair) for pair in self.values], self.dim)
 
 
-def guess(draw, call):
-    """The call as its declaration has it, for the first time."""
+def guess(draw, call, dim=2):
+    """The call as its declaration has it, for the first time, of a model of `dim` dimensions."""
     subject = SUBJECTS.get(call.name.split(":")[0], "a.model")
     if call.arguments and (not call.keys or draw.random() < 0.4):
         least = sum(row[2] for row in call.arguments)
         rows = call.arguments[:draw.randint(least, len(call.arguments))]
-        return Step(call, subject, False, [[row, declared.sane(draw, row)] for row in rows])
+        return Step(call, subject, False, [[row, declared.sane(draw, row, dim)] for row in rows], dim)
     many = draw.choice([0, 1, 1, 2, 3, 5]) / max(1, len(call.keys))
     rows = [row for row in call.keys if row[2] or draw.random() < many or (call.bodies is not None and row[0] in BODY)]
-    return Step(call, subject, bool(call.keys), [[row, declared.sane(draw, row)] for row in rows])
+    return Step(call, subject, bool(call.keys), [[row, declared.sane(draw, row, dim)] for row in rows], dim)
 
 
 def vary(draw, step):
@@ -75,12 +76,12 @@ def vary(draw, step):
     step = step.copy()
     for pair in step.values:
         if draw.random() < 0.15:
-            pair[1] = declared.sane(draw, pair[0])
+            pair[1] = declared.sane(draw, pair[0], step.dim)
     if step.by_key and draw.random() < 0.3:
         row = draw.choice(step.call.keys)
         step.values = [pair for pair in step.values if pair[0][0] != row[0]]
         if draw.random() < 0.8:
-            step.values.append([row, declared.sane(draw, row)])
+            step.values.append([row, declared.sane(draw, row, step.dim)])
     return step
 
 
@@ -99,7 +100,7 @@ def mend(draw, step, message):
         given, words = {pair[0][0] for pair in step.values}, set(re.findall(r"\w+", message))
         missed = [row for row in step.call.keys if row[0] in words - given]
         for row in draw.sample(missed, min(len(missed), draw.randint(1, 2))):
-            step.values.append([row, declared.sane(draw, row)])
+            step.values.append([row, declared.sane(draw, row, step.dim)])
     return step
 
 
@@ -124,8 +125,8 @@ def spoil(draw, step, nested):
 
 
 class Programs:
-    """Makes programs and learns from what they say. `known`: name of a call to the steps that went well; `building`: names of those
-    after which nothing can be added to the model."""
+    """Makes programs and learns from what they say. `known`: name of a call and dimensions of its model to the steps that went well;
+    `building`: names of those after which nothing can be added to the model."""
 
     def __init__(self, program, seed):
         self.seed, self.known, self.building = seed, {}, set()
@@ -135,66 +136,85 @@ class Programs:
         with open(os.path.join(HERE, "models.lua"), "rb") as file:
             self.models = file.read()
 
-    def head(self):
-        return HEAD.format(", ".join(f'"{field}"' for field in self.fields))
+    def calls_in(self, dim):
+        return [call for call in self.calls if dim == 3 or not call.name.startswith("space:")]
 
-    def job(self, text, more=""):
-        return shared.Job("program", self.command + more, {"models.lua": self.models, "model.lua": self.head() + text})
+    def head(self, dim=2, other=2):
+        return HEAD.format(", ".join(f'"{field}"' for field in self.fields), dim, other)
+
+    def job(self, text, more="", dim=2, other=2):
+        return shared.Job("program", self.command + more,
+                          {"models.lua": self.models, "model.lua": self.head(dim, other) + text})
 
     def learn(self, until, findings):
-        """Each call for itself with a new model, the last time with one that has run: as it is declared, then as it is
-        after a thought about what was said of it. How many went well, and of how many."""
-        failed = {}
-        for turn, new in enumerate(['a = fuzz.make "a"'] * 3 + ['a = fuzz.make "a" a.model:run { duration = 0.01 }']):
-            calls, made = [c for c in self.calls if len(self.known.get(c.name, [])) < 4], {}
+        """Each call for itself with a new model, in the plane and in space. How many went well, and of how many."""
+        for dim in DIMENSIONS:
+            self.learn_in(dim, until, findings)
+        return len({name for name, _ in self.known}), len(self.calls)
+
+    def learn_in(self, dim, until, findings):
+        """The last time with a model that has run: a call as it is declared, then as it is after a thought about what was
+        said of it."""
+        failed, fresh = {}, f'a = fuzz.make("a", {dim})'
+        for turn, new in enumerate([fresh] * 3 + [f"{fresh} a.model:run {{ duration = 0.01 }}"]):
+            calls, made = [c for c in self.calls_in(dim) if len(self.known.get((c.name, dim), [])) < 4], {}
 
             def work(number, turn=turn, new=new, made=made, calls=calls):
-                draw = random.Random(f"{self.seed} learn {turn} {number}")
+                draw = random.Random(f"{self.seed} learn {dim} {turn} {number}")
                 some = [calls[(number * EACH + i) % len(calls)] for i in range(EACH)]
                 made[number] = [mend(draw, *draw.choice(failed[c.name])) if c.name in failed and draw.random() < 0.7
-                                else self.sound(draw, c) for c in some]
+                                else self.sound(draw, c, dim) for c in some]
                 lines = [f"{new} try({i}, function() local given = {step.text()} return given end) "
                          f"fuzz.tell_built(a, {i})" for i, step in enumerate(made[number])]
-                return shared.attempt(self.job("\n".join(lines) + "\n"), findings)
+                return shared.attempt(self.job("\n".join(lines) + "\n", dim=dim, other=dim), findings)
+            if not calls:
+                return
             for number, said in enumerate(shared.in_parallel(until, work, LEARNING)):
                 for at, message in re.findall(r"^(\d+): (.*)$", said, re.M):
                     step = made[number][int(at)]
                     failed.setdefault(step.call.name, []).append((step, message))
                 for at in re.findall(r"^good (\d+)$", said, re.M):
-                    self.known.setdefault(made[number][int(at)].call.name, []).append(made[number][int(at)])
+                    step = made[number][int(at)]
+                    self.known.setdefault((step.call.name, dim), []).append(step)
                 if turn < 3:
                     self.building |= {made[number][int(i)].call.name for i in re.findall(r"^built (\d+)$", said, re.M)}
-        return len(self.known), len(self.calls)
 
-    def sound(self, draw, call):
-        steps = self.known.get(call.name)
-        return vary(draw, draw.choice(steps)) if steps and draw.random() < 0.85 else guess(draw, call)
+    def sound(self, draw, call, dim=2):
+        steps = self.known.get((call.name, dim))
+        return vary(draw, draw.choice(steps)) if steps and draw.random() < 0.85 else guess(draw, call, dim)
+
+    @staticmethod
+    def dimensions(number):
+        """Of the models `a` and `b` of a program: half are in space, and a sixth has one of each."""
+        dim = DIMENSIONS[number // 2 % 2]
+        return dim, 5 - dim if number % 6 == 5 else dim
 
     def text(self, number):
         draw = random.Random(f"{self.seed} program {number}")
-        return self.singles(draw) if number % 2 else self.story(draw)
+        dim, _ = self.dimensions(number)
+        return self.singles(draw, dim) if number % 2 else self.story(draw, dim)
 
-    def singles(self, draw):
+    def singles(self, draw, dim):
         """One odd call for each of many models, which go on when what they were given of others is gone."""
-        lines, weights = ["local all = {}"], [sum(map(declared.weight, c.keys + c.arguments)) + 3 for c in self.calls]
-        for at, call in enumerate(draw.choices(self.calls, weights, k=EACH)):
-            step = self.sound(draw, call)
-            spoil(draw, step, self.sound(draw, draw.choice(self.calls)).text())
+        lines, weights = ["local all = {}"], [sum(map(declared.weight, c.keys + c.arguments)) + 3 for c in self.calls_in(dim)]
+        for at, call in enumerate(draw.choices(self.calls_in(dim), weights, k=EACH)):
+            step = self.sound(draw, call, dim)
+            spoil(draw, step, self.sound(draw, draw.choice(self.calls_in(dim)), dim).text())
             ran = draw.choice(["", "", "", "a.model:run { duration = 0.002 } "])
-            lines.append(f'a = fuzz.make "a" all[#all + 1] = a {ran}'
+            lines.append(f'a = fuzz.make("a", {dim}) all[#all + 1] = a {ran}'
                          f"a.v = try({at}, function() local given = {step.text()} return given end)")
         lines += ["b = nil fuzz.forget()", "for _, x in ipairs(all) do a = x try('end', function() "
                   "a.model:run { duration = 0.004 } fuzz.read(a.v) fuzz.read(a.model) end) end"]
         return "\n".join(lines) + "\n"
 
-    def story(self, draw):
+    def story(self, draw, dim):
         """Several calls one after the other and within each other, of which one to three are odd."""
-        calls = [draw.choice(self.calls) for _ in range(draw.randint(2, 9))]
+        calls = [draw.choice(self.calls_in(dim)) for _ in range(draw.randint(2, 9))]
         if draw.random() < 0.8:
             calls.sort(key=lambda call: 2 * (call.name == "model:close") + (call.name in self.building))
-        steps = [self.sound(draw, call) for call in calls]
+        steps = [self.sound(draw, call, dim) for call in calls]
         for _ in range(draw.randint(1, 3)):
-            spoil(draw, draw.choice(steps), self.sound(draw, draw.choice(self.calls)).text())
+            spoil(draw, draw.choice(steps), self.sound(draw, draw.choice(self.calls_in(dim)), dim).text())
         lines = []
         for at, step in enumerate(steps):
             what, place = step.text(), draw.random()
@@ -213,5 +233,5 @@ class Programs:
 def fuzz(made, until, findings):
     def work(number):
         more = " --results run.h5" if number % 8 == 0 else ""
-        shared.attempt(made.job(made.text(number), more), findings)
+        shared.attempt(made.job(made.text(number), more, *made.dimensions(number)), findings)
     return f"{len(shared.in_parallel(until, work))} Lua programs"

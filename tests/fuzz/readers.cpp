@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -18,7 +19,10 @@
 #include "base/hash.hpp"
 #include "base/units.hpp"
 #include "build/gmsh.hpp"
+#include "build/solid_file.hpp"
+#include "load/motion_plain.hpp"
 #include "load/motion_read.hpp"
+#include "load/text_lines.hpp"
 #include "run/simulation.hpp"
 #include "run/study_figures.hpp"
 #include "shape/mesh.hpp"
@@ -48,6 +52,55 @@ void read_record(std::string_view text) {
 void read_mesh(std::string_view text) {
   const trilith::CheckedMesh checked = trilith::check_mesh(trilith::parse_gmsh(text, "mesh"), "mesh");
   require(checked.outline >= 3, "a mesh was taken that has no outline");
+}
+
+/// Columns of numbers: the first line holds unit, step, column, lines of head and the sign of decimals, or '-' for
+/// none.
+void read_columns(std::string_view text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::vector<std::string_view> words = trilith::words_of(text.substr(0, end));
+  const auto word = [&](std::size_t i) {
+    return i < words.size() && words[i] != "-" ? std::string(words[i]) : std::string();
+  };
+  trilith::PlainForm form;
+  form.unit = word(0).empty() ? "g" : word(0);
+  form.step = trilith::number_in(word(1));
+  form.column = word(2);
+  if (const auto skip = trilith::number_in(word(3))) form.skip = static_cast<int>(std::clamp(*skip, 0.0, 1e6));
+  form.decimal = word(4).empty() ? '\0' : word(4)[0];
+  const trilith::GroundMotion motion =
+      trilith::parse_plain_motion(text.substr(std::min(end + 1, text.size())), "record", form);
+  require(std::isfinite(motion.samples().back().displacement), "a record was taken whose motion is no number");
+}
+
+/// Parts that were taken are bodies: named, closed, with a volume.
+void require_sound(const trilith::SolidParts& made) {
+  require(!made.parts.empty(), "a file of solids was taken that has none");
+  for (const trilith::SolidPart& part : made.parts) {
+    require(!part.name.empty() && !part.pieces.empty(), "a solid was taken without a name or a piece");
+    const double volume = trilith::volume_of(part);
+    require(std::isfinite(volume) && volume > 0, "a solid was taken whose volume is no number above 0");
+  }
+}
+
+/// The first byte says how it is read.
+trilith::SolidFile way_of(std::string_view text) {
+  trilith::SolidFile how;
+  const unsigned way = text.empty() ? 0 : static_cast<unsigned char>(text[0]);
+  how.name = way & 1 ? "n" : "", how.shells_are_bodies = (way & 2) != 0, how.y_up = (way & 4) != 0;
+  if (way & 8) how.weld = 1e-3;
+  return how;
+}
+void read_obj(std::string_view text) {
+  require_sound(trilith::parse_obj(text.substr(std::min<std::size_t>(1, text.size())), way_of(text), "solids"));
+}
+void read_stl(std::string_view text) {
+  require_sound(trilith::parse_stl(text.substr(std::min<std::size_t>(1, text.size())), way_of(text), "solids"));
+}
+void read_space_mesh(std::string_view text) {
+  const trilith::CheckedSpaceMesh checked =
+      trilith::check_space_mesh(trilith::parse_gmsh_in_space(text, "mesh"), "mesh");
+  require(!checked.mesh.cell.empty(), "a mesh was taken that has no element");
 }
 
 /// "unit of the declaration, text": what stands on the command line.
@@ -150,8 +203,10 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view);
 };
-constexpr Reader readers[] = {{"record", read_record}, {"mesh", read_mesh},       {"quantity", read_quantity},
-                              {"unit", read_unit},     {"figures", read_figures}, {"checkpoint", read_checkpoint}};
+constexpr Reader readers[] = {{"record", read_record},         {"columns", read_columns}, {"mesh", read_mesh},
+                              {"space_mesh", read_space_mesh}, {"obj", read_obj},         {"stl", read_stl},
+                              {"quantity", read_quantity},     {"unit", read_unit},       {"figures", read_figures},
+                              {"checkpoint", read_checkpoint}};
 
 }  // namespace
 

@@ -5,6 +5,7 @@ import random
 import sys
 import tempfile
 
+import declared
 import programs
 import scripts
 import shared
@@ -52,6 +53,12 @@ def check_cover(program):
     made = programs.Programs(program, 1)
     check(made.text(3) == programs.Programs(program, 1).text(3), "a seed gives the same programs")
     text = "".join(made.text(number) for number in range(400))
+    rows = [row for call in made.calls for row in call.keys + call.arguments]
+    strange = {row[1] for row in rows if not any(kind in declared.SANE for kind in declared.kinds_of(row[1]))}
+    check(not strange, f"every declared kind has sound values; none have {sorted(strange)}")
+    check({call.name.split(":")[0] for call in made.calls if ":" in call.name} <= set(programs.SUBJECTS),
+          "every kind of subject has a handle")
+    check_space(made)
     missed = [call.name for call in made.calls if call.name.split(":")[-1] not in text]
     check(len(made.calls) > 90 and not missed, f"every declared call is in the programs; missed: {missed}")
     verbs = words.verbs_of(program)
@@ -60,6 +67,29 @@ def check_cover(program):
     check(draw.positionals == ["RESULT"] and ("--units", "TEXT") in [option[:2] for option in draw.options],
           f"options are those of the help: {draw.positionals}, {draw.options}")
     check(scripts.changed(random.Random(1), "a = 1 + 2") != "a = 1 + 2", "a script is changed")
+
+
+def check_space(made):
+    """Programs in space have models and calls of their own, and those that are sound go well."""
+    check("dim = 3" not in made.head(2, 2) and 'fuzz.make("a", 3)' in made.head(3, 3), "there are models in space")
+    dims = [made.dimensions(number) for number in range(24)]
+    check({2, 3} == {dim for dim, _ in dims} and any(a != b for a, b in dims), "programs are of the plane, of space, and mixed")
+    check(any(call.name.startswith("space:") for call in made.calls_in(3)), "calls of space are among them")
+    check(not any(call.name.startswith("space:") for call in made.calls_in(2)), "and not among those of the plane")
+    lines = ["a.model:run { duration = 0.01 }"]
+    wanted = {"space:block": 'name = "n", size = { 1, 1, 1 }, at = { 2, 2, 3 }, material = "stone", floating = true',
+              "space:sphere": 'name = "o", radius = 0.1, at = { 2, -2, 0.1 }, material = "stone", floating = true'}
+    for name, keys in wanted.items():
+        check(any(call.name == name for call in made.calls), f"{name} is declared")
+        lines.append(f"a.model:{name.split(':')[1]} {{ {keys} }}")
+    for dim, some in ((2, lines[:1]), (3, lines)):
+        text = "".join(f"try({i}, function() return {line} end)\n" for i, line in enumerate(some))
+        job = made.job(text, dim=dim, other=5 - dim)
+        with tempfile.TemporaryDirectory() as folder:
+            job.lay_out(folder)
+            said = shared.run(job, folder)[2]
+        good = sum(f"good {i}" in said for i in range(len(some)))
+        check(good == len(some), f"sound calls of a model of {dim} dimensions go well: {said}")
 
 
 check_judgements()

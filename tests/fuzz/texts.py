@@ -1,6 +1,7 @@
 """The readers of text and of checkpoints under libFuzzer, with the address and undefined-behaviour sanitizers."""
 import os
 import shutil
+import struct
 import subprocess
 import time
 
@@ -9,9 +10,10 @@ import shared
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # Compiled with sanitizers; the rest comes from the library.
 SOURCES = ["tests/fuzz/readers.cpp", "engine/base/error.cpp", "engine/base/nearest.cpp", "engine/base/units.cpp",
-           "engine/build/gmsh.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp",
-           "engine/load/motion_csv.cpp", "engine/load/motion_peer.cpp", "engine/load/motion_read.cpp",
-           "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study_figures.cpp",
+           "engine/body/space_mesh.cpp", "engine/build/gmsh.cpp", "engine/build/obj.cpp", "engine/build/solid_file.cpp",
+           "engine/build/stl.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp", "engine/load/motion_columns.cpp",
+           "engine/load/motion_csv.cpp", "engine/load/motion_formats.cpp", "engine/load/motion_peer.cpp",
+           "engine/load/motion_plain.cpp", "engine/load/motion_read.cpp", "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study_figures.cpp",
            "engine/shape/mesh.cpp", "engine/world/checkpoint.cpp"]
 MESH = """$MeshFormat
 4.1 0 8
@@ -47,7 +49,48 @@ RECORD = """# title: made up
 0.06,0.0
 """
 PEER = "PEER\nmade up\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 4, DT= .0200 SEC\n 0.0 .1E-00 -.1 0\n"
-TEXTS = {"record": [RECORD, PEER], "mesh": [MESH], "quantity": ["m/s2,0.6g", "m,3 ft", "s,1e-3", "1,0.4"],
+ESM = "EVENT_NAME: A\nSAMPLING_INTERVAL_S: 0.005\nNDATA: 3\nUNITS: cm/s^2\n0.0\n1.5\n-2.0\n"
+KNET = """Origin Time       2011/03/11 14:46:00
+Sampling Freq(Hz) 100Hz
+Duration Time(s)  0
+Scale Factor      3920(gal)/6182761
+Memo.
+  100   -20  3000 -2000
+"""
+CUBE = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+QUADS = [(1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
+OBJ = "o a\n" + CUBE + "".join("f {} {} {} {}\n".format(*quad) for quad in QUADS)
+TETRA = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+SIDES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+STL = "solid a\n" + "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*TETRA[i]) for i in side)
+                           + "endloop\nendfacet\n" for side in SIDES) + "endsolid a\n"
+BINARY_STL = (b" " * 80 + struct.pack("<I", 4) + b"".join(struct.pack("<3f", 0, 0, 0) + b"".join(struct.pack("<3f", *TETRA[i])
+              for i in side) + b"\0\0" for side in SIDES)).decode("latin1")
+SPACE_MESH = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Nodes
+1 4 1 4
+3 1 0 4
+1
+2
+3
+4
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+$EndNodes
+$Elements
+1 1 1 1
+3 1 4 1
+1 1 2 3 4
+$EndElements
+"""
+COLUMNS = ["m/s2 0.02 2 - -\nt,ns,ew\n0.00,0,0\n0.02,.1,.2\n0.04,-.1,0\n", "g - - - ,\n0,00;0,1\n0,02;-0,1\n0,04;0\n",
+           "g 0.01 rows 1 .\nhead\n0 .1 .2\n-.1 0\n", "gal 0.005 - - -\n0.00 1\n0.01 2\n0.01 -3\n0.02 0\n"]
+TEXTS = {"record": [RECORD, PEER, ESM, KNET], "columns": COLUMNS, "space_mesh": [SPACE_MESH],
+         "obj": ["\x00" + OBJ, "\x02" + OBJ.replace("f 5 6", "f 5 \\\n6")], "stl": ["\x01" + STL, "\x00" + BINARY_STL], "mesh": [MESH], "quantity": ["m/s2,0.6g", "m,3 ft", "s,1e-3", "1,0.4"],
          "unit": ["kip/ft", "N s/m", "m/s2", "kg m^2"], "figures": ["drift\tm\tnumber\t0.5\nend\t\ttext\trest\n"],
          "checkpoint": ["\x10" + "\x00" * 8, "\x80" + "\x01" * 8 + "\xff\x7f" + "\x00" * 7]}
 
