@@ -10,6 +10,8 @@
 namespace trilith {
 namespace {
 
+using testing::near;
+
 const std::string two_elements = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat

@@ -2,6 +2,7 @@
 #include "results/fragility.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/normal_distribution.hpp"
 #include "near.hpp"
+#include "results/study_fragility.hpp"
 
 using namespace trilith;
 using results::CapacityBounds;
@@ -74,6 +76,61 @@ TEST_CASE("of two stripes the variances are those of two independent shares") {
   }
 }
 
+TEST_CASE("of two stripes the interval of the median is that of two independent shares, at every confidence") {
+  // The shares' quantiles e1 and e2 at u1 and u2 = ln x are independent, and the curve goes through both:
+  // ln median = u1 - e1 (u2 - u1) / (e2 - e1), with the slopes -(u2 - u1) e2 / (e2 - e1)^2 and (u2 - u1) e1 / (e2 -
+  // e1)^2.
+  struct Case {
+    double x1, x2;
+    int hits1, hits2, count;
+  };
+  for (const Case& c : {Case{0.5, 1.0, 4, 14, 20}, Case{0.2, 1.5, 10, 30, 40}, Case{3, 4, 30, 70, 100}}) {
+    std::vector<CapacityBounds> bounds;
+    add_stripe(bounds, c.x1, c.hits1, c.count), add_stripe(bounds, c.x2, c.hits2, c.count);
+    const Fragility f = fit_fragility(bounds);
+    const double n = c.count, p1 = c.hits1 / n, p2 = c.hits2 / n, u1 = std::log(c.x1), u2 = std::log(c.x2);
+    const double e1 = normal_quantile(p1), e2 = normal_quantile(p2), w = (u2 - u1) / ((e2 - e1) * (e2 - e1));
+    const double s1 = std::sqrt(p1 * (1 - p1) / n) / normal_density(e1),
+                 s2 = std::sqrt(p2 * (1 - p2) / n) / normal_density(e2);
+    const double error = w * std::hypot(e2 * s1, e1 * s2), median = std::exp(u1 - e1 * (u2 - u1) / (e2 - e1));
+    CHECK(near(f.median, median, 1e-9));
+    CHECK(near(f.median_interval().low, median * std::exp(-1.959963984540054 * error), 1e-8));
+    CHECK(near(f.median_interval().high, median * std::exp(1.959963984540054 * error), 1e-8));
+    for (const double confidence : {0.5, 0.68, 0.9, 0.95, 0.99}) {
+      const double z = normal_quantile(0.5 + 0.5 * confidence);
+      CHECK(near(f.median_interval(confidence).low, median * std::exp(-z * error), 1e-8));
+      CHECK(near(f.median_interval(confidence).high, median * std::exp(z * error), 1e-8));
+    }
+  }
+}
+
+TEST_CASE("of capacities that are known the interval of the median is that of the mean of their logarithms") {
+  // Fine steps leave a normal sample: its mean has the standard error dispersion / sqrt(n), and the dispersion does not
+  // change it.
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::vector<CapacityBounds> bounds;
+  for (int i = 0; i < 40; ++i) {
+    const double c = 0.6 * std::exp(0.35 * normal(random));
+    bounds.push_back({c * (1 - 1e-5), c * (1 + 1e-5)});
+  }
+  const Fragility f = fit_fragility(bounds);
+  for (const double confidence : {0.68, 0.95, 0.99}) {
+    const double by = std::exp(normal_quantile(0.5 + 0.5 * confidence) * f.dispersion / std::sqrt(40.0));
+    CHECK(near(f.median_interval(confidence).low, f.median / by, 1e-6));
+    CHECK(near(f.median_interval(confidence).high, f.median * by, 1e-6));
+  }
+}
+
+TEST_CASE("the line on a fragility curve prints its interval of 95 %") {
+  std::vector<CapacityBounds> bounds;
+  add_stripe(bounds, 0.5, 4, 20), add_stripe(bounds, 1.0, 14, 20);
+  results::StudyFragility study{"pga", "g", false, {}, fit_fragility(bounds)};
+  const auto [low, high] = study.curve.median_interval(0.95);
+  CHECK(fragility_text(study) == fmt::format("median {:.4g} g (95 % {:.4g} to {:.4g}), dispersion {:.3g}, of 40 cases",
+                                             study.curve.median, low, high, study.curve.dispersion));
+}
+
 TEST_CASE("no other lognormal curve is likelier than the fitted one, for stripes and for incremental analyses") {
   std::vector<CapacityBounds> stripes;
   int hits[] = {0, 1, 1, 4, 6, 7, 9, 10};
@@ -104,24 +161,30 @@ TEST_CASE("fine steps of an incremental analysis give mean and deviation of the 
   CHECK(near(f.dispersion, std::sqrt(squares / 7 - mean * mean), 1e-7));  // of the largest likelihood: with n
 }
 
-TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies" * doctest::test_suite("long")) {
+TEST_CASE("both intervals hold what is true as often as they say, at every confidence" * doctest::test_suite("long")) {
   std::mt19937_64 random(7);
   constexpr double median = 0.55, dispersion = 0.4;
-  int held[3] = {0, 0, 0}, median_held = 0, studies = 0;
-  const double at[3] = {0.35, 0.55, 0.9};
-  for (int i = 0; i < 1000; ++i, ++studies) {
+  constexpr int studies = 1000;
+  constexpr double levels[] = {0.5, 0.68, 0.8, 0.9, 0.95, 0.99}, at[] = {0.35, 0.55, 0.9};
+  int held[6][3] = {}, median_held[6] = {};
+  const auto holds = [](const results::Confidence& c, double truth) {
+    return c.low <= truth && truth <= c.high ? 1 : 0;
+  };
+  for (int i = 0; i < studies; ++i) {
     const Fragility f = fit_fragility(drawn_stripes(random, median, dispersion, 20));
-    for (int k = 0; k < 3; ++k) {
-      const double truth = normal_share(std::log(at[k] / median) / dispersion);
-      held[k] += f.band(at[k]).low <= truth && truth <= f.band(at[k]).high ? 1 : 0;
+    for (int l = 0; l < 6; ++l) {
+      for (int k = 0; k < 3; ++k)
+        held[l][k] += holds(f.band(at[k], levels[l]), normal_share(std::log(at[k] / median) / dispersion));
+      median_held[l] += holds(f.median_interval(levels[l]), median);
     }
-    const auto [low, high] = f.median_interval();
-    median_held += low <= median && median <= high ? 1 : 0;
   }
-  // Within three standard deviations of a count of 1000 with 0.95, and 1.5 % for what is exact for many cases only.
-  const double allowed = 3 * std::sqrt(0.95 * 0.05 / 1000) + 0.015;
-  for (const int count : held) CHECK(std::abs(count / 1000.0 - 0.95) < allowed);
-  CHECK(std::abs(median_held / 1000.0 - 0.95) < allowed);
+  for (int l = 0; l < 6; ++l) {
+    // Within three standard deviations of a count of 1000, and 1.5 % for what is exact for many cases only.
+    const double p = levels[l], allowed = 3 * std::sqrt(p * (1 - p) / studies) + 0.015;
+    CAPTURE(p);
+    for (const int count : held[l]) CHECK(std::abs(static_cast<double>(count) / studies - p) < allowed);
+    CHECK(std::abs(static_cast<double>(median_held[l]) / studies - p) < allowed);
+  }
 }
 
 TEST_CASE("many cases give the curve they were drawn from") {

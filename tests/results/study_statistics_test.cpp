@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "base/normal_distribution.hpp"
 #include "near.hpp"
 
 using namespace trilith::results;
@@ -41,4 +43,41 @@ TEST_CASE("middle, band and dispersion of a figure, of those cases that have it"
   CHECK(spread_of({}).count == 0);
   CHECK(std::isnan(spread_of({2}).deviation));
   CHECK(near(quantile({10, 20}, 0.25), 12.5, 1e-14));
+}
+
+TEST_CASE("Wilson's interval holds a probability as often as it says") {
+  // The chance of `hits` of `count` is known, so the share of all outcomes whose interval holds p is exact; it swings
+  // with p, and its mean over p is the confidence to 1.5 %.
+  for (const int count : {50, 120, 200})
+    for (const double confidence : {0.5, 0.8, 0.9, 0.95, 0.99}) {
+      std::vector<Confidence> interval;  // [hits]
+      for (int hits = 0; hits <= count; ++hits) interval.push_back(wilson_interval(hits, count, confidence));
+      double sum = 0;
+      int shares = 0;
+      for (double p = 0.02; p < 0.99; p += 0.005, ++shares)
+        for (int hits = 0; hits <= count; ++hits) {
+          const Confidence c = interval[static_cast<std::size_t>(hits)];
+          if (p < c.low || p > c.high) continue;
+          sum += std::exp(std::lgamma(count + 1.0) - std::lgamma(hits + 1.0) - std::lgamma(count - hits + 1.0) +
+                          hits * std::log(p) + (count - hits) * std::log(1 - p));
+        }
+      CAPTURE(count);
+      CAPTURE(confidence);
+      CHECK(std::abs(sum / shares - confidence) < 0.015);
+    }
+}
+
+TEST_CASE("middle and band of many normal values are at 50, 16 and 84 %") {
+  // The values at equal shares of a normal distribution, without chance.
+  std::vector<double> values;
+  for (int i = 0; i < 2000; ++i) values.push_back(3 + 2 * trilith::normal_quantile((i + 0.5) / 2000));
+  const Spread s = spread_of(values);
+  CHECK(near(s.median, 3, 1e-9));
+  CHECK(near(s.mean, 3, 1e-9));
+  CHECK(near(s.deviation, 2, 2e-3));
+  // Type 7 takes the value at place 1999 p of those counted from 0, which stand at shares (i + 0.5) / 2000.
+  CHECK(near(s.lower, 3 + 2 * trilith::normal_quantile((0.16 * 1999 + 0.5) / 2000), 1e-5));
+  CHECK(near(s.upper, 3 + 2 * trilith::normal_quantile((0.84 * 1999 + 0.5) / 2000), 1e-5));
+  for (double& v : values) v = std::exp(v / 10);
+  CHECK(near(spread_of(values).dispersion, 0.2, 2e-3));
 }
