@@ -25,6 +25,9 @@ class ObjReader {
   ObjReader(std::string_view text, const SolidFile& how, std::string_view owner)
       : text_(text), owner_(owner), axes_(how, owner) {}
 
+  /// Told of the first object whose name comes twice; "" where none does.
+  [[nodiscard]] const std::string& again() const { return again_; }
+
   std::vector<NamedSurfaces> run() {
     while (next_line()) {
       const std::string_view key = word();
@@ -33,7 +36,7 @@ class ObjReader {
       else if (key == "f")
         face();
       else if (key == "o")
-        object_ = objects_.of(rest()), current_ = -1;
+        begin_object(rest());
       else if (key == "g")
         group_ = groups_.of(rest()), current_ = -1;
     }
@@ -45,14 +48,42 @@ class ObjReader {
     throw InputError(fmt::format("{}: line {}: {}", owner_, number_, what));
   }
 
-  /// The next line without its end and without what follows a #; empty ones too.
+  /// The next line without its end and without what follows a #; empty ones too. A line that ends with a \ goes on in
+  /// the next.
   bool next_line() {
     if (at_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    line_ = text_.substr(at_, end - at_);
-    line_ = line_.substr(0, line_.find('#'));
-    at_ = end + 1, ++number_;
+    line_ = one_line();
+    if (!goes_on(line_)) return true;
+    joined_.clear();
+    for (;; line_ = one_line()) {
+      const bool more = goes_on(line_) && at_ < text_.size();
+      joined_ += line_.substr(0, goes_on(line_) ? line_.rfind('\\') : line_.size());
+      joined_ += ' ';
+      if (!more) break;
+    }
+    line_ = joined_;
     return true;
+  }
+  std::string_view one_line() {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    const std::string_view line = text_.substr(at_, end - at_);
+    at_ = end + 1, ++number_;
+    return line.substr(0, line.find('#'));
+  }
+  static bool goes_on(std::string_view line) {
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    return last != std::string_view::npos && line[last] == '\\';
+  }
+
+  /// An object whose name came before goes on with the faces of that one.
+  void begin_object(const std::string& name) {
+    const std::size_t known = objects_.list.size();
+    object_ = objects_.of(name), current_ = -1;
+    if (static_cast<std::size_t>(object_) < known && again_.empty())
+      again_ = fmt::format(
+          "{}: line {}: object '{}' begins again; its faces go on with those before, as one body. Give "
+          "it a name of its own, or set shells_are_bodies to make each closed shell a body",
+          owner_, number_, name);
   }
 
   std::string_view word() {
@@ -195,7 +226,7 @@ class ObjReader {
   }
 
   std::string_view text_, line_;
-  std::string owner_;
+  std::string owner_, joined_, again_;
   FileAxes axes_;
   std::size_t at_ = 0;
   int number_ = 0, object_ = -1, group_ = -1;
@@ -209,10 +240,15 @@ class ObjReader {
 }  // namespace
 
 SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_view owner) {
+  constexpr std::string_view behind("\x1a\0 \t\r\n", 6);  // marks that some programs end a file with
+  text = text.substr(0, text.find_last_not_of(behind) + 1);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     throw InputError(
         fmt::format("{}: is no OBJ file: its byte {} is 0, and OBJ files are text; save it as OBJ", owner, zero + 1));
-  return solids_of_file(ObjReader(without_byte_order_mark(text), how, owner).run(), how, owner);
+  ObjReader reader(without_byte_order_mark(text), how, owner);
+  SolidParts made = solids_of_file(reader.run(), how, owner);
+  if (!reader.again().empty()) made.notes.push_back(reader.again());
+  return made;
 }
 
 }  // namespace trilith

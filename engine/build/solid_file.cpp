@@ -138,7 +138,7 @@ class SolidMaker {
     if (joined.faces.count() == 0) throw InputError(fmt::format("{} has no face with an area", title));
     const std::vector<int> across = edges_across(joined.faces);
     const Shells shells = shells_of(joined, across);
-    refuse_open(joined, across, shells, title);
+    if (!closes(shells)) refuse_open(joined, across, title, closing_weld(surface));
     note_turned(shells, title);
     std::vector<Polyhedron> solids = solids_of(joined, shells);
     for (std::size_t i = 0; i < solids.size(); ++i)
@@ -155,9 +155,28 @@ class SolidMaker {
                       place_text(surface.corners[static_cast<std::size_t>(edge.to)])));
   }
 
-  static void refuse_open(const Polyhedron& surface, const std::vector<int>& across, const Shells& shells,
-                          const std::string& title) {
-    if (std::count(shells.whole.begin(), shells.whole.end(), 1) == shells.count) return;
+  static bool closes(const Shells& shells) {
+    return std::count(shells.whole.begin(), shells.whole.end(), 1) == shells.count;
+  }
+
+  /// The least weld of 1, 2 or 5 times a power of ten with which the surface closes; 0 where none does.
+  [[nodiscard]] double closing_weld(const Polyhedron& surface) const {
+    constexpr int most_tried = 20000;  // faces: each try sorts them
+    if (surface.faces.count() > most_tried) return 0;
+    const double size = solid_size(surface.corners);
+    for (const double weld :
+         {1e-7, 2e-7, 5e-7, 1e-6, 2e-6, 5e-6, 1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3}) {
+      if (weld <= how_.weld) continue;
+      const Polyhedron joined = with_joined_corners(surface, weld * size);
+      if (joined.faces.count() < surface.faces.count() / 2) return 0;
+      const std::vector<int> across = edges_across(joined.faces);
+      if (joined.faces.count() > 0 && closes(shells_of(joined, across))) return weld;
+    }
+    return 0;
+  }
+
+  static void refuse_open(const Polyhedron& surface, const std::vector<int>& across, const std::string& title,
+                          double weld) {
     const auto open = std::count(across.begin(), across.end(), -1);
     if (open == 0)
       throw InputError(
@@ -174,10 +193,13 @@ class SolidMaker {
     const auto corner = [&](int place) {
       return surface.corners[static_cast<std::size_t>(surface.faces.corner[static_cast<std::size_t>(place)])];
     };
-    throw InputError(
-        fmt::format("{} is open: {} edges belong to one face only, such as that from {} to {} m; close it "
-                    "in the program it comes from",
-                    title, open, place_text(corner(first)), place_text(corner(next))));
+    throw InputError(fmt::format(
+        "{} is open: {} edges belong to one face only, such as that from {} to {} m; {}", title, open,
+        place_text(corner(first)), place_text(corner(next)),
+        weld > 0 ? fmt::format("its corners do not meet exactly, and it closes with weld = {:g} (share of its "
+                               "size within which corners are one)",
+                               weld)
+                 : "close it in the program it comes from"));
   }
 
   void note_turned(const Shells& shells, const std::string& title) {

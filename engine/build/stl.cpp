@@ -25,14 +25,31 @@ std::uint32_t whole_at(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-bool is_binary_stl(std::string_view bytes) {
-  return bytes.size() >= stl_head && bytes.size() == stl_head + stl_triangle * std::size_t{whole_at(bytes, 80)};
+/// Bytes that its triangles leave at the end of a binary file; less than 0 for a text and for a file that is cut short.
+/// Some programs pad their files.
+std::ptrdiff_t bytes_behind(std::string_view bytes) {
+  if (bytes.size() < stl_head) return -1;
+  const auto rest = static_cast<std::ptrdiff_t>(bytes.size() - stl_head) -
+                    static_cast<std::ptrdiff_t>(stl_triangle * std::size_t{whole_at(bytes, 80)});
+  const bool padded = rest > 0 && whole_at(bytes, 80) > 0 && bytes.find('\0') != std::string_view::npos;
+  return rest == 0 || padded ? rest : -1;
+}
+
+/// A text without empty lines before it, and without the marks (Ctrl-Z, zero bytes) that some programs set behind it.
+std::string_view stl_text(std::string_view bytes) {
+  constexpr std::string_view behind("\x1a\0 \t\r\n", 6);
+  const std::size_t last = bytes.find_last_not_of(behind);
+  return last == std::string_view::npos ? std::string_view() : bytes.substr(0, last + 1);
 }
 
 /// A file that is neither binary nor a text that begins as it must. Many binary files begin with "solid" too, but they
 /// hold bytes that are 0.
 void refuse_damaged(std::string_view bytes, std::string_view owner) {
-  const bool says_solid = bytes.substr(0, bytes.find_first_of(" \t\r\n")) == "solid";
+  const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  std::string word(bytes.substr(first, bytes.find_first_of(" \t\r\n", first) - first));
+  for (char& c : word)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const bool says_solid = word == "solid";
   const bool is_text = bytes.find('\0') == std::string_view::npos;
   if (says_solid && is_text) return;
   if (is_text || bytes.size() < stl_head)
@@ -186,9 +203,15 @@ class StlText {
 
 SolidParts parse_stl(std::string_view bytes, const SolidFile& how, std::string_view owner) {
   const FileAxes axes(how, owner);
-  if (is_binary_stl(bytes)) return solids_of_file(binary_stl(bytes, axes, owner), how, owner);
-  const std::string_view text = without_byte_order_mark(bytes);
-  refuse_damaged(text, owner);
+  if (const std::ptrdiff_t rest = bytes_behind(bytes); rest >= 0) {
+    SolidParts made = solids_of_file(binary_stl(bytes, axes, owner), how, owner);
+    if (rest > 0)
+      made.notes.push_back(
+          fmt::format("{}: {} bytes behind its {} triangles are left out", owner, rest, whole_at(bytes, 80)));
+    return made;
+  }
+  const std::string_view text = stl_text(without_byte_order_mark(bytes));
+  refuse_damaged(text.find('\0') == std::string_view::npos ? text : bytes, owner);
   return solids_of_file(StlText(text, axes, owner).run(), how, owner);
 }
 

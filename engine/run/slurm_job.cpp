@@ -49,6 +49,24 @@ void require_slurm(const Answer& answer, const char* program) {
     throw InputError(fmt::format("study: --on slurm needs Slurm's {}, which is not on this machine", program));
 }
 
+/// What to try where Slurm does not take a job, by the words of its refusal. A job is handed in without a partition, an
+/// account or a limit of time; SBATCH_ variables of the environment set them.
+std::string remedy_of(const std::string& refusal) {
+  const auto says = [&](std::string_view words) { return refusal.find(words) != std::string::npos; };
+  if (says("ccount")) return "set SBATCH_ACCOUNT to an account of yours (sacctmgr show user $USER withassoc)";
+  if (says("artition")) return "set SBATCH_PARTITION to a partition of this machine (sinfo)";
+  if (says("ime limit")) return "set SBATCH_TIMELIMIT, as in 2:00:00";
+  if (says("array"))
+    return "the array has more tasks than this machine takes (scontrol show config, MaxArraySize); set cases of a task "
+           "higher";
+  if (says("emory")) return "set SBATCH_MEM_PER_CPU, as in 2G";
+  if (says("node configuration") || says("CPU"))
+    return "no node has as many processors as a case takes threads; lower threads";
+  if (says("QOS") || says("qos")) return "set SBATCH_QOS, or hand in fewer cases";
+  if (says("ontact") || says("connect")) return "its controller does not answer; is this a node of the cluster?";
+  return "SBATCH_ variables (SBATCH_PARTITION, SBATCH_ACCOUNT, SBATCH_TIMELIMIT) set options of the job";
+}
+
 /// Whether a task of that job waits or runs. Slurm is asked of all jobs, as tasks that it puts back after their node
 /// has died are not found by the number of their job for a while. One that it cannot tell of now may go on.
 bool is_in_queue(const std::string& number) {
@@ -114,7 +132,9 @@ std::string SlurmJob::submit(const std::vector<std::vector<std::size_t>>& tasks)
   write_whole_file(folder_ / "job.sh", script);
   const Answer answer = ask_shell("sbatch --parsable " + shell_word((folder_ / "job.sh").string()));
   require_slurm(answer, "sbatch");
-  if (answer.exit != 0) throw InputError(fmt::format("study: Slurm does not take the job: {}", answer.text));
+  if (answer.exit != 0)
+    throw InputError(fmt::format("study: Slurm does not take the job: {}; {}. Its script is {}", answer.text,
+                                 remedy_of(answer.text), (folder_ / "job.sh").string()));
   // "17", or "17;cluster", behind whatever warnings came before it.
   number_ = answer.text.substr(answer.text.rfind('\n') + 1);
   number_ = number_.substr(0, number_.find(';'));

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "shape/unmerged_nodes.hpp"
 
 namespace trilith {
 namespace {
@@ -100,8 +101,8 @@ void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_vi
       parent[root_of(parent, edge.element)] = root_of(parent, across->second.element);
   for (int e = 1; e < static_cast<int>(mesh.element.size()); ++e)
     if (root_of(parent, e) != root_of(parent, 0))
-      throw InputError(fmt::format(
-          "{}: element {} of the mesh hangs on the others by no edge; make a body of each part", owner, e + 1));
+      throw InputError(fmt::format("{}: element {} of the mesh hangs on the others by no edge; {}", owner, e + 1,
+                                   unmerged_nodes(mesh.node)));
 }
 
 /// The loops of boundary nodes, that of the largest area (the outer one) first. A node at which two loops meet parts

@@ -82,15 +82,15 @@ LoadCurve read_load_curve(Keys& keys, double now) {
 }
 
 std::optional<Vec3> named_place(const SpaceModel& m, int body, const std::string& name, const std::string& owner) {
-  if (name == "centroid") return std::nullopt;
   if (const auto place = joint_place(m.spec(body), name)) return place;
+  if (name == "centroid") return std::nullopt;
   throw InputError(fmt::format("{}: 'at' is '{}', must be {{x, y, z}}, \"centroid\" or the name of a joint of '{}'",
                                owner, name, m.spec(body).name));
 }
 
 Vec2 named_place(PlaneModel& m, int body, const std::string& name, const std::string& owner) {
-  if (const auto place = trilith::named_place(m.simulation().model(), body, name)) return *place;
   if (const auto place = joint_place(m.spec(body), name)) return *place;
+  if (const auto place = trilith::named_place(m.simulation().model(), body, name)) return *place;
   throw InputError(fmt::format("{}: 'at' is '{}', must be {{x, y}}, the name of a joint{} or one of {}", owner, name,
                                m.spec(body).frame ? fmt::format(" of '{}'", m.spec(body).name) : "", place_names));
 }
