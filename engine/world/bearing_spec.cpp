@@ -136,6 +136,9 @@ void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner) {
 template <int D>
 void add_bearing_doubts(const BearingSpecOf<D>& spec, const std::string& owner, std::vector<std::string>& notes) {
   for (const DirectionLaw& law : all_laws(spec)) doubt_direction(law, owner, notes);
+  for (std::size_t k = 0; k < spec.limit.size(); ++k)
+    add_doubt_once(notes, owner, "limit", unit_of_direction<D>(static_cast<int>(k)), spec.limit[k]);
+  if constexpr (D == 3) add_doubt_once(notes, owner, "limit", "m", spec.horizontal_limit);
   if (spec.replaces_contact && is_none(spec.law[Directions<D>::axial]))
     notes.push_back(
         fmt::format("{}: replaces_contact takes the flat contact of its bodies away while it holds, and it has no "

@@ -14,12 +14,21 @@
 #include "world/element_rows.hpp"
 #include "world/extend.hpp"
 #include "world/flatness.hpp"
+#include "world/frame_doubts.hpp"
 #include "world/names.hpp"
+#include "world/small_gaps.hpp"
 #include "world/thickness.hpp"
 #include "world/usual.hpp"
 
 namespace trilith {
 namespace {
+
+/// Of the box around an outline [m].
+double least_side(const Polygon& outline) {
+  Vec2 low = Vec2::Constant(unbounded), high = -low;
+  for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return outline.empty() ? 0 : (high - low).minCoeff();
+}
 
 double mass_of(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
   const std::string owner = fmt::format("body '{}'", spec.name);
@@ -85,6 +94,10 @@ void ModelBuilder::add_body(BodySpec spec) {
   mass_of(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
+  if (spec.frame)
+    add_frame_doubts(*spec.frame, owner, notes_);
+  else
+    add_doubt_once(notes_, owner, "least side", "m", least_side(spec.outline));
   note_held_motion(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
 }
@@ -187,7 +200,8 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
     attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpec& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
-  check_held_up(model, floating_bodies(bodies_, judge_standing), faults);
+  std::vector<std::string> unjudged;
+  check_held_up_and_gaps(model, floating_bodies(bodies_), judge_standing ? faults : unjudged, notes);
   attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }

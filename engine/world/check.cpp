@@ -11,6 +11,7 @@
 #include "shape/separation_3d.hpp"
 #include "shape/sphere_distance.hpp"
 #include "world/held_up.hpp"
+#include "world/small_gaps.hpp"
 
 namespace trilith {
 namespace {
@@ -132,14 +133,32 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
   }
 }
 
-/// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`);
-/// what is not in its set would fall. Pieces with a small gap between them count as touching.
+namespace {
+
+/// Two bodies with a small gap between them [m].
+struct SmallGap {
+  double width;
+  int body_a, body_b;
+};
+
+/// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`).
+struct Footing {
+  std::vector<int> parent;
+  std::vector<SmallGap> gaps;  ///< not among the sets yet; the narrowest first
+
+  void join(int a, int b) { parent[root_of(parent, a)] = root_of(parent, b); }
+  bool is_held(int body) { return root_of(parent, body) == root_of(parent, static_cast<int>(parent.size()) - 1); }
+};
+
+// Shares of a body's radius: up to the first it touches, up to the second there is a small gap.
+constexpr double touching_gap = 1e-4, small_gap = 0.02;
+
 template <int D>
-std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers& among) {
+Footing footing_of(const Model<D>& model, const Newcomers& among) {
   const auto bodies = static_cast<int>(model.bodies.size());
-  std::vector<int> parent(static_cast<std::size_t>(bodies + 1));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto join = [&](int a, int b) { parent[root_of(parent, a)] = root_of(parent, b); };
+  Footing found;
+  found.parent.resize(static_cast<std::size_t>(bodies + 1));
+  std::iota(found.parent.begin(), found.parent.end(), 0);
   double size = 0;
   for (const double r : model.body_radius) size = std::max(size, r);
   for (int b = 0; b < bodies; ++b) {
@@ -147,27 +166,68 @@ std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers&
     for (int n = model.bodies[b].first_node; n < model.bodies[b].first_node + model.bodies[b].nodes; ++n) {
       const auto& support = model.support[n];
       if (std::any_of(support.begin(), support.begin() + D, [](Support s) { return s != Support::free; }))
-        join(b, bodies);
+        found.join(b, bodies);
     }
   }
-  for (const Bearing<D>& link : model.bearings) join(link.body_a, link.body_b);
+  for (const Bearing<D>& link : model.bearings) found.join(link.body_a, link.body_b);
   for_near_pieces(model, 1e-3 * size, [&](int p, int q, double separation) {
     const int a = model.piece_body[p], b = model.piece_body[q];
-    const double near = 0.02 * std::min(model.body_radius[a], model.body_radius[b]);
-    if (separation < near && may_touch(model, p, q) && among.is_there(a) && among.is_there(b)) join(a, b);
+    const double radius = std::min(model.body_radius[a], model.body_radius[b]);
+    if (separation >= small_gap * radius || !may_touch(model, p, q) || !among.is_there(a) || !among.is_there(b)) return;
+    if (separation < touching_gap * radius)
+      found.join(a, b);
+    else
+      found.gaps.push_back({separation, a, b});
   });
+  std::stable_sort(found.gaps.begin(), found.gaps.end(),
+                   [](const SmallGap& l, const SmallGap& r) { return l.width < r.width; });
+  return found;
+}
+
+/// Joins bodies across small gaps. Out: a note where that alone holds some of them up, of the narrowest: bodies before
+/// `first_body` are not asked.
+template <int D>
+void join_across_gaps(const Model<D>& model, const std::vector<std::uint8_t>& floating, Footing& footing,
+                      std::vector<std::string>& notes, int first_body) {
+  std::vector<SmallGap> needed;
+  for (const SmallGap& gap : footing.gaps) {
+    if (root_of(footing.parent, gap.body_a) == root_of(footing.parent, gap.body_b)) continue;
+    footing.join(gap.body_a, gap.body_b);
+    const bool is_new = std::max(gap.body_a, gap.body_b) >= first_body;
+    if (is_new && floating[gap.body_a] == 0 && floating[gap.body_b] == 0) needed.push_back(gap);
+  }
+  std::erase_if(needed, [&](const SmallGap& gap) { return !footing.is_held(gap.body_a); });
+  if (needed.empty()) return;
+  const SmallGap& first = needed.front();
+  const std::string more = needed.size() == 1 ? "" : fmt::format(" (and {} more gaps like it)", needed.size() - 1);
+  notes.push_back(
+      fmt::format("bodies '{}' and '{}' are {:.3g} m apart, and nothing else holds one of them up: it falls "
+                  "that far first{}; close the gap, or say floating = true where it is meant",
+                  model.bodies[first.body_a].name, model.bodies[first.body_b].name, first.width, more));
+}
+
+}  // namespace
+
+/// Small gaps count as touching.
+template <int D>
+std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers& among) {
+  Footing footing = footing_of(model, among);
+  for (const SmallGap& gap : footing.gaps) footing.join(gap.body_a, gap.body_b);
   std::vector<std::uint8_t> out(model.bodies.size(), 0);
-  for (int b = 0; b < bodies; ++b) out[b] = root_of(parent, b) == root_of(parent, bodies) ? 1 : 0;
+  for (std::size_t b = 0; b < out.size(); ++b) out[b] = footing.is_held(static_cast<int>(b)) ? 1 : 0;
   return out;
 }
 
+/// What is not in the set of what is fixed or driven would fall. Small gaps count as touching, with a note.
 template <int D>
-void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
-                   const Newcomers& among) {
+void check_held_up_and_gaps(const Model<D>& model, const std::vector<std::uint8_t>& floating,
+                            std::vector<std::string>& faults, std::vector<std::string>& notes, const Newcomers& among) {
   if (model.gravity.field.isZero()) return;
-  const std::vector<std::uint8_t> held_up = held_up_bodies(model, among);
-  for (int b = among.first; b < static_cast<int>(model.bodies.size()); ++b)
-    if (floating[b] == 0 && held_up[b] == 0)
+  const auto bodies = static_cast<int>(model.bodies.size());
+  Footing footing = footing_of(model, among);
+  join_across_gaps(model, floating, footing, notes, among.first);
+  for (int b = among.first; b < bodies; ++b)
+    if (floating[b] == 0 && !footing.is_held(b))
       faults.push_back(
           fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
                       "set it on something, give a contact law for its material, or say floating = true",
@@ -176,13 +236,24 @@ void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& float
 
 template std::vector<std::uint8_t> held_up_bodies(const Model<2>&, const Newcomers&);
 template std::vector<std::uint8_t> held_up_bodies(const Model<3>&, const Newcomers&);
+template <int D>
+void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
+                   const Newcomers& among) {
+  std::vector<std::string> notes;
+  check_held_up_and_gaps(model, floating, faults, notes, among);
+}
+
 template void check_overlaps(const Model<3>&, double, std::vector<std::string>&, std::vector<std::string>&,
                              const Newcomers&);
 template void check_held_up(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
                             const Newcomers&);
+template void check_held_up_and_gaps(const Model<3>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
+                                     std::vector<std::string>&, const Newcomers&);
 template void check_overlaps(const Model<2>&, double, std::vector<std::string>&, std::vector<std::string>&,
                              const Newcomers&);
 template void check_held_up(const Model<2>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
                             const Newcomers&);
+template void check_held_up_and_gaps(const Model<2>&, const std::vector<std::uint8_t>&, std::vector<std::string>&,
+                                     std::vector<std::string>&, const Newcomers&);
 
 }  // namespace trilith

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "world/bounds.hpp"
+#include "world/small_gaps.hpp"
 
 namespace trilith {
 namespace {
@@ -55,7 +56,7 @@ void check_newcomers(const Model<D>& standing, const State<D>& state, double all
                      std::vector<std::string>& notes) {
   const Newcomers among{static_cast<int>(state.left.size()), &state.left};
   check_overlaps(standing, std::max(allowed, settled), faults, notes, among);
-  check_held_up(standing, floating, faults, among);
+  check_held_up_and_gaps(standing, floating, faults, notes, among);
 }
 
 template <int D>

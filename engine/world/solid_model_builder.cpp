@@ -9,8 +9,10 @@
 #include "world/bounds.hpp"
 #include "world/check.hpp"
 #include "world/extend.hpp"
+#include "world/frame_doubts.hpp"
 #include "world/names.hpp"
 #include "world/piece_overlaps.hpp"
+#include "world/small_gaps.hpp"
 #include "world/space_builder.hpp"
 #include "world/usual.hpp"
 
@@ -123,6 +125,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
   if (spec.density) add_doubt_once(notes_, owner, "density", "kg/m3", *spec.density);
   if (!spec.pieces.empty() && !spec.frame) add_doubt_once(notes_, owner, "least side", "m", least_side(spec.pieces));
+  for (const Sphere& sphere : spec.spheres) add_doubt_once(notes_, owner, "least side", "m", 2 * sphere.radius);
+  if (spec.frame) add_frame_doubts(*spec.frame, owner, notes_);
   note_held_solid(spec, owner, notes_);
   note_lone_piece(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
@@ -183,7 +187,8 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
     attempt(faults, [&] { check_successor(model.bearings, i); });
   for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
   check_overlaps(model, overlap_allowed, faults, notes);
-  check_held_up(model, floating_bodies(bodies_, judge_standing), faults);
+  std::vector<std::string> unjudged;
+  check_held_up_and_gaps(model, floating_bodies(bodies_), judge_standing ? faults : unjudged, notes);
   attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }

@@ -13,7 +13,27 @@ constexpr std::array usual_ranges{
     UsualRange{"beta", "s", 0, 0.1,
                "no step is as long; it is 2*zeta/omega, with omega = sqrt(kn*area/mass) of a body on its contact"},
     UsualRange{"damping", "s", 0, 0.1, "no step is as long; it is 2*zeta/omega of the vibration to be damped"},
-    UsualRange{"E", "Pa", 1e4, unbounded, "is it in GPa or MPa? 30 GPa are 30e9 Pa"},
+    UsualRange{"E", "Pa", 5e5, unbounded, "is it in GPa or MPa? 30 GPa are 30e9 Pa"},
+    UsualRange{"kn", "Pa/m", 1e5, 1e16, "is it in N/mm3 or MPa/mm? 1 N/mm3 is 1e9 Pa/m"},
+    UsualRange{"ks", "Pa/m", 1e4, 1e16, "is it in N/mm3 or MPa/mm? 1 N/mm3 is 1e9 Pa/m"},
+    UsualRange{"tension", "Pa", 50, 1e8, "is it in MPa? 0.2 MPa are 0.2e6 Pa"},
+    UsualRange{"cohesion", "Pa", 50, 1e9, "is it in MPa? 0.3 MPa are 0.3e6 Pa"},
+    UsualRange{"compression", "Pa", 5e3, 1e10, "is it in MPa? 10 MPa are 10e6 Pa"},
+    UsualRange{"strength", "Pa", 5e3, 1e10, "is it in MPa? 30 MPa are 30e6 Pa"},
+    UsualRange{"yield", "Pa", 5e3, 1e10, "is it in MPa? 420 MPa are 420e6 Pa"},
+    UsualRange{"energy_tension", "J/m2", 0.1, 1e6, "is it in N/mm? 0.01 N/mm are 10 J/m2"},
+    UsualRange{"energy_shear", "J/m2", 0.1, 1e7, "is it in N/mm? 0.1 N/mm are 100 J/m2"},
+    UsualRange{"opening", "m", 0, 1, "is it in mm? multiply it by trilith.units \"mm\""},
+    UsualRange{"crushing_depth", "m", 0, 1, "is it in mm? multiply it by trilith.units \"mm\""},
+    UsualRange{"slack", "m", 0, 5, "is it in mm? multiply it by trilith.units \"mm\""},
+    UsualRange{"radius", "m", 0, 100, "is it in mm? multiply it by trilith.units \"mm\""},
+    UsualRange{"limit", "m", 0, 10, "is it in mm? multiply it by trilith.units \"mm\""},
+    UsualRange{"limit", "rad", 0, 3.2, "is it in degrees? multiply it by trilith.units \"deg\""},
+    UsualRange{"strain", "1", 0, 0.5, "is it in percent or per mille? 2 per mille are 0.002"},
+    UsualRange{"capping", "rad", 0, 1, "is it in degrees or percent? multiply it by trilith.units \"deg\", or by 0.01"},
+    UsualRange{"ultimate", "rad", 0, 1,
+               "is it in degrees or percent? multiply it by trilith.units \"deg\", or by 0.01"},
+    UsualRange{"section area", "m2", 1e-7, 300, "are its sides in mm? multiply them by trilith.units \"mm\""},
     UsualRange{"density", "kg/m3", 25, unbounded, "is it in t/m3 or g/cm3? 2.4 t/m3 are 2400 kg/m3"},
     UsualRange{"least side", "m", 0, 40,
                "is it in mm? multiply it by trilith.units \"mm\", or give a file scale = 0.001"},
@@ -33,9 +53,10 @@ const UsualRange* usual_range(std::string_view name, std::string_view unit) {
   return it == usual_ranges.end() ? nullptr : &*it;
 }
 
+/// 0 is usual everywhere: it says that there is none.
 std::string doubt(std::string_view name, std::string_view unit, double value) {
   const UsualRange* r = usual_range(name, unit);
-  if (r == nullptr || (value >= r->least && value <= r->most) || value == unbounded) return "";
+  if (r == nullptr || (value >= r->least && value <= r->most) || value == unbounded || value == 0) return "";
   const bool over = value > r->most;
   return fmt::format("{} = {} is {} the usual {}: {}", name, with_unit(value, unit), over ? "above" : "below",
                      with_unit(over ? r->most : r->least, unit), r->question);

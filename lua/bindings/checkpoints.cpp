@@ -19,6 +19,13 @@ std::size_t bytes_of_contacts(const SolidHistory& c) {
   return bytes_in(c.key, c.memory, c.joint_of, c.joint);
 }
 
+/// The next whole multiple of `every` [s], so that two branches have checkpoints at the same times however long their
+/// steps are.
+double due_after(double time, double every) {
+  constexpr double rounding = 1e-9;
+  return every * (std::floor(time / every + rounding) + 1);
+}
+
 }  // namespace
 
 template <int D>
@@ -58,7 +65,7 @@ void Checkpoints::add(Checkpoint checkpoint) {
   checkpoint.bytes = sizeof(Checkpoint) +
                      std::visit([](const auto& s) { return bytes_of(s.state); }, checkpoint.snapshot) +
                      checkpoint.timers.size() * sizeof(Timer);
-  next_ = checkpoint.time() + options.every;
+  next_ = due_after(checkpoint.time(), options.every);
   list_.push_back(std::move(checkpoint));
   drop_oldest();
 }
@@ -80,7 +87,7 @@ std::vector<Checkpoint> Checkpoints::take_after(double time) {
   const auto first = std::find_if(list_.begin(), list_.end(), [&](const Checkpoint& c) { return c.time() > time; });
   std::vector<Checkpoint> taken(std::make_move_iterator(first), std::make_move_iterator(list_.end()));
   list_.erase(first, list_.end());
-  next_ = list_.empty() ? 0 : list_.back().time() + options.every;
+  next_ = list_.empty() ? 0 : due_after(list_.back().time(), options.every);
   return taken;
 }
 

@@ -1,6 +1,7 @@
 // What changed between the branch that rewind took back and the present one. For the library.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "bindings.hpp"
 #include "table_fields.hpp"
@@ -15,15 +16,22 @@ struct Pair {
   const State<D>*before, *now;
 };
 
+/// Of the run taken back. Once the present one has passed its end, the first of all is of the present one, taken there.
+std::span<const Checkpoint> own_checkpoints(const Branch& branch) {
+  return std::span(branch.checkpoints).subspan(branch.passed ? 1 : 0);
+}
+
 template <int D>
 Pair<D> latest_pair(const Branch& branch, const SimulatedModel<D>& m) {
   std::vector<const State<D>*> now{&m.if_built()->state()};
   const auto& kept = m.checkpoints.list();
   for (auto c = kept.rbegin(); c != kept.rend() && c->time() > branch.from; ++c)
     now.push_back(&c->template snapshot_in<D>().state);
+  if (branch.passed) now.push_back(&branch.checkpoints.front().template snapshot_in<D>().state);
+  std::stable_sort(now.begin(), now.end(), [](const State<D>* a, const State<D>* b) { return a->time > b->time; });
   for (const State<D>* n : now) {
     const State<D>* nearest = nullptr;
-    for (const Checkpoint& c : branch.checkpoints) {
+    for (const Checkpoint& c : own_checkpoints(branch)) {
       const State<D>& s = c.template snapshot_in<D>().state;
       if (nearest == nullptr || std::abs(s.time - n->time) < std::abs(nearest->time - n->time)) nearest = &s;
     }
@@ -106,8 +114,10 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
 /// Leaves a table of what has changed since `branch` was taken back.
 template <int D>
 void push_changes(lua_State* L, const Branch& branch, const SimulatedModel<D>& m) {
-  lua_createtable(L, 0, 8);
+  lua_createtable(L, 0, 10);
   set_number(L, "from", branch.from);
+  set_number(L, "kept_from", own_checkpoints(branch).front().time());
+  set_number(L, "kept_to", branch.checkpoints.back().time());
   const Pair<D> pair = latest_pair(branch, m);
   if (pair.now == nullptr) return;
   set_number(L, "before", pair.before->time);

@@ -229,9 +229,10 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunO
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
   if (script.at_border || checkpoints.on)
     all.at_border = [this, &script] {
-      // Where the run taken back had ended, this one is to be compared with it.
+      // Where the run taken back had ended, this one is to be compared with it: that checkpoint is kept with it, in
+      // front of its own, as those of this run may be dropped.
       const bool meets = undone && !undone->passed && time() >= undone->checkpoints.back().time();
-      if (meets) undone->passed = true;
+      if (meets) undone->checkpoints.insert(undone->checkpoints.begin(), checkpoint()), undone->passed = true;
       if (meets || checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
       if (script.at_border) script.at_border();
     };

@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "base/nearest.hpp"
 #include "bindings.hpp"
 #include "interrupt_watch.hpp"
 #include "step/equilibrium.hpp"
@@ -315,6 +316,16 @@ int report_text(lua_State* L) {
   return 1;
 }
 
+/// Of a report: a field that it does not have. `mass_scaling` is there only where masses were scaled.
+int no_such_field(lua_State* L) {
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
+  if (name == "mass_scaling") return 0;
+  std::vector<std::string> known;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+  throw InputError(fmt::format("report has no '{}'{}", name, name_hint(name, known)));
+}
+
 }  // namespace
 
 void push_report(lua_State* L, const StageReport& r) {
@@ -352,7 +363,10 @@ void push_report(lua_State* L, const StageReport& r) {
     number("kinetic", r.scaled->kinetic);
     lua_setfield(L, -2, "mass_scaling");
   }
-  if (luaL_newmetatable(L, "trilith.report") != 0) set_function(L, "__tostring", guarded<report_text>);
+  if (luaL_newmetatable(L, "trilith.report") != 0) {
+    set_function(L, "__tostring", guarded<report_text>);
+    set_function(L, "__index", guarded<no_such_field>);
+  }
   lua_setmetatable(L, -2);
 }
 

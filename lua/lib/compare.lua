@@ -57,7 +57,8 @@ end
 
 local function text_of(found)
   if not found.now then
-    return ("the branches part at %.4f s; run on for a while to compare them"):format(found.from)
+    return ("the branches part at %.4f s, and have no time after it in common; the run taken back is kept from %.4f to "
+      .. "%.4f s: run on to there to compare them"):format(found.from, found.kept_from, found.kept_to)
   end
   if found.same then return ("the same bits at %.4f s; the branches part at %.4f s"):format(found.now, found.from) end
   local lines = { ("at %.4f s, compared with the run taken back (%.4f s); they part at %.4f s"):format(found.now,

@@ -41,6 +41,18 @@ end
 
 core.event.__tostring = function(event) return ("%.4f s  %s"):format(event.time, event.text) end
 
+local event_fields = { "type", "time", "id", "cause", "step", "value", "value_name", "x", "y", "z", "mode", "text", "bodies",
+  "body", "bearing", "seat" }
+local is_event_field = {}
+for _, name in ipairs(event_fields) do is_event_field[name] = true end
+
+--- Of a field that this event does not have: nil where others have it.
+core.event.__index = function(event, name)
+  if is_event_field[name] then return nil end
+  core.fail(("event '%s' has no '%s'%s"):format(rawget(event, "type"), tostring(name),
+    core.hint(tostring(name), event_fields)))
+end
+
 local function names_of(t)
   local names = {}
   for name in pairs(t) do names[#names + 1] = name end
