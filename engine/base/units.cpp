@@ -1,7 +1,9 @@
 #include "base/units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -62,14 +64,58 @@ constexpr std::array units{
     Unit{"percent", 1e-2, none, "one in a hundred"},
 };
 
-/// InputError with the nearest name; `lb` is asked back, as it may be a force or a mass.
+/// Usual names of units that have another one here.
+struct OtherName {
+  std::string_view name, here;
+};
+constexpr std::array other_names{
+    OtherName{"in", "inch"},    OtherName{"ins", "inch"},    OtherName{"inches", "inch"}, OtherName{"feet", "ft"},
+    OtherName{"foot", "ft"},    OtherName{"yard", "yd"},     OtherName{"yards", "yd"},    OtherName{"meter", "m"},
+    OtherName{"metre", "m"},    OtherName{"meters", "m"},    OtherName{"metres", "m"},    OtherName{"sec", "s"},
+    OtherName{"secs", "s"},     OtherName{"second", "s"},    OtherName{"seconds", "s"},   OtherName{"msec", "ms"},
+    OtherName{"minute", "min"}, OtherName{"minutes", "min"}, OtherName{"ton", "t"},       OtherName{"tonne", "t"},
+    OtherName{"tons", "t"},     OtherName{"tonnes", "t"},    OtherName{"kilogram", "kg"}, OtherName{"newton", "N"},
+    OtherName{"pascal", "Pa"},  OtherName{"hertz", "Hz"},    OtherName{"radian", "rad"},  OtherName{"radians", "rad"},
+    OtherName{"degree", "deg"}, OtherName{"degrees", "deg"}, OtherName{"pct", "percent"}, OtherName{"joule", "J"},
+};
+
+bool equal_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// The unit that is meant: another usual name, the same letters in another case, the only unit that begins so, or the
+/// nearest spelling. Of one or two letters nearly every unit is near, so that spelling says nothing. Else nothing.
+std::string meant_unit(std::string_view name) {
+  for (const OtherName& other : other_names)
+    if (equal_but_for_case(other.name, name)) return std::string(other.here);
+  const auto only = [&](auto&& fits) -> std::string {
+    if (std::count_if(units.begin(), units.end(), fits) != 1) return {};
+    return std::string(std::find_if(units.begin(), units.end(), fits)->name);
+  };
+  std::string best = only([&](const Unit& u) { return equal_but_for_case(u.name, name); });
+  if (best.empty() && name.size() >= 3) best = nearest_name(name, unit_names());
+  if (best.empty() && name.size() >= 2) best = only([&](const Unit& u) { return u.name.starts_with(name); });
+  return best;
+}
+
+/// InputError with the unit that is meant, for one or two letters with the others of its kind, or with all units; `lb`
+/// is asked back, as it may be a force or a mass.
 const Unit& find_unit(std::string_view name, std::string_view expression) {
   for (const Unit& u : units)
     if (u.name == name) return u;
   const std::string where = name == expression ? "" : fmt::format(" in '{}'", expression);
   if (name == "lb")
     throw InputError(fmt::format("there is no unit 'lb'{}; say lbf for a force, lbm for a mass", where));
-  throw InputError(fmt::format("there is no unit '{}'{}{}", name, where, name_hint(name, unit_names())));
+  const std::string best = meant_unit(name);
+  if (best.empty())
+    throw InputError(fmt::format("there is no unit '{}'{}; known: {}", name, where, fmt::join(unit_names(), ", ")));
+  const auto like = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == best; });
+  std::vector<std::string> others = unit_names(like->dimension);
+  std::erase(others, best);
+  throw InputError(fmt::format(
+      "there is no unit '{}'{}; did you mean '{}'?{}", name, where, best,
+      others.empty() || name.size() > 2 ? "" : fmt::format(" Others of its kind: {}", fmt::join(others, ", "))));
 }
 
 /// By multiplication, so that a unit's factor has the same bits on every machine.

@@ -49,6 +49,13 @@ TEST_CASE("a wrong unit is refused with the nearest name") {
   CHECK_THROWS_WITH_AS(parse_unit("kips"), "there is no unit 'kips'; did you mean 'kip'?", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("lb"), "there is no unit 'lb'; say lbf for a force, lbm for a mass", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("kip/feet"), doctest::Contains("there is no unit 'feet' in 'kip/feet'"), InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("in"),
+                       "there is no unit 'in'; did you mean 'inch'? Others of its kind: m, mm, cm, km, ft, yd",
+                       InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("KN"), "there is no unit 'KN'; did you mean 'kN'? Others of its kind: N, MN, lbf, kip",
+                       InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("sec"), "there is no unit 'sec'; did you mean 's'?", InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("xy"), doctest::Contains("there is no unit 'xy'; known: m, mm, cm"), InputError);
   CHECK_THROWS_AS(parse_unit(""), InputError);
   CHECK_THROWS_AS(parse_unit("m+s"), InputError);
 }
