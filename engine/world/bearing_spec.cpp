@@ -209,6 +209,24 @@ void require_near(const Vec<D>& point, double distance, double size, const std::
                   owner, at, distance, body, size));
 }
 
+template <int D>
+void require_in_reach(const Vec<D>& point, double distance, double size, double arm, const std::string& body,
+                      const std::string& owner) {
+  constexpr double rounding = 1 + 1e-9;
+  if (distance <= std::max(size, arm * rounding)) return;
+  if (arm > 0)
+    throw InputError(fmt::format(
+        "{}: its point is {:.6g} m away from body '{}', and arm is {:g} m; move the point, or give an arm of "
+        "at least {:.6g} m",
+        owner, distance, body, arm, distance));
+  try {
+    require_near<D>(point, distance, size, body, owner);
+  } catch (const InputError& e) {
+    throw InputError(
+        fmt::format("{}; or say arm = {:.4g} where a rigid arm of that length holds it", e.what(), distance));
+  }
+}
+
 template void check_bearing(const BearingSpecOf<2>&, const std::string&);
 template void check_bearing(const BearingSpecOf<3>&, const std::string&);
 template void add_bearing_doubts(const BearingSpecOf<2>&, const std::string&, std::vector<std::string>&);
@@ -221,5 +239,7 @@ template void check_successor(const std::vector<Bearing<2>>&, std::size_t);
 template void check_successor(const std::vector<Bearing<3>>&, std::size_t);
 template void require_near<2>(const Vec2&, double, double, const std::string&, const std::string&);
 template void require_near<3>(const Vec3&, double, double, const std::string&, const std::string&);
+template void require_in_reach<2>(const Vec2&, double, double, double, const std::string&, const std::string&);
+template void require_in_reach<3>(const Vec3&, double, double, double, const std::string&, const std::string&);
 
 }  // namespace trilith

@@ -25,6 +25,8 @@ struct BearingSpecOf : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPa
   std::string becomes_bearing;    ///< name of the bearing that follows; "": none
   std::array<bool, Space<D>::dofs> next_from_here{};  ///< directions in which it counts from where it takes over
   bool starts_waiting = false;
+  double arm = 0;  ///< farthest that a point may lie from its body, which holds it by a rigid arm without mass; 0: no
+                   ///< farther than the body is large [m]
 };
 using BearingSpec = BearingSpecOf<2>;
 
@@ -58,6 +60,10 @@ Bearing<D> bearing_of(const BearingSpecOf<D>& spec, const std::vector<std::strin
 /// Throws InputError for a point that is farther from a body than the body is large: it was meant for another place.
 template <int D>
 void require_near(const Vec<D>& point, double distance, double size, const std::string& body, const std::string& owner);
+/// The same of a point that a rigid arm of up to `arm` [m] may hold; 0: there is none.
+template <int D>
+void require_in_reach(const Vec<D>& point, double distance, double size, double arm, const std::string& body,
+                      const std::string& owner);
 
 /// Throws InputError where what follows bearing `row` of `bearings` can never begin to carry: itself, one that carries
 /// from the start, or one that leads back to it.

@@ -83,6 +83,7 @@ void ModelBuilder::add_body(BodySpec spec) {
     checked = check_polygon(std::move(spec.outline), owner);
     spec.outline = std::move(checked.outline);
   }
+  if (spec.mesh && spec.kind == BodyKind::rigid) take_checked_mesh(spec, owner);
   for (const double v : {spec.velocity.x(), spec.velocity.y(), spec.spin, spec.load.x(), spec.load.y()})
     require_finite(v, owner + ": velocity, spin or load");
   if (spec.inertia) require_positive(*spec.inertia, owner + ": inertia", "kg m2");
@@ -131,10 +132,30 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
     spec.mesh = grid_mesh({spec.outline[0], spec.outline[1], spec.outline[2], spec.outline[3]}, spec.divisions[0],
                           spec.divisions[1]);
   }
+  take_checked_mesh(spec, owner);
+}
+
+/// Repairs the mesh; the outline becomes its outer boundary.
+void ModelBuilder::take_checked_mesh(BodySpec& spec, const std::string& owner) {
   CheckedMesh checked = check_mesh(std::move(*spec.mesh), owner);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   spec.outline.assign(checked.mesh.node.begin(), checked.mesh.node.begin() + checked.outline);
   spec.mesh = std::move(checked.mesh);
+}
+
+/// The elements of a mesh may leave holes, which its outline does not show.
+PolygonMoments moments_of(const BodySpec& spec) {
+  if (!spec.mesh || spec.kind != BodyKind::rigid) return polygon_moments(spec.outline);
+  std::vector<PolygonMoments> parts;
+  for (std::size_t e = 0; e < spec.mesh->element.size(); ++e)
+    parts.push_back(polygon_moments(corners_of(*spec.mesh, e)));
+  PolygonMoments sum{};
+  Vec2 first = Vec2::Zero();
+  for (const PolygonMoments& p : parts) sum.area += p.area, first += p.area * p.centroid;
+  sum.centroid = first / sum.area;
+  for (const PolygonMoments& p : parts)
+    sum.second_moment += p.second_moment + p.area * (p.centroid - sum.centroid).squaredNorm();
+  return sum;
 }
 
 Model<2> ModelBuilder::build() {
@@ -246,7 +267,7 @@ void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Mo
 void link_straight_sides(const std::vector<std::array<int, 2>>& edges, Model<2>& model) {
   std::vector<int> before(model.skin_place.size(), -1), after = before;
   for (const auto& [from, to] : edges) after[from] = to, before[to] = from;
-  const auto at = [&](int skin) { return model.start_position[model.skin_node[skin]]; };
+  const auto at = [&](int skin) { return Vec2(model.start_position[model.skin_node[skin]] + model.skin_place[skin]); };
   for (const auto& [from, to] : edges) {
     if (after[to] < 0) continue;
     const Vec2 in = at(to) - at(from), out = at(after[to]) - at(to);
@@ -256,13 +277,13 @@ void link_straight_sides(const std::vector<std::array<int, 2>>& edges, Model<2>&
   }
 }
 
-/// The elements with an edge on the boundary, as pieces for contact.
-void append_boundary_pieces(const Mesh& mesh, int body, Model<2>& model) {
+/// Elements as pieces for contact: all of them, or those with an edge on the boundary.
+void append_element_pieces(const Mesh& mesh, bool all, int body, Model<2>& model) {
   const CheckedMesh checked = check_mesh(mesh, "");
   const int first_skin = model.bodies[body].first_skin;
   std::vector<std::array<int, 2>> surface;
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
-    if (checked.boundary_edges[e] == 0) continue;
+    if (!all && checked.boundary_edges[e] == 0) continue;
     const std::vector<Vec2> corners = corners_of(mesh, e);
     ConvexPiece piece;
     for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
@@ -323,7 +344,7 @@ void ModelBuilder::append_deformable(const BodySpec& spec, Model<2>& model) cons
     append_element(model, element, mass / (body.area * wide));
   }
   for (int n = first; n < first + body.nodes; ++n) model.load[n] = spec.load * (model.mass[n] / mass);
-  append_boundary_pieces(mesh, index, model);
+  append_element_pieces(mesh, false, index, model);
   model.bodies[index].pieces = model.pieces() - body.first_piece;
 }
 
@@ -336,7 +357,8 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
     append_deformable(spec, model);
     return;
   }
-  const PolygonMoments moments = polygon_moments(spec.outline);
+  const PolygonMoments moments = moments_of(spec);
+  const Polygon& skin = spec.mesh ? spec.mesh->node : spec.outline;
   const double mass = mass_of(spec, moments.area, thickness, materials_);
   Body body;
   body.name = spec.name;
@@ -345,7 +367,8 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
   body.area = moments.area;
   body.first_node = model.nodes();
   body.first_skin = static_cast<int>(model.skin_place.size());
-  body.skins = body.outline = static_cast<int>(spec.outline.size());
+  body.skins = static_cast<int>(skin.size());
+  body.outline = static_cast<int>(spec.outline.size());
   body.first_piece = model.pieces();
   model.mass.push_back(mass);
   model.inertia.push_back(spec.inertia.value_or(mass * moments.second_moment / moments.area));
@@ -356,7 +379,7 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
   model.start_spin.push_back(spec.spin);
   model.load.push_back(spec.load);
   double radius = 0;
-  for (const Vec2& p : spec.outline) {
+  for (const Vec2& p : skin) {
     model.skin_place.emplace_back(p - moments.centroid);
     model.skin_node.push_back(body.first_node);
     model.skin_turn.push_back(body.first_node);
@@ -364,9 +387,13 @@ void ModelBuilder::append_body(const BodySpec& spec, Model<2>& model) const {
   }
   model.body_radius.push_back(radius);
   model.element_bound.emplace_back();
-  append_pieces(spec.outline, static_cast<int>(model.bodies.size()), model);
-  body.pieces = model.pieces() - body.first_piece;
+  const auto index = static_cast<int>(model.bodies.size());
   model.bodies.push_back(std::move(body));
+  if (spec.mesh)
+    append_element_pieces(*spec.mesh, true, index, model);
+  else
+    append_pieces(spec.outline, index, model);
+  model.bodies[index].pieces = model.pieces() - model.bodies[index].first_piece;
 }
 
 void ModelBuilder::append_pieces(const Polygon& outline, int body, Model<2>& model) const {

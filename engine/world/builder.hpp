@@ -28,7 +28,8 @@ struct BodySpec {
                      ///< is not given by `mesh`, has four corners
   BodyKind kind = BodyKind::rigid;
   std::array<int, 2> divisions{1, 1};  ///< of a mesh, along the first and the second side of the outline
-  std::optional<Mesh> mesh;            ///< of a body of kind mesh, instead of outline and divisions [m]
+  std::optional<Mesh> mesh;            ///< of a body of kind mesh, instead of outline and divisions [m]; of a rigid
+                                       ///< body its elements are the pieces
   std::optional<FrameSpec> frame;      ///< of a body of kind frame, instead of outline
   std::vector<NodeSupport> supports;   ///< of some nodes of a deformable body
   std::string material;
@@ -44,6 +45,9 @@ struct BodySpec {
   Vec2 load = Vec2::Zero();          ///< steady force at the centroid, spread like the mass [N]
   bool floating = false;             ///< may start with nothing that holds it up
 };
+
+/// Area, centroid and second moment of the body's shape, after it was checked.
+PolygonMoments moments_of(const BodySpec& spec);
 
 class ModelBuilder {
  public:
@@ -100,8 +104,10 @@ class ModelBuilder {
   Model<2> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
   Model<2> assemble_bodies(std::vector<std::string>& faults) const;
   void append_links(const Model<2>& model, const State<2>& state, Model<2>& grown) const;
-  void require_near(const std::string& body, const Vec2& point, const std::string& what) const;
+  /// `arm`: of a bearing, see BearingSpecOf; below 0: of others.
+  void require_near(const std::string& body, const Vec2& point, const std::string& what, double arm = -1) const;
   void check_deformable(BodySpec& spec, const std::string& owner);
+  void take_checked_mesh(BodySpec& spec, const std::string& owner);
   void check_frame(BodySpec& spec, const std::string& owner) const;
   void append_body(const BodySpec& spec, Model<2>& model) const;
   void append_deformable(const BodySpec& spec, Model<2>& model) const;

@@ -42,16 +42,18 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
     throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
   check_bearing(spec, owner);
-  require_near(spec.body_a, spec.point_a, owner);
-  require_near(spec.body_b, spec.point_b, owner);
+  require_near(spec.body_a, spec.point_a, owner, spec.arm);
+  require_near(spec.body_b, spec.point_b, owner, spec.arm);
   add_bearing_doubts(spec, owner, notes_);
   bearings_.push_back(spec);
 }
 
 /// A point far from the body it names is a slip of the pen.
-void ModelBuilder::require_near(const std::string& body, const Vec2& point, const std::string& what) const {
+void ModelBuilder::require_near(const std::string& body, const Vec2& point, const std::string& what, double arm) const {
   const Polygon& outline = bodies_[require_body(body, what)].outline;
-  trilith::require_near<2>(point, boundary_point(outline, point).distance, polygon_size(outline), body, what);
+  const double distance = boundary_point(outline, point).distance, size = polygon_size(outline);
+  if (arm < 0) return trilith::require_near<2>(point, distance, size, body, what);
+  require_in_reach<2>(point, distance, size, arm, body, what);
 }
 
 void ModelBuilder::add_seat(const SeatSpec& spec) {

@@ -48,15 +48,23 @@ int SolidModelBuilder::require_body(const std::string& name, const std::string& 
   return static_cast<int>(it - known.begin());
 }
 
-void SolidModelBuilder::require_near(const std::string& body, const Vec3& point, const std::string& owner) const {
+void SolidModelBuilder::require_near(const std::string& body, const Vec3& point, const std::string& owner,
+                                     double arm) const {
   double distance = unbounded;
   Vec3 low = Vec3::Constant(unbounded), high = -low;
-  for (const Polyhedron& piece : bodies_[static_cast<std::size_t>(require_body(body, owner))].pieces) {
+  const SolidSpec& spec = bodies_[static_cast<std::size_t>(require_body(body, owner))];
+  for (const Sphere& s : spec.spheres) {
+    const Vec3 radius = Vec3::Constant(s.radius);
+    low = low.cwiseMin(s.centre - radius), high = high.cwiseMax(s.centre + radius);
+    distance = std::min(distance, std::abs((point - s.centre).norm() - s.radius));
+  }
+  for (const Polyhedron& piece : spec.pieces) {
     for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
     for (int f = 0; f < piece.faces.count(); ++f)
       distance = std::min(distance, face_distance(piece.corners, piece.faces[f], point));
   }
-  trilith::require_near<3>(point, distance, (high - low).norm(), body, owner);
+  if (arm < 0) return trilith::require_near<3>(point, distance, (high - low).norm(), body, owner);
+  require_in_reach<3>(point, distance, (high - low).norm(), arm, body, owner);
 }
 
 void SolidModelBuilder::add_bearing(const BearingSpecOf<3>& spec) {
@@ -66,8 +74,8 @@ void SolidModelBuilder::add_bearing(const BearingSpecOf<3>& spec) {
   if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
     throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
   check_bearing(spec, owner);
-  require_near(spec.body_a, spec.point_a, owner);
-  require_near(spec.body_b, spec.point_b, owner);
+  require_near(spec.body_a, spec.point_a, owner, spec.arm);
+  require_near(spec.body_b, spec.point_b, owner, spec.arm);
   add_bearing_doubts(spec, owner, notes_);
   bearings_.push_back(spec);
 }

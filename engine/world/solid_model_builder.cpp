@@ -14,6 +14,7 @@
 #include "world/piece_overlaps.hpp"
 #include "world/small_gaps.hpp"
 #include "world/space_builder.hpp"
+#include "world/sphere_laws.hpp"
 #include "world/usual.hpp"
 
 namespace trilith {
@@ -36,14 +37,30 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
   if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
   if (spec.mass)
-    return require_positive(*spec.mass, owner + ": mass", "kg") /
-           (spec.mesh ? volume_of(*spec.mesh) : mass_of(spec.pieces, 1, spec.spheres).mass);
+    return require_positive(*spec.mass, owner + ": mass", "kg") / (spec.mesh ? volume_of(*spec.mesh)
+                                                                   : spec.moments
+                                                                       ? spec.moments->volume
+                                                                       : mass_of(spec.pieces, 1, spec.spheres).mass);
   for (const Material& m : materials_)
     if (m.name == spec.material) return m.density;
   throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
 }
 
 namespace {
+
+/// Moments of inertia of a real body: above 0, and none above the sum of the other two.
+void check_inertia(const SolidSpec& spec, const std::string& owner) {
+  if (spec.frame || spec.deforms())
+    throw InputError(owner + ": inertia is of rigid bodies; that of a body that deforms follows from its nodes");
+  const Vec3& i = *spec.inertia;
+  for (const double v : i) require_positive(v, owner + ": inertia", "kg m2");
+  const double most = i.maxCoeff(), others = i.sum() - most;
+  if (most > others * (1 + 1e-9))
+    throw InputError(fmt::format(
+        "{}: inertia is {{{:g}, {:g}, {:g}}} kg m2, and no body has one above the sum of the other two; give "
+        "moments about x, y and z through its centroid",
+        owner, i.x(), i.y(), i.z()));
+}
 
 /// Of the axis-parallel box around all pieces [m].
 double least_side(const std::vector<Polyhedron>& pieces) {
@@ -127,6 +144,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   if (!spec.pieces.empty() && !spec.frame) add_doubt_once(notes_, owner, "least side", "m", least_side(spec.pieces));
   for (const Sphere& sphere : spec.spheres) add_doubt_once(notes_, owner, "least side", "m", 2 * sphere.radius);
   if (spec.frame) add_frame_doubts(*spec.frame, owner, notes_);
+  if (spec.inertia) check_inertia(spec, owner);
   note_held_solid(spec, owner, notes_);
   note_lone_piece(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
@@ -161,8 +179,8 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
       else if (spec.mesh)
         space.add(mesh_body(spec));
       else
-        space.add(
-            SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres});
+        space.add(SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres,
+                            spec.moments, spec.inertia});
     });
   rules_.check(bodies_, materials_, faults);
   if (!faults.empty()) return {};
@@ -189,6 +207,7 @@ Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vect
   check_overlaps(model, overlap_allowed, faults, notes);
   std::vector<std::string> unjudged;
   check_held_up_and_gaps(model, floating_bodies(bodies_), judge_standing ? faults : unjudged, notes);
+  note_sphere_laws(model, 0, notes);
   attempt(faults, [&] { set_bounds(model, bounds); });
   return model;
 }
@@ -200,6 +219,7 @@ Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& stat
   carry_conditions(model, grown);
   append_links(model, state, grown);
   const Model<3> standing = as_it_stands(grown, state);
+  note_sphere_laws(grown, static_cast<int>(model.bodies.size()), notes);
   check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_, judge_standing), faults, notes);
   if (!faults.empty()) throw InputError(faults.front());
   widen_bounds(standing, bounds, grown);

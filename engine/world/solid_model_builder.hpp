@@ -37,6 +37,8 @@ struct SolidSpec {
   SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
   std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
   std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms, or of a frame
+  std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of those of its pieces
+  std::optional<Vec3> inertia = {};  ///< of a rigid body about x, y, z through its centroid, as it stands [kg m2]
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
   [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
@@ -91,7 +93,8 @@ class SolidModelBuilder {
   [[nodiscard]] SpaceMeshBody mesh_body(const SolidSpec& spec) const;
   [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
-  void require_near(const std::string& body, const Vec3& point, const std::string& owner) const;
+  /// `arm`: of a bearing, see BearingSpecOf; below 0: of others.
+  void require_near(const std::string& body, const Vec3& point, const std::string& owner, double arm = -1) const;
   void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
   void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
   void append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const;

@@ -134,12 +134,18 @@ SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const s
   return {density * volume, centroid, principal_inertia(density * inertia)};
 }
 
+SolidMass mass_of(const SolidMoments& moments, double density) {
+  return {density * moments.volume, moments.centroid, principal_inertia(density * moments.inertia)};
+}
+
 /// A solid becomes one node in its centroid, with its principal axes, and its pieces about it.
 int SpaceBuilder::add(const SolidBody& body) {
   check_solid_body(model_, body);
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
     check_convex(body.pieces[p], fmt::format("body '{}', piece {}", body.name, p + 1));
-  const SolidMass mass = mass_of(body.pieces, body.density, body.spheres);
+  SolidMass mass =
+      body.moments ? mass_of(*body.moments, body.density) : mass_of(body.pieces, body.density, body.spheres);
+  if (body.inertia) mass.inertia = principal_inertia(Eigen::Matrix3d(body.inertia->asDiagonal()));
   Body row;
   row.name = body.name, row.first_node = model_.nodes(), row.surface = body.surface;
   row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();

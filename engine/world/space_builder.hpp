@@ -1,6 +1,7 @@
 // Builds a model in space from rigid solids: mass, principal axes, pieces, laws, and the checks.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,12 @@ struct SolidBody {
   std::vector<Polyhedron> pieces = {};
   double density = 0;  ///< [kg/m3]
   bool fixed = false;
-  Vec3 velocity = Vec3::Zero();      ///< of its centroid [m/s]
-  Vec3 spin = Vec3::Zero();          ///< [rad/s]
-  int surface = 0;                   ///< whose law of contact it has, see SpaceBuilder::contact
-  std::vector<Sphere> spheres = {};  ///< beside the pieces, where they stand; they may overlap each other
+  Vec3 velocity = Vec3::Zero();              ///< of its centroid [m/s]
+  Vec3 spin = Vec3::Zero();                  ///< [rad/s]
+  int surface = 0;                           ///< whose law of contact it has, see SpaceBuilder::contact
+  std::vector<Sphere> spheres = {};          ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<SolidMoments> moments = {};  ///< instead of those of pieces and spheres
+  std::optional<Vec3> inertia = {};          ///< about x, y, z through its centroid, instead of its shape's [kg m2]
 };
 
 /// Mass, centroid and inertia of solids of one density that share no volume, and of the union of spheres.
@@ -30,6 +33,7 @@ struct SolidMass {
   PrincipalInertia inertia;  ///< about the centroid [kg m2]
 };
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres = {});
+SolidMass mass_of(const SolidMoments& moments, double density);
 
 /// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
 void complete_space(Model<3>& model);

@@ -30,6 +30,8 @@ void read_points(Keys& keys, BearingSpecOf<D>& spec) {
     keys.problem(fmt::format("its place is missing; give at = {0}, or from = {0} and to = {0}", place));
   spec.point_a = at ? *at : from.value_or(Vec<D>::Zero());
   spec.point_b = at ? *at : to.value_or(Vec<D>::Zero());
+  spec.arm = keys.number("arm", "m", 0);
+  if (!(spec.arm >= 0)) keys.problem(fmt::format("'arm' is {:g} m, must not be below 0", spec.arm));
 }
 
 void read_axes(Keys& keys, BearingSpecOf<2>& spec) {

@@ -25,7 +25,7 @@ const BodySpec& spec(const BodyHandle& b) {
 }
 
 Vec2 start_place(const BodyHandle& b) {
-  return polygon_moments(spec(b).outline).centroid;
+  return moments_of(spec(b)).centroid;
 }
 Vec2 place(const BodyHandle& b) {
   return motion_of(b).place.head<2>();
@@ -195,7 +195,7 @@ const std::array body_properties{
     in_plane(BodyProperty{"inertia", "kg m2", "moment of inertia about the centroid",
                           [](const BodyHandle& b) { return b.plane().inertia_of(b.index); }}),
     in_plane(BodyProperty{"area", "m2", "area of the outline",
-                          [](const BodyHandle& b) { return polygon_moments(spec(b).outline).area; }}),
+                          [](const BodyHandle& b) { return moments_of(spec(b)).area; }}),
     BodyProperty{"kind", "", "\"rigid\", \"quad\", \"mesh\", \"frame\", or in space \"brick\"", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    const PlaneModel* plane = as_plane(b.model());

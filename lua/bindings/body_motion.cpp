@@ -15,7 +15,7 @@ BodyMotion motion_in_plane(const PlaneModel& m, int body) {
   const BodySpec& spec = m.spec(body);
   const Simulation<2>* s = m.has_body(body) ? m.if_built() : nullptr;
   const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)
-                                 : Pose{polygon_moments(spec.outline).centroid, 0, spec.velocity, spec.spin};
+                                 : Pose{moments_of(spec).centroid, 0, spec.velocity, spec.spin};
   const Vec2 moved = s != nullptr ? Vec2(pose.place - body_start(s->model(), body)) : Vec2(Vec2::Zero());
   return {lifted(pose.place), lifted(moved), {0, 0, pose.rotation}, lifted(pose.velocity), {0, 0, pose.spin}};
 }
@@ -24,7 +24,9 @@ BodyMotion motion_in_space(const SpaceModel& m, int body) {
   const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
   if (s == nullptr) {
     const SolidSpec& spec = m.spec(body);
-    const Vec3 centre = spec.mesh ? centre_of(*spec.mesh) : mass_of(spec.pieces, 1, spec.spheres).centroid;
+    const Vec3 centre = spec.mesh      ? centre_of(*spec.mesh)
+                        : spec.moments ? spec.moments->centroid
+                                       : mass_of(spec.pieces, 1, spec.spheres).centroid;
     return {centre, Vec3::Zero(), Vec3::Zero(), spec.velocity, spec.spin};
   }
   const Pose3 pose = body_pose(s->model(), s->state(), body);

@@ -72,7 +72,13 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
     hold_frame(flat, held, spec);
   } else if (flat.mesh) {
     // From the far side to the near one: elements run counter-clockwise as the near side is looked at.
-    spec.mesh = extruded(*flat.mesh, Vec3::UnitX(), Vec3::UnitZ(), Vec3(0, half, 0), Vec3(0, -half, 0));
+    SpaceMesh mesh = extruded(*flat.mesh, Vec3::UnitX(), Vec3::UnitZ(), Vec3(0, half, 0), Vec3(0, -half, 0));
+    if (flat.kind == BodyKind::rigid) {
+      spec.pieces = solids_of(mesh);
+      hold_rigid(flat, held, spec);
+      return spec;
+    }
+    spec.mesh = std::move(mesh);
     spec.form.kind = BodyKind::mesh;
     hold_elements(flat, strains_in_plane(flat, plane.materials), half, held, spec);
   } else {

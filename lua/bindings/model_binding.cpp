@@ -252,6 +252,7 @@ std::shared_ptr<ScriptModel> make_plane_model(Keys& keys, const std::string& nam
   b.thickness = keys.number("thickness", "m", b.thickness);
   b.gravity = read_gravity<2>(keys);
   model->body_form = read_body_form(keys, {});
+  model->says_body = keys.has("body");
   require_above(keys, "thickness", b.thickness, "m");
   read_common(keys, b);
   return model;
@@ -262,6 +263,7 @@ std::shared_ptr<ScriptModel> make_space_model(Keys& keys, const std::string& nam
   model->builder.gravity = read_gravity<3>(keys);
   if (keys.has("thickness")) keys.problem("'thickness' is of models in the plane, and dim is 3");
   model->body_form = read_space_form(keys, {});
+  model->says_body = keys.has("body");
   read_common(keys, model->builder);
   return model;
 }

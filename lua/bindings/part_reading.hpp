@@ -1,6 +1,8 @@
 // What the readers of geometry builders' tables share.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -26,6 +28,14 @@ inline void require_plain_list(Keys& keys, std::string_view key, std::string_vie
     found = found.empty() ? name : std::min(found, name);
   }
   if (!found.empty()) keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));
+}
+
+/// Of a body with a mesh whose `body` asks for other elements.
+inline std::string own_elements_note(const std::string& name) {
+  return fmt::format(
+      "body '{}': its mesh has elements of its own, and body changes none of them; leave body out, or "
+      "say body = \"rigid\" for a rigid body of these pieces",
+      name);
 }
 
 /// mesh = {nx, ny, ...}: whole numbers from 1 to 1000; `wanted` says of what.

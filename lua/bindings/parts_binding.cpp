@@ -203,6 +203,14 @@ std::optional<Mesh> read_mesh(Keys& keys) {
   return mesh;
 }
 
+/// A body of elements; or a rigid one, whose pieces they are, where the body or the model says so.
+void take_mesh(Mesh mesh, bool says_body, PlaneModel& m, const std::string& name, BodySpec& spec) {
+  spec.mesh = std::move(mesh);
+  if ((says_body || m.says_body) && spec.kind == BodyKind::rigid) return;
+  if (says_body) m.builder.note(own_elements_note(name));
+  spec.kind = BodyKind::mesh;
+}
+
 /// m:body{ name =, outline = | shape = | mesh =, ... } makes one; m:body "name" finds one.
 int body(lua_State* L) {
   if (lua_type(L, 2) == LUA_TSTRING) {
@@ -220,7 +228,7 @@ int body(lua_State* L) {
   const Polygon outline = keys.has("mesh") ? Polygon() : read_outline(keys, groups);
   BodyOptions options = read_body_options(keys, false, m.body_form);
   keys.finish();
-  if (mesh) options.spec.kind = BodyKind::mesh, options.spec.mesh = std::move(mesh);
+  if (mesh) take_mesh(std::move(*mesh), keys.has("body"), m, name, options.spec);
   add_part(m, {name, outline, groups}, options);
   m.catch_up();
   push_body(L, 1, m.body_count() - 1);

@@ -27,6 +27,7 @@ class PlaneModel final : public SimulatedModel<2> {
 
   ModelBuilder builder;
   BodyForm body_form;
+  bool says_body = false;                   ///< body_form was given, and is no preset
   std::shared_ptr<BridgeBookOf<2>> bridge;  ///< supports and spans; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }

@@ -10,6 +10,7 @@
 #include "build/solid_block.hpp"
 #include "part_reading.hpp"
 #include "solid_makers.hpp"
+#include "world/rigid_shape.hpp"
 
 namespace trilith::script {
 
@@ -84,6 +85,21 @@ SpaceForm read_space_form(Keys& keys, const SpaceForm& preset) {
   return form;
 }
 
+namespace {
+
+/// One number about every axis, or three about x, y and z.
+void read_inertia(Keys& keys, std::optional<Vec3>& inertia) {
+  const int type = keys.push("inertia");
+  lua_pop(keys.lua(), 1);
+  if (type == LUA_TNIL) return;
+  if (type == LUA_TTABLE)
+    inertia = keys.vector("inertia");
+  else if (const auto one = keys.maybe_number("inertia", "kg m2"))
+    inertia = Vec3::Constant(*one);
+}
+
+}  // namespace
+
 SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   SolidSpec s = preset;
   s.form = read_space_form(keys, preset.form);
@@ -105,6 +121,7 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
     mass = *weight / standard_gravity;
   }
   if (density || mass || keys.has("material")) s.density = density, s.mass = mass;
+  read_inertia(keys, s.inertia);
   read_solid_support(keys, "support", s.support);
   s.velocity = keys.vector("velocity", preset.velocity);
   s.spin = keys.vector("spin", preset.spin);
@@ -270,15 +287,19 @@ SolidParts extruded_list(lua_State* L, int index, const PartDepth& depth) {
   return made;
 }
 
-/// A body of elements; or a rigid one, whose pieces they are, where `body` says so.
+/// A body of elements; or a rigid one, whose pieces they are, where the body or the model says so.
 void take_mesh(SpaceMesh mesh, bool says_body, SpaceModel& m, SolidSpec& spec, SolidPart& part) {
-  if (!says_body || spec.form.kind != BodyKind::rigid) {
+  if (!(says_body || m.says_body) || spec.form.kind != BodyKind::rigid) {
+    if (says_body) m.builder.note(own_elements_note(part.name));
     spec.mesh = std::move(mesh), spec.form.kind = BodyKind::mesh;
     return;
   }
-  const CheckedSpaceMesh checked = check_space_mesh(std::move(mesh), fmt::format("body '{}'", part.name));
+  const std::string owner = fmt::format("body '{}'", part.name);
+  const CheckedSpaceMesh checked = check_space_mesh(std::move(mesh), owner);
   for (const std::string& note : checked.notes) m.builder.note(note);
-  part.pieces = solids_of(checked.mesh);
+  RigidShape shape = rigid_shape(checked.mesh);
+  if (const std::string note = curved_note(shape, owner); !note.empty()) m.builder.note(note);
+  part.pieces = std::move(shape.pieces), spec.moments = shape.moments;
 }
 
 }  // namespace

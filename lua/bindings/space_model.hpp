@@ -20,6 +20,7 @@ class SpaceModel final : public SimulatedModel<3> {
 
   SolidModelBuilder builder;
   SpaceForm body_form;                      ///< what bodies are made as where nothing else is said
+  bool says_body = false;                   ///< body_form was given, and is no preset
   std::shared_ptr<BridgeBookOf<3>> bridge;  ///< types of bearings; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }

@@ -46,12 +46,16 @@ options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
     .. "first body. In the plane along, axial and turning; in space along (lengthwise), across (sideways), axial "
     .. "(vertical), and turning_along, turning_across, turning_axial about them. There horizontal is one law of along "
     .. "and across at once, with a circle for its limit: linear, elastic_plastic, lead_rubber, bouc_wen, friction or "
-    .. "pendulum.", keys = [[
+    .. "pendulum. Each point goes rigidly with its body, and lies in it or no farther from it than the body is large, "
+    .. "unless a rigid arm is allowed to hold it. Where from and to are apart, the bearing has the length between them: "
+    .. "displacements count from there, and the forces on both bodies act along one line through the second point.",
+    keys = [[
 name               text           its name
 between            two bodies     or their names
 at                 point?         where it is; or from and to
 from               point?         its point on the first body
-to                 point?         its point on the second
+to                 point?         its point on the second, through which its forces act on both
+arm                number m = 0   farthest that a rigid arm without mass may hold a point from its body
 angle              number rad = 0  of its direction along, counted from x to y
 turn               table?         in space: { axis = , angle = } instead, of all its axes
 along              direction law?  force along

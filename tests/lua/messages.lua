@@ -93,6 +93,8 @@ given.check {
   },
   -- units and parameters
   { function() return trilith.units "ft inhc" end, "there is no unit 'inhc'; did you mean 'inch'?" },
+  { function() return trilith.units "in" end,
+    "there is no unit 'in'; did you mean 'inch'? Others of its kind: m, mm, cm, km, ft, yd" },
   { function() return trilith.units "lb" end, "there is no unit 'lb'; say lbf for a force, lbm for a mass" },
   { function() return trilith.units(3) end, 'units: takes one text, as in units "ft inch kip"; this is 3' },
   { function() return trilith.modle {} end, "trilith has no 'modle'; did you mean 'model'?" },
@@ -242,7 +244,7 @@ given.check {
     end, "bearing 'B': becomes_from: unknown key 'allong'; did you mean 'along'?" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0.5, 3 }, along = spring } end,
     "bearing 'B': its point (0.5, 3) is 2 m away from body 'block', which is 1.41 m large; give a point in it or near "
-      .. "it, in m" },
+      .. "it, in m; or say arm = 2 where a rigid arm of that length holds it" },
   { function() m:seat { name = "s", body = "base", support = "base", edge = { 0, 0 } } end,
     "seat 's': 'at_end' is missing; give {x, y}" },
   { function() built():seat { name = "s", body = "block", support = "base", at_end = { 0, 0 }, edge = { 7, 0 } } end,
