@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "step/bearing_motion.hpp"
+#include "step/dish.hpp"
 #include "step/evaluate.hpp"
 #include "step/single_terms.hpp"
 #include "step/turned_back.hpp"
@@ -32,10 +33,39 @@ DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion
       law);
 }
 
+/// The slider of a pendulum on its dish, which pushes by `thrust` [N]. The memory's force is that of both, and
+/// `compression` has the thrust in it.
+DirectionResponse respond_on_dish(const Pendulum& law, const DirectionMotion& motion, const DirectionMemory& before,
+                                  double thrust) {
+  DirectionMemory slider = before;
+  slider.force -= before.compression;
+  DirectionResponse out = slider_of(law).respond(motion, slider);
+  out.memory.force += thrust, out.memory.compression = thrust;
+  return out;
+}
+
+/// Direction k of a bearing. `axial_force`: of its axial law now [N].
+template <int D>
+DirectionResponse respond(const Bearing<D>& b, const LawMotion<D>& now, int k, const DirectionMotion& motion,
+                          const DirectionMemory& before, double axial_force) {
+  if (now.on_dish && k < Directions<D>::axial)
+    if (const auto* pendulum = std::get_if<Pendulum>(&b.law[k]))
+      return respond_on_dish(*pendulum, motion, before, now.thrust(static_cast<std::size_t>(k), axial_force));
+  return respond(b.law[k], motion, before);
+}
+
+/// A pendulum of both horizontal directions on its dish.
+HorizontalResponse<Pendulum::Horizontal> respond_on_dish(const Pendulum& law, const HorizontalMotion& m,
+                                                         const Pendulum::Horizontal& before, const Vec2& thrust) {
+  const auto slid = slider_of(law).respond_horizontal(m, before.slider);
+  return {{slid.memory, m.compression}, slid.force + thrust, slid.stored, slid.lost_inner, slid.yielding};
+}
+
 /// What the law of both horizontal directions gives. Its forces and dashpots go to the memories of along and across,
-/// where those of two laws would be. `begins`: its memory is that of a law that goes live where it stands.
+/// where those of two laws would be. `begins`: its memory is that of a law that goes live where it stands. `thrust`: of
+/// a dish [N], or null.
 DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>& before, const HorizontalMotion& m,
-                                     bool begins, BearingMemory<3>& after) {
+                                     bool begins, const Vec2* thrust, BearingMemory<3>& after) {
   return std::visit(
       [&](const auto& l) {
         using L = std::decay_t<decltype(l)>;
@@ -44,7 +74,11 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
           auto memory = horizontal_memory<L>(before.horizontal);
           if constexpr (requires { l.begin_horizontal_at(m.displacement); })
             if (begins) memory = l.begin_horizontal_at(m.displacement);
-          const auto r = l.respond_horizontal(m, memory);
+          const auto r = [&] {
+            if constexpr (std::is_same_v<L, Pendulum>)
+              if (thrust != nullptr) return respond_on_dish(l, m, memory, *thrust);
+            return l.respond_horizontal(m, memory);
+          }();
           keep_horizontal(r.memory, after.horizontal);
           for (const int k : {0, 1}) {
             DirectionMemory& own = after.direction[static_cast<std::size_t>(k)];
@@ -89,12 +123,13 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   const BearingMemory<D>& before = state.bearing[i];
   BearingMemory<D>& after = work.bearing[i];
   const BearingMotion<D> m = bearing_motion(model, state, i);
-  const auto mean = mean_rates(model, state, b, m, dt), displacement = m.counted(before);
+  const auto counted = m.counted(before);
+  const LawMotion<D> now(b, counted, m.rate, mean_rates(model, state, b, m, dt), dt);
   std::array<double, Space<D>::dofs> force{};
   double compression = 0;
   for (const int k : direction_order<D>) {
-    const DirectionMotion motion{displacement[k], m.rate[k], dt, compression, mean[k]};
-    const DirectionResponse r = respond(b.law[k], motion, before.direction[k]);
+    const DirectionMotion motion{now.displacement[k], now.rate[k], dt, compression, now.mean[k]};
+    const DirectionResponse r = respond(b, now, k, motion, before.direction[k], force[Directions<D>::axial]);
     after.direction[k] = r.memory;
     force[k] = r.force();
     if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force);
@@ -103,8 +138,10 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) after.turned[k] = m.displacement[3 + k];
     if (b.has_horizontal()) {
-      const HorizontalMotion level = horizontal_motion(displacement, m.rate, mean, dt, compression);
-      take_up(respond_horizontal(b, before, level, false, after), i, after.status, work);
+      const HorizontalMotion level = horizontal_motion(now.displacement, now.rate, now.mean, dt, compression);
+      const Vec2 thrust(now.thrust(0, force[2]), now.thrust(1, force[2]));
+      take_up(respond_horizontal(b, before, level, false, now.on_dish ? &thrust : nullptr, after), i, after.status,
+              work);
       for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;
     }
   }
@@ -112,8 +149,8 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   // On b, against its displacement; a gets the opposite through b's point, so that nothing turns both together.
   work.bearing_force[i] = m.force(force);
   work.bearing_moment[i] = m.moment(force);
-  for (int k = 0; k < D; ++k) work.bearing_displacement[i][k] = displacement[static_cast<std::size_t>(k)];
-  const int beyond = direction_beyond(b, displacement);
+  for (int k = 0; k < D; ++k) work.bearing_displacement[i][k] = counted[static_cast<std::size_t>(k)];
+  const int beyond = direction_beyond(b, now.displacement);
   if (beyond < 0) return;
   after.status = BearingStatus::failed;
   after.failed_direction = static_cast<std::uint32_t>(beyond);
@@ -154,17 +191,19 @@ template <int D>
 double turned_back(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i, double dt) {
   const Bearing<D>& b = model.bearings[i];
   const BearingMotion<D> m = bearing_motion(model, state, i);
-  const auto mean = mean_rates(model, state, b, m, dt), displacement = m.counted(state.bearing[i]);
-  const double compression = std::max(0.0, -work.bearing[i].direction[Directions<D>::axial].force);
+  const LawMotion<D> at(b, m.counted(state.bearing[i]), m.rate, mean_rates(model, state, b, m, dt), dt);
+  const DirectionMemory& pressed = work.bearing[i].direction[Directions<D>::axial];
+  const double compression = std::max(0.0, -pressed.force), axial_force = pressed.force + pressed.damping;
   double sum = 0;
   for (const int k : direction_order<D>) {
     if (std::holds_alternative<std::monostate>(b.law[k])) continue;
-    const Ways way(m.rate[k], mean[k], dt);
+    const Ways way(at.rate[k], at.mean[k], dt);
     if (way.back == 0) continue;
     const double time_on = dt - way.time_back;
-    const DirectionMotion on{displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
-    const DirectionMotion back{displacement[k], m.rate[k], way.time_back, compression, way.back / way.time_back};
-    const DirectionResponse r = respond(b.law[k], back, respond(b.law[k], on, state.bearing[i].direction[k]).memory);
+    const DirectionMotion on{at.displacement[k] - way.back, 0, time_on, compression, way.on / time_on};
+    const DirectionMotion back{at.displacement[k], at.rate[k], way.time_back, compression, way.back / way.time_back};
+    const DirectionMemory turned = respond(b, at, k, on, state.bearing[i].direction[k], axial_force).memory;
+    const DirectionResponse r = respond(b, at, k, back, turned, axial_force);
     const DirectionMemory& now = work.bearing[i].direction[k];
     sum += 0.5 * std::abs((now.force + now.damping - r.force()) * way.back);
   }
@@ -195,19 +234,20 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
   begun = {};
   begun.begun_at = begun_at;
   const BearingMotion<D> m = bearing_motion(model, state, static_cast<std::size_t>(i));
-  const auto displacement = m.counted(begun);
-  double stored = 0, compression = 0;
+  const LawMotion<D> now(b, m.counted(begun), {}, {}, 0);
+  double stored = 0, compression = 0, axial_force = 0;
   for (const int k : direction_order<D>) {
-    const DirectionMotion at_rest{displacement[k], 0, 0, compression};
-    const DirectionResponse r = respond(b.law[k], at_rest, memory_at(b.law[k], displacement[k]));
+    const DirectionMotion at_rest{now.displacement[k], 0, 0, compression};
+    const DirectionResponse r = respond(b, now, k, at_rest, memory_at(b.law[k], now.displacement[k]), axial_force);
     begun.direction[k] = r.memory;
     stored += r.stored;
-    if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force);
+    if (k == Directions<D>::axial) compression = std::max(0.0, -r.memory.force), axial_force = r.force();
   }
   if constexpr (D == 3) {
     for (const std::size_t k : {0, 1, 2}) begun.turned[k] = m.displacement[3 + k];
-    const HorizontalMotion at_rest = horizontal_motion(displacement, {}, {}, 0, compression);
-    stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, begun).stored;
+    const HorizontalMotion at_rest = horizontal_motion(now.displacement, {}, {}, 0, compression);
+    const Vec2 thrust(now.thrust(0, axial_force), now.thrust(1, axial_force));
+    stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, now.on_dish ? &thrust : nullptr, begun).stored;
   }
   return stored;
 }
