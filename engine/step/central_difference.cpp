@@ -8,6 +8,7 @@
 #include "step/implicit_step.hpp"
 #include "step/mass_scaling.hpp"
 #include "step/node_forces.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/stored_energy.hpp"
 
 namespace trilith {
@@ -274,7 +275,8 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
     add_work(f, path, energy);
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
-  if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, state.last_dt > 0 ? span : 0);
+  if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, options, state.last_dt > 0 ? span : 0);
+  kinetic += rotary_kinetic(model, state, work, options);
   energy[EnergyTerm::kinetic] = kinetic;
   add_stored(model, state, work, energy);
   return energy;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "step/beam_motion.hpp"
+#include "step/rotary_inertia.hpp"
 
 namespace trilith {
 namespace {
@@ -135,6 +136,7 @@ class MassMatrix {
       for (int row = 0; row < 2 * dofs; ++row)
         for (int column = 0; column < 2 * dofs; ++column)
           out[node[row / dofs]][row % dofs] += m(row, column) * v[node[column / dofs]][column % dofs];
+    add_rotary_momentum(model_, state_, v, out);
     return out;
   }
   /// Of M on its diagonal.
@@ -148,6 +150,7 @@ class MassMatrix {
       }
     for (const auto& [node, m] : added_)
       for (int i = 0; i < 2 * dofs; ++i) out[node[i / dofs]][i % dofs] += m(i, i);
+    add_rotary_diagonal(model_, state_, out);
     return out;
   }
 
@@ -173,8 +176,9 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
 /// Lagrange equation of its kinetic energy, d/dt (dT/dv) - dT/dx. An arm that turns with its node brings -w^2 arm.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out) {
   out.clear();
-  if (model.beam_inertias.empty()) return;
+  if (!has_added_mass(model)) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
+  add_rotary_forces(model, state, rising, out);
   for (const Beam& beam : model.beams) {
     if (beam.inertia < 0) continue;
     const BeamInertia& inertia = model.beam_inertias[beam.inertia];
@@ -205,8 +209,9 @@ BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3
 
 void added_inertia(const Model<3>& model, const State<3>& state, bool rising, std::vector<Dofs<3>>& out) {
   out.clear();
-  if (model.beam_inertias_3d.empty()) return;
+  if (!has_added_mass(model)) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
+  add_rotary_forces(model, state, rising, out);
   for (const Beam3& beam : model.beams_3d) {
     if (beam.inertia < 0) continue;
     const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
@@ -222,11 +227,21 @@ void added_inertia(const Model<3>& model, const State<3>& state, bool rising, st
 }
 
 template <int D>
+bool has_added_mass(const Model<D>& model) {
+  return model.has_consistent_mass() || has_one_element_bodies(model);
+}
+template bool has_added_mass(const Model<2>&);
+template bool has_added_mass(const Model<3>&);
+
+template <int D>
 void added_damping(const Model<D>& model, const State<D>& state, std::vector<Dofs<D>>& out) {
   constexpr int dofs = Space<D>::dofs;
   out.clear();
-  if (!model.has_consistent_mass() || !(model.mass_damping > 0)) return;
+  if (!has_added_mass(model) || !(model.mass_damping > 0)) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
+  each_rotary_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    if (model.support[i][k] == Support::free) out[i][k] -= model.mass_damping * m * state.velocity[j][l];
+  });
   for (const auto& beam : beams_of(model)) {
     if (beam.inertia < 0) continue;
     const auto momentum = (added_mass(model, state, beam) * of_nodes(beam, state.velocity, state.spin)).eval();
@@ -259,7 +274,7 @@ template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State
 /// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
 template <int D>
 double added_kinetic(const Model<D>& model, const State<D>& state) {
-  double sum = 0;
+  double sum = rotary_energy(model, state);
   for (const auto& beam : beams_of(model)) {
     if (beam.inertia < 0) continue;
     const auto v = of_nodes(beam, state.velocity, state.spin);

@@ -23,7 +23,11 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
 
 BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam);
 
-/// E of all nodes [N], [N m]; empty where no beam has a consistent mass. With `rising` false: of velocities alone.
+/// Some beam has a consistent mass, or some body of one element its own rotary inertia (step/rotary_inertia.hpp).
+template <int D>
+bool has_added_mass(const Model<D>& model);
+
+/// E of all nodes [N], [N m]; empty where has_added_mass is false. With `rising` false: of velocities alone.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out);
 void added_inertia(const Model<3>& model, const State<3>& state, bool rising, std::vector<Dofs<3>>& out);
 

@@ -3,6 +3,7 @@
 #include "step/implicit_step.hpp"
 #include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/stored_energy.hpp"
 
 namespace trilith {
@@ -90,7 +91,7 @@ double implicit_kinetic(const Model<D>& model, const State<D>& state) {
         if (model.support[n][k] == Support::free) sum += 0.5 * v[k] * momentum[k - 3];
     }
   }
-  return !model.has_consistent_mass() ? sum : sum + added_kinetic(model, state);
+  return !has_added_mass(model) ? sum : sum + added_kinetic(model, state);
 }
 
 /// From leapfrog, whose velocities stand half a step behind: they are brought up by a dt / 2, the half step of work is
@@ -103,6 +104,7 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
   state.acceleration.assign(nodes, Vec<D>::Zero());
   state.spin_rate.assign(nodes, nothing<Spin<D>>());
   std::vector<Dofs<D>> force;
+  const bool has_added = has_added_mass(model);
   for (int n = 0; n < model.nodes(); ++n) {
     const Dofs<D> v = velocity_of(state, n);
     const NodeForces<D> f = node_forces(model, state, work, n, v, outside, {});
@@ -116,11 +118,15 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
       state.acceleration[n][k] = a, state.velocity[n][k] += half * a;
     }
     begin_turning(model, state, n, about_of(f.force), half);
-    if (model.has_consistent_mass()) force.push_back(f.force);
+    if (!has_added) continue;
+    force.push_back(f.force);
+    // Explicit steps have their share of the added mass among the forces.
+    for (int k = 0; k < D && !work.added_inertia.empty(); ++k)
+      if (model.support[n][k] == Support::free) force.back()[k] -= work.added_inertia[n][k];
   }
   if (!force.empty()) {
     begin_consistent(model, state, std::move(force));
-    state.given[EnergyTerm::numerical] -= added_kinetic(model, state);
+    state.given[EnergyTerm::numerical] -= added_kinetic(model, state) - rotary_energy(model, state);
   }
   state.position_before = state.position;
   state.rotation_before = state.rotation;
@@ -132,7 +138,7 @@ template <int D>
 void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work) {
   if (!state.implicit()) return;
   add_half_behind(model, state, work, state.given);
-  state.given[EnergyTerm::numerical] += added_kinetic(model, state);
+  state.given[EnergyTerm::numerical] += added_kinetic(model, state) - rotary_energy(model, state);
   state.position_before.clear(), state.rotation_before.clear();
   state.acceleration.clear(), state.spin_rate.clear();
   state.most_energy = 0;

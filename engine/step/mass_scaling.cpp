@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/team.hpp"
 #include "step/node_forces.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/whole_body.hpp"
 
 namespace trilith {
@@ -224,15 +225,18 @@ void add_inertia_of(const Model<D>& model, const State<D>& state, const Work<D>&
 template <int D>
 void add_inertia(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options) {
   work.added_inertia.clear();
-  if (state.added_share.empty()) return;
+  const bool rotary = !state.implicit() && has_one_element_bodies(model);
+  if (state.added_share.empty() && !rotary) return;
   std::vector<Vec<D>>& added = work.added_inertia;
   const Outside<D> outside(model, state, work);
   const bool is_plain = !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.correction == nullptr;
   added.assign(model.mass.size(), Vec<D>::Zero());
-  share(work.threads, static_cast<int>(model.bodies.size()), scaled_stretch, [&](int first, int last, int /*thread*/) {
+  const int scaled = static_cast<int>(state.added_share.size());
+  share(work.threads, scaled, scaled_stretch, [&](int first, int last, int /*thread*/) {
     for (int b = first; b < last; ++b)
       if (state.added_share[b] > 0) add_inertia_of(model, state, work, outside, options.rest, is_plain, b, added);
   });
+  if (rotary) add_rotary_inertia(model, state, work, options, is_plain, added);
 }
 
 template <int D>
@@ -244,13 +248,22 @@ double added_energy(const Model<D>& model, const State<D>& state) {
 }
 
 /// What deforms the body has d(+) = d(-) + span (dv/dt - a) as the body turns, and f' = -share D (dv/dt - a) is in
-/// balance: half of share d(-) D d(+).
+/// balance: half of share d(-) D d(+). What a body's rotary inertia adds to f' is left out.
 template <int D>
-double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, double span) {
+double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
+                     double span) {
   double sum = added_energy(model, state);
-  for (std::size_t n = 0; n < work.added_inertia.size(); ++n)
-    for (int k = 0; k < D; ++k)
-      if (model.support[n][k] == Support::free) sum -= 0.5 * span * work.added_inertia[n][k] * state.velocity[n][k];
+  if (work.added_inertia.empty()) return sum;
+  std::vector<Vec<D>> rotary(model.mass.size(), Vec<D>::Zero());
+  if (has_one_element_bodies(model)) add_rotary_inertia(model, state, work, options, false, rotary);
+  for (std::size_t b = 0; b < state.added_share.size(); ++b) {
+    if (!(state.added_share[b] > 0)) continue;
+    const Body& body = model.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+      for (int k = 0; k < D; ++k)
+        if (model.support[n][k] == Support::free)
+          sum -= 0.5 * span * (work.added_inertia[n][k] - rotary[n][k]) * state.velocity[n][k];
+  }
   return sum;
 }
 
@@ -264,7 +277,7 @@ template void add_inertia(const Model<2>&, const State<2>&, Work<2>&, const Step
 template void add_inertia(const Model<3>&, const State<3>&, Work<3>&, const StepOptions&);
 template double added_energy(const Model<2>&, const State<2>&);
 template double added_energy(const Model<3>&, const State<3>&);
-template double added_kinetic(const Model<2>&, const State<2>&, const Work<2>&, double);
-template double added_kinetic(const Model<3>&, const State<3>&, const Work<3>&, double);
+template double added_kinetic(const Model<2>&, const State<2>&, const Work<2>&, const StepOptions&, double);
+template double added_kinetic(const Model<3>&, const State<3>&, const Work<3>&, const StepOptions&, double);
 
 }  // namespace trilith

@@ -68,7 +68,7 @@ void measure_scaled(const Model<D>& model, const State<D>& state, ScaledMass& fo
 template <int D>
 void unscale_masses(const Model<D>& model, State<D>& state);
 /// Fills Work::added_inertia: forces on the nodes, in balance over each free body, that slow what deforms it. After all
-/// other forces of the step are known.
+/// other forces of the step are known. Those of step/rotary_inertia.hpp are among them.
 template <int D>
 void add_inertia(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options);
 /// Energy of motion of the added mass at the last half step [J].
@@ -76,6 +76,7 @@ template <int D>
 double added_energy(const Model<D>& model, const State<D>& state);
 /// The same as the ledger has it: half of v(-) M v(+); `span`: between the two velocities [s], 0 at the very start.
 template <int D>
-double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, double span);
+double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
+                     double span);
 
 }  // namespace trilith

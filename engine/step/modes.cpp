@@ -14,6 +14,7 @@
 #include "step/consistent_mass.hpp"
 #include "step/evaluate.hpp"
 #include "step/implicit_turn.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/tangent.hpp"
 
 namespace trilith {
@@ -43,6 +44,10 @@ void add_consistent(const Model<D>& model, const State<D>& state, const Coupling
       for (int row = 0; row < 2 * dofs && unknown(column) >= 0; ++row)
         if (unknown(row) >= 0) mass.coeffRef(unknown(row), unknown(column)) += m(row, column);
   }
+  each_rotary_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    const int row = coupling.unknown[i][k], column = coupling.unknown[j][l];
+    if (row >= 0 && column >= 0) mass.coeffRef(row, column) += m;
+  });
 }
 
 /// The lumped mass of all nodes: in the plane a diagonal, in space with the tensor of each inertia in the world.

@@ -160,7 +160,7 @@ template <int D>
   if (outside.correction != nullptr) add_correction(outside, support, n, f);
   if (!work.added_inertia.empty())
     for (int k = 0; k < Space<D>::translations; ++k)
-      if (support[k] == Support::free) f.force[k] += work.added_inertia[n][k];
+      (support[k] == Support::free ? f.force[k] : f.on_support[k]) += work.added_inertia[n][k];
   return f;
 }
 

@@ -8,9 +8,12 @@
 #include <set>
 
 #include "base/team.hpp"
+#include "step/bearing_motion.hpp"
 #include "step/contact_rows.hpp"
+#include "step/dish.hpp"
 #include "step/local_springs.hpp"
 #include "step/mass_scaling.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/whole_body.hpp"
 #include "world/pose.hpp"
 
@@ -189,6 +192,9 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
     const std::array<int, 2> body{b.body_a, b.body_b};
     const Vec2 at = pose_at(model, state, b.end_b).place;
     const Turn axes(pose_at(model, state, b.end_a).rotation + b.angle);
+    // On a dish the axial law acts along the normal.
+    const double slope =
+        has_dish(b) ? Dish<2>(b, bearing_motion(model, state, i).counted(work.bearing[i])).slope[0] : 0;
     for (int k = 0; k < 3; ++k) {
       double tangent = 0, dashpot = 0;
       std::visit(
@@ -197,7 +203,7 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
               tangent = l.tangent(), dashpot = l.dashpot();
           },
           b.law[k]);
-      const Vec2 e = k == turning ? Vec2::Zero() : axes.apply(k == along ? Vec2::UnitX() : Vec2::UnitY());
+      const Vec2 e = k == turning ? Vec2::Zero() : axes.apply(k == along ? Vec2(1, 0) : Vec2(-slope, 1));
       for (const int side : {0, 1}) {
         const double weight = model.body_moves(body[1 - side]) ? 2 : 1;
         const auto add = [&](Local& local, const Vec2& arm) {
@@ -227,8 +233,18 @@ RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
   return {std::max(own.stiffness, around.stiffness), std::max(own.damping, around.damping)};
 }
 
+/// A body of one element turns by an inertia that is `ratio` times smaller than that of its lumped masses; its element
+/// does not resist that. See step/rotary_inertia.hpp.
+void bound_rotation(double ratio, const Model<2>& model, BodyRates& out) {
+  if (ratio == 1) return;
+  const RateBound turning{ratio * out.contacts.stiffness, ratio * (out.contacts.damping + model.mass_damping)};
+  out.plain = std::min(out.plain, step_for(turning.stiffness, turning.damping));
+  out.rigid.stiffness *= ratio, out.rigid.damping *= ratio;
+}
+
 /// Of a body that moves.
-BodyRates rates_of(const Model<2>& model, const Work<2>& work, const Locals& locals, int b, bool as_rigid) {
+BodyRates rates_of(const Model<2>& model, const State<2>& state, const Work<2>& work, const Locals& locals, int b,
+                   bool as_rigid) {
   const Body& body = model.bodies[b];
   // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
   RateBound contacts{work.face_bound[b].stiffness, work.face_bound[b].damping};
@@ -241,6 +257,8 @@ BodyRates rates_of(const Model<2>& model, const Work<2>& work, const Locals& loc
                 {},
                 step_for(contacts.stiffness + own.stiffness, contacts.damping + (own.damping + model.mass_damping))};
   if (as_rigid && is_of_elements(body)) out.rigid = rigid_rates(work, b, locals);
+  if (info_of(body.kind).resistance == Resistance::elements)
+    bound_rotation(lumped_over_own(model, state, b), model, out);
   return out;
 }
 
@@ -272,7 +290,7 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
   std::vector<BodyRates> out(model.bodies.size());
   share(work.threads, bodies, rated_stretch, [&](int first, int last, int /*thread*/) {
     for (int b = first; b < last; ++b)
-      if (model.body_moves(b)) out[b] = rates_of(model, work, locals, b, as_rigid);
+      if (model.body_moves(b)) out[b] = rates_of(model, state, work, locals, b, as_rigid);
   });
   return out;
 }

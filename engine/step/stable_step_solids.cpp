@@ -11,8 +11,10 @@
 
 #include "base/team.hpp"
 #include "step/bearing_motion.hpp"
+#include "step/dish.hpp"
 #include "step/local_solids.hpp"
 #include "step/mass_scaling.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/stable_step.hpp"
 
 namespace trilith {
@@ -77,9 +79,14 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
     const Bearing<3>& b = model.bearings[i];
     const Vec3 at = point_of(model, state, b.end_b);
     const Turn3 turn = turn_of(motion_of(model, state, b.end_a.node[0]).rotation * b.angle);
-    const std::array axes{turn.x(), turn.y(), turn.z()};
+    std::array axes{turn.x(), turn.y(), turn.z()}, springs = axes;
+    if (has_dish(b)) {  // the axial law acts along the normal
+      const Dish<3> dish(b, bearing_motion(model, state, i).counted(work.bearing[i]));
+      springs[2] -= dish.slope[0] * axes[0] + dish.slope[1] * axes[1];
+    }
     const DirectionStiffness both = stiffness_of(b.horizontal);
     for (std::size_t k = 0; k < 6; ++k) {
+      const Vec3& axis = k < 3 ? springs[k] : axes[k - 3];
       DirectionStiffness s = stiffness_of(b.law[k]);
       if (k < 2) s.tangent += both.tangent, s.dashpot += both.dashpot;
       for (const auto& [body, other] : {std::pair(b.body_a, b.body_b), std::pair(b.body_b, b.body_a)}) {
@@ -87,7 +94,7 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
         const double weight = model.body_moves(other) ? 2 : 1;
         if (const ScaledWhole* whole = locals.scaled(body)) {
           LocalSolid& local = locals.whole[static_cast<std::size_t>(body)];
-          add_spring(*whole, axes[k % 3], at - whole->centre, k < 3, weight, s, local);
+          add_spring(*whole, axis, at - whole->centre, k < 3, weight, s, local);
         }
         const int n = body == b.body_a ? b.end_a.node[0] : b.end_b.node[0];
         if (n < 0) {
@@ -95,7 +102,7 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
           continue;
         }
         const ScaledNode node = scaled_node(model, n, state.rotation[n]);
-        add_spring(node, axes[k % 3], at - state.position[n], k < 3, weight, s, locals.node[n]);
+        add_spring(node, axis, at - state.position[n], k < 3, weight, s, locals.node[n]);
       }
     }
   }
@@ -166,16 +173,23 @@ RateBound elements_of_body(const Model<3>& model, std::size_t b) {
 
 /// What contacts and bearings add to the frequencies of beams or elements is at most what they make of the nodes alone.
 /// `found` comes down to the body's step.
-void shorten_to_plain(const Model<3>& model, const Work<3>& work, const SolidLocals& locals, std::size_t b,
-                      StableStep& found) {
+void shorten_to_plain(const Model<3>& model, const State<3>& state, const Work<3>& work, const SolidLocals& locals,
+                      std::size_t b, StableStep& found) {
   const RateBound own = elements_of_body(model, b);
+  // A body of one element turns by an inertia that is smaller by `ratio`, see step/rotary_inertia.hpp.
+  const double ratio = lumped_over_own(model, state, static_cast<int>(b));
   each_node(model, work, locals, b, [&](double stiffness, double damping) {
     const double k = own.stiffness + stiffness, c = own.damping + damping + model.mass_damping, dt = step_for(k, c);
     if (dt < found.dt) found = {dt, static_cast<int>(b), k, c};
+    if (ratio == 1) return;
+    const double turning = ratio * stiffness, braked = ratio * (damping + model.mass_damping);
+    if (const double least = step_for(turning, braked); least < found.dt)
+      found = {least, static_cast<int>(b), turning, braked};
   });
 }
 
-BodyRates rates_of(const Model<3>& model, const Work<3>& work, const SolidLocals& locals, std::size_t b) {
+BodyRates rates_of(const Model<3>& model, const State<3>& state, const Work<3>& work, const SolidLocals& locals,
+                   std::size_t b) {
   BodyRates out;
   out.elements = elements_of_body(model, b);
   each_node(model, work, locals, b, [&](double stiffness, double damping) {
@@ -185,8 +199,10 @@ BodyRates rates_of(const Model<3>& model, const Work<3>& work, const SolidLocals
   if (locals.scaled(static_cast<int>(b)) != nullptr)
     out.rigid = {std::max(work.around_bound[b].stiffness, largest_bound(locals.whole[b].k)),
                  std::max(work.around_bound[b].damping, largest_bound(locals.whole[b].c))};
+  if (const double ratio = lumped_over_own(model, state, static_cast<int>(b)); ratio != 1)
+    out.rigid.stiffness *= ratio, out.rigid.damping *= ratio;
   StableStep plain{longest_step};
-  shorten_to_plain(model, work, locals, b, plain);
+  shorten_to_plain(model, state, work, locals, b, plain);
   out.plain = plain.dt;
   return out;
 }
@@ -202,7 +218,7 @@ std::vector<BodyRates> body_rates(const Model<3>& model, const State<3>& state, 
   const SolidLocals locals = locals_of(model, state, work, as_rigid);
   std::vector<BodyRates> out(model.bodies.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    if (model.body_moves(static_cast<int>(b))) out[b] = rates_of(model, work, locals, b);
+    if (model.body_moves(static_cast<int>(b))) out[b] = rates_of(model, state, work, locals, b);
   return out;
 }
 
@@ -221,10 +237,10 @@ StableStep stable_step(const Model<3>& model, const State<3>& state, const Work<
   const SolidLocals locals = locals_of(model, state, work, is_scaled);
   const auto shorten = [&](std::size_t b, StableStep& found) {
     if (is_scaled && state.added_share[b] > 0)
-      shorten_to_scaled(rates_of(model, work, locals, b), state.added_share[b], model.mass_damping, static_cast<int>(b),
-                        found);
+      shorten_to_scaled(rates_of(model, state, work, locals, b), state.added_share[b], model.mass_damping,
+                        static_cast<int>(b), found);
     else
-      shorten_to_plain(model, work, locals, b, found);
+      shorten_to_plain(model, state, work, locals, b, found);
   };
   const int bodies = static_cast<int>(model.bodies.size());
   const StableStep none{longest_step};

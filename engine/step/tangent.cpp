@@ -11,6 +11,7 @@
 #include "step/evaluate.hpp"
 #include "step/implicit_turn.hpp"
 #include "step/node_forces.hpp"
+#include "step/rotary_inertia.hpp"
 #include "step/term_tangent.hpp"
 
 namespace trilith {
@@ -158,15 +159,29 @@ void each_beam_block(const Model<D>& model, const State<D>& state, const Tangent
   }
 }
 
+/// The rotary inertia of bodies of one element, whose nodes are all coupled.
+template <int D>
+void add_rotary_blocks(const Model<D>& model, const State<D>& state, const TangentOptions& options,
+                       const Coupling<D>& coupling, Eigen::SparseMatrix<double>& matrix) {
+  const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
+  if (!(inertia > 0)) return;
+  each_rotary_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    const int row = coupling.unknown[i][k], column = coupling.unknown[j][l];
+    if (row >= 0 && column >= 0) matrix.coeffRef(row, column) += inertia * m;
+  });
+}
+
 }  // namespace
 
 template <>
 void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
   each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
+  add_rotary_blocks(model, state, options, coupling_, matrix_);
 }
 template <>
 void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
   each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
+  add_rotary_blocks(model, state, options, coupling_, matrix_);
 }
 
 /// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.

@@ -11,6 +11,7 @@
 #include "body/corotation_3d.hpp"
 #include "body/solid_element.hpp"
 #include "shape/face_distance.hpp"
+#include "shape/polygon.hpp"
 #include "world/skin_places.hpp"
 
 namespace trilith {
@@ -185,6 +186,13 @@ double body_inertia(const Model<2>& model, int body) {
   if (b.is_rigid()) return model.inertia[b.first_node];
   const Vec2 centre = body_start(model, body);
   double sum = 0;
+  // Of one element its own (step/rotary_inertia.hpp), of more that of the masses at the nodes.
+  if (b.kind == BodyKind::quad || (b.kind == BodyKind::mesh && b.nodes == 3)) {
+    const auto first = model.start_position.begin() + b.first_node;
+    const PolygonMoments shape = polygon_moments(Polygon(first, first + b.nodes));
+    for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.mass[n];
+    return sum * shape.second_moment / shape.area;
+  }
   for (int n = b.first_node; n < b.first_node + b.nodes; ++n)
     sum += model.inertia[n] + model.mass[n] * (model.start_position[n] - centre).squaredNorm();
   return sum;
