@@ -36,9 +36,10 @@ bool is_asked(const Model<D>& model, const State<D>& state, const Placement<D>& 
   if (row < state.left.size() && state.left[row] != 0) return true;  // held where it left the bounds
   bool held = false;
   for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-    for (const Support s : model.support[n]) {
+    for (int k = 0; k < Space<D>::dofs; ++k) {
+      const Support s = model.support[n][k];
       if (s == Support::driven) return false;
-      held = held || s != Support::free;
+      held = held || (k < D && s != Support::free);  // nodes of elements never turn
     }
   return model.body_moves(b) && (body.is_rigid() || !held);
 }

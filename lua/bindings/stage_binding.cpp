@@ -207,7 +207,10 @@ int consolidate(lua_State* L) {
   if (!unused.empty()) note(fmt::format("{}: {} told explicit steps what to do; statics takes none", o.name, unused));
   if (report.end == StageEnd::not_at_rest)
     note(fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason));
-  if (report.end == StageEnd::unstable) note(fmt::format("{}: {}", o.name, report.reason));
+  if (report.end == StageEnd::unstable) {
+    const std::string said = fmt::format("{}: {}", o.name, report.reason);
+    m.note(said), tell_note(L, m, said);  // in the file, and in m.notes
+  }
   if (fresh && report.end != StageEnd::diverged) m.set_bonds();
   push_report(L, report);
   return 1;
