@@ -31,6 +31,7 @@ local reaction = 20*dead_load
 local kn = reaction/(seat*girder*p.overlap)
 local beta = 2*p.zeta/math.sqrt(kn*seat*girder*g/reaction)
 local function coulomb(mu) return trilith.frictional { kn = kn, ks = kn/2, mu = mu, beta = beta } end
+m:contact { between = { "*", "*" }, law = "none" } -- piers, abutments and the ground move together
 m:contact { between = { "spans", "*" }, law = coulomb(0.6), name = "concrete on concrete" }
 m:contact { between = { "spans", "supports" }, law = coulomb(p.mu), name = "expansion bearing" }
 

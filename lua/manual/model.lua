@@ -27,10 +27,10 @@ solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{
 plane        text = "stress"   "stress" or "strain"
 form         text = "assumed"  "assumed" or "plain": the element; "plain" keeps the limit of perfect plasticity
 strain_limit  number = 0.5     strain its elements are made for; beyond, the stage diverges]], gives = "string" },
-  { "model:contact", [[Which law holds between materials, groups or bodies. Later calls win. Each two bodies that may
-meet need one: a stage does not begin before; law = "none" lets them pass through each other.]], keys = [[
+  { "model:contact", "Which law holds between materials, groups or bodies. Later calls win. Two bodies that may meet " ..
+    "need one before a stage begins.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
-law      contact law    a law, the name of one, or "none"
+law      contact law    a law, the name of one, or "none": they pass through each other
 name     text = kind and number  the law's name in results]] },
   { "model:body", "Makes a body; with a name alone, finds one.",
     args = "name  text?  of a body that is there; or the table",

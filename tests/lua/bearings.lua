@@ -73,6 +73,7 @@ for _, dim in ipairs { 2, 3 } do
   for _, later in ipairs { false, true } do
     for _, case in ipairs { "itself", "one that is live", "ring", "chain" } do
       local b = trilith.model { name = case, dim = dim, gravity = 0 }
+      b:contact { between = { "*", "*" }, law = "none" }
       b:material { name = "s", density = 1000 }
       local function stone(name, x, support)
         if dim == 2 then

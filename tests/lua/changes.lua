@@ -213,6 +213,7 @@ end
 -- put in. What flies beside goes on as it was.
 local function free_model(dim, gravity)
   local free = trilith.model { name = "free", dim = dim, gravity = gravity }
+  free:contact { between = { "*", "*" }, law = "none" }
   free:material { name = "stone", density = 1000 }
   local function stone(name, x, how)
     how.name, how.material = name, "stone"
