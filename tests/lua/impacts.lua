@@ -69,6 +69,7 @@ if report then check("brick 4.7", { speed = 4.7, dim = 3, body = "brick" }) end
 -- is to leave a part of its speed. In the plane and in space.
 local function struck_bearing(dim, law, seconds, options)
   local m = trilith.model { name = "stops", dim = dim, gravity = 0 }
+  m:contact { between = { "*", "*" }, law = "none" }
   m:material { name = "stone", density = 1000 }
   local stone
   if dim == 3 then

@@ -10,6 +10,7 @@ end
 --- A block of 1000 kg on a bearing 0.1 m high over a fixed base.
 local function isolated(bearing, contact)
   local m = trilith.model { name = "isolated", dim = 3 }
+  m:contact { between = { "*", "*" }, law = "none" }
   m:material { name = "stone", density = 1000 }
   if contact then m:contact { between = { "*", "*" }, law = contact } end
   local base = m:block { name = "base", size = { 4, 4, 1 }, at = { -2, -2, -1 }, material = "stone", support = "fixed" }
