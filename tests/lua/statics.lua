@@ -82,6 +82,7 @@ do
     c:close()
   end
   local loose = trilith.model { name = "loose" }
+  loose:contact { between = { "*", "*" }, law = "none" }
   loose:material { name = "brick", density = 1800 }
   loose:block { name = "base", width = 1, height = 1, at = { 0, 0 }, material = "brick", support = "fixed" }
   loose:block { name = "low", width = 1, height = 1, at = { 3, 3 }, material = "brick", floating = true }
