@@ -94,7 +94,7 @@ template <int D>
 bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
   room.speed += largest_gain(state, work, dt);
   room.room -= room.speed * dt;
-  return room.room > 0 || room.speed * dt < room.way;
+  return room.room > steps_ahead * room.speed * dt || room.speed * dt < room.way;
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& wo
   each_bond(model, state, work, true, 0, [&](const PlacedBond& bond) {
     const BondCurve& c = bond.curve;
     if (!(c.top > 0)) return;
-    room.room = std::min(room.room, (c.peak - bond.at) / (steps_ahead + 1));
+    room.room = std::min(room.room, c.peak - bond.at);
     room.speed = std::max(room.speed, std::abs(bond.rate));
     room.way = std::min(room.way, (c.last > c.peak ? past_peak : past_brittle_peak) * c.whole);
     if (bond.at + steps_ahead * (std::abs(bond.rate) + gain) * dt > c.peak)
