@@ -34,8 +34,10 @@ local function masses_at(V, dim)
   end
   local a, b = block("a", 0, 0.1), block("b", 2, -0.1)
   local spring = trilith.linear { stiffness = 1e5 }
-  m:bearing(dim == 2 and { between = { a, b }, at = { 1.5, 0.5 }, along = spring, axial = spring } or
-    { between = { a, b }, at = { 1.5, 0.5, 0.5 }, axes = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, x = spring, y = spring, z = spring })
+  local bearing = { name = "spring", between = { a, b }, at = dim == 2 and { 1.5, 0.5 } or { 1.5, 0.5, 0.5 },
+                    along = spring, axial = spring }
+  if dim == 3 then bearing.across = spring end
+  m:bearing(bearing)
   local path, x0 = {}, a.x
   m:every(0.05, function() path[#path + 1] = a.x - x0 - V*m.time end)
   local r = m:run { duration = 0.6, integrator = "implicit", accuracy = 1e-3 }
@@ -58,3 +60,5 @@ local function same(of, ...)
 end
 
 same(frame_at)
+same(masses_at, 2)
+same(masses_at, 3)
