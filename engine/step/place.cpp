@@ -35,9 +35,14 @@ TRILITH_INLINE void place_nodes(const State<2>& state, const BodyRow& body, Work
 TRILITH_INLINE void place_turning(const NodeMotion<2>& node, const portable::SineCosine& turn, double chord,
                                   std::span<const Vec2> skin, std::span<SkinMotion<2>> out, SkinReach& reach) {
   const auto [s, c] = turn;
+  // As place_rigid; the velocity has a part along the arm, (x, y) of (x, y, y, x).
+  const Lanes to_x{c, s, s, c}, to_y{-s, c, c, -s}, spin{1, 1, -node.spin, node.spin}, outward{0, 0, chord, chord};
+  const Lanes origin{node.position.x(), node.position.y(), node.velocity.x(), node.velocity.y()};
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Vec2 arm(c * skin[i].x() - s * skin[i].y(), s * skin[i].x() + c * skin[i].y());
-    place_point(node.position + arm, node.velocity + cross(node.spin, arm) + chord * arm, out[i], reach);
+    const Lanes arm = to_x * skin[i].x() + to_y * skin[i].y();
+    const Lanes now = origin + spin * arm + outward * __builtin_shufflevector(arm, arm, 0, 1, 0, 1);
+    reach.add(now, load_lanes(&out[i].x));
+    store_lanes(&out[i].x, now);
   }
 }
 
