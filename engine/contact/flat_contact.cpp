@@ -139,42 +139,58 @@ struct FlatPressure {
 struct FourLimits {
   Lanes force, radius, arm;
   Triple<Lanes> normal, offset;
+  LaneMask wide;
 
   TRILITH_INLINE FourLimits(const Lanes& held, const Triple<Lanes>& across, const Triple<Lanes>& from_middle,
                             const Lanes& gyration, const Lanes& distance)
       : normal(across) {
     const Lanes zero{}, one = zero + 1.0;
-    const LaneMask wide = gyration > zero;
+    wide = gyration > zero;
     force = select(held > zero + least_held_force, held, zero);
     radius = select(wide, gyration, one), arm = select(wide, larger(distance, 0.01 * gyration), one);
     offset = select<Lanes>(wide, from_middle - across * across.dot(from_middle), Triple<Lanes>{});
   }
-  [[nodiscard]] TRILITH_INLINE LaneMask is_below(const Triple<Lanes>& spring) const {
-    const Lanes zero{}, turning = normal.dot(spring), per = 1.0 / force;
-    const Triple<Lanes> across = spring - normal * turning;
-    const Lanes couple = (radius * turning - normal.dot(cross(offset, across))) * per / arm;
-    const Lanes x2 = across.square() * per * per, y2 = couple * couple;
-    return flip(force > zero) | (x2 + y2 + friction_roundness * x2 * y2 > zero + 1.0);
+  /// `arms`: how the area lies, which is asked only where some contact comes near its limit.
+  [[nodiscard]] TRILITH_INLINE LaneMask is_below(const Triple<Lanes>& spring,
+                                                 const std::array<Triple<Lanes>, 2>& arms) const {
+    const Lanes zero{}, one = zero + 1.0, turning = normal.dot(spring), per = 1.0 / force;
+    const Triple<Lanes> across = (spring - normal * turning) * per;
+    const Lanes couple = (radius * turning - normal.dot(cross(offset, spring - normal * turning))) * per / arm;
+    const Lanes x2 = across.square(), y2 = couple * couple;
+    const LaneMask none = flip(force > zero);
+    // At V^2 up to 1 no area's measure is more than this.
+    const LaneMask near = (x2 > one) | flip(x2 * (2.0 - x2) + y2 * (one + most_turn * x2) <= one);
+    if (!any(none | near)) return LaneMask{};
+    return none | (near & flip(spread(arms).beyond_square(across, couple) <= one));
+  }
+  [[nodiscard]] TRILITH_INLINE LimitSpread<Lanes> spread(const std::array<Triple<Lanes>, 2>& arms) const {
+    const Triple<Lanes> none{};
+    return {select<Lanes>(wide, arms[0], none), select<Lanes>(wide, arms[1], none)};
   }
 };
 
 /// The same one by one, of those few that do not settle, or push along no line of the plane.
-[[gnu::noinline]] void hold_alone(const FourLimits& limits, const LaneMask& alone, const Triple<Lanes>& spring,
-                                  Triple<Lanes>& held) {
+[[gnu::noinline]] void hold_alone(const FourLimits& limits, const LimitSpread<Lanes>& spread, const LaneMask& alone,
+                                  const Triple<Lanes>& spring, Triple<Lanes>& held) {
   for (int i = 0; i < lane_count; ++i) {
     if (alone[i] == 0) continue;
-    FrictionLimit limit(limits.force[i], lane_of(limits.normal, i), Vec3::Zero(), 0, 0);
+    AreaLimit limit(FrictionLimit(limits.force[i], lane_of(limits.normal, i), Vec3::Zero(), 0, 0));
     limit.offset = lane_of(limits.offset, i), limit.radius = limits.radius[i], limit.arm = limits.arm[i];
+    limit.spread.a = spread.a[i], limit.spread.along_a = spread.along_a[i];
+    limit.spread.c = spread.c[i], limit.spread.along_c = spread.along_c[i];
+    limit.spread.p = triple_of(lane_of(spread.p, i)), limit.spread.q = triple_of(lane_of(spread.q, i));
     const Vec3 nearest = limit.nearest_to(lane_of(spring, i));
     held.x[i] = nearest.x(), held.y[i] = nearest.y(), held.z[i] = nearest.z();
   }
 }
 
 /// The nearest that friction holds, of those that are below their limit.
-TRILITH_INLINE void hold_back(const FourLimits& limits, const LaneMask& below, Triple<Lanes>& spring) {
+TRILITH_INLINE void hold_back(const FourLimits& limits, const std::array<Triple<Lanes>, 2>& arms, const LaneMask& below,
+                              Triple<Lanes>& spring) {
+  const LimitSpread<Lanes> spread = limits.spread(arms);
   const LaneMask holds = below & (limits.force > Lanes{});
   const LimitFrame<Lanes> frame(limits.normal, limits.offset, spring);
-  const LimitPlaces<Lanes> places{frame.off / limits.arm, limits.radius / limits.arm};
+  const LimitPlaces<Lanes> places{frame.off / limits.arm, limits.radius / limits.arm, spread.in(frame.x, frame.y)};
   const Triple<Lanes> beyond = places.from_spring(frame.shares(limits.force, spring));
   Triple<Lanes> z;
   const LaneMask asked = holds & frame.known,
@@ -182,7 +198,7 @@ TRILITH_INLINE void hold_back(const FourLimits& limits, const LaneMask& below, T
   const Triple<Lanes> held = frame.force_of(limits.force, spring_on_limit(places, z));
   const Triple<Lanes> before = spring;
   spring = select<Lanes>(below, select<Lanes>(holds, held, Triple<Lanes>{}), spring);
-  if (any(alone)) hold_alone(limits, alone, before, spring);
+  if (any(alone)) hold_alone(limits, spread, alone, before, spring);
 }
 
 /// Power of the damping force remembered in the motion of b against a [W].
@@ -208,12 +224,12 @@ TRILITH_INLINE void add_friction(const FlatContacts& in, const FlatPressure& p, 
                                  in.before.shear.area};
   SlidingStep<Lanes> slid(rate * step, rate, p.area.area, before, in.ks, in.beta);
   const FourLimits limit(in.mu * p.pressure, n, out.centre - out.middle, p.radius, p.friction_arm);
-  const LaneMask below = limit.is_below(slid.total) & out.presses & out.flat;
+  const LaneMask below = limit.is_below(slid.total, p.arm) & out.presses & out.flat;
   out.kind |= below & (LaneMask{} + slides_bit);
   Triple<Lanes> stretch = slid.path;
   if (any(below)) {
     Triple<Lanes> held = slid.total;
-    hold_back(limit, below, held);
+    hold_back(limit, p.arm, below, held);
     stretch = slid.hold(held, below, in.beta, in.dt);
   }
   const SlidingLoss<Lanes> lost(slid, stretch, before);

@@ -6,10 +6,9 @@
 //       |       `.                With
 //       |         \               x = V / mu N, y = T / mu N a, a the mean distance of the pressure from its centre,
 //       |__________|_ x
-//                  1                  x^2 + y^2 + k x^2 y^2 = 1
+//                  1                  m(x, y) = 1, by the shape of the area: contact/area_limit.hpp
 //
-// With k = 0.57 this is right to .6 % for a square under uniform pressure, to 4 % where the pressure grows from nothing
-// at one edge. (k = 0, the ellipse that is often used, is up to 5 % too strong for the first.)
+// FrictionLimit is that of a square; AreaLimit knows how the area lies.
 //
 // The spring whose force is limited sits elsewhere, in the middle of the area. With the centre of pressure at d from
 // it, the spring's force f and couple m are V = f and T = m - d x f: seen from the spring the limit leans, and what
@@ -20,10 +19,9 @@
 
 namespace trilith {
 
-inline constexpr double friction_roundness = 0.57;  ///< k
 inline constexpr double least_held_force = 1e-140;  ///< below it, where squares run out, nothing is held [N]
 
-/// x^2 + y^2 + k x^2 y^2.
+/// The square of how often (x, y) is what the limit of a square has along their ray: 1 on it.
 double limit_measure(double x, double y);
 
 /// The point that friction holds which is nearest to one beyond the limit. In and out: the spring's force along d and

@@ -3,7 +3,7 @@
 //
 // Comes in: a spring's force in shares of mu N along three axes (s), how far the centre of pressure is from it (`lean`)
 // and the radius at which it sits (`reach`), over the mean distance of the pressure. Goes out: z on the limit
-// m(z) = V^2 + T^2 + k V^2 T^2 = 1, nearest to L s in the spring's energy, by Newton's rule on both of
+// m(z) = 1, nearest to L s in the spring's energy, by Newton's rule on both of
 //
 //     z + lambda G v(z) = L s,   m(z) = 1,   v half the gradient of m, G = L L'.
 //
@@ -11,7 +11,7 @@
 #pragma once
 
 #include "base/lane_vectors.hpp"
-#include "contact/friction_limit.hpp"
+#include "contact/area_limit.hpp"
 
 namespace trilith {
 
@@ -20,28 +20,56 @@ TRILITH_INLINE T largest_size(const Triple<T>& v) {
   return larger<T>(larger<T>(magnitude<T>(v.x), magnitude<T>(v.y)), magnitude<T>(v.z));
 }
 
-/// By how much (V, T) is beyond the curve: over this it lies on it. V has two parts.
+/// By how much (V, T) is beyond the curve: over this it lies on it. V has two parts. Along a ray m is P u + Q u^2 with
+/// u the square of the share.
 template <class T>
-TRILITH_INLINE T beyond_curve(const Triple<T>& z) {
-  const T x2 = z.x * z.x + z.y * z.y, y2 = z.z * z.z, sum = x2 + y2;
-  return root(0.5 * (sum + root(sum * sum + 4 * friction_roundness * x2 * y2)));
+TRILITH_INLINE T beyond_curve(const Triple<T>& z, const LimitShape<T>& shape) {
+  const Pair2<T> v(z.x, z.y), av = shape.a.applied(z.x, z.y), cv = shape.c.applied(z.x, z.y);
+  const T v2 = v.dot(v), slide = 2.0 * v.dot(av), t2 = z.z * z.z, p = slide + t2,
+          q = v2 * (v2 - slide) + t2 * v.dot(cv);
+  return root(0.5 * (p + root(p * p + 4.0 * q)));
 }
 
-/// Half the gradient of the measure: (a V, b T).
+/// The measure at a point and half its gradient: (2 (1 - V^2) A V + 2 (V^2 - V.AV) V + T^2 C V, T (1 + V.CV)).
 template <class T>
 struct LimitNormal {
-  T a, b;
+  Pair2<T> v, av, cv;
+  T v2, w, u, t, t2, turn;  ///< V^2, 1 - V^2, V^2 - V.AV, T, T^2, 1 + V.CV
 
-  TRILITH_INLINE explicit LimitNormal(const Triple<T>& z)
-      : a(1.0 + friction_roundness * z.z * z.z), b(1.0 + friction_roundness * (z.x * z.x + z.y * z.y)) {}
-  [[nodiscard]] TRILITH_INLINE Triple<T> at(const Triple<T>& z) const { return {a * z.x, a * z.y, b * z.z}; }
-  [[nodiscard]] TRILITH_INLINE T along(const Triple<T>& z) const { return at(z).dot(z); }
+  TRILITH_INLINE LimitNormal(const Triple<T>& z, const LimitShape<T>& k)
+      : v(z.x, z.y),
+        av(k.a.applied(z.x, z.y)),
+        cv(k.c.applied(z.x, z.y)),
+        v2(v.dot(v)),
+        w(1.0 - v2),
+        u(v2 - v.dot(av)),
+        t(z.z),
+        t2(z.z * z.z),
+        turn(1.0 + v.dot(cv)) {}
+  [[nodiscard]] TRILITH_INLINE Triple<T> vector() const {
+    return {2.0 * (w * av.x + u * v.x) + t2 * cv.x, 2.0 * (w * av.y + u * v.y) + t2 * cv.y, turn * t};
+  }
+  /// V.AV = V^2 - u, so m = 2 V.AV + V^2 (2 u - V^2) + T^2 (1 + V.CV).
+  [[nodiscard]] TRILITH_INLINE T measure() const { return 2.0 * (v2 - u) + v2 * (2.0 * u - v2) + t2 * turn; }
+  /// The tensor in the plane by which the gradient is that of an ellipsoid.
+  [[nodiscard]] TRILITH_INLINE LimitTensor<T> ellipse(const LimitShape<T>& k) const {
+    const T round = 2.0 * u;
+    return {2.0 * w * k.a.xx + round + t2 * k.c.xx, 2.0 * w * k.a.xy + t2 * k.c.xy,
+            2.0 * w * k.a.yy + round + t2 * k.c.yy};
+  }
+  /// Half the second derivatives in the plane.
+  [[nodiscard]] TRILITH_INLINE LimitTensor<T> bend(const LimitShape<T>& k) const {
+    const LimitTensor<T> e = ellipse(k);
+    return {e.xx + 4.0 * v.x * (v.x - 2.0 * av.x), e.xy + 4.0 * (v.x * v.y - av.x * v.y - v.x * av.y),
+            e.yy + 4.0 * v.y * (v.y - 2.0 * av.y)};
+  }
 };
 
 /// z = L s takes the spring's force to V and T.
 template <class T>
 struct LimitPlaces {
   T lean, reach;
+  LimitShape<T> shape;
 
   [[nodiscard]] TRILITH_INLINE Triple<T> from_spring(const Triple<T>& s) const {
     return {s.x, s.y, reach * s.z - lean * s.y};
@@ -62,28 +90,29 @@ struct NewtonOnLimit {
   T lambda;
 
   TRILITH_INLINE NewtonOnLimit(const LimitPlaces<T>& places, const Triple<T>& beyond) {
-    const T curve = beyond_curve(beyond);
+    const T curve = beyond_curve(beyond, places.shape);
     z = {beyond.x / curve, beyond.y / curve, beyond.z / curve};
-    v = LimitNormal<T>(z).at(z), g = places.applied(v);
+    v = LimitNormal<T>(z, places.shape).vector(), g = places.applied(v);
     lambda = v.dot(beyond - z) / v.dot(g);
   }
   /// What is to be taken from z, and added to lambda.
   TRILITH_INLINE void step(const LimitPlaces<T>& places, const Triple<T>& beyond, Triple<T>& less, T& more) const {
-    const T none{}, one = none + 1.0, bend = 2 * friction_roundness * z.z;
-    const LimitNormal<T> normal(z);
+    const T none{}, one = none + 1.0;
+    const LimitNormal<T> normal(z, places.shape);
+    const LimitTensor<T> bend = normal.bend(places.shape);
+    const T bx = 2.0 * z.z * normal.cv.x, by = 2.0 * z.z * normal.cv.y;
     const Triple<T> rest = z + g * lambda - beyond;
     const auto column = [&](const Triple<T>& unit, const Triple<T>& of) { return unit + places.applied(of) * lambda; };
-    const Triple<T> c0 = column({one, none, none}, {normal.a, none, bend * z.x}),
-                    c1 = column({none, one, none}, {none, normal.a, bend * z.y}),
-                    c2 = column({none, none, one}, {bend * z.x, bend * z.y, normal.b}), yz = cross(c1, c2),
-                    zx = cross(c2, c0), xy = cross(c0, c1);
+    const Triple<T> c0 = column({one, none, none}, {bend.xx, bend.xy, bx}),
+                    c1 = column({none, one, none}, {bend.xy, bend.yy, by}),
+                    c2 = column({none, none, one}, {bx, by, normal.turn}), yz = cross(c1, c2), zx = cross(c2, c0),
+                    xy = cross(c0, c1);
     const T share = 1.0 / c0.dot(yz);
     const auto solved = [&](const Triple<T>& of) {
       return Triple<T>{share * yz.dot(of), share * zx.dot(of), share * xy.dot(of)};
     };
     const Triple<T> by_rest = solved(rest), by_lambda = solved(g);
-    const T length = root(z.x * z.x + z.y * z.y),
-            off = 0.5 * (length * length + z.z * z.z + friction_roundness * length * length * z.z * z.z - 1.0);
+    const T off = 0.5 * (normal.measure() - 1.0);
     more = (off - v.dot(by_rest)) / v.dot(by_lambda);
     less = by_rest + by_lambda * more;
   }
@@ -104,9 +133,12 @@ TRILITH_INLINE Mask<T> nearest_by_newton(const LimitPlaces<T>& places, const Tri
     now.z = select<T>(open, now.z - less, now.z), now.lambda = select(open, now.lambda + more, now.lambda);
     const Mask<T> sane = (now.z.dot(now.z) < none + 4.0) & (now.lambda > none);
     failed |= open & flip(sane);
-    now.v = LimitNormal<T>(now.z).at(now.z), now.g = places.applied(now.v);
+    now.v = LimitNormal<T>(now.z, places.shape).vector(), now.g = places.applied(now.v);
     open &= sane & flip(largest_size(less) < none + 1e-9);
   }
+  // Farther out m is 1 once more, which is no limit.
+  const T across = now.z.x * now.z.x + now.z.y * now.z.y;
+  failed |= asked & flip(across <= none + (1.0 + 1e-9));
   out = now.z;
   return failed | open;
 }
@@ -114,7 +146,7 @@ TRILITH_INLINE Mask<T> nearest_by_newton(const LimitPlaces<T>& places, const Tri
 /// Brought to the curve along its ray, as a spring's force.
 template <class T>
 TRILITH_INLINE Triple<T> spring_on_limit(const LimitPlaces<T>& places, const Triple<T>& z) {
-  const T curve = beyond_curve(z);
+  const T curve = beyond_curve(z, places.shape);
   return places.to_spring({z.x / curve, z.y / curve, z.z / curve});
 }
 

@@ -1,5 +1,6 @@
 #include "contact/solid_contact.hpp"
 
+#include "contact/area_limit.hpp"
 #include "contact/chord.hpp"
 #include "contact/edge_pressure.hpp"
 #include "contact/solid_energy.hpp"
@@ -43,12 +44,13 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   Vec3 rate =
       chord_velocity_at(b, b.origin, pressed.middle, law.dt) - chord_velocity_at(a, a.origin, pressed.middle, law.dt);
   rate += (radius * turning - n.dot(rate)) * n;
+  const AreaLimit limit(law.mu * normal_force, n, pressed.centre - pressed.middle, radius, pressed.friction_arm,
+                        pressed.arm);
   const SlidingMotion motion{
-      law.dt * (a.behind == nullptr ? rate : mean_sliding(a, b, pressed.middle, n, radius, law.dt)), rate,
-      FrictionLimit(law.mu * normal_force, n, pressed.centre - pressed.middle, radius, pressed.friction_arm)};
+      law.dt * (a.behind == nullptr ? rate : mean_sliding(a, b, pressed.middle, n, radius, law.dt)), rate, limit};
   const double turned = 0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt)));
   const SlidingResponse s =
-      slide(motion, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
+      slide(motion, limit, pressed.area, turned_along(before, n, turned), SlidingLaw{law.ks, law.beta, law.dt});
   const double along = n.dot(s.force.total);
   const Vec3 shear = s.force.total - along * n;
   out.force -= shear;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/friction_limit.hpp"
+#include "contact/area_limit.hpp"
 #include "contact/shear_3d.hpp"
 
 namespace trilith {
@@ -21,7 +21,7 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
   const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(contact.row));
   const bool bonded = joint != nullptr && joint->bonds != 0;
   const ContactArea& area = work.solids.areas[static_cast<std::size_t>(contact.row)];
-  const FrictionLimit friction(limit, n, contact.centre - area.middle, area.radius, area.friction_arm);
+  const AreaLimit friction(limit, n, contact.centre - area.middle, area.radius, area.friction_arm, area.arm);
   const Vec3 along = shear.total - n.dot(shear.total) * n;
   return {contact.row,
           model.piece_body[pair.piece_a],

@@ -34,10 +34,10 @@ void for_carriers(const Model<3>& model, int piece, Visit&& visit) {
   }
 }
 
-double size_of_turn(double turn) {
+double angle_magnitude(double turn) {
   return std::abs(turn);
 }
-double size_of_turn(const Vec3& turn) {
+double angle_magnitude(const Vec3& turn) {
   return turn.norm();
 }
 
@@ -50,7 +50,7 @@ PieceWay<D> StepPath<D>::way_of(int piece) const {
   ValueRange<D> range;
   double more = 0;
   for_carriers(model_, piece, [&](int node, int turning, double arm) {
-    const double bent = bend(node).norm(), turned = arm > 0 ? arm * size_of_turn(turn(turning)) : 0;
+    const double bent = bend(node).norm(), turned = arm > 0 ? arm * angle_magnitude(turn(turning)) : 0;
     range.add(way(node), 0.25 * bent + turned);
     more = std::max(more, bent);
   });

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/area_limit.hpp"
 #include "contact/face_pair.hpp"
 #include "contact/shear_3d.hpp"
 #include "step/contact_rows.hpp"
@@ -139,11 +140,12 @@ double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& wo
   const LawInUse use{model.laws[p.law], model.thickness, dt};
   const Coulomb law = with_kernel(use, [](const Coulomb& kernel) { return kernel; });
   const Vec3 back = way.back / size * rate, on = dt * mean - back;
-  const FrictionLimit limit(law.mu * g.force.norm(), n, g.centre - area.middle, area.radius, area.friction_arm);
+  const AreaLimit limit(law.mu * g.force.norm(), n, g.centre - area.middle, area.radius, area.friction_arm, area.arm);
   const SlidingForce& before = contacts_before(state, work).memory[g.row].shear;
   const SlidingForce turned =
-      slide({on, Vec3::Zero(), limit}, area.area, before, {law.ks, law.beta, dt - way.time_back}).force;
-  const SlidingForce then = slide({back, rate, limit}, area.area, turned, {law.ks, law.beta, way.time_back}).force;
+      slide({on, Vec3::Zero(), limit}, limit, area.area, before, {law.ks, law.beta, dt - way.time_back}).force;
+  const SlidingForce then =
+      slide({back, rate, limit}, limit, area.area, turned, {law.ks, law.beta, way.time_back}).force;
   return 0.5 * std::abs((work.contacts.memory[g.row].shear.total - then.total).dot(back));
 }
 

@@ -105,7 +105,7 @@ void read_integrator(Keys& keys, StageOptions& o) {
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {
   const StageReport report = run_stage(L, m, o, until);
   tell_scaling(L, m, report);
-  if (report.end != StageEnd::diverged && !report.found.empty())
+  if (report.end != StageEnd::diverged && report.end != StageEnd::unstable && !report.found.empty())
     tell_note(L, m, fmt::format("{}: {}", o.name, report.found));
   if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
   push_report(L, report);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "contact/area_limit.hpp"
 #include "near.hpp"
 
 using namespace trilith;
@@ -106,8 +107,7 @@ TEST_CASE("the nearest point of the limit is nearest, wherever the pressure is")
         // Others around it, brought to the limit along their rays.
         Vec3 other = held + 30 * (k % 2 == 0 ? 1 : 0.01) * Vec3(normal(random), normal(random), normal(random));
         const auto [x, y] = shares(limit, other);
-        const double squares = x * x + y * y, product = limit_measure(x, y) - squares;
-        other /= std::sqrt(0.5 * (squares + std::sqrt(squares * squares + 4 * product)));
+        other /= std::sqrt(limit_measure(x, y));
         CHECK((beyond - other).norm() >= least * (1 - 1e-9));
       }
     }
@@ -163,11 +163,13 @@ TEST_CASE("the limit is a convex curve: its normal turns one way only") {
   for (int i = 0; i <= 1000; ++i) {
     const double angle = i / 1000.0 * std::acos(-1.0) / 2;
     const double c = std::cos(angle), s = std::sin(angle);
-    const double squares = 1, product = 0.57 * c * c * s * s;
-    const double share = std::sqrt(0.5 * (squares + std::sqrt(squares + 4 * product))), x = c / share, y = s / share;
+    const double share = std::sqrt(limit_measure(c, s)), x = c / share, y = s / share;
+    const double slide = 2 * square_slide;
+    CHECK(near(slide * x * x * (1 - x * x) + x * x * x * x + y * y * (1 + square_turn * x * x), 1, 1e-12));
     CHECK(near(limit_measure(x, y), 1, 1e-12));
     CHECK(std::hypot(x, y) >= std::sqrt(0.88));
-    const double way = std::atan2(y * (1 + 0.57 * x * x), x * (1 + 0.57 * y * y));
+    const double along = slide * x * (1 - x * x) + (2 - slide) * x * x * x + square_turn * x * y * y;
+    const double way = std::atan2(y * (1 + square_turn * x * x), along);
     CHECK(way > before);
     before = way;
   }
