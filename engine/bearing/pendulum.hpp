@@ -19,6 +19,7 @@ struct Pendulum {
   double rate = 0;            ///< [s/m]
   double load_exponent = 1;   ///< [1]
   double reference_load = 0;  ///< [N]
+  double rise = 0;            ///< 1: beside an axial law it rises on its dish, see step/dish.hpp; 0: it stays level
 
   static constexpr std::string_view name = "pendulum";
   static constexpr std::string_view sentence = "friction pendulum: Coulomb slider on a dish of given radius";
@@ -33,11 +34,17 @@ struct Pendulum {
         more[0],
         more[1],
         more[2],
-        more[3]};
+        more[3],
+        P{&Pendulum::rise, "rise", "1", 0, 0, 1, true,
+          "1: it rises on its dish by R - sqrt(R^2 - d^2) and is pushed by N tan(angle); 0: it stays level, by N d/R"}};
   }
   /// As of Friction.
   static Pendulum sample() { return {0.02, 0.3, 1e6, 0, 0, 50, 1, 5e4}; }
-  void check() const { slider().check(name); }
+  void check() const {
+    slider().check(name);
+    if (rise != 0 && rise != 1)
+      throw InputError(fmt::format("pendulum: rise is {:g}, must be 1 (it rises on its dish) or 0", rise));
+  }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return slider().dashpot(); }
   [[nodiscard]] static DirectionMemory begin_at(double displacement) { return Friction::begin_at(displacement); }

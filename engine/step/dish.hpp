@@ -11,6 +11,7 @@
 // rises add up.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <variant>
@@ -31,15 +32,16 @@ inline DishRise rise_of_dish(double radius, double u) {
   return {radius - depth + slope * (std::abs(u) - within), std::copysign(slope, u)};
 }
 
+/// 0 of all but pendulums that rise.
 inline double dish_radius(const DirectionLaw& law) {
   const auto* pendulum = std::get_if<Pendulum>(&law);
-  return pendulum != nullptr ? pendulum->radius : 0;
+  return pendulum != nullptr && pendulum->rise > 0 ? pendulum->radius : 0;
 }
 inline Friction slider_of(const Pendulum& p) {
   return {p.mu, p.stiffness, p.damping, p.mu_fast, p.rate, p.load_exponent, p.reference_load};
 }
 
-/// True where a bearing stands on a dish: a pendulum beside an axial law.
+/// True where a bearing stands on a dish: a pendulum with `rise` beside an axial law.
 template <int D>
 bool has_dish(const Bearing<D>& b) {
   if (std::holds_alternative<std::monostate>(b.law[Directions<D>::axial])) return false;

@@ -48,9 +48,9 @@ DirectionResponse respond_on_dish(const Pendulum& law, const DirectionMotion& mo
 template <int D>
 DirectionResponse respond(const Bearing<D>& b, const LawMotion<D>& now, int k, const DirectionMotion& motion,
                           const DirectionMemory& before, double axial_force) {
-  if (now.on_dish && k < Directions<D>::axial)
-    if (const auto* pendulum = std::get_if<Pendulum>(&b.law[k]))
-      return respond_on_dish(*pendulum, motion, before, now.thrust(static_cast<std::size_t>(k), axial_force));
+  if (now.on_dish && k < Directions<D>::axial && dish_radius(b.law[k]) > 0)
+    return respond_on_dish(std::get<Pendulum>(b.law[k]), motion, before,
+                           now.thrust(static_cast<std::size_t>(k), axial_force));
   return respond(b.law[k], motion, before);
 }
 
@@ -140,8 +140,9 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
     if (b.has_horizontal()) {
       const HorizontalMotion level = horizontal_motion(now.displacement, now.rate, now.mean, dt, compression);
       const Vec2 thrust(now.thrust(0, force[2]), now.thrust(1, force[2]));
-      take_up(respond_horizontal(b, before, level, false, now.on_dish ? &thrust : nullptr, after), i, after.status,
-              work);
+      take_up(respond_horizontal(b, before, level, false,
+                                 now.on_dish && dish_radius(b.horizontal) > 0 ? &thrust : nullptr, after),
+              i, after.status, work);
       for (const std::size_t k : {0, 1}) force[k] = after.direction[k].force + after.direction[k].damping;
     }
   }
@@ -247,7 +248,9 @@ double begin_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
     for (const std::size_t k : {0, 1, 2}) begun.turned[k] = m.displacement[3 + k];
     const HorizontalMotion at_rest = horizontal_motion(now.displacement, {}, {}, 0, compression);
     const Vec2 thrust(now.thrust(0, axial_force), now.thrust(1, axial_force));
-    stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true, now.on_dish ? &thrust : nullptr, begun).stored;
+    stored += respond_horizontal(b, BearingMemory<3>{}, at_rest, true,
+                                 now.on_dish && dish_radius(b.horizontal) > 0 ? &thrust : nullptr, begun)
+                  .stored;
   }
   return stored;
 }

@@ -309,7 +309,7 @@ template <int D>
 double rotary_energy(const Model<D>& model, const State<D>& state) {
   double sum = 0;
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
-    if (!is_one_element(model, b)) continue;
+    if (!is_one_element(model, b) || !model.body_moves(b)) continue;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
     const TurnVector<D> h =
         angular_momentum<D>(model, state, model.bodies[b], of.centre, [&](int n) { return state.velocity[n]; });
@@ -335,7 +335,7 @@ void add_rotary_diagonal(const Model<D>& model, const State<D>& state, std::vect
 template <int D>
 void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising, std::vector<Dofs<D>>& out) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
-    if (!is_one_element(model, b)) continue;
+    if (!is_one_element(model, b) || !model.body_moves(b)) continue;
     const Body& body = model.bodies[b];
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
     TurnVector<D> rise = TurnVector<D>::Zero();

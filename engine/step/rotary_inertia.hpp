@@ -103,7 +103,7 @@ void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising
 template <int D, class Add>
 void each_rotary_entry(const Model<D>& model, const State<D>& state, Add&& add) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
-    if (!is_one_element(model, b)) continue;
+    if (!is_one_element(model, b) || !model.body_moves(b)) continue;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
     const TurnMatrix<D> off = of.taken_off();
     const Body& body = model.bodies[static_cast<std::size_t>(b)];

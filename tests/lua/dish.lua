@@ -1,4 +1,4 @@
--- A pendulum bearing stands on a dish: what slides rises by R - sqrt(R^2 - u^2), and its weight brings it back by N
+-- A pendulum bearing with rise = 1 stands on a dish: what slides rises by R - sqrt(R^2 - u^2), and its weight brings it back by N
 -- tan(angle). In the plane and in space, by explicit and implicit steps.
 local trilith = require "trilith"
 
@@ -13,7 +13,7 @@ local function slab(dim, mu, damping, coupled, speed)
   local m = trilith.model { name = "slab", dim = dim }
   m:material { name = "c", density = 2400 }
   m:contact { between = { "*", "*" }, law = "none" }
-  local dish = trilith.pendulum { radius = radius, mu = mu, stiffness = 5e6 }
+  local dish = trilith.pendulum { radius = radius, mu = mu, stiffness = 5e6, rise = 1 }
   local foot = trilith.linear { stiffness = 2e8, damping = damping }
   if dim == 2 then
     m:block { name = "ground", width = 8, height = 0.5, at = { -4, -0.5 }, material = "c", support = "fixed" }
