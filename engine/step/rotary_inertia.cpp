@@ -146,7 +146,7 @@ TurnVector<3> gyroscopic_part(const RotaryInertia<3>& of, const TurnVector<3>& m
   return lumped - own;
 }
 
-/// y of a free body, and of one in the plane the spin that its lumped masses are not to feel. force(n): on a node [N].
+/// y of a free body. force(n): on a node [N].
 template <int D, class Force>
 void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
                  Force&& force, std::vector<Vec<D>>& added) {
@@ -156,20 +156,48 @@ void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInert
     const Vec<D> f = force(n);
     for (int k = 0; k < D; ++k) moment += f[k] * turn_row(k, Vec<D>(state.position[n] - of.centre));
   }
-  const TurnVector<D> momentum =
-      angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
   if constexpr (D == 2) {
-    const double y = (1 / of.own(0, 0) - 1 / of.lumped(0, 0)) * moment[0], spin = momentum[0] / of.lumped(0, 0),
-                 inward = (1 - of.own(0, 0) / of.lumped(0, 0)) * spin * spin;
-    for (int n = body.first_node; n < end; ++n) {
-      const Vec2 arm = state.position[n] - of.centre;
-      added[n] += model.mass[n] * (cross(y, arm) - inward * arm);
-    }
+    const double y = (1 / of.own(0, 0) - 1 / of.lumped(0, 0)) * moment[0];
+    for (int n = body.first_node; n < end; ++n)
+      added[n] += model.mass[n] * cross(y, Vec2(state.position[n] - of.centre));
   } else {
+    const Vec3 momentum = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
     const Vec3 y = of.own.inverse() * moment - of.lumped.inverse() * moment + gyroscopic_part(of, momentum);
     for (int n = body.first_node; n < end; ++n)
       added[n] += model.mass[n] * cross(y, Vec3(state.position[n] - of.centre));
   }
+}
+
+/// add_to_free of a quad that is free and whose forces are all known, with fewer operations: most are parallelograms,
+/// whose inertia is a third of that of their lumped masses. False where it is held or of another shape.
+bool add_to_plain_quad(const Model<2>& model, const State<2>& state, const Work<2>& work, const Body& body,
+                       std::vector<Vec2>& added) {
+  const auto first = static_cast<std::size_t>(body.first_node);
+  const Vec2 *const place = &state.position[first], *const force = &work.force[first];
+  const double* const mass = &model.mass[first];
+  for (std::size_t i = 0; i < 4; ++i)
+    if (const auto& s = model.support[first + i]; s[0] != Support::free || s[1] != Support::free) return false;
+  const double total = mass[0] + mass[1] + mass[2] + mass[3];
+  double cx = 0, cy = 0;
+  for (std::size_t i = 0; i < 4; ++i) cx += mass[i] * place[i].x(), cy += mass[i] * place[i].y();
+  cx /= total, cy /= total;
+  const double skew_x = place[0].x() + place[2].x() - 2 * cx, skew_y = place[0].y() + place[2].y() - 2 * cy;
+  double lumped = 0, moment = 0;
+  std::array<double, 4> x, y;
+  for (std::size_t i = 0; i < 4; ++i) {
+    x[i] = place[i].x() - cx, y[i] = place[i].y() - cy;
+    lumped += mass[i] * (x[i] * x[i] + y[i] * y[i]);
+    moment += x[i] * force[i].y() - y[i] * force[i].x();
+  }
+  constexpr double share = 1e-6;  // of squares
+  if ((skew_x * skew_x + skew_y * skew_y) * total > share * lumped) return false;
+  const double turn = 2 * moment / lumped;  // 3 / Jl - 1 / Jl
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double size = mass[i] * turn;
+    Vec2& to = added[first + i];
+    to = {to.x() - size * y[i], to.y() + size * x[i]};
+  }
+  return true;
 }
 
 template <int D>
@@ -269,6 +297,9 @@ void add_rotary_inertia(const Model<D>& model, const State<D>& state, const Work
   const NodeMotions<D> motions(model, state, work, options);
   const auto add = [&](int b) {
     const Body& body = model.bodies[b];
+    if constexpr (D == 2)
+      if (all_count && body.kind == BodyKind::quad && add_to_plain_quad(model, state, work, body, added)) return;
+    if (!model.body_moves(b)) return;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
     if (!is_unheld(model, body))
       add_to_held(model, state, of, body, motions, added);
@@ -282,7 +313,7 @@ void add_rotary_inertia(const Model<D>& model, const State<D>& state, const Work
   share(work.threads, static_cast<int>(model.bodies.size()), bodies_at_a_time,
         [&](int first, int last, int /*thread*/) {
           for (int b = first; b < last; ++b)
-            if (is_one_element(model, b) && model.body_moves(b)) add(b);
+            if (is_one_element(model, b)) add(b);
         });
 }
 
@@ -331,7 +362,7 @@ void add_rotary_diagonal(const Model<D>& model, const State<D>& state, std::vect
   });
 }
 
-/// In the plane -D T B T' D a, and what the lumped masses are not to feel of the spin; in space w x (Jl - J) w too.
+/// -D T B T' D a, and in space what turning axes ask, w x (Jl - J) w.
 template <int D>
 void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising, std::vector<Dofs<D>>& out) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
@@ -341,15 +372,11 @@ void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising
     TurnVector<D> rise = TurnVector<D>::Zero();
     if (rising) rise = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.acceleration[n]; });
     TurnVector<D> y = of.taken_off() * rise;
-    const bool free = is_unheld(model, body);
-    double inward = 0;
-    if (free) {
+    if (D == 3 && is_unheld(model, body)) {
       const TurnVector<D> h =
           angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
       const TurnVector<D> spin = of.lumped.inverse() * h;
-      if constexpr (D == 2) {
-        inward = (1 - of.own(0, 0) / of.lumped(0, 0)) * spin[0] * spin[0];
-      } else {
+      if constexpr (D == 3) {
         const Eigen::Matrix3d off = of.lumped - of.own;
         const Vec3 turning = of.lumped.inverse() * (rise - cross(Vec3(spin), Vec3(h)));
         y = of.lumped.inverse() * (off * turning + cross(Vec3(spin), Vec3(off * spin)));
@@ -357,7 +384,7 @@ void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising
     }
     for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
       const Vec<D> arm = state.position[n] - of.centre;
-      for (int k = 0; k < D; ++k) out[n][k] -= model.mass[n] * (turn_row(k, arm).dot(y) - inward * arm[k]);
+      for (int k = 0; k < D; ++k) out[n][k] -= model.mass[n] * turn_row(k, arm).dot(y);
     }
   }
 }
