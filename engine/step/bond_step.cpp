@@ -25,12 +25,6 @@ constexpr double shortest_share = 1e-4;
 /// An angular acceleration adds to the acceleration of a point by up to this many times that of the mass centre.
 constexpr double turning_gain = 4;
 
-double spin_size(double spin) {
-  return std::abs(spin);
-}
-double spin_size(const Vec3& spin) {
-  return spin.norm();
-}
 double turning_of(double moment, double inertia) {
   return inertia > 0 ? std::abs(moment) / inertia : 0;
 }
