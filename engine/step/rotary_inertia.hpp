@@ -19,6 +19,7 @@
 // of max(n + e, n Jl/J), e of the element.
 #pragma once
 
+#include <Eigen/LU>
 #include <optional>
 #include <type_traits>
 

@@ -6,6 +6,7 @@
 #include "bridge_book.hpp"
 #include "build/gmsh.hpp"
 #include "part_makers.hpp"
+#include "part_reading.hpp"
 #include "solid_makers.hpp"
 
 namespace trilith::script {
