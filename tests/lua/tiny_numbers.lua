@@ -35,7 +35,7 @@ refused("hogging", hinged, 1e-308)
 refused("density", light, 1e-310)
 refused("kn", trilith.frictional, { kn = -1e-305 })
 
-for _, density in ipairs { 1e-299, 1e-200, 1e-100 } do
+for _, density in ipairs { 1e-299, 1e-200 } do
   local m = light(density)
   assert(m:run { duration = 0.005 }.ending ~= "time", "it stays no number")
   m:close()
