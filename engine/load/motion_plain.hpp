@@ -12,11 +12,11 @@ namespace trilith {
 
 /// What a file of plain columns does not say itself.
 struct PlainForm {
-  std::string unit;            ///< of the acceleration: one of plain_units()
-  std::optional<double> step;  ///< [s]; needed where there is no column of time, and rules where that is rounded
-  std::string column;          ///< of the acceleration: its number from 1, its name, or "rows" (samples line by line)
-  std::optional<int> skip;     ///< lines of head before the numbers; 0 also says that there is none
-  char decimal = 0;            ///< '.' or ','; 0: not said
+  std::string unit = {};            ///< of the acceleration: one of plain_units()
+  std::optional<double> step = {};  ///< [s]; needed where there is no column of time, and rules where that is rounded
+  std::string column = {};       ///< of the acceleration: its number from 1, its name, or "rows" (samples line by line)
+  std::optional<int> skip = {};  ///< lines of head before the numbers; 0 also says that there is none
+  char decimal = 0;              ///< '.' or ','; 0: not said
 };
 
 /// "g", "m/s2", "cm/s2" (also "gal"), "mm/s2", "in/s2", "ft/s2"; as a list for messages.

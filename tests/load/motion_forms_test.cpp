@@ -104,7 +104,7 @@ std::string knet() {
   for (int i = 0; i < count; ++i) text += fmt::format("{:9.0f}{}", size * wave(i), i % 8 == 7 ? "\n" : "");
   return text;
 }
-std::string at2(const std::string& fourth, const std::string& first = "PEER\n") {
+std::string at2_file(const std::string& fourth, const std::string& first = "PEER\n") {
   return first + "Somewhere, 1/1/2000, A Station, 090\nACCELERATION TIME SERIES IN UNITS OF G\n" + fourth + "\n" +
          rows_of(5);
 }
@@ -160,9 +160,9 @@ TEST_CASE("records of plain columns are read as they are meant") {
        {"g", dt, "2", {}, '.'},
        0},
       {"a mark of the end of a file", written("", two) + "\x1a", {"g", {}}},
-      {"a format with a name and its own unit and step", at2("NPTS= 400, DT= .0200 SEC"), {"g", dt}},
+      {"a format with a name and its own unit and step", at2_file("NPTS= 400, DT= .0200 SEC"), {"g", dt}},
       {"ESM with its unit", esm(), {"cm/s2", {}}},
-      {"the samples of a format, as plain columns", at2("NPTS= 400, DT= .0200 SEC"), {"g", dt, "", 4}},
+      {"the samples of a format, as plain columns", at2_file("NPTS= 400, DT= .0200 SEC"), {"g", dt, "", 4}},
   };
   for (const Form& form : forms) {
     CAPTURE(form.about);
@@ -175,17 +175,17 @@ TEST_CASE("records of plain columns are read as they are meant") {
 
 TEST_CASE("records whose format has a name are read by it") {
   const std::pair<const char*, std::string> files[] = {
-      {"a.at2", at2("NPTS=   400, DT=   .0200 SEC,")},
-      {"a.txt", at2("NPTS=   400, DT=   20.0 MSEC,")},
-      {"a.at2", at2("400 0.0200 NPTS, DT")},
-      {"a.at2", at2("400 0.0200 NPTS DT")},
-      {"a.at2", at2("NPTS, DT\n 400 .0200")},
-      {"a.at2", at2("NPTS DT\n 400 .0200 SEC")},
-      {"a.at2", at2("NPTS, DT = 400, .0200 SEC")},
-      {"a.at2", at2("NPTS= 400, DT= .0200 SEC") + "\x1a\x1a"},
-      {"a.at2", at2("NPTS= 400, DT= .0200 SEC") + std::string(3, '\0')},
-      {"a.at2", at2("NPTS= 400, DT= .0200 SEC", "\nPEER\n")},
-      {"a.at2", at2("NPTS= 400, DT= .0200 SEC", "\n")},
+      {"a.at2", at2_file("NPTS=   400, DT=   .0200 SEC,")},
+      {"a.txt", at2_file("NPTS=   400, DT=   20.0 MSEC,")},
+      {"a.at2", at2_file("400 0.0200 NPTS, DT")},
+      {"a.at2", at2_file("400 0.0200 NPTS DT")},
+      {"a.at2", at2_file("NPTS, DT\n 400 .0200")},
+      {"a.at2", at2_file("NPTS DT\n 400 .0200 SEC")},
+      {"a.at2", at2_file("NPTS, DT = 400, .0200 SEC")},
+      {"a.at2", at2_file("NPTS= 400, DT= .0200 SEC") + "\x1a\x1a"},
+      {"a.at2", at2_file("NPTS= 400, DT= .0200 SEC") + std::string(3, '\0')},
+      {"a.at2", at2_file("NPTS= 400, DT= .0200 SEC", "\nPEER\n")},
+      {"a.at2", at2_file("NPTS= 400, DT= .0200 SEC", "\n")},
       {"a.asc", esm()},
       {"a.ns", knet()},
   };
@@ -233,7 +233,7 @@ TEST_CASE("records that leave their meaning open are refused with the remedy") {
       {rows_of(8), {"g", 20}, "step is 20 s, records have 0.0001 to 0.25 s; is it in ms?"},
       {rows_of(8), {"g", 1e-5}, "step is 1e-05 s, records have"},
       {rows_of(8), {"g", -1}, "dt is -1 s, must be above 0"},
-      {at2("NPTS= 400, DT= 20.0 SEC"), {}, "step is 20 s, records have", "a.at2"},
+      {at2_file("NPTS= 400, DT= 20.0 SEC"), {}, "step is 20 s, records have", "a.at2"},
       {"0.02\n" + rows_of(1),
        {"g", dt},
        "begins with 0.02, which is the step of the samples; say how many lines of head"},
@@ -254,11 +254,11 @@ TEST_CASE("records that leave their meaning open are refused with the remedy") {
       {with_commas(written("", [](int i) { return fmt::format("{:.2f};{:.5e}", i * dt, wave(i)); })),
        {"g", {}},
        "read decimal commas"},
-      {with_commas(at2("NPTS= 400 DT= .0200 SEC")), {}, "must have a decimal point, as 0.000000", "a.at2"},
-      {at2("NPTS= 400, DT= .0200 SEC"),
+      {with_commas(at2_file("NPTS= 400 DT= .0200 SEC")), {}, "must have a decimal point, as 0.000000", "a.at2"},
+      {at2_file("NPTS= 400, DT= .0200 SEC"),
        {"cm/s2", dt},
        "is a PEER AT2 file, whose samples are in g; unit is given as cm/s2"},
-      {at2("NPTS= 400, DT= .0200 SEC"), {"g", 0.01}, "whose step is 0.02 s; dt is given as 0.01 s"},
+      {at2_file("NPTS= 400, DT= .0200 SEC"), {"g", 0.01}, "whose step is 0.02 s; dt is given as 0.01 s"},
       {rows_of(8), {"g", dt}, "is a volume of processed strong motion", "a.V2A"},
       {"Corrected accelerogram\n 1 2 3\n" + rows_of(8), {"g", dt}, "Export its acceleration as a PEER AT2 file"},
       {std::string("abc\0\0\1", 6) + rows_of(8), {"g", dt}, "is a binary file"},
