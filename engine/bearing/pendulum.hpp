@@ -19,7 +19,7 @@ struct Pendulum {
   double rate = 0;            ///< [s/m]
   double load_exponent = 1;   ///< [1]
   double reference_load = 0;  ///< [N]
-  double rise = 0;            ///< 1: beside an axial law it rises on its dish, see step/dish.hpp; 0: it stays level
+  double rise = 0;            ///< 1: beside an axial law it rises on its dish, see bearing/dish.hpp; 0: it stays level
 
   static constexpr std::string_view name = "pendulum";
   static constexpr std::string_view sentence = "friction pendulum: Coulomb slider on a dish of given radius";
@@ -64,6 +64,17 @@ struct Pendulum {
     return out;
   }
 
+  /// On a dish that pushes by `thrust` [N], see bearing/dish.hpp. The memory's force is that of slider and dish, and
+  /// `compression` has the thrust in it.
+  [[nodiscard]] DirectionResponse respond_on_dish(const DirectionMotion& m, const DirectionMemory& before,
+                                                  double thrust) const {
+    DirectionMemory last = before;
+    last.force -= before.compression;
+    DirectionResponse out = slider().respond(m, last);
+    out.memory.force += thrust, out.memory.compression = thrust;
+    return out;
+  }
+
   /// A dish turned about its axis is the same dish. `slider`: without the dish's share.
   struct Horizontal {
     Friction::Horizontal slider;
@@ -83,6 +94,12 @@ struct Pendulum {
     out.lost_inner = slid.lost_inner + 0.5 * (dish_before - dish) * from.dot(m.displacement);
     out.yielding = slid.yielding;
     return out;
+  }
+  [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal_on_dish(const HorizontalMotion& m,
+                                                                          const Horizontal& before,
+                                                                          const Vec2& thrust) const {
+    const auto slid = slider().respond_horizontal(m, before.slider);
+    return {{slid.memory, m.compression}, slid.force + thrust, slid.stored, slid.lost_inner, slid.yielding};
   }
 
  private:

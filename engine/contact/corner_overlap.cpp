@@ -1,4 +1,4 @@
-#include "contact/chord.hpp"
+#include "contact/corner_overlap.hpp"
 
 #include <bit>
 #include <cassert>
@@ -30,6 +30,11 @@ struct PieceMotions {
   [[nodiscard]] TRILITH_INLINE Plane2 velocity_at(const Plane2& x) const {
     const Plane2 arm = x - at;
     return {velocity.x - spin * arm.y + chord * arm.x, velocity.y + spin * arm.x + chord * arm.y};
+  }
+  /// The same with the velocities of now.
+  [[nodiscard]] TRILITH_INLINE Plane2 rigid_velocity_at(const Plane2& x) const {
+    const Plane2 arm = x - at;
+    return {velocity.x - spin * arm.y, velocity.y + spin * arm.x};
   }
 };
 
@@ -128,7 +133,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   const PieceMotions w(pieces.wedge, law.dt), o(pieces.owner, law.dt);
   RelativeMotion motion;
   motion.at_corner = w.velocity_at(t.corner) - o.velocity_at(t.corner);
-  motion.spin = w.spin - o.spin;
+  motion.spin = w.spin - o.spin, motion.chord = w.chord - o.chord;
   const WedgeSums sums = press(t, motion, law);
   const Lanes normal = sums.size;
   // Where the damping of pieces that part takes all the pressure away, the other one says what is left.
@@ -140,13 +145,14 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   r.centre = t.corner + arm;
   r.length = sums.length, r.depth = t.deepest();
   r.damping = sums.damping * direction;
-  const Plane2 from_a = t.corner - select_point(wedge_is_b, o.at, w.at);
+  const Plane2 origin_a = select_point(wedge_is_b, o.at, w.at), from_a = t.corner - origin_a;
   r.damping_moment = sign * (sums.damping_moment + cross_of(from_a, sums.damping * sums.normal));
   const ContactMemory* memory[lane_count];
   for (std::size_t i = 0; i < lane_count; ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
   const RememberedFour before(memory);
-  // The mean of the damping force of before and of now does the work, the former at the motion of b against a now.
-  const Plane2 at_a = sign * motion.at(Plane2{} - from_a);
+  // The mean of the damping force of before and of now does the work, the former at the motion of b against a now, as
+  // rigid pieces.
+  const Plane2 at_a = sign * (w.rigid_velocity_at(origin_a) - o.rigid_velocity_at(origin_a));
   const Lanes power_before = dot_of(before.damping, at_a) + before.damping_moment * (sign * motion.spin);
   r.lost_damping = (0.5 * law.dt) * (sums.power - power_before);
   HalfState<Lanes> state{};

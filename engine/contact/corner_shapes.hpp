@@ -39,9 +39,9 @@ TRILITH_INLINE Plane2 select_point(const LaneMask& m, const Plane2& a, const Pla
 /// The motion of the wedge against the owner about the corner v.
 struct RelativeMotion {
   Plane2 at_corner;
-  Lanes spin;
+  Lanes spin, chord;  ///< `chord`: difference of chord_rate, see contact/chord.hpp
   [[nodiscard]] TRILITH_INLINE Plane2 at(const Plane2& arm) const {
-    return {at_corner.x - spin * arm.y, at_corner.y + spin * arm.x};
+    return {at_corner.x - spin * arm.y + chord * arm.x, at_corner.y + spin * arm.x + chord * arm.y};
   }
 };
 

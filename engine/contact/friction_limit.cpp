@@ -39,7 +39,8 @@ Place on_curve(const LimitPlaces<double>& l, const Place& z) {
 
 /// By rounds: around the point found last lies the ellipsoid that has the limit's normal there. Its nearest point has
 /// one unknown, for which 1 / |z| is concave: by Newton's rule from the left it grows and never goes too far. The next
-/// point is that one brought to the limit along its ray; it settles because the two surfaces touch. Slow and sure.
+/// point is that one brought to the limit along its ray; it settles because the two surfaces touch. Slow and sure, but
+/// for areas next to a line, where the ellipsoid may have no inside: then the last point found is kept.
 Place nearest_by_rounds(const LimitPlaces<double>& places, const Place& beyond) {
   Place z = on_curve(places, beyond);
   for (int i = 0; i < 40; ++i) {
@@ -53,6 +54,7 @@ Place nearest_by_rounds(const LimitPlaces<double>& places, const Place& beyond) 
       at = way.back(vector_of(beyond), lambda);
     }
     const Place next = on_curve(places, triple_of(at));
+    if (!std::isfinite(next.x + next.y + next.z)) return z;
     const double moved = largest_size(next - z);
     z = next;
     if (moved < 1e-13) break;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/nearest.hpp"
+#include "base/portable.hpp"
 
 namespace trilith {
 namespace {
@@ -48,7 +49,7 @@ double resolution_of(std::string_view word) {
     if (exponent.starts_with('+')) exponent.remove_prefix(1);
     std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
   }
-  return std::pow(10.0, power - decimals);
+  return portable::pow(10.0, power - decimals);
 }
 
 /// Names in a line of the head: split at commas, semicolons or tabs where it has any, else at blanks; a unit in

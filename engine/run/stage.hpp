@@ -70,8 +70,8 @@ struct StageReport {
   double thread_gain = 0;                  ///< how many times as fast as one these were; 0: not timed
   std::optional<ScaledMass> scaled;        ///< with StageOptions::mass_scaling
   std::string reason;                      ///< in words, where it did not end as asked: what, where, what to try
-  std::string found;                       ///< where it diverged or was unstable: what and where; else Watch::ledger_text
-  double sound_until = 0;                  ///< where it diverged: the last instant that was looked at and sound [s]
+  std::string found;       ///< where it diverged or was unstable: what and where; else Watch::ledger_text
+  double sound_until = 0;  ///< where it diverged: the last instant that was looked at and sound [s]
 };
 
 /// What a running stage looks like at one instant.

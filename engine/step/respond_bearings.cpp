@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/dish.hpp"
 #include "step/bearing_motion.hpp"
-#include "step/dish.hpp"
 #include "step/evaluate.hpp"
 #include "step/single_terms.hpp"
 #include "step/turned_back.hpp"
@@ -33,32 +33,22 @@ DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion
       law);
 }
 
-/// The slider of a pendulum on its dish, which pushes by `thrust` [N]. The memory's force is that of both, and
-/// `compression` has the thrust in it.
-DirectionResponse respond_on_dish(const Pendulum& law, const DirectionMotion& motion, const DirectionMemory& before,
-                                  double thrust) {
-  DirectionMemory slider = before;
-  slider.force -= before.compression;
-  DirectionResponse out = slider_of(law).respond(motion, slider);
-  out.memory.force += thrust, out.memory.compression = thrust;
-  return out;
-}
-
 /// Direction k of a bearing. `axial_force`: of its axial law now [N].
 template <int D>
 DirectionResponse respond(const Bearing<D>& b, const LawMotion<D>& now, int k, const DirectionMotion& motion,
                           const DirectionMemory& before, double axial_force) {
-  if (now.on_dish && k < Directions<D>::axial && dish_radius(b.law[k]) > 0)
-    return respond_on_dish(std::get<Pendulum>(b.law[k]), motion, before,
-                           now.thrust(static_cast<std::size_t>(k), axial_force));
+  if (now.on_dish && k < Directions<D>::axial && dish_radius(b.law[k]) > 0) {
+    const double thrust = now.thrust(static_cast<std::size_t>(k), axial_force);
+    return std::visit(
+        [&](const auto& l) {
+          if constexpr (HasDish<std::decay_t<decltype(l)>>)
+            return l.respond_on_dish(motion, before, thrust);
+          else
+            return DirectionResponse{};
+        },
+        b.law[k]);
+  }
   return respond(b.law[k], motion, before);
-}
-
-/// A pendulum of both horizontal directions on its dish.
-HorizontalResponse<Pendulum::Horizontal> respond_on_dish(const Pendulum& law, const HorizontalMotion& m,
-                                                         const Pendulum::Horizontal& before, const Vec2& thrust) {
-  const auto slid = slider_of(law).respond_horizontal(m, before.slider);
-  return {{slid.memory, m.compression}, slid.force + thrust, slid.stored, slid.lost_inner, slid.yielding};
 }
 
 /// What the law of both horizontal directions gives. Its forces and dashpots go to the memories of along and across,
@@ -75,8 +65,8 @@ DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>
           if constexpr (requires { l.begin_horizontal_at(m.displacement); })
             if (begins) memory = l.begin_horizontal_at(m.displacement);
           const auto r = [&] {
-            if constexpr (std::is_same_v<L, Pendulum>)
-              if (thrust != nullptr) return respond_on_dish(l, m, memory, *thrust);
+            if constexpr (HasDish<L>)
+              if (thrust != nullptr) return l.respond_horizontal_on_dish(m, memory, *thrust);
             return l.respond_horizontal(m, memory);
           }();
           keep_horizontal(r.memory, after.horizontal);

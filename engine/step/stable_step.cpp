@@ -8,9 +8,9 @@
 #include <set>
 
 #include "base/team.hpp"
+#include "bearing/dish.hpp"
 #include "step/bearing_motion.hpp"
 #include "step/contact_rows.hpp"
-#include "step/dish.hpp"
 #include "step/local_springs.hpp"
 #include "step/mass_scaling.hpp"
 #include "step/rotary_inertia.hpp"

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "base/team.hpp"
+#include "bearing/dish.hpp"
 #include "step/bearing_motion.hpp"
-#include "step/dish.hpp"
 #include "step/local_solids.hpp"
 #include "step/mass_scaling.hpp"
 #include "step/rotary_inertia.hpp"

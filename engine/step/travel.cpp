@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/portable.hpp"
 #include "base/quantity_text.hpp"
 #include "step/implicit_turn.hpp"
 #include "world/held_up.hpp"
@@ -94,7 +95,7 @@ Travel travel_of(const Model<D>& model, const State<D>& state, const Placement<D
   double chord = 0;
   if (body.is_rigid()) {
     t.turned = angle_between(from.rotation[body.first_node], state.rotation[body.first_node]);
-    chord = 2 * radius * std::sin(0.5 * std::min(t.turned, M_PI));
+    chord = 2 * radius * portable::sin(0.5 * std::min(t.turned, M_PI));
   }
   t.share = (t.moved + chord) / (2 * radius);
   if (chord > 0 && t.share > little_travel && is_sphere(model, b)) t.turned = 0, t.share = t.moved / (2 * radius);

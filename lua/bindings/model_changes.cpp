@@ -11,8 +11,8 @@
 #include "load/motion.hpp"
 #include "simulated_model.hpp"
 #include "world/extend.hpp"
-#include "world/pose.hpp"
 #include "world/missing_laws.hpp"
+#include "world/pose.hpp"
 
 namespace trilith::script {
 namespace {

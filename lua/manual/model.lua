@@ -27,7 +27,8 @@ solid        solid law?        instead of E: a law such as trilith.mohr_coulomb{
 plane        text = "stress"   "stress" or "strain"
 form         text = "assumed"  "assumed" or "plain": the element; "plain" keeps the limit of perfect plasticity
 strain_limit  number = 0.5     strain its elements are made for; beyond, the stage diverges]], gives = "string" },
-  { "model:contact", "Which law holds between materials, groups or bodies. Later calls win. Two bodies that may meet " ..
+  { "model:contact", "Which law holds between materials, groups or bodies. Later calls win. Two bodies that may " ..
+    "meet " ..
     "need one before a stage begins.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
 law      contact law    a law, the name of one, or "none": they pass through each other
@@ -38,7 +39,7 @@ name     text = kind and number  the law's name in results]] },
 name     text     its name
 outline  points?  corners in order
 shape    table?   or a part, such as trilith.block{...}
-mesh     table?   or a mesh: { file = } or { nodes = , elements = }; body = "rigid": one of its elements as pieces]], with = "body", gives = "body" },
+mesh     table?   or a mesh: { file = } or { nodes = , elements = }; with body = "rigid": a rigid body of its pieces]], with = "body", gives = "body" },
   { "model:add", "Parts as from trilith.build become bodies.", args = [[
 parts    table   list of { name, outline, groups }
 options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
@@ -47,7 +48,8 @@ options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
     .. "(vertical), and turning_along, turning_across, turning_axial about them. There horizontal is one law of along "
     .. "and across at once, with a circle for its limit: linear, elastic_plastic, lead_rubber, bouc_wen, friction or "
     .. "pendulum. Each point goes rigidly with its body, and lies in it or no farther from it than the body is large, "
-    .. "unless a rigid arm is allowed to hold it. Where from and to are apart, the bearing has the length between them: "
+    .. "unless a rigid arm is allowed to hold it. Where from and to are apart, the bearing has the length "
+    .. "between them: "
     .. "displacements count from there, and the forces on both bodies act along one line through the second point.",
     keys = [[
 name               text           its name
@@ -83,7 +85,8 @@ inward   point?  from the edge over the seat; without it level from the edge tow
   { "model:remove", "Takes bodies, bearings or loads away: at once between stages, else at the next step border. What "
     .. "leaned on them is free from the next step on.",
     args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },
-  { "model:put_back", "Puts back bodies, at rest where they stood if that is free, and bearings, which begin anew where "
+  { "model:put_back", "Puts back bodies, at rest where they stood if that is free, and bearings, which begin anew "
+    .. "where "
     .. "they are, free of force.",
     args = "what  bodies  what was removed: a body, set, bearing, name or a list of these\nhow   table?  for bearings: "
       .. '{ from = "start" }: displacements count from where the bearing was placed first' },

@@ -12,7 +12,7 @@ density      number kg/m3?    instead of the material's
 unit_weight  number N/m3?     or so
 mass         number kg?       or so
 weight       number N?        or so
-inertia      vector?          of a rigid body [kg m2]: about x, y, z through its centroid as it stands; or one number for all
+inertia      vector?          of a rigid body [kg m2]: about x, y, z through its centroid; or one number for all
 support      text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
 velocity     vector = {0, 0, 0}  at the start [m/s]
 spin         vector = {0, 0, 0}  at the start [rad/s]

@@ -29,7 +29,8 @@ frequencies  numbers     at which they are, Hz]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },
-  { "trilith.motion", "A ground motion: a file's name, samples, or a steady velocity. Before its first sample and after "
+  { "trilith.motion", "A ground motion: a file's name, samples, or a steady velocity. Before its first sample and "
+    .. "after "
     .. "its last one the ground rests: a motion that ends at speed stops what follows it within one step, and a note "
     .. "says so.",
     args = "file  text?  name of a file with accelerations; or the table",
@@ -38,7 +39,7 @@ file          text?              a file with accelerations
 acceleration  numbers?           samples [m/s2]
 dt            number s?          step of the samples; with a file of plain columns: of its samples
 unit          text?              with a file of plain columns: of its accelerations, as in "cm/s2" or "g"
-column        text?             with a file of plain columns: of the accelerations, its number or name; "rows": line by line
+column        text?              with a file of plain columns: number or name of the accelerations; "rows": line by line
 skip          integer?           with a file of plain columns: lines of head before the numbers
 decimal       text?              with a file of plain columns: sign before decimals, "." or ","
 v0            number m/s = 0     velocity at the start

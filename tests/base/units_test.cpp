@@ -52,8 +52,8 @@ TEST_CASE("a wrong unit is refused with the nearest name") {
   CHECK_THROWS_WITH_AS(parse_unit("in"),
                        "there is no unit 'in'; did you mean 'inch'? Others of its kind: m, mm, cm, km, ft, yd",
                        InputError);
-  CHECK_THROWS_WITH_AS(parse_unit("KN"), "there is no unit 'KN'; did you mean 'kN'? Others of its kind: N, MN, lbf, kip",
-                       InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("KN"),
+                       "there is no unit 'KN'; did you mean 'kN'? Others of its kind: N, MN, lbf, kip", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("sec"), "there is no unit 'sec'; did you mean 's'?", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("xy"), doctest::Contains("there is no unit 'xy'; known: m, mm, cm"), InputError);
   CHECK_THROWS_AS(parse_unit(""), InputError);

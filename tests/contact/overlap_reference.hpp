@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/chord.hpp"
 #include "contact/overlap_pair.hpp"
 
 namespace trilith::testing {
@@ -99,8 +100,8 @@ class ReferenceWalk {
     const double sign = walker_is_b_ ? 1 : -1;
     const double share = -sign * along.dot(n), facing = std::max(0.0, share);
     const auto closing = [&](const Vec2& x) {
-      const Vec2 at_walker = walker_.velocity_at(e, x), at_owner = owner_.velocity_at(f, x);
-      return -facing * along.dot(walker_is_b_ ? Vec2(at_walker - at_owner) : Vec2(at_owner - at_walker));
+      const Vec2 apart = walker_.velocity_at(e, x) - owner_.velocity_at(f, x) + (chord(walker_, x) - chord(owner_, x));
+      return -facing * along.dot(walker_is_b_ ? apart : Vec2(-apart));
     };
     const auto [stress, spring] = law_.stretch(phi(e, f, from), phi(e, f, to), closing(x0), closing(x1));
     const double stiff = 0.5 * law_.kn * over.norm(), total = stiff * stress.sum, elastic = stiff * spring.sum;
@@ -120,6 +121,12 @@ class ReferenceWalk {
     sums.force += share * total;
     sums.pressure += total;
     sums.moment_arm += total * x0 + stiff * stress.moment * over;
+  }
+  static bool is_straight(const PlacedPiece& p) { return p.over_step != nullptr || !p.corner_velocity.empty(); }
+  /// What going along a chord adds to the velocity of point x of one of two rigid pieces, see contact/chord.hpp.
+  [[nodiscard]] Vec2 chord(const PlacedPiece& p, const Vec2& x) const {
+    if (is_straight(owner_) || is_straight(walker_)) return Vec2::Zero();
+    return chord_rate(p.spin, law_.dt) * (x - p.origin);
   }
   static void add(const PlacedPiece& p, int e, const Vec2& x, const Vec2& force, double moment, std::vector<Vec2>& on) {
     const Vec2 along = way(p, e);

@@ -24,9 +24,12 @@ end
 
 local function fill_space(m)
   local law = add_laws(m)
-  local base = m:block { name = "base", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone", support = "fixed" }
-  local low = m:block { name = "low", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0 }, material = "stone", groups = "pile" }
-  local high = m:block { name = "high", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5 }, material = "soft", groups = "pile",
+  local base = m:block { name = "base", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone",
+    support = "fixed" }
+  local low = m:block { name = "low", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0 }, material = "stone",
+    groups = "pile" }
+  local high = m:block { name = "high", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5 }, material = "soft",
+    groups = "pile",
     body = { mesh = { 2, 1, 1 } } }
   m:sphere { name = "ball", radius = 0.2, at = { 1.5, 1.5, 0.2 }, material = "stone", groups = "pile" }
   local spring = trilith.linear { stiffness = 1e6, damping = 1e3 }
@@ -62,7 +65,7 @@ end
 function fuzz.make(name, dim)
   local m = trilith.model { name = name, dim = dim or 2 }
   local all, count = dim == 3 and fill_space(m) or fill(m), 0
-  all.model:on_step(function(m) count = count + 1 if count % 100 == 0 then m:stop() end end)
+  all.model:on_step(function(now) count = count + 1 if count % 100 == 0 then now:stop() end end)
   return all
 end
 

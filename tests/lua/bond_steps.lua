@@ -103,7 +103,8 @@ for _, dim in ipairs { 2, 3 } do
             local good = (r.turned ~= nil) == (share < 1) and off < 0.02 and kept < 0.02 + 1e-3*share^2
             if show then print(good and "ok " or "BAD", where, r.v, r.fracture, expected, kept) end
             if not show then
-              assert(good, ("%s: v %.6g m/s, spent %.5g of %.5g J/m2, motion off by %.3g"):format(where, r.v, r.fracture,
+              assert(good, ("%s: v %.6g m/s, spent %.5g of %.5g J/m2, motion off by %.3g"):format(where, r.v,
+                r.fracture,
                 expected, kept))
             end
           end

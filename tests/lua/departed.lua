@@ -28,7 +28,9 @@ end
 local function is_number(v) return v == v end
 local function check(h, from, there, what)
   assert(#h.values > from, what .. ": nothing was sampled")
-  for i = from + 1, #h.values do assert(is_number(h.values[i]) == there, what .. ", sample " .. i .. ": " .. h.values[i]) end
+  for i = from + 1, #h.values do
+    assert(is_number(h.values[i]) == there, what .. ", sample " .. i .. ": " .. h.values[i])
+  end
 end
 
 for _, dim in ipairs { 2, 3 } do

@@ -1,4 +1,5 @@
--- A pendulum bearing with rise = 1 stands on a dish: what slides rises by R - sqrt(R^2 - u^2), and its weight brings it back by N
+-- A pendulum bearing with rise = 1 stands on a dish: what slides rises by R - sqrt(R^2 - u^2), and its weight brings it
+-- back by N
 -- tan(angle). In the plane and in space, by explicit and implicit steps.
 local trilith = require "trilith"
 
@@ -75,6 +76,7 @@ for _, case in ipairs { { 2, nil, "explicit" }, { 3, true, "explicit" }, { 2, ni
     m:run { duration = 1.2*period, integrator = integrator, dt = integrator == "implicit" and 2e-3 or 5e-4 }
     near(largest, radius*math.sin(swing), 3e-3, "swing")
     near(back - begun, period, 4e-3, "period")
-    assert(math.abs(m.energy.residual) < 5e-3*energy, ("%d %s: %g of %g"):format(dim, integrator, m.energy.residual, energy))
+    assert(math.abs(m.energy.residual) < 5e-3*energy, ("%d %s: %g of %g"):format(dim, integrator, m.energy.residual,
+      energy))
   end
 end

@@ -1,4 +1,5 @@
--- Solids and meshes as other programs write them, and joints with the names of places: read, or refused with the remedy.
+-- Solids and meshes as other programs write them, and joints with the names of places: read, or
+-- refused with the remedy.
 local trilith = require "trilith"
 local name = os.tmpname()
 os.remove(name)
@@ -27,7 +28,8 @@ local function solids(ending, text, more)
 end
 
 -- A box of 1 x 0.6 x 0.4 m, 240 kg; `noise` moves its corners, each time by another amount.
-local box = { { -0.5, -0.3, 0 }, { 0.5, -0.3, 0 }, { 0.5, 0.3, 0 }, { -0.5, 0.3, 0 }, { -0.5, -0.3, 0.4 }, { 0.5, -0.3, 0.4 },
+local box = { { -0.5, -0.3, 0 }, { 0.5, -0.3, 0 }, { 0.5, 0.3, 0 }, { -0.5, 0.3, 0 }, { -0.5, -0.3, 0.4 },
+  { 0.5, -0.3, 0.4 },
   { 0.5, 0.3, 0.4 }, { -0.5, 0.3, 0.4 } }
 local quads = { { 1, 4, 3, 2 }, { 5, 6, 7, 8 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 4, 8, 7 }, { 4, 1, 5, 8 } }
 local triangles = {}
@@ -112,7 +114,8 @@ local second = obj:gsub("v (%S+)", function(x) return ("v %g"):format(x + 2) end
     return "f " .. table.concat(moved, " ")
   end)
 local _, notes, count = solids(".obj", "o Cube\n" .. obj .. "o Cube\n" .. second)
-assert(count == 1 and notes:find("object 'Cube' begins again", 1, true) and notes:find("shells_are_bodies", 1, true), notes)
+assert(count == 1 and notes:find("object 'Cube' begins again", 1, true), notes)
+assert(notes:find("shells_are_bodies", 1, true), notes)
 _, notes, count = solids(".obj", obj .. second)
 assert(count == 1 and notes:find("shells_are_bodies", 1, true), notes)
 for _, text in ipairs { "o Cube\n" .. obj .. "o Cube\n" .. second, obj .. second } do
@@ -136,7 +139,8 @@ for i = 5, 8 do flat[i][1] = flat[i][1] + 1 end
 assert(mesh_refusal(2, flat, parts):find("by no edge; make a body of each part", 1, true))
 local deep = {}
 for x = 0, 1 do
-  for _, p in ipairs { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } } do
+  for _, p in ipairs { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
+    { 0, 1, 1 } } do
     deep[#deep + 1] = { p[1] + x, p[2], p[3] }
   end
 end
@@ -153,7 +157,8 @@ local function sag(dim, at)
     joints = { l = { at = place(0, 0), support = "fixed" }, [dim == 3 and "centroid" or "top"] = place(1, 1),
       bottom = place(1.5, 0.5), r = { at = place(2, 0), support = "fixed" } },
     members = { { from = "l", to = dim == 3 and "centroid" or "top", section = s },
-      { from = dim == 3 and "centroid" or "top", to = "bottom", section = s }, { from = "bottom", to = "r", section = s } } }
+      { from = dim == 3 and "centroid" or "top", to = "bottom", section = s },
+        { from = "bottom", to = "r", section = s } } }
   m:point_load { name = "p", body = "f", at = at, force = place(0, -1e4) }
   m:consolidate { integrator = "static" }
   return (select(dim, m:body("f"):point(dim == 3 and "centroid" or "top")))

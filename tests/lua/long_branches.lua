@@ -5,7 +5,8 @@ local trilith = require "trilith"
 local function branches(dim, count, longer)
   local m = trilith.model { name = "branches", dim = dim }
   m:material { name = "stone", density = 2400 }
-  m:contact { name = "joint", between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-4 } }
+  m:contact { name = "joint", between = { "*", "*" },
+    law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-4 } }
   local function block(name, size, at, support)
     local t = { name = name, material = "stone", support = support }
     if dim == 3 then

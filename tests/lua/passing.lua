@@ -1,4 +1,5 @@
--- No body passes through another one unreported. A block that falls on a fixed plate lies on it at the end, whatever the
+-- No body passes through another one unreported. A block that falls on a fixed plate lies on it at the end, whatever
+-- the
 -- plate, the height, the integrator and the longest step are. Laws that are too soft to hold a body: sinking.lua.
 local trilith = require "trilith"
 

@@ -12,8 +12,10 @@ local function post(dim)
   return m, body, dim == 2 and { 0, 3 } or { 0, 0, 3 }
 end
 
--- A load that is half on its way, and a motion that is, are afterwards where they were: the path takes none of their time.
+-- A load that is half on its way, and a motion that is, are afterwards where they were: the path takes none of their
+-- time.
 local function waits(m)
+  m:contact { between = { "*", "*" }, law = "none" }
   local other = m:block { name = "other", width = 1, height = 1, at = { 20, 0 }, material = "steel", support = "fixed" }
   m:drive { body = other, x = trilith.ramp { by = 0.2, duration = 4 } }
   m:run { duration = 2, damping = 0.8 }
@@ -75,6 +77,7 @@ end
 
 -- What a handler asks for holds from the end of the stage on; one that fails leaves the model at the path's end.
 local m, body, top = post(2)
+m:contact { between = { "*", "*" }, law = "none" }
 local extra = m:block { name = "extra", width = 1, height = 1, at = { 20, 0 }, material = "steel", support = "fixed" }
 m:consolidate { integrator = "static" }
 m:on("member.yielded", function() m:remove(extra) end)

@@ -1,7 +1,7 @@
 -- Bodies that turn as one do not slide against each other: a block that friction holds on a turning table, and blocks
 -- in mortar that fly and spin, in the plane and in space. Leapfrog steps made them slide by W^2 r dt / 2 a second.
 local trilith = require "trilith"
-local W, r = 1.3, 1.5
+local rate, r = 1.3, 1.5
 
 --- A body on a table that turns about z, at a part of its friction limit: how far its radius changes.
 local function on_table(safety)
@@ -10,15 +10,15 @@ local function on_table(safety)
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e7, ks = 1e7, mu = 0.6, beta = 1e-3 } }
   local top = m:block { name = "table", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone",
                         support = "fixed" }
-  local turning = { name = "rider", material = "stone", velocity = { 0, W*r, 0 }, spin = { 0, 0, W },
+  local turning = { name = "rider", material = "stone", velocity = { 0, rate*r, 0 }, spin = { 0, 0, rate },
                     floating = true }
   turning.size, turning.at = { 0.1, 0.1, 0.02 }, { r - 0.05, -0.05, -3.92e-5 }
   local rider = m:block(turning)
-  m:drive { body = top, turn_z = trilith.motion { velocity = W, duration = 5 } }
+  m:drive { body = top, turn_z = trilith.motion { velocity = rate, duration = 5 } }
   m:run { duration = 0.1, safety = safety }
   local before = math.sqrt(rider.x^2 + rider.y^2)
   local report = m:run { duration = 0.3, safety = safety }
-  local out, crept = math.sqrt(rider.x^2 + rider.y^2) - before, W^2*r*report.longest_dt/2*0.3
+  local out, crept = math.sqrt(rider.x^2 + rider.y^2) - before, rate^2*r*report.longest_dt/2*0.3
   m:close()
   return out, crept
 end

@@ -23,7 +23,8 @@ local laws = {
   { trilith.frictional, { kn = 10e9, ks = 5e9, mu = 0.6, beta = 1e-5 }, "kn", 1e-9 },
   { trilith.frictional, { kn = 10e9, ks = 5e9, mu = 0.6, beta = 1e-5 }, "ks", 1e-9 },
   { trilith.bonded, { kn = 1e9, ks = 5e8, mu = 0.6, tension = 0.2e6, cohesion = 0.3e6, beta = 1e-4 }, "tension", 1e-6 },
-  { trilith.bonded, { kn = 1e9, ks = 5e8, mu = 0.6, tension = 0.2e6, cohesion = 0.3e6, beta = 1e-4 }, "cohesion", 1e-6 },
+  { trilith.bonded, { kn = 1e9, ks = 5e8, mu = 0.6, tension = 0.2e6, cohesion = 0.3e6, beta = 1e-4 },
+    "cohesion", 1e-6 },
 }
 for _, dim in ipairs { 2, 3 } do
   for _, row in ipairs(laws) do
@@ -48,7 +49,8 @@ local function frame(dim, section, more)
   if dim == 3 then from, to = { 0, 0, 0 }, { 0, 0, 3 } end
   local member = { from = "A", to = "B", section = section }
   for key, value in pairs(more or {}) do member[key] = value end
-  m:frame { name = "f", material = "stone", joints = { A = { at = from, support = "fixed" }, B = to }, members = { member } }
+  m:frame { name = "f", material = "stone", joints = { A = { at = from, support = "fixed" }, B = to },
+    members = { member } }
   return m
 end
 local function fibres(strength, young, yield)
@@ -59,7 +61,8 @@ end
 for _, dim in ipairs { 2, 3 } do
   local square = trilith.rectangle_section { width = 0.4, depth = 0.4 }
   assert(#frame(dim, square).notes == 0)
-  expect(frame(dim, trilith.rectangle_section { width = 400, depth = 400 }), "section area = 160000 m2", true, "section")
+  expect(frame(dim, trilith.rectangle_section { width = 400, depth = 400 }), "section area = 160000 m2", true,
+    "section")
   assert(#frame(dim, fibres(30e6, 200e9, 420e6)).notes == 0)
   expect(frame(dim, fibres(30, 200e9, 420e6)), "strength = 30 Pa", true, "concrete in MPa")
   expect(frame(dim, fibres(30e6, 200e3, 420)), "E = 200000 Pa", true, "steel in MPa")
@@ -73,7 +76,8 @@ end
 -- Sizes: a wall in mm, bricks of which are 200 m high.
 local function wall(size)
   local m = model(2)
-  m:wall { name = "w", length = 3.2*size, unit_length = 0.4*size, unit_height = 0.2*size, courses = 2, material = "stone",
+  m:wall { name = "w", length = 3.2*size, unit_length = 0.4*size, unit_height = 0.2*size, courses = 2,
+    material = "stone",
     base_height = 0.2*size, fixed = "base" }
   return m
 end

@@ -185,6 +185,7 @@ Model<3> hanging_chain(int links, double length, bool rods) {
     BearingSpecOf<3> hinge;
     hinge.name = fmt::format("hinge {}", i), hinge.body_a = fmt::format("link {}", i - 1), hinge.body_b = link.name;
     hinge.point_a = hinge.point_b = {0, 0, upper};
+    hinge.arm = length;  // a ball hangs on an arm without mass
     for (std::size_t k = 0; k < 3; ++k) hinge.law[k] = Linear{1e8, 0};
     builder.add_bearing(hinge);
   }

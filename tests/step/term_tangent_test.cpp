@@ -179,8 +179,11 @@ TEST_CASE("the tangent of a structure as it comes down is that of everything") {
         advance(model, state, work, {state.dt, {}});
       }
       INFO(c.name, " at ", state.time, " s");
+      // Tangents are of implicit steps; in explicit ones points go along chords of the turn.
+      State<2> now = state;
+      begin_implicit(model, now, work);
       // Places metres from the origin have fewer digits: noise falls with the disturbance, to 1e-8 in most of them.
-      CHECK(worst_entry(model, state, state.last_dt, 1 / state.last_dt, 6e-9) < 1e-6);
+      CHECK(worst_entry(model, now, now.last_dt, 1 / now.last_dt, 6e-9) < 1e-6);
     }
   }
 }

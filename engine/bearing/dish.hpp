@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <type_traits>
 #include <variant>
 
 #include "base/portable.hpp"
@@ -32,13 +34,23 @@ inline DishRise rise_of_dish(double radius, double u) {
   return {radius - depth + slope * (std::abs(u) - within), std::copysign(slope, u)};
 }
 
-/// 0 of all but pendulums that rise.
+/// A law whose slider may stand on a dish.
+template <class L>
+concept HasDish = requires(const L& law, const DirectionMotion& m, const DirectionMemory& before) {
+  { law.rise } -> std::convertible_to<double>;
+  { law.respond_on_dish(m, before, 0.0) } -> std::same_as<DirectionResponse>;
+};
+
+/// 0 of all laws but those that rise on a dish.
 inline double dish_radius(const DirectionLaw& law) {
-  const auto* pendulum = std::get_if<Pendulum>(&law);
-  return pendulum != nullptr && pendulum->rise > 0 ? pendulum->radius : 0;
-}
-inline Friction slider_of(const Pendulum& p) {
-  return {p.mu, p.stiffness, p.damping, p.mu_fast, p.rate, p.load_exponent, p.reference_load};
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (HasDish<std::decay_t<decltype(l)>>)
+          return l.rise > 0 ? l.radius : 0.0;
+        else
+          return 0.0;
+      },
+      law);
 }
 
 /// True where a bearing stands on a dish: a pendulum with `rise` beside an axial law.
