@@ -189,7 +189,7 @@ TEST_CASE("every contact law keeps its part of the ledger") {
     thrown.velocity = {1, -1}, thrown.spin = 0.5;
     scene.add(thrown);
     Simulation<2> sim = scene.start();
-    check_closed(name, keep_books(sim, stage(1.5, 0.018)));
+    check_closed(name, keep_books(sim, stage(1.5, 0.014)));
   }
 }
 
