@@ -39,7 +39,8 @@ name     text = kind and number  the law's name in results]] },
 name     text     its name
 outline  points?  corners in order
 shape    table?   or a part, such as trilith.block{...}
-mesh     table?   or a mesh: { file = } or { nodes = , elements = }; with body = "rigid": a rigid body of its pieces]], with = "body", gives = "body" },
+mesh     table?   or a mesh: { file = } or { nodes = , elements = }; with body = "rigid": a rigid body of its pieces]],
+    with = "body", gives = "body" },
   { "model:add", "Parts as from trilith.build become bodies.", args = [[
 parts    table   list of { name, outline, groups }
 options  table?  what bodies take, and fixed = , by_group = ]], gives = "set" },
