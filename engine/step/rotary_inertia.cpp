@@ -206,9 +206,10 @@ bool is_one_element(const Model<2>& model, int body) {
   if (b.kind == BodyKind::quad) return true;
   return b.kind == BodyKind::mesh && b.nodes <= 4 && only_element(model.elements, body) != nullptr;
 }
-bool is_one_element(const Model<3>& model, int body) {
-  const Body& b = model.bodies[body];
-  return b.kind == BodyKind::brick || (b.kind == BodyKind::mesh && b.nodes == 4);
+/// Not in space yet: with it the ledgers of bricks that tumble and strike do not close at any step (2.4 % of the work
+/// of the support in a wall of bricks that is shaken). Bricks and tetrahedra keep the lumped inertia.
+bool is_one_element(const Model<3>& /*model*/, int /*body*/) {
+  return false;
 }
 
 template <int D>
