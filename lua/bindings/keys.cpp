@@ -110,7 +110,8 @@ Keys::Keys(lua_State* L, int index, std::string owner)
 }
 
 void Keys::name_owner(const std::string& name) {
-  if (!name.empty()) owner_ = fmt::format("{} '{}'", owner_, one_line(name));
+  // A name that is too long is refused by its own message.
+  if (!name.empty() && name.size() <= longest_name) owner_ = fmt::format("{} '{}'", owner_, one_line(name));
 }
 
 void Keys::problem(const std::string& what) {

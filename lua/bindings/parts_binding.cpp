@@ -1,5 +1,6 @@
 // Materials, contact laws and bodies of a model; the geometry builders.
 #include <algorithm>
+#include <set>
 
 #include "bindings.hpp"
 #include "body_reading.hpp"
@@ -89,17 +90,19 @@ std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
 }
 
 void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
-  std::vector<std::string> known{"*"};
-  const auto add = [&](const std::string& n) {
-    if (std::find(known.begin(), known.end(), n) == known.end()) known.push_back(n);
-  };
-  for (const Material& material : m.materials) add(material.name);
-  for (int b = 0; b < m.body_count(); ++b) {
-    for (const std::string& g : m.groups_of(b)) add(g);
-    if (m.body_name(b) == side) return;
+  std::set<std::string> names{"*"};
+  for (const Material& material : m.materials) {
+    if (material.name == side) return;
+    names.insert(material.name);
   }
+  for (int b = 0; b < m.body_count(); ++b) {
+    if (m.body_name(b) == side) return;
+    for (const std::string& g : m.groups_of(b)) names.insert(g);
+  }
+  if (names.contains(side)) return;
   // Groups and bodies may be added later, so only a name close to a known one is refused here.
-  if (std::find(known.begin(), known.end(), side) != known.end() || nearest_name(side, known).empty()) return;
+  const std::vector<std::string> known(names.begin(), names.end());
+  if (nearest_name(side, known).empty()) return;
   keys.problem(fmt::format("there is no material, group or body '{}'{}", side, name_hint(side, known)));
 }
 
