@@ -6,8 +6,7 @@
 //     velocity + spin x (arm - spin x arm dt / 2)
 //
 // to second order in spin dt. Without the part along the chord two bodies that turn as one would slide against each
-// other by spin^2 r dt / 2, the same way all the time. It goes by arms alone, so that it is the same for every
-// observer.
+// other by spin^2 r dt / 2, always in the same direction. Only arms enter, so every observer finds the same.
 #pragma once
 
 #include "base/lane_vectors.hpp"

@@ -32,9 +32,8 @@ StageEnd rest_end(const Equilibrium& found) {
 
 }  // namespace
 
-/// The state is another one meanwhile, and so are the loads that the path has scaled; time goes on from point to point,
-/// and all that goes by time waits for as long. A point that is strained beyond its limit is
-/// not told, as in a stage that diverges.
+/// Sets state and scaled loads to each point of the path in turn and reports it. Time increases from point to point;
+/// motions and load curves are shifted by the same time. A point strained beyond its limit is not reported.
 template <int D>
 void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
   const State<D> end = state_;

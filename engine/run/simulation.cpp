@@ -107,7 +107,7 @@ void Simulation<D>::refresh() {
   swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   if (const double accuracy = impact_accuracy(); accuracy > 0)
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
-  // A step that is given is kept, see notice_missed_bonds.
+  // A given step is kept, also where it skips part of the work of a bond.
   if (next_.safety > 0 && !state_.implicit()) swept_.dt = bond_step(model_, state_, work_, swept_.dt, watch_->bonds());
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
