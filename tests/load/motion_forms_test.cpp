@@ -189,10 +189,11 @@ TEST_CASE("records whose format has a name are read by it") {
       {"a.asc", esm()},
       {"a.ns", knet()},
   };
-  for (const auto& [name, text] : files) {
+  for (const auto& file : files) {
+    const std::string& text = file.second;
     CAPTURE(text.substr(0, 200));
     GroundMotion motion(std::vector<double>{0, 0}, 1);
-    CHECK_NOTHROW(motion = parse_motion(text, name));
+    CHECK_NOTHROW(motion = parse_motion(text, file.first));
     check_is_wave(motion, 1);
   }
   CHECK(parse_motion(esm(), "a.asc").source().component == "HNE");
