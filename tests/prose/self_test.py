@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""The prose check tells right from wrong: a small grid of sentences for each rule, of places and of kinds of files."""
+import sys
+
+import extract
+import rules
+
+WRONG = {
+    "leading-zero": ["a ratio of .5", "takes -.25 m", "(.02 s)"],
+    "who": ["a body who stands", "The step who is looked up."],
+    "what": ["It holds what stands.", "What flies past wakes none."],
+    "that-of": ["longer than that of a beam", "as those of the plane"],
+    "pointing": ["That is slow.", "it keeps those that touch", "the one which moves", "the same of its end", "the former holds"],
+    "as-pays": ["explicitly or as pays"],
+    "goes-by": ["it goes by the mass", "who goes with whom"],
+    "comes-to": ["the sum comes to 5 N"],
+    "is-told": ["the value is told"],
+    "persons": ["the page tells more", "the solver wants a step"],
+    "since": ["as of since"],
+    "beside": ["one file beside another"],
+    "dialect": ["led to and fro", "0.5 as preset", "energy given off", "the run begins anew"],
+    "sentence": ["word " * 36 + "end."],
+}
+RIGHT = ["A ratio of 0.5 at v1.2 in file.5a of {:.3g} and %.2f, section 3.1.", "People who read it know what to do.", "What is a gap?",
+         "The block comes to rest.", "The step has been limited since version 1.0.", "It tells apart two cases.", "word " * 34 + "end.",
+         "Install it with `what .5`."]
+FILES = [
+    ("md", "# What it does\n\nIt is .5 m.\n", {("leading-zero", 3)}),
+    ("md", "| a | b |\n|---|---|\n| of .5 | fine |\n", {("leading-zero", 3)}),
+    ("md", "```lua\nx = 1 -- what\ny = .5\n```\n", {("leading-zero", 3)}),
+    ("md", "One sentence here.\nAnother holds\nwhat stands.\n", {("what", 2)}),
+    ("md", "- the first\n- what stands\n", {("what", 2)}),
+    ("cpp", "int a; // a body\n// holds what stands\nint what;\n", {("what", 1)}),
+    ("cpp", 'auto s = "this is // what it " // no\n  "holds of .5 m";', set()),
+    ("lua", "-- a body\n-- who stands\nlocal who = 'who is not read'\n", {("who", 1)}),
+    ("lua", "--[[ a body who\nstands ]]\n", {("who", 1)}),
+    ("py", "# a body who stands\nwho = '#'\n", {("who", 1)}),
+]
+STRINGS = [("cpp", 'f("the body who", "x", "it " "surely holds .5 m"); // what stands here', {("who", 1), ("leading-zero", 1)}),
+           ("lua", "error('a body who stands') -- what stands here", {("who", 1)})]
+
+
+def of_file(extension, source, strings=False):
+    parts = extract.markdown(source) if extension == "md" else extract.code(source, extension, strings)
+    found = set()
+    for line, text, kind in parts:
+        if kind == "code" and rules.BARE_NUMBER.search(text):
+            found.add(("leading-zero", line))
+        elif kind in ("text", "heading"):
+            found |= {(rule, line) for rule, _, _ in rules.findings(text, kind == "heading")}
+    return found
+
+
+def main():
+    trouble = []
+    for rule, sentences in WRONG.items():
+        trouble += [f"{rule} does not see: {s[:60]}" for s in sentences if rule not in [f[0] for f in rules.findings(s)]]
+    trouble += [f"{list(rules.findings(extract.plain(s)))} wrongly in: {s}" for s in RIGHT if list(rules.findings(extract.plain(s)))]
+    trouble += [f"no wrong sentence for rule {rule}" for rule in rules.NAMES if rule not in WRONG and rule != "line"]
+    for strings, cases in ((False, FILES), (True, STRINGS)):
+        for extension, source, wanted in cases:
+            found = of_file(extension, source, strings)
+            trouble += [f"{extension}: {source!r} gives {found}, not {wanted}"] if found != wanted else []
+    print("".join(line + "\n" for line in trouble), end="")
+    return 1 if trouble else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
