@@ -35,7 +35,7 @@ PHRASES = [
     phrase("beside", r"\bbeside\b", "say 'next to', 'in addition to', 'compared with', 'together with'"),
     phrase("dialect", r"\b(?:to and fro|anew|as preset|by preset|given? off|give off|giving off|gives off|giv(?:en|es?) back|taken for|stands? for|"
            r"as long as they may|no more than once|whence|thereof|therein|lest|aught|at one(?:s|ce) with|is at home|looked up again|"
-           r"led to|lets? be|let go|turned? down|put down|laid down|in the way of|at its own|by and by|of its own accord)\b",
+           r"lets? be|let go|turned? down|put down|laid down|in the way of|at its own|by and by|of its own accord)\b",
            "say it with the field's verb: 'cyclic', 'restart', 'default', 'dissipate', 'return', 'mistaken for', 'represent'"),
 ]
 
