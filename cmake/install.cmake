@@ -19,3 +19,5 @@ set(TRILITH_DOCS ${CMAKE_INSTALL_DATAROOTDIR}/doc/trilith)
 install(FILES LICENSE DESTINATION ${TRILITH_DOCS} RENAME copyright)
 install(FILES README.md CONTRIBUTING.md LICENSE DESTINATION ${TRILITH_DOCS})
 install(DIRECTORY docs DESTINATION ${TRILITH_DOCS} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png")
+# The same pages as a site, where `./dev docs` has built it.
+install(DIRECTORY build/docs/html DESTINATION ${TRILITH_DOCS} OPTIONAL)

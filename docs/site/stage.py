@@ -1,0 +1,256 @@
+#!/usr/bin/env python3
+"""Copies the Markdown of the tree for the site: stage.py SOURCE TARGET
+
+Paths stay, so that links hold. Added are: the menu, pages for the scripts, lists of the gallery and the decisions, entries of the
+index."""
+import fnmatch
+import os
+import re
+import shutil
+import sys
+
+FENCE = re.compile(r"^\s*(```+|~~~+)")
+LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
+SECTIONS = {"docs/gallery/index.md": "Gallery", "docs/decisions/index.md": "Design decisions", "scripts/index.md": "Example scripts"}
+
+
+def read(path):
+    with open(path, encoding="utf8") as f:
+        return f.read()
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf8") as f:
+        f.write(text)
+
+
+def walk(source, top, ending):
+    return sorted(os.path.relpath(os.path.join(folder, name), source) for folder, _, names in os.walk(os.path.join(source, top))
+                  for name in names if name.endswith(ending))
+
+
+def pages_of(source):
+    return ["README.md", "CONTRIBUTING.md"] + [p for p in walk(source, "docs", ".md") if not p.startswith("docs/site/")]
+
+
+def navigation(source):
+    """[(section, [patterns])]"""
+    sections = []
+    for line in read(os.path.join(source, "docs/site/navigation.txt")).splitlines():
+        if line.startswith("#") or not line.strip():
+            continue
+        if line.startswith(" "):
+            sections[-1][1].append(line.strip())
+        else:
+            sections.append((line.strip(), []))
+    return sections
+
+
+def menu(source, pages):
+    """[(section, [page])], and the pages that no pattern names."""
+    left, sections = set(pages) - {"README.md"} | {"genindex"}, []
+    left -= {p for p in left if p.startswith("docs/decisions/") and p != "docs/decisions/index.md"}
+    explicit = {p for _, patterns in navigation(source) for p in patterns if "*" not in p}
+    for section, patterns in navigation(source):
+        listed = []
+        for pattern in patterns:
+            depth = pattern.count("/")
+            found = sorted(p for p in left if p == pattern or p not in explicit and fnmatch.fnmatch(p, pattern) and p.count("/") == depth)
+            left -= set(found)
+            listed += found
+        sections.append((section, listed))
+    return sections, sorted(left)
+
+
+def title_of(text):
+    found = re.search(r"^# (.+)$", text, re.M)
+    return found[1].strip() if found else ""
+
+
+def first_sentence(text):
+    body = re.sub(r"^# .+$", "", text, count=1, flags=re.M)
+    for paragraph in body.split("\n\n"):
+        paragraph = " ".join(paragraph.split())
+        if re.match(r"[`A-Z*\[]", paragraph):
+            paragraph = LINK.sub("", paragraph).replace("[", "").replace("]", "").replace("**", "")
+            return re.split(r"(?<=[a-z`)\d])\.\s", paragraph + " ")[0].rstrip(". ") + "."
+    return ""
+
+
+def moved(target, here, source):
+    """Where a link of a page leads on the site."""
+    if re.match(r"\w+:", target):
+        return target
+    path = os.path.normpath(os.path.join(os.path.dirname(here), target))
+    to = path
+    if path == "README.md":
+        to = "index.md"
+    elif path.startswith("scripts/") and path.endswith(".lua"):
+        to = path[:-4] + ".md"
+    elif os.path.isdir(os.path.join(source, path)):
+        names = [name for name in ("README.md", "index.md") if os.path.exists(os.path.join(source, path, name))]
+        to = f"{path}/{names[0] if names else 'index.md'}"
+        if not names and to not in SECTIONS:
+            to = f"{path}/index.md" if path != "docs/theory" else "docs/README.md"
+    return target if to == path else os.path.relpath(to, os.path.dirname(here) or ".")
+
+
+def linked(line, here, source):
+    line = LINK.sub(lambda m: m[1] + moved(m[2], here, source) + (m[3] or "") + m[4], line)
+
+    def script(found):
+        path = os.path.join(source, found[1])
+        return f"[{found[0]}]({os.path.relpath(found[1][:-4] + '.md', os.path.dirname(here) or '.')})" if os.path.exists(path) else found[0]
+    return re.sub(r"(?<!\[)`(scripts/[\w/]+\.lua)`(?!\])", script, line) if not line.startswith("#") else line
+
+
+def index_entries(lines):
+    """Each function, key, field and event of the reference, as an entry of the index before its heading."""
+    out, pending, name = [], [], ""
+    for line in lines:
+        heading, row = re.match(r"### `([^`]+)`", line), re.match(r"\| `([^`|]+)` \|", line)
+        if heading or line.startswith("#"):
+            out, pending = flushed(out, pending), []
+            name = re.sub(r"[{(].*", "", heading[1]).strip() if heading else ""
+            out.append(line)
+            if name:
+                out.append("@entries")
+                pending.append(f"single: {name}")
+        else:
+            if row and name == "event type":
+                pending.append(f"single: {row[1]} (event)")
+            elif row and name and not row[1].startswith("["):
+                pending.append(f"single: {row[1]}; of {name}")
+            out.append(line)
+    return flushed(out, pending)
+
+
+def flushed(out, pending):
+    if "@entries" not in out:
+        return out
+    at = out.index("@entries")
+    unique = list(dict.fromkeys(entry.replace(",", " ").replace("!", "") for entry in pending))
+    return out[:at - 1] + entries_block(unique) + [out[at - 1]] + out[at + 1:]
+
+
+def entries_block(entries):
+    return ["```{eval-rst}", ".. index::"] + ["   " + entry for entry in entries] + ["```", ""]
+
+
+def glossary_entries(lines):
+    """Each term of the glossary, under the heading of its subject."""
+    out, at, pending = [], 0, []
+    for line in lines + ["## end"]:
+        row = re.match(r"\| ([^|`]+?) \|", line)
+        if line.startswith("## "):
+            if pending:
+                out[at:at] = entries_block(pending)
+            pending, at = [], len(out)
+        elif row and row[1] not in ("term", "") and not row[1].startswith("-"):
+            pending.append(f"single: {row[1].replace(',', ' and').replace(';', ' ')}")
+        out.append(line)
+    return out[:-1]
+
+
+def synonyms(source):
+    found = {}
+    for line in read(os.path.join(source, "docs/site/synonyms.txt")).splitlines():
+        if line.strip() and not line.startswith("#"):
+            word, page = (part.strip() for part in line.split(";"))
+            found.setdefault(page, []).append(word)
+    return found
+
+
+def staged(page, source, words):
+    lines, fence = [], False
+    for line in read(os.path.join(source, page)).split("\n"):
+        if FENCE.match(line):
+            fence = not fence
+        lines.append(line if fence else linked(line, page, source))
+    if not title_of("\n".join(lines)):
+        lines = ["# " + os.path.basename(page)[:-3].lstrip("0123456789-").replace("-", " ").capitalize(), ""] + lines
+    if page.startswith("docs/reference/"):
+        lines = index_entries(lines)
+    if page == "docs/glossary.md":
+        lines = glossary_entries(lines)
+    if words.get(page):
+        lines = entries_block([f"single: {word}" for word in words[page]]) + lines
+    return "\n".join(lines)
+
+
+def script_page(path, source):
+    text = read(os.path.join(source, path))
+    name = os.path.relpath(path, "scripts")
+    head = re.match(r"((?:--[^\n]*\n)+)", text.lstrip("#!/usr/bin/env trilith\n"))
+    about = " ".join(re.sub(r"^--+\s?", "", line) for line in head[1].splitlines()) if head else ""
+    about = re.sub(r"([<>*_\[\]])", r"\\\1", about)
+    return f"---\norphan: true\n---\n# {name}\n\n{about}\n\nRun it with `trilith run {path}`.\n\n```lua\n{text.rstrip()}\n```\n", about
+
+
+def list_of_scripts(scripts, abouts):
+    topics = [("Tour", lambda p: "/tour/" in p), ("Bridges", lambda p: re.search(r"bridge|viaduct|scour", p)),
+              ("Masonry", lambda p: re.search(r"wall|arch|dome|facade", p)), ("Others", lambda p: True)]
+    text, left = "# Example scripts\n\nEach script runs as it is; `trilith run FILE --params` lists its parameters.\n", list(scripts)
+    for topic, belongs in topics:
+        mine = [p for p in left if belongs(p)]
+        left = [p for p in left if p not in mine]
+        rows = [f"| [{os.path.relpath(p, 'scripts')}]({os.path.relpath(p, 'scripts')[:-4]}.md) | {shorter(abouts[p])} |" for p in mine]
+        text += f"\n## {topic}\n\n| script | subject |\n|---|---|\n" + "\n".join(rows) + "\n" if mine else ""
+    return text
+
+
+def shorter(text):
+    return re.split(r"(?<=[a-z)])[.:;]\s", text.replace("|", "/") + " ")[0].strip()[:140]
+
+
+def gallery(source, pages):
+    cards = []
+    for page in pages:
+        text = read(os.path.join(source, page))
+        picture = re.search(r"!\[[^\]]*\]\(([^)]+)\)", text)
+        name = os.path.basename(page)
+        image = f"![{title_of(text)}]({picture[1]})\n\n" if picture else ""
+        cards.append(f'<a class="card" href="{name[:-3]}.html">\n\n{image}**{title_of(text)}**\n\n{first_sentence(text)}\n\n</a>\n')
+    return "# Gallery\n\nLarger models with their scripts, pictures and figures.\n\n<div class=\"cards\">\n" + "\n".join(cards) + "\n</div>\n"
+
+
+def decisions(source, pages):
+    rows = [f"- [{title_of(read(os.path.join(source, p))) or os.path.basename(p)[:-3]}]({os.path.basename(p)})" for p in pages]
+    links = "\n".join(os.path.basename(p)[:-3] for p in pages)
+    return (f"# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n" + "\n".join(rows) +
+            f"\n\n```{{toctree}}\n:hidden:\n\n{links}\n```\n")
+
+
+def main(source, target):
+    shutil.rmtree(target, ignore_errors=True)
+    pages, words = pages_of(source), synonyms(source)
+    for ending in (".png", ".svg", ".py", ".txt"):
+        for path in walk(source, "docs", ending):
+            if not path.startswith("docs/site/"):
+                os.makedirs(os.path.dirname(os.path.join(target, path)), exist_ok=True)
+                shutil.copyfile(os.path.join(source, path), os.path.join(target, path))
+    shutil.copyfile(os.path.join(source, "LICENSE"), os.path.join(target, "LICENSE"))
+    scripts, abouts = walk(source, "scripts", ".lua"), {}
+    for path in scripts:
+        text, abouts[path] = script_page(path, source)
+        write(os.path.join(target, path[:-4] + ".md"), text)
+    made = {"scripts/index.md": list_of_scripts(scripts, abouts),
+            "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")]),
+            "docs/decisions/index.md": decisions(source, [p for p in pages if p.startswith("docs/decisions/")])}
+    for path, text in made.items():
+        write(os.path.join(target, path), text)
+    sections, left = menu(source, pages + list(made))
+    for page in left:
+        sys.exit(f"docs/site/navigation.txt names no section for {page}")
+    for page in pages:
+        if page not in made:
+            write(os.path.join(target, "index.md" if page == "README.md" else page), staged(page, source, words))
+    with open(os.path.join(target, "index.md"), "a", encoding="utf8") as f:
+        for section, listed in sections:
+            entries = "\n".join("Index of functions, keys and events <genindex>" if p == "genindex" else p[:-3] for p in listed)
+            f.write(f"\n\n```{{toctree}}\n:hidden:\n:caption: {section}\n\n{entries}\n```\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
