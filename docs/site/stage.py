@@ -96,7 +96,18 @@ def moved(target, here, source):
     return target if to == path else os.path.relpath(to, os.path.dirname(here) or ".")
 
 
+def titled(line, here, source):
+    """Links whose text is the name of a page get its title."""
+    def title(found):
+        path = os.path.normpath(os.path.join(os.path.dirname(here), found[2]))
+        if not os.path.basename(path).endswith(os.path.basename(found[1])) or not os.path.isfile(os.path.join(source, path)):
+            return found[0]
+        return f"[{title_of(read(os.path.join(source, path))) or found[1]}]({found[2]}{found[3] or ''})"
+    return re.sub(r"\[`?([\w/.-]+\.md)`?\]\(([^)\s#]+\.md)(#[^)\s]*)?\)", title, line)
+
+
 def linked(line, here, source):
+    line = titled(line, here, source)
     line = LINK.sub(lambda m: m[1] + moved(m[2], here, source) + (m[3] or "") + m[4], line)
 
     def script(found):

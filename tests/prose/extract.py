@@ -6,7 +6,8 @@ END = re.compile(r"(?<=[.!?])[\"')\]*_]*\s+(?=[\"'(\[`*_]*[A-Z0-9`])")
 ABBREVIATION = re.compile(r"\b(?:e\.g|i\.e|cf|vs|No|Eq|Eqs|Fig|Sec|approx|et al|etc|pp|Dr|St)\.$")
 BLOCK = re.compile(r"^\s*(?:[-*+]|\d+[.)]|>|#+)\s+")
 
-C_LIKE = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<string>R"(?P<mark>[^(\s"]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|(?P<char>'(?:[^'\\\n]|\\.)')""", re.S)
+C_LIKE = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<string>R"(?P<mark>[^(\s"]*)\(.*?\)(?P=mark)"|"(?:[^"\\\n]|\\.)*")|"""
+                    r"""(?P<char>'(?:[^'\\\n]|\\.)')""", re.S)
 SCRIPT = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<string>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`)""", re.S)
 LUA = re.compile(r"""(?P<comment>--\[\[.*?\]\]|--[^\n]*)|(?P<string>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|\[\[.*?\]\])""", re.S)
 HASH = re.compile(r"(?P<comment>(?:(?<=\s)|^)#(?!!)[^\n]*)|(?P<string>(?!))", re.M)

@@ -8,6 +8,7 @@ import argparse
 import collections
 import fnmatch
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -50,13 +51,19 @@ def read_exceptions():
     return rows
 
 
-def findings_of(path, area, source):
+def parts_of(path, area, source):
     if area in ("docs", "reference", "readme"):
-        parts = extract.markdown(source)
-    else:
-        extension = "txt" if path.endswith(".txt") else path.rsplit(".", 1)[-1]
-        parts = extract.code(source, extension, area.endswith("-messages"))
-    for line, text, kind in parts:
+        return extract.markdown(source)
+    extension = "txt" if path.endswith(".txt") else path.rsplit(".", 1)[-1]
+    return extract.code(source, extension, area.endswith("-messages"))
+
+
+def texts_of(path, area, source):
+    return [(line, text) for line, text, kind in parts_of(path, area, source) if kind == "text"]
+
+
+def findings_of(path, area, source):
+    for line, text, kind in parts_of(path, area, source):
         if kind == "line":
             if len(text) > rules.LINE_CHARACTERS:
                 yield line, "line", f"{len(text)} characters; at most {rules.LINE_CHARACTERS}", text[:60], text
@@ -128,15 +135,37 @@ def compare(found, unused):
     return failed
 
 
+def draw(paths, count, seed):
+    """Sentences at random: first the kind (page, comment, message), then one of its sentences of five words and more."""
+    kinds = {"page": [], "comments": [], "messages": []}
+    for path in paths:
+        for area in area_of(path):
+            kind = area.rsplit("-", 1)[-1]
+            with open(os.path.join(ROOT, path), encoding="utf8") as f:
+                source = f.read()
+            kinds[kind if kind in kinds else "page"] += [(path, line, text) for line, text in texts_of(path, area, source)
+                                                         if len(rules.WORD.findall(text)) >= 5]
+    dice = random.Random(seed)
+    for _ in range(count):
+        path, line, text = dice.choice(kinds[dice.choice(sorted(kinds))])
+        print(f"{path}:{line}: {text}")
+    return 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", nargs="*", metavar="AREA|PATH", help="print each place, of these areas or paths alone")
     parser.add_argument("--rule", help="this rule alone")
+    parser.add_argument("--draw", type=int, metavar="N", help="print N sentences at random, from pages, comments and messages alike")
+    parser.add_argument("--seed", type=int, default=1, help="of --draw (1)")
     parser.add_argument("--lower", action="store_true", help="lower the rows of counts.txt that are above today's counts")
     args = parser.parse_args()
     listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, text=True, check=True,
                             stdout=subprocess.PIPE).stdout
-    found, unused = collect([path for path in sorted(set(listed.split("\n"))) if os.path.isfile(os.path.join(ROOT, path))])
+    paths = [path for path in sorted(set(listed.split("\n"))) if os.path.isfile(os.path.join(ROOT, path))]
+    if args.draw:
+        return draw(paths, args.draw, args.seed)
+    found, unused = collect(paths)
     if args.list is not None or args.rule:
         for area, path, line, rule, advice, excerpt in [f for f in found if args.rule in (None, f[3])]:
             if not args.list or area in args.list or any(path.startswith(p) for p in args.list):
