@@ -191,12 +191,19 @@ def staged(page, source, words):
 
 
 def script_page(path, source):
+    """The comment at the head of a script as text, the rest as code; and the text."""
     text = read(os.path.join(source, path))
-    name = os.path.relpath(path, "scripts")
-    head = re.match(r"((?:--[^\n]*\n)+)", text.lstrip("#!/usr/bin/env trilith\n"))
-    about = " ".join(re.sub(r"^--+\s?", "", line) for line in head[1].splitlines()) if head else ""
+    text = re.sub(r"^#![^\n]*\n", "", text)
+    head = re.match(r"((?:--[^\n]*\n)*)", text)[1]
+    about = re.sub(r"^--+[ ]?", "", head, flags=re.M).strip()
     about = re.sub(r"([<>*_\[\]])", r"\\\1", about)
-    return f"---\norphan: true\n---\n# {name}\n\n{about}\n\nRun it with `trilith run {path}`.\n\n```lua\n{text.rstrip()}\n```\n", about
+    here = os.path.dirname(path)
+
+    def page(found):
+        return f"[{title_of(read(os.path.join(source, found[0].replace(chr(92), ''))))}]({os.path.relpath(found[0].replace(chr(92), ''), here)})"
+    linked_about = re.sub(r"docs/[\w/.\\-]+\.md", lambda m: page(m) if os.path.exists(os.path.join(source, m[0].replace(chr(92), ''))) else m[0], about)
+    return (f"---\norphan: true\n---\n# {os.path.relpath(path, 'scripts')}\n\n{linked_about}\n\nRun it with `trilith run {path}`.\n\n"
+            f"```lua\n{text[len(head):].strip()}\n```\n"), " ".join(about.split())
 
 
 def list_of_scripts(scripts, abouts):

@@ -115,6 +115,9 @@ def search(site, pictures):
 
 def main(site, pictures):
     site = os.path.abspath(site)
+    if not os.path.exists(os.path.join(site, "index.html")):
+        print(f"skipped: {site} is not built; ./dev docs installs the tools for it")
+        return SKIPPED
     os.makedirs(pictures, exist_ok=True)
     found = []
     for width, dark in ((1440, False), (1440, True), (420, False), (420, True)):
