@@ -11,7 +11,7 @@ import sys
 
 FENCE = re.compile(r"^\s*(```+|~~~+)")
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
-SECTIONS = {"docs/gallery/index.md": "Gallery", "docs/decisions/index.md": "Design decisions", "scripts/index.md": "Example scripts"}
+MADE = ("docs/gallery/index.md", "docs/decisions/index.md", "scripts/index.md")
 
 
 def read(path):
@@ -50,7 +50,8 @@ def navigation(source):
 def menu(source, pages):
     """[(section, [page])], and the pages that no pattern names."""
     left, sections = set(pages) - {"README.md"} | {"genindex"}, []
-    left -= {p for p in left if p.startswith("docs/decisions/") and p != "docs/decisions/index.md"}
+    front = {p for p in ("docs/decisions/README.md", "docs/decisions/index.md") if p in left}
+    left -= {p for p in left if p.startswith("docs/decisions/")} - front
     explicit = {p for _, patterns in navigation(source) for p in patterns if "*" not in p}
     for section, patterns in navigation(source):
         listed = []
@@ -91,7 +92,7 @@ def moved(target, here, source):
     elif os.path.isdir(os.path.join(source, path)):
         names = [name for name in ("README.md", "index.md") if os.path.exists(os.path.join(source, path, name))]
         to = f"{path}/{names[0] if names else 'index.md'}"
-        if not names and to not in SECTIONS:
+        if not names and to not in MADE:
             to = f"{path}/index.md" if path != "docs/theory" else "docs/README.md"
     return target if to == path else os.path.relpath(to, os.path.dirname(here) or ".")
 
@@ -233,11 +234,15 @@ def gallery(source, pages):
     return "# Gallery\n\nLarger models with their scripts, pictures and figures.\n\n<div class=\"cards\">\n" + "\n".join(cards) + "\n</div>\n"
 
 
+def hidden_menu(pages):
+    names = "\n".join(os.path.basename(page)[:-3] for page in pages)
+    return f"\n\n```{{toctree}}\n:hidden:\n\n{names}\n```\n"
+
+
 def decisions(source, pages):
+    """The list of the decisions, where they have no page of their own for it."""
     rows = [f"- [{title_of(read(os.path.join(source, p))) or os.path.basename(p)[:-3]}]({os.path.basename(p)})" for p in pages]
-    links = "\n".join(os.path.basename(p)[:-3] for p in pages)
-    return (f"# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n" + "\n".join(rows) +
-            f"\n\n```{{toctree}}\n:hidden:\n\n{links}\n```\n")
+    return "# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n" + "\n".join(rows) + hidden_menu(pages)
 
 
 def main(source, target):
@@ -253,9 +258,11 @@ def main(source, target):
     for path in scripts:
         text, abouts[path] = script_page(path, source)
         write(os.path.join(target, path[:-4] + ".md"), text)
+    numbered = [p for p in pages if re.match(r"docs/decisions/\d", p)]
     made = {"scripts/index.md": list_of_scripts(scripts, abouts),
-            "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")]),
-            "docs/decisions/index.md": decisions(source, [p for p in pages if p.startswith("docs/decisions/")])}
+            "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")])}
+    if "docs/decisions/README.md" not in pages:
+        made["docs/decisions/index.md"] = decisions(source, numbered)
     for path, text in made.items():
         write(os.path.join(target, path), text)
     sections, left = menu(source, pages + list(made))
@@ -263,7 +270,8 @@ def main(source, target):
         sys.exit(f"docs/site/navigation.txt names no section for {page}")
     for page in pages:
         if page not in made:
-            write(os.path.join(target, "index.md" if page == "README.md" else page), staged(page, source, words))
+            text = staged(page, source, words) + (hidden_menu(numbered) if page == "docs/decisions/README.md" else "")
+            write(os.path.join(target, "index.md" if page == "README.md" else page), text)
     with open(os.path.join(target, "index.md"), "a", encoding="utf8") as f:
         for section, listed in sections:
             entries = "\n".join("Index of functions, keys and events <genindex>" if p == "genindex" else p[:-3] for p in listed)

@@ -159,6 +159,7 @@ def main():
     parser.add_argument("--draw", type=int, metavar="N", help="print N sentences at random, from pages, comments and messages alike")
     parser.add_argument("--seed", type=int, default=1, help="of --draw (1)")
     parser.add_argument("--lower", action="store_true", help="lower the rows of counts.txt that are above today's counts")
+    parser.add_argument("--record", action="store_true", help="after a merge: write today's counts of the areas that have rows")
     args = parser.parse_args()
     listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, text=True, check=True,
                             stdout=subprocess.PIPE).stdout
@@ -174,6 +175,10 @@ def main():
     if args.lower:
         counts = collections.Counter((f[0], f[3]) for f in found)
         write_counts({key: min(most, counts[key]) for key, most in read_counts().items()})
+        return 0
+    if args.record:
+        areas = {area for area, _ in read_counts()}
+        write_counts(collections.Counter((f[0], f[3]) for f in found if f[0] in areas))
         return 0
     return int(compare(found, unused))
 

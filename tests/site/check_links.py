@@ -81,7 +81,7 @@ def main(source=os.path.join(HERE, "../..")):
         found += links_of(source, page, known)
         if not stage.title_of(stage.read(os.path.join(source, page))):
             found.append(f"{page}: has no title ('# ...')")
-    found += [f"docs/site/navigation.txt names no section for {page}" for page in stage.menu(source, pages + list(stage.SECTIONS))[1]]
+    found += [f"docs/site/navigation.txt names no section for {page}" for page in stage.menu(source, pages + list(stage.MADE))[1]]
     found += [f"docs/site/synonyms.txt: there is no page {page}" for page in stage.synonyms(source) if page not in pages]
     if os.path.exists(os.path.join(source, "docs/glossary.md")):
         found += glossary(source)
