@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import sys
+import textwrap
 
 FENCE = re.compile(r"^\s*(```+|~~~+)")
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
@@ -220,7 +221,8 @@ def list_of_scripts(scripts, abouts):
 
 
 def shorter(text):
-    return re.split(r"(?<=[a-z)])[.:;]\s", text.replace("|", "/") + " ")[0].strip()[:140]
+    sentence = re.split(r"(?<=[a-z)])[.:;]\s", text.replace("|", "/") + " ")[0].strip()
+    return textwrap.shorten(sentence, 150, placeholder=" …")
 
 
 def gallery(source, pages):

@@ -1,7 +1,11 @@
-// Sets the formulas of a page, and adds the first sentence of each page to the results of the search.
+// Sets the formulas of a page, marks tables of keys and terms, and adds the first sentence of each page to the results of the search.
 document.addEventListener("DOMContentLoaded", () => {
   for (const place of document.querySelectorAll(".formula")) {
     katex.render(place.textContent, place, { displayMode: place.tagName === "DIV", throwOnError: false, strict: false });
+  }
+  for (const table of document.querySelectorAll("article table")) {
+    const head = [...table.querySelectorAll("thead th")].map((cell) => cell.textContent.trim());
+    if (head.length >= 4 && ["key", "argument", "field", "term"].includes(head[0])) table.classList.add("facts");
   }
   const results = document.getElementById("search-results");
   if (!results || !window.summaries) return;
