@@ -199,11 +199,13 @@ def script_page(path, source):
     head = re.match(r"((?:--[^\n]*\n)*)", text)[1]
     about = re.sub(r"^--+[ ]?", "", head, flags=re.M).strip()
     about = re.sub(r"([<>*_\[\]])", r"\\\1", about)
-    here = os.path.dirname(path)
 
     def page(found):
-        return f"[{title_of(read(os.path.join(source, found[0].replace(chr(92), ''))))}]({os.path.relpath(found[0].replace(chr(92), ''), here)})"
-    linked_about = re.sub(r"docs/[\w/.\\-]+\.md", lambda m: page(m) if os.path.exists(os.path.join(source, m[0].replace(chr(92), ''))) else m[0], about)
+        to = found[0].replace("\\", "")
+        if not os.path.exists(os.path.join(source, to)):
+            return found[0]
+        return f"[{title_of(read(os.path.join(source, to)))}]({os.path.relpath(to, os.path.dirname(path))})"
+    linked_about = re.sub(r"docs/[\w/.\\-]+\.md", page, about)
     return (f"---\norphan: true\n---\n# {os.path.relpath(path, 'scripts')}\n\n{linked_about}\n\nRun it with `trilith run {path}`.\n\n"
             f"```lua\n{text[len(head):].strip()}\n```\n"), " ".join(about.split())
 
@@ -233,7 +235,8 @@ def gallery(source, pages):
         name = os.path.basename(page)
         image = f"![{title_of(text)}]({picture[1]})\n\n" if picture else ""
         cards.append(f'<a class="card" href="{name[:-3]}.html">\n\n{image}**{title_of(text)}**\n\n{first_sentence(text)}\n\n</a>\n')
-    return "# Gallery\n\nLarger models with their scripts, pictures and figures.\n\n<div class=\"cards\">\n" + "\n".join(cards) + "\n</div>\n"
+    head = "# Gallery\n\nLarger models with their scripts, pictures and figures.\n\n"
+    return head + '<div class="cards">\n' + "\n".join(cards) + "\n</div>\n"
 
 
 def hidden_menu(pages):
@@ -244,7 +247,8 @@ def hidden_menu(pages):
 def decisions(source, pages):
     """The list of the decisions, where they have no page of their own for it."""
     rows = [f"- [{title_of(read(os.path.join(source, p))) or os.path.basename(p)[:-3]}]({os.path.basename(p)})" for p in pages]
-    return "# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n" + "\n".join(rows) + hidden_menu(pages)
+    head = "# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n"
+    return head + "\n".join(rows) + hidden_menu(pages)
 
 
 def main(source, target):
