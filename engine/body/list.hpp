@@ -1,5 +1,5 @@
 // The kinds of body there are: a new one is its own file of equations and a row here. What it touches beyond that is in
-// docs/decisions/0025-body-kinds.md.
+// docs/decisions/0022-body-kinds.md.
 #pragma once
 
 #include <array>

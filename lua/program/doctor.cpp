@@ -118,7 +118,7 @@ Finding libraries_finding() {
       "", ""};
 }
 
-/// Results are the same without them (docs/decisions/0012-same-bits.md); runs take longer.
+/// Results are the same without them (docs/decisions/0011-same-bits.md); runs take longer.
 Finding processor_finding() {
 #if defined(__x86_64__)
   const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

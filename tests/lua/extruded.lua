@@ -127,7 +127,7 @@ end
 -- Elements: a tower of them under its weight and a pull sideways swings as in the plane, in plane strain and in plane
 -- stress, where it grows thicker and is thin enough for it. Its foot is held, as friction under a soft face is one
 -- spring in space and one to each half in the plane. One element alone has its own rotary inertia in the plane only
--- (docs/decisions/0070), so that it is not compared.
+-- (docs/decisions/0049), so that it is not compared.
 for _, plane in ipairs { "stress", "strain" } do
   for _, mesh in ipairs { { 2, 4 }, { 3, 4 } } do
     local m = stack(friction, {}, { gravity = { 3, -9.81 }, thickness = 0.1 })

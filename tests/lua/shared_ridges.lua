@@ -1,5 +1,5 @@
 -- A ridge or a corner that several pieces of one body share slides as that of one convex piece does: nothing brakes it
--- where nothing rubs, and friction is Coulomb's (docs/decisions/0056-one-direction-at-a-ridge.md).
+-- where nothing rubs, and friction is Coulomb's (docs/decisions/0038-shared-edges.md).
 local trilith = require "trilith"
 local near = require "near_expected"
 
