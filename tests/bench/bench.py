@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs the cases of the benchmarks and says what a step of each costs, by part; docs/performance.md has how to read it.
+"""Runs the cases of the benchmarks and says what a step of each costs, by part; docs/benchmarks.md has how to read it.
 
 bench.py PROGRAM [--against OTHER] [--cases REGEX] [--long] [--threads N[,N...]] [--times N] [--instructions] [--parts]
 
