@@ -44,10 +44,11 @@ function console.entry_text(entry)
   if entry.takes_table and #entry.keys > 0 and #entry.args > 0 then lines[#lines + 1] = "  the table's keys:" end
   add_keys(lines, entry.keys)
   if #entry.with > 0 then
-    lines[#lines + 1] = "  and what bodies take:"
+    lines[#lines + 1] = "  and the keys of bodies:"
     add_keys(lines, entry.with)
   end
   if entry.gives then lines[#lines + 1] = "  gives: " .. entry.gives end
+  if entry.also then lines[#lines + 1] = "  see also: " .. entry.also end
   return table.concat(lines, "\n")
 end
 
@@ -70,16 +71,16 @@ end
 
 local function overview()
   local lines = {
-    "Lines are Lua; what an expression gives is shown. Tab completes, arrows bring back lines, Ctrl-C stops what runs.",
-    "  help(x), help \"m.run\"        what x is, or what is called so",
-    "  apropos \"bearing\"           where a word is told of",
-    "  help \"stages\"                a page of the manual; there are:",
+    "Lines are Lua. Values of expressions are printed. Tab completes, arrows recall lines, Ctrl-C interrupts.",
+    "  help(x), help \"m.run\"        describes a value or a name",
+    "  apropos \"bearing\"           finds entries that mention a word",
+    "  help \"stages\"                prints a page of the manual. Pages:",
   }
   for _, page in ipairs(console.manual().pages) do
     lines[#lines + 1] = ("    %-12s %s"):format(page.name, page.title)
   end
   lines[#lines + 1] = "Where a run pauses (Ctrl-C, m:break_on): `continue`, `stop`, `where`, `frame(n)`; "
-    .. "locals go by their names."
+    .. "local variables are available by name."
   lines[#lines + 1] = "`quit` or Ctrl-D leaves."
   return table.concat(lines, "\n")
 end
@@ -142,7 +143,7 @@ local function function_name(f)
   return nil
 end
 
---- What there is to say of a value, or of what a text names.
+--- Describes a value, or the object that a text names.
 function console.help_text(value, value_of)
   if value == nil then return overview() end
   if type(value) == "string" then return text_named(value, value_of) end
@@ -169,18 +170,18 @@ local function title_of(name)
   return ""
 end
 
---- Entries in which a word occurs, or in the title of whose page it does, one line each.
+--- Entries that contain a word, in their text, search words or title of the page, one line each.
 function console.apropos_text(word)
   if type(word) ~= "string" or word == "" then core.fail "apropos: takes a word, as in apropos \"bearing\"" end
   local lines, low = {}, word:lower()
   for _, entry in ipairs(console.manual().list) do
-    local text = entry.name .. " " .. entry.doc .. " " .. title_of(entry.page)
+    local text = entry.name .. " " .. entry.doc .. " " .. title_of(entry.page) .. " " .. (entry.also or "")
     for _, keys in ipairs { entry.args, entry.keys } do
       for _, key in ipairs(keys) do text = text .. " " .. key.name .. " " .. key.doc end
     end
     if text:lower():find(low, 1, true) then lines[#lines + 1] = one_line(entry) end
   end
-  if #lines == 0 then return ("nothing is told of '%s'"):format(word) end
+  if #lines == 0 then return ("no entry mentions '%s'"):format(word) end
   return table.concat(lines, "\n")
 end
 

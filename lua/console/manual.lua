@@ -36,8 +36,9 @@ local function read_entry(row, page, shared)
   local owner, member = row[1]:match "^(.-):(.+)$"
   if not owner then owner, member = row[1]:match "^(.*)%.(.-)$" end
   local entry = { name = row[1], owner = owner, member = member, doc = row[2], gives = row.gives, type = row.type,
+    also = row.also, example = row.example, made = row.made,
     page = page.name, args = read_keys(row.args), keys = read_keys(row.keys), with = {}, takes_table = row.keys ~= nil }
-  -- Keys that are known only beside others, and constructors that tell no keys here: for the check of the manual.
+  -- For the check of the manual: keys that are known only together with others; constructors without keys here.
   entry.beside, entry.unread = row.beside or {}, row.unread
   if row.with then entry.with = read_keys(shared[row.with]) end
   local each = ({ bodies = "body", solids = "solid" })[row.with]
@@ -45,8 +46,8 @@ local function read_entry(row, page, shared)
   return entry
 end
 
--- Makers that the page tells of, then those that are declared in engine/build. What a page says of a model's own
--- function (`model:span`) stands instead of what a maker would say of it.
+-- Builders of the page, then builders declared in engine/build. The declaration of a function of the model
+-- (`model:span`) takes precedence over the declaration of a builder with the same name.
 local function add_makers(manual, page, shared)
   local makers = table.move(page.makers, 1, #page.makers, 1, {})
   for _, builder in ipairs(core.builders()) do
@@ -58,14 +59,15 @@ local function add_makers(manual, page, shared)
       local single = rawget(manual.module, row[1]) ~= nil
       local of_model = owner == "model:"
       if not (of_model and row.parts_only) then
-        manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside,
+        manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside, also = row.also,
+          example = of_model and row.example or nil, made = true,
           with = of_model and (single and "body" or "bodies") or nil,
           gives = not of_model and "part[]" or single and "body" or "set" }, page, shared))
       end
     end
     if rawget(manual.module, row[1]) then
-      manual.add(read_entry({ "trilith." .. row[1], row[2] .. " One part, for the shape of a body.", keys = row.keys,
-        beside = row.beside, gives = "part" }, page, shared))
+      manual.add(read_entry({ "trilith." .. row[1], row[2] .. " Returns one part, for the shape of a body.",
+        keys = row.keys, beside = row.beside, made = true, gives = "part" }, page, shared))
     end
   end
 end
@@ -79,13 +81,13 @@ local function add_laws(manual)
       local entry = { name = "trilith." .. name, owner = "trilith", member = name, doc = laws[name].doc, args = {},
         keys = {}, with = {}, beside = {}, gives = law_kinds[i], page = "laws", takes_table = true }
       if i == 1 then
-        entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "its name in results" }
+        entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "name in results" }
       end
       if name == "end_hinge" then
         entry.keys[1] = { name = "axial", type = "points", unit = "", optional = true,
-          doc = "{ normal force, share of the moment left }, ..., instead of tension, compression, exponent" }
+          doc = "{ normal force, remaining share of the moment }, ..., instead of tension, compression, exponent" }
         entry.keys[2] = { name = "becomes", type = "text", unit = "", optional = true, preset = '"pinned"',
-          doc = "what its beam is once it has no moment: \"pinned\", or \"removed\", which carries nothing" }
+          doc = "state of its beam without moment: \"pinned\", or \"removed\", without any force" }
       end
       if name == "table" then
         entry.keys[1] = { name = "points", type = "points", unit = "", doc = "{ displacement, force }, ..." }
@@ -110,9 +112,9 @@ local function add_fields(manual, types)
   end
 end
 
---- The tables that calls give: their fields are rows of a page.
+--- Tables that calls return: their fields are rows of a page.
 local function add_tables(manual, page)
-  for _, name in ipairs { "report", "event", "findings", "part" } do
+  for _, name in ipairs { "report", "pushover report", "energy", "event", "findings", "part" } do
     for _, key in ipairs(read_keys(page.tables[name])) do
       manual.add { name = name .. "." .. key.name, owner = name, member = key.name, doc = key.doc, unit = key.unit,
         type = key.type, optional = key.optional, is_field = true, is_row = true, args = {}, keys = {}, with = {},
@@ -129,8 +131,9 @@ local function add_events(manual, page)
     sentences[name] = doc
   end
   for _, event in ipairs(core.event_types()) do
-    local doc = sentences[event.name] or error("manual: nothing is said of the event '" .. event.name .. "'", 0)
-    if event.place then doc = doc .. "; x, y: where" end
+    local doc = sentences[event.name] 
+      or error("manual: the event '" .. event.name .. "' has no sentence in lua/manual/events.lua", 0)
+    if event.place then doc = doc .. "; x, y: place" end
     if event.mode then doc = doc .. "; mode: tension, shear or compression" end
     manual.add { name = ('event "%s"'):format(event.name), owner = "event type", member = event.name, unit = event.unit,
       doc = doc, type = event.value ~= "" and event.value or "no value", is_field = true, is_row = true, args = {},
@@ -164,7 +167,7 @@ function console.manual()
   manual.pages[#manual.pages + 1] = { name = "laws",
     title = "Laws of contacts, bearings, solids, fibres and hinges; sections of beams" }
   add_laws(manual)
-  manual.pages[#manual.pages + 1] = { name = "fields", title = "What can be read, by kind" }
+  manual.pages[#manual.pages + 1] = { name = "fields", title = "Readings, by kind of object" }
   add_fields(manual, types)
   return manual
 end

@@ -6,7 +6,8 @@ local class_of = {
   seat = "trilith.seat", history = "trilith.history", storey = "trilith.storey", motion = "trilith.motion",
   ["contact law"] = "trilith.contact_law", ["direction law"] = "trilith.direction_law",
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
-  section = "trilith.section", report = "trilith.report",
+  section = "trilith.section", report = "trilith.report", ["pushover report"] = "trilith.pushover_report",
+  energy = "trilith.energy",
   findings = "trilith.findings",
   event = "trilith.event", part = "trilith.part", space = "trilith.space_model",
 }
@@ -112,7 +113,8 @@ end
 function console.meta_text()
   local manual = console.manual()
   local lines = { "---@meta trilith", "-- Made by trilith manual --meta; see docs/editor.md.", "" }
-  for _, owner in ipairs { "report", "findings", "event", "part", "direction law", "solid law", "fibre law",
+  for _, owner in ipairs { "report", "pushover report", "energy", "findings", "event", "part",
+    "direction law", "solid law", "fibre law",
     "hinge law", "section", "model", "space",
     "body", "set",
     "bearing", "seat", "history", "storey", "motion", "contact law" } do

@@ -17,12 +17,12 @@ local function add_keys(lines, keys, title)
   for _, key in ipairs(keys) do lines[#lines + 1] = key_row(key) end
 end
 
---- Where the keys stand that all bodies take: those of the plane and of space are not the same.
+--- Entry that lists the keys of all bodies, in the plane or in space.
 local function told_at(entry)
   return entry.owner == "space" and "space:block" or "model:body"
 end
 
---- Those that all bodies take stand there alone; whoever takes more tells the rest.
+--- The keys of all bodies are listed once; other entries list only further keys.
 local function add_keys_of_bodies(lines, entry)
   local told, body = {}, told_at(entry)
   local bodies = entry.owner == "space" and "bodies in space" or "bodies"
@@ -33,18 +33,50 @@ local function add_keys_of_bodies(lines, entry)
   end
   local more = {}
   for _, key in ipairs(entry.with) do more[#more + 1] = not told[key.name] and key or nil end
-  local which = entry.name == body and "all %s take:" or "%s take, see `" .. body .. "`."
-  lines[#lines + 1] = "\nAnd what " .. which:format(bodies)
+  local which = entry.name == body and "Further keys that all %s take:" or "Further keys of %s: see `" .. body .. "`."
+  lines[#lines + 1] = "\n" .. which:format(bodies)
   add_keys(lines, more, "key")
+end
+
+--- The entry of the model's own function, where a builder of parts repeats its keys.
+local function main_of(entry)
+  local main = console.manual().by_name["model:" .. entry.member]
+  if entry.made and main and main.made and main ~= entry then return main end
+  return nil
+end
+
+--- Other names of a builder: `trilith.build.wall`, and `trilith.block` for a single part.
+local function add_other_names(lines, entry)
+  local names = {}
+  for _, other in ipairs(console.manual().list) do
+    if other.member == entry.member and main_of(other) == entry then
+      names[#names + 1] = ("`%s` (gives: %s)"):format(console.call_text(other), other.gives)
+    end
+  end
+  if #names > 0 then lines[#lines + 1] = "\nAlso without a model: " .. table.concat(names, ", ") .. "." end
+end
+
+--- A text in lines of at most 150 characters.
+local function wrapped(text)
+  local lines, line = {}, ""
+  for word in text:gmatch "%S+" do
+    if #line + #word > 148 then lines[#lines + 1], line = line, "" end
+    line = line .. (line == "" and "" or " ") .. word
+  end
+  lines[#lines + 1] = line
+  return table.concat(lines, "\n")
 end
 
 local function add_entry(lines, entry)
   local doc = entry.doc:find "[.:]$" and entry.doc or entry.doc .. "."
-  lines[#lines + 1] = ("\n### `%s`\n\n%s"):format(console.call_text(entry), doc)
-  if entry.gives then lines[#lines] = lines[#lines] .. " Gives: " .. entry.gives .. "." end
+  if entry.gives then doc = doc .. " Gives: " .. entry.gives .. "." end
+  lines[#lines + 1] = ("\n### `%s`\n\n%s"):format(console.call_text(entry), wrapped(doc))
+  add_other_names(lines, entry)
+  if entry.example then lines[#lines + 1] = "\n```lua\n" .. entry.example .. "\n```" end
   add_keys(lines, entry.args, "argument")
   add_keys(lines, entry.keys, "key")
   if #entry.with > 0 then add_keys_of_bodies(lines, entry) end
+  if entry.also then lines[#lines + 1] = "\nSee also: " .. entry.also .. "." end
 end
 
 local function field_row(entry)
@@ -53,7 +85,7 @@ local function field_row(entry)
   return ("| `%s` | %s | %s | %s |"):format(entry.member, cell(entry.type or ""), cell(unit), text)
 end
 
---- Fields stand in one table for each owner, in the order of the manual.
+--- One table of fields for each owner, in the order of the manual.
 local function add_fields(lines, entries)
   local owners, of = {}, {}
   for _, entry in ipairs(entries) do
@@ -71,8 +103,11 @@ end
 function console.page_markdown(name)
   local lines, fields, known = {}, {}, false
   if not name then
-    lines[1] = "# Reference\n\nThe Lua interface, made from its declarations by `docs/reference/make`: the same text\n"
-      .. "as `help` at the console.\n"
+    lines[1] = "# Reference\n\nAfter this page you can find every function, key, event and reading of the Lua "
+      .. "interface.\n"
+      .. "The pages are made from the declarations by `docs/reference/make`. `help` at the console has the same "
+      .. "text.\n\n"
+      .. "```sh\ntrilith manual run            # prints the reference of a function\n```\n"
     for _, page in ipairs(console.manual().pages) do
       lines[#lines + 1] = ("- [%s](%s.md)"):format(page.title, page.name)
     end
@@ -84,7 +119,11 @@ function console.page_markdown(name)
   if not known then error(("manual: there is no page '%s'; `trilith manual` names them"):format(name), 0) end
   for _, entry in ipairs(console.manual().list) do
     if entry.page == name then
-      if entry.is_field then fields[#fields + 1] = entry else add_entry(lines, entry) end
+      if entry.is_field then
+        fields[#fields + 1] = entry
+      elseif not main_of(entry) then
+        add_entry(lines, entry)
+      end
     end
   end
   add_fields(lines, fields)

@@ -1,53 +1,55 @@
 return {
-  name = "debugging", title = "At the console: looking, pausing, going back",
-  { "model:break_on", "The run pauses there, and the console opens. Gives the break's number.",
-    args = "where  text?  an event, or a function that says when, or the table", keys = [[
-[1]      text?             an event
-body     body?             of this body
-bearing  bearing?          of this bearing
-seat     seat?             of this seat
-group    text?             of a body of this group
-above    number?           of a value above this
+  name = "debugging", title = "At the console: breaks, checkpoints and checks",
+  { "model:break_on", "Sets a break: the run pauses there, and the console opens. Returns the number of the break.",
+    args = "where  text?  an event type, a condition f(model), or the table", keys = [[
+[1]      text?             type of event
+body     body?             only of this body
+bearing  bearing?          only of this bearing
+seat     seat?             only of this seat
+group    text?             only of a body of this group
+above    number?           only with a value above this
 when     function?         pauses when f(model) becomes true
 line     text or integer?  a line of a script: "bridge.lua:40"
 once     flag = false      only the first time]], gives = "integer" },
-  { "model:break_off", "That break is over; without a number all are.",
-    args = "number  integer?  as break_on gave it" },
-  { "model:breaks", "Breaks that hold, in words by number.", gives = "string[]" },
-  { "model:step", "So many steps more: of the stage that pauses, or of one of its own.",
-    args = "n  integer = 1  how many" },
-  { "model:continue", "Lets a run that pauses go on, or the stage that rewind has brought back.", gives = "report" },
-  { "model:rewind", "Back to the checkpoint in memory nearest to that time. What was recorded since stays in an "
-    .. "unfinished file; what follows goes to one of its own.", args = "seconds  number s?  how far back; or the table",
-    keys = "to  number s  the time to go back to", gives = "number" },
-  { "model:checkpoints", "What is kept in memory to go back to; at a console one each 0.1 s by itself.", keys = [[
-every  number s = 0.1      between them
-count  integer = 400       at most so many
-bytes  number = 256e6      in at most so much memory
-on     flag = true         false: none are taken]], gives = "findings" },
-  { "model:compare", "What changed between the run that rewind took back and the present one.", gives = "findings" },
-  { "model:change", "Another number from now on; in a handler, from the next step border on. The energy `added` has "
-    .. "what that puts in.", keys = [[
+  { "model:break_off", "Removes a break; without a number all of them.",
+    args = "number  integer?  number of the break" },
+  { "model:breaks", "Lists the active breaks by number.", gives = "string[]" },
+  { "model:step", "Runs a number of steps: of the paused stage, or of a new one.",
+    args = "n  integer = 1  number of steps" },
+  { "model:continue", "Continues a paused run, or the stage that rewind returned to.", gives = "report" },
+  { "model:rewind", "Returns to the checkpoint in memory nearest to a time. Earlier results stay in an "
+    .. "unfinished file. Later results go to a new file.",
+    args = "seconds  number s?  time to go back by; or the table",
+    keys = "to  number s  time to go back to", gives = "number" },
+  { "model:checkpoints", "Sets the checkpoints kept in memory. The console keeps one every 0.1 s by default.",
+    keys = [[
+every  number s = 0.1      interval
+count  integer = 400       largest number
+bytes  number = 256e6      largest memory, in bytes
+on     flag = true         false: no checkpoints]], gives = "findings" },
+  { "model:compare", "Differences between the run before rewind and the present one.", gives = "findings" },
+  { "model:change", "Changes numbers of a law or a bearing, from now on; in a handler, from the end of the step. "
+    .. "The energy term `added` has the energy of the change.", keys = [[
 law      text?   a contact law, with its numbers: mu = 0.4
 bearing  text?   or a bearing
-along    direction law?  its law along; one of another kind begins anew
-across   direction law?  in space: its law across
+along    direction law?  law along; a law of another kind restarts
+across   direction law?  in space: law across
 horizontal  direction law?  in space: one law of along and across, instead of these
-axial    direction law?  its law in the axial direction
-turning  direction law?  in the plane: for turning
-turning_along   direction law?  in space: for turning about along
-turning_across  direction law?  in space: for turning about across
-turning_axial   direction law?  in space: for turning about axial
-limit    table?  its limits by the names of these, { along = , axial = }; those that are not named stay
-angle    number rad?  in the plane: of its direction along
-replaces_contact  flag?  it stands for the flat contact it sits in
-becomes  text?  what is there after it failed: a contact law or a bearing that waits; false: nothing
-becomes_from  text or table?  where that bearing counts from, "start" or "here"; or { along = "here" }]],
+axial    direction law?  law in the axial direction
+turning  direction law?  in the plane: law of rotation
+turning_along   direction law?  in space: law of rotation about along
+turning_across  direction law?  in space: law of rotation about across
+turning_axial   direction law?  in space: law of rotation about axial
+limit    table?  limits by direction, { along = , axial = }; other limits stay
+angle    number rad?  in the plane: angle of the direction along
+replaces_contact  flag?  it replaces the flat contact at its place
+becomes  text?  successor after failure: a contact law or a waiting bearing; false: none
+becomes_from  text or table?  origin of the successor's displacement: "start" or "here"; or { along = "here" }]],
     beside = { along = true, across = true, horizontal = true, axial = true, turning = true, turning_along = true,
                turning_across = true, turning_axial = true, angle = true, replaces_contact = true, becomes = true,
                becomes_from = true } },
-  { "model:lint", "What keeps a model from being built, and what of it is likely not meant, each with the next "
-    .. "thing to try.", keys = [[
-slip  number m = 0.1  how far joints are expected to slide: friction is to give by a thousandth of that at most]],
+  { "model:lint", "Lists reasons why a model cannot be built, and input that is probably a mistake, each with a "
+    .. "remedy.", keys = [[
+slip  number m = 0.1  expected slip of joints: the elastic slip of friction should be below 0.001 of it]],
     gives = "findings" },
 }

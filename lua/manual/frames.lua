@@ -1,60 +1,60 @@
 return {
   name = "frames", title = "Frames: beams, members and their sections",
-  { "model:beam", "A straight beam that bends and stretches; its top is on the left of the way to its end.",
+  { "model:beam", "A straight beam with bending and axial deformation. Its top is on the left, seen from its start.",
     keys = [[
-name          text                its name
-from          point               its start, on the axis of the section
-to            point               its end
+name          text                name
+from          point               start, on the axis of the section
+to            point               end
 section       section             such as trilith.rectangle_section{...}, or trilith.fibre_section{...}
-divisions     integer = 8         beam elements in a row
+divisions     integer = 8         number of beam elements
 shear         flag = false        with shear deformation (Timoshenko)
-pinned        names?              "from", "to" or both: carries no moment there
+pinned        names?              "from", "to" or both: ends without moment
 hinge         hinge law?          a plastic hinge at both ends
-from_hinge    hinge law?          ... at its start
-to_hinge      hinge law?          ... at its end
-stations      integer = 4         of fibres, along each beam element
-rule          text = "lobatto"    where those are: "lobatto" (ends too) or "gauss"
+from_hinge    hinge law?          plastic hinge at the start
+to_hinge      hinge law?          plastic hinge at the end
+stations      integer = 4         number of integration points (fibre sections) in each beam element
+rule          text = "lobatto"    rule of integration: "lobatto" (with the ends) or "gauss"
 from_support  text?               "fixed", "free" or directions { x = "fixed", rotation = "fixed" }
-to_support    text?               the same of its end]], with = "beam", gives = "body" },
-  { "model:frame", "Beams that meet at joints, as one body: a bent, a portal, a truss.", keys = [[
-name     text   its name
+to_support    text?               support of the end]], with = "beam", gives = "body" },
+  { "model:frame", "Beams that meet at joints, as one body: a bent, a portal or a truss.", keys = [[
+name     text   name
 joints   table  { A = {x, y}, B = { at = {x, y}, support = , mass = , inertia = }, C = { outline = , density = }, ... }
 members  list   { { from = , to = , section = , name = , from_at = , to_at = , divisions = , hinge = , ... }, ... }]],
     with = "beam", gives = "body" },
   { "trilith.polygon_section", "A section of any simple polygon, in its own axes.", keys = [[
-outline  points  corners in order: x out of the plane, y up metres]], gives = "section" },
-  { "trilith.fibre_section", "A section of fibres, each with its law: concrete with bars, steel.", keys = [[
-shape      section         its outline, such as trilith.rectangle_section{...}
-law        fibre law       such as trilith.kent_park{...}; with a cover, of the core
-layers     integer?        over the depth: 20; in space 8, of four fibres for each place across
-layers_across  integer?    in space: places across; so many that cells are about square
-cover      number m = 0    thickness outside of the core
-cover_law  fibre law?      of the cover; else as the core
-core       section?        its shape, instead of what the cover leaves
-bars       list?           rows { area =, height = }, area of the row, height from below; in space count, across, spread
-bar_law    fibre law?      of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
-  { "body:hinges", "Plastic hinges of a member: joint, state, rotation, stretch, moment, normal, given_off, x, y; in "
-    .. "space z, and rotation_y, rotation_z, moment_y, moment_z.",
-    args = "member  text?  its name", gives = "table[]" },
-  { "body:fibres", "Sections along a member of fibres: along, axial, curvature, normal, moment, and fibres, each with "
+outline  points  corners in order: x out of the plane, y up, in metres]], gives = "section" },
+  { "trilith.fibre_section", "A section of fibres with uniaxial laws: concrete with bars, or steel.", keys = [[
+shape      section         outline, such as trilith.rectangle_section{...}
+law        fibre law       law such as trilith.kent_park{...}; with a cover, law of the core
+layers     integer?        number of layers over the depth, 20; in space 8, each with four fibres at each place across
+layers_across  integer?    in space: number of places across; default gives about square cells
+cover      number m = 0    thickness of the cover outside the core
+cover_law  fibre law?      law of the cover; default: law of the core
+core       section?        shape of the core, instead of the shape inside the cover
+bars       list?           rows { area =, height = }: area of the row, height; in space count, across, spread
+bar_law    fibre law?      law of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
+  { "body:hinges", "Plastic hinges of a member, as joint, state, rotation, stretch, moment, normal, given_off, x, y; "
+    .. "in space z, and rotation_y, rotation_z, moment_y, moment_z.",
+    args = "member  text?  name of the member", gives = "table[]" },
+  { "body:fibres", "Fibre sections along a member, as along, axial, curvature, normal, moment, and fibres, each with "
     .. "height, area, strain, stress; in space curvature_y, curvature_z, moment_y, moment_z, and fibres with up and "
-    .. "across.", args = "member  text?  its name", gives = "table[]" },
-  { "body:forces", "Inner forces along a member of a beam or frame, a row for both ends of each of its beams: along, "
+    .. "across.", args = "member  text?  name of the member", gives = "table[]" },
+  { "body:forces", "Internal forces along a member of a beam or frame, a row for both ends of each beam: along, "
     .. "x, y, normal, shear, moment; in space z, shear_y, shear_z, torque, moment_y, moment_z (y to the section's top, "
     .. "z across).",
-    args = "member  text?  its name; joints of one without a name are joined, as in \"A-B\"", gives = "table[]" },
+    args = "member  text?  name of the member; without a name its joints, as in \"A-B\"", gives = "table[]" },
   shared = { beam = [[
-material        text             its material, which has E and nu
-groups          names?           groups it belongs to
-density         number kg/m3?    instead of the material's
-unit_weight     number N/m3?     or this
-mass            number kg?       of all members, or this
-weight          number N?        or this
-support         text?            of all its nodes: "fixed", "free" or directions { x = "fixed" }
-mass_matrix     text = "lumped"  or "consistent", which implicit steps and modes take; explicit ones lump
-velocity        point?           at the start [m/s]
-spin            number rad/s = 0  at the start
-load            point?           steady force [N], spread like the mass
-floating        flag = false     it may stand on nothing
-hold            table?           boxes whose nodes are held]] },
+material        text             material, with E and nu
+groups          names?           groups of the body
+density         number kg/m3?    density instead of the material's; or
+unit_weight     number N/m3?     unit weight; or
+mass            number kg?       mass of all members; or
+weight          number N?        weight
+support         text?            support of all nodes: "fixed", "free" or directions { x = "fixed" }
+mass_matrix     text = "lumped"  "lumped" or "consistent"; explicit steps always use lumped mass
+velocity        point?           velocity at the start [m/s]
+spin            number rad/s = 0  angular velocity at the start
+load            point?           steady force [N], distributed like the mass
+floating        flag = false     it needs no support at the start
+hold            table?           boxes { from = , to = } whose nodes are held]] },
 }

@@ -1,175 +1,175 @@
 return {
-  name = "geometry", title = "Geometry: parts of masonry and bridges",
+  name = "geometry", title = "Builders: parts of masonry and bridges",
   makers = {
     { "block", "A rectangle in any pose.", keys = [[
-name    text?                its name
-width   number m             along its own x
-height  number m             along its own y
-at      point = {0, 0}       where its anchor is
+name    text?                name
+width   number m             size along its own x
+height  number m             size along its own y
+at      point = {0, 0}       position of the anchor
 anchor  text = "lower_left"  "lower_left" or "centre"
-angle   number rad = 0       counter-clockwise]] },
+angle   number rad = 0       rotation, counter-clockwise]] },
     { "polygon", "A polygon of given points.", keys = [[
 name     text?   its name
 outline  points  corners in order]] },
     { "stack", "Blocks on top of each other.", keys = [[
-name    text?           their names begin with it
-at      point = {0, 0}  middle of the bottom
-blocks  list            { { width = , height = , offset = 0 }, ... } from below]] },
-    { "harmonic_stack", "Equal blocks that reach out over an edge.", keys = [[
-name          text?           their names begin with it
-count         integer = 5  how many
-length        number m = 1  of one
-height        number m = 0.2  of one
-factor        number = 1  1: as far as just balances
-at            point = {0, 0}  the edge
-table_height  number m = 0  of the table they stand on]] },
+name    text?           prefix of names
+at      point = {0, 0}  middle of the foot
+blocks  list            { { width = , height = , offset = 0 }, ... }, from the foot up]] },
+    { "harmonic_stack", "Equal blocks that overhang an edge.", keys = [[
+name          text?           prefix of names
+count         integer = 5  number of blocks
+length        number m = 1  length of a block
+height        number m = 0.2  height of a block
+factor        number = 1  overhang over the largest stable overhang
+at            point = {0, 0}  position of the edge
+table_height  number m = 0  height of the table under the blocks]] },
     { "arch", "An arch of voussoirs: semicircular, segmental or pointed.", keys = [[
-name             text?           names begin with it
-voussoirs        integer = 15  how many
-radius           number m = 1  of the mid line
-thickness        number m = 0.15  of the ring
-half_angle       number rad = pi/2  half of the angle it spans
-offset           number m = 0  of the two centres of a pointed arch
+name             text?           prefix of names
+voussoirs        integer = 15  number of voussoirs
+radius           number m = 1  radius of the centre line
+thickness        number m = 0.15  thickness of the ring
+half_angle       number rad = pi/2  half of the opening angle
+offset           number m = 0  offset of the two centres of a pointed arch
 span             number m?       instead of radius: clear span, with rise
-rise             number m?       see span
-key              number = 1  width of the keystone over the others
-sub_edges        integer = 1  edges for each curved side
-centre           point = {0, 0}  of the circle
-abutments        flag = true  make them too
-abutment_depth   number m = the thickness  of the abutments
-abutment_margin  number m = half the thickness  beyond the ring
-jitter           number m = 0  joints are moved at random by up to this
+rise             number m?       clear rise, with span
+key              number = 1  width of the keystone over the width of the others
+sub_edges        integer = 1  number of edges of each curved side
+centre           point = {0, 0}  centre of the circle
+abutments        flag = true  make abutments
+abutment_depth   number m = the thickness  depth of the abutments
+abutment_margin  number m = half the thickness  width of the abutments beyond the ring
+jitter           number m = 0  largest random shift of joints
 seed             integer = 1  of the random numbers]] },
     { "flying_buttress", "A flying buttress: half an arch that leans from a pier against the head of a wall.", keys = [[
-name         text?           names begin with it
-voussoirs    integer = 9     how many
-span         number m = 4    from the pier to the wall
-rise         number m = 2    of the intrados
-radius       number m = level at the head  of the intrados
-thickness    number m = 0.4  of the ring; with a coping upright at the wall
-slope        number rad = 0  of a straight coping that rises to the wall; 0: none
-sub_edges    integer = 1     edges for each curved side
-springing    point = {0, 0}  of the intrados, at the pier's edge
-pier_width   number m = 1.5 times the thickness  of the pier
-pier_height  number m = 0    below the springing; 0: no pier
-wall_width   number m = 0    of a wall to lean against; 0: none
-wall_height  number m = the thickness  above the intrados' head]] },
+name         text?           prefix of names
+voussoirs    integer = 9     number of voussoirs
+span         number m = 4    distance from the pier to the wall
+rise         number m = 2    rise of the intrados
+radius       number m = level at the head  radius of the intrados
+thickness    number m = 0.4  thickness of the ring; with a coping vertical at the wall
+slope        number rad = 0  slope of a straight coping that rises to the wall; 0: none
+sub_edges    integer = 1     number of edges of each curved side
+springing    point = {0, 0}  springing of the intrados, at the edge of the pier
+pier_width   number m = 1.5 times the thickness  width of the pier
+pier_height  number m = 0    height of the pier below the springing; 0: no pier
+wall_width   number m = 0    width of the supporting wall; 0: none
+wall_height  number m = the thickness  height of the wall above the head of the intrados]] },
     { "wall", "A masonry wall of storeys, with openings, lintels and slabs.", keys = [[
-name            text?             names begin with it
+name            text?             prefix of names
 at              point = {0, 0}    lower left corner
-length          number m = from units  of the wall; or units
-units           integer = from length  in a course
-unit_length     number m = 0.4  of a stretcher, half its joints included
-unit_height     number m = 0.2  of a course
-header_length   number m = half a stretcher  of a header
-head_joint      number m = 0  added to the units' length
-bed_joint       number m = 0  added to their height
+length          number m = from units  length of the wall; or units
+units           integer = from length  number of units in a course
+unit_length     number m = 0.4  length of a stretcher, with half of its joints
+unit_height     number m = 0.2  height of a course
+header_length   number m = half a stretcher  length of a header
+head_joint      number m = 0  thickness of head joints, added to the length of units
+bed_joint       number m = 0  thickness of bed joints, added to the height of units
 bond            text = "running"  running, stack, english, flemish, header or english_garden
-first_row       integer = 1  row of the bond's pattern to begin with
-least_length    number m = a quarter of a unit  shortest piece that is cut
-short_pieces    text = "merge"    "merge" or "refuse"
-jitter          number m = 0  head joints are moved at random by up to this
+first_row       integer = 1  first row of the bond pattern
+least_length    number m = a quarter of a unit  length of the shortest cut piece
+short_pieces    text = "merge"    "merge" or "refuse": treatment of shorter pieces
+jitter          number m = 0  largest random shift of head joints
 seed            integer = 1  of the random numbers
-courses         integer = from storey_height  in a storey
-storey_height   number m = from courses  or its height
-storeys         storeys = 1       how many, or a list of { courses = , height = , slab_height = }
-slab_height     number m = 0  of the slab on each storey
-slab_overhang   number m = 0  beyond the wall
-base_height     number m = 0  of the base under it
-base_margin     number m = 0  beyond the wall
-lintel_height   number m = one course  over openings
-lintel_bearing  number m = half a unit  its length on the wall
-snap            flag = false  openings are moved to the nearest joints
+courses         integer = from storey_height  number of courses in a storey; or
+storey_height   number m = from courses  height of a storey
+storeys         storeys = 1       number of storeys, or a list of { courses = , height = , slab_height = }
+slab_height     number m = 0  height of the slab on each storey
+slab_overhang   number m = 0  length of slabs beyond the wall
+base_height     number m = 0  height of the base
+base_margin     number m = 0  length of the base beyond the wall
+lintel_height   number m = one course  height of lintels
+lintel_bearing  number m = half a unit  bearing length of lintels
+snap            flag = false  move openings to the nearest joints
 openings        list?             { storey = , x = , sill = , width = , height = , lintel = , sill_height = }, ...]] },
     { "rubble", "Irregular stones that fill a polygon.", keys = [[
-name         text?     names begin with it
-outline      points    to be filled
-stones       integer = 50  how many
-relaxations  integer = 3  more of them make the stones more even
-aspect       number = 1  width over height
-least_edge   number m = a tenth of a stone  shorter edges are left out
-joint        number m = 0  between the stones
-jitter       number m = 0  points are moved at random by up to this
+name         text?     prefix of names
+outline      points    polygon to be filled
+stones       integer = 50  number of stones
+relaxations  integer = 3  number of relaxations; more give more even stones
+aspect       number = 1  width of stones over height
+least_edge   number m = a tenth of a stone  shorter edges are removed
+joint        number m = 0  gap between stones
+jitter       number m = 0  largest random shift of points
 seed         integer = 1  of the random numbers]] },
-    { "running_bond", "A plain panel on a grid of half units, for limit loads.", keys = [[
-name          text?          names begin with it
-columns       integer = 5  units in a course
-courses       integer = 6  how many
-unit_width    number m = 0.4  of a unit
-unit_height   number m = 0.2  of a unit
-half_courses  text = "even"  which courses begin with a half unit: "odd" or "even"
+    { "running_bond", "A plain panel on a grid of half units, for limit analysis.", keys = [[
+name          text?          prefix of names
+columns       integer = 5  number of units in a course
+courses       integer = 6  number of courses
+unit_width    number m = 0.4  width of a unit
+unit_height   number m = 0.2  height of a unit
+half_courses  text = "even"  courses that begin with a half unit: "odd" or "even"
 at            point = {0, 0}  lower left corner
-base_height   number m = 0  of the base
-base_margin   number m = 0  beyond the panel
+base_height   number m = 0  height of the base
+base_margin   number m = 0  length of the base beyond the panel
 openings      list?          { from = , to = , first_course = , last_course = }, ...
-lintels       list?          the same]] },
-    { "bench_wall", "The wall that run times are measured on.", keys = "courses  integer = 24  how many" },
+lintels       list?          lintels in the same form]] },
+    { "bench_wall", "The wall of the benchmarks.", keys = "courses  integer = 24  number of courses" },
     { "ground", "Ground under a surface line.", keys = [[
-name        text?      its name
-surface     points?    its top, from left to right; or steps
+name        text?      name
+surface     points?    top of the ground, from left to right; or steps
 steps       list?      { { from = , level = }, ... }
-to          number m?  where the last step ends
-base_level  number m   its bottom]], beside = { to = true } },
+to          number m?  end of the last step
+base_level  number m   bottom of the ground]], beside = { to = true } },
     { "pier", "A pier of footing, stem and cap.", keys = [[
-name               text?         its name
-x                  number m      its axis
+name               text?         name
+x                  number m      position of the axis
 ground_level       number m = 0  top of the ground
-height             number m      above the ground
-stem_width         number m = the top's  of the stem; with seat and gap it may be left out
-top_width          number m = the stem's  of the cap
-cap_thickness      number m = 0  of the cap
-footing_width      number m = 0  of the footing
-footing_thickness  number m = 0  of the footing
-seat               number m?     length of each of its two seats: its top is as wide as both and the joint
-gap                number m?     joint between the two decks that meet on it]] },
+height             number m      height above the ground
+stem_width         number m = the top's  width of the stem; not needed with seat and gap
+top_width          number m = the stem's  width of the cap
+cap_thickness      number m = 0  thickness of the cap
+footing_width      number m = 0  width of the footing
+footing_thickness  number m = 0  thickness of the footing
+seat               number m?     length of each of the two seats; the top is as wide as both and the joint
+gap                number m?     joint between the two decks on the pier]] },
     { "abutment", "A stub abutment with a back wall.", keys = [[
-name              text?          its name
+name              text?          name
 side              text = "left"  "left" or "right"
-x                 number m?      edge of its seat; or axis
+x                 number m?      edge of the seat; or axis
 axis              number m?      middle of the joint between deck and back wall; needs seat and gap
-ground_level      number m = 0   its bottom
-height            number m       from there to the seat
-width             number m       of all of it
-back_wall_height  number m = 0  above the seat
-back_wall_width   number m = from seat and gap  of the back wall; or seat and gap
+ground_level      number m = 0   bottom of the abutment
+height            number m       height of the seat above the bottom
+width             number m       total width
+back_wall_height  number m = 0  height of the back wall above the seat
+back_wall_width   number m = from seat and gap  width of the back wall; or seat and gap
 seat              number m?      length of the seat under the deck
 gap               number m?      joint between deck and back wall]] },
   },
-  { "model:span", "A deck on two supports made before: where it lies, its seats and its bearings follow from them; or "
-    .. "a deck alone, between x0 and x1. Seats, and bearings of types with a law, are named such as \"S1.left\": "
-    .. "span.seats.left, span.bearings.right.", keys = [[
-name               text = "span"  its name
-from               body?          left support: an abutment, a pier or a body with a level top
+  { "model:span", "A deck on two supports, which give its position, seats and bearings; or a deck alone, between "
+    .. "x0 and x1. Seats, and bearings of types with a law, have names such as \"S1.left\": span.seats.left, "
+    .. "span.bearings.right.", keys = [[
+name               text = "span"  name
+from               body?          left support: an abutment, a pier or a body with a horizontal top
 to                 body?          right support
 left               text?          bearing type on the left support, see model:bearing_type
 right              text?          bearing type on the right support
-gap                number m?      joint on supports that do not say theirs
-depth              number m       its height
-soffit_level       number m = on its left bearing  its underside; without it, where its left bearing has it
-weight_per_length  number N/m?    of the deck from end to end; or weight, mass, density
-x0                 number m?      of a deck alone: axis of the left support
-x1                 number m?      axis of the right support
-end_gap            number m = 0   from the axis to its end]], with = "body", gives = "body" },
-  { "model:bearing_type", "A kind of bearing for the ends of spans. Without a law the deck lies and slides on its "
-    .. "seat, as on an expansion bearing.", keys = [[
-name     text            its name
-height   number m = 0    from the seat to the deck; above 0 it needs an axial law
-along    direction law?  force along; alone it is a dowel: the deck lies on its seat
-axial    direction law?  force across, which carries the deck; without height instead of their flat contact
-turning  direction law?  moment
-limit    table?          { along = , axial = , turning = }: displacements that end it
-becomes  contact law?    of deck and support after it failed; or the name of one
-contact  contact law?    of deck and support from the start; or the name of one]], gives = "string" },
-  { "model:bridge", "Simple spans on piers between two abutments, from two tables. What it gives has supports and "
-    .. "spans: bodies, in order and by name.", keys = [[
-supports      list          from left to right: name, height from ground to deck, what model:pier, model:abutment take
-spans         list          from left to right: name, length from axis to axis, what model:span takes
+gap                number m?      joint on supports without a gap of their own
+depth              number m       height of the deck
+soffit_level       number m = on its left bearing  level of the underside
+weight_per_length  number N/m?    weight of the deck over its full length; or weight, mass, density
+x0                 number m?      deck alone: axis of the left support
+x1                 number m?      deck alone: axis of the right support
+end_gap            number m = 0   distance from the axis to the end of the deck]], with = "body", gives = "body" },
+  { "model:bearing_type", "A type of bearing for the ends of spans. Without a law the deck slides on its seat, as on "
+    .. "an expansion bearing.", keys = [[
+name     text            name
+height   number m = 0    height from the seat to the deck; above 0 an axial law is needed
+along    direction law?  law of the force along; alone it is a dowel, and the deck lies on its seat
+axial    direction law?  law of the axial force on the deck; without height it replaces the flat contact
+turning  direction law?  law of the moment
+limit    table?          { along = , axial = , turning = }: displacements at failure
+becomes  contact law?    contact law of deck and support after failure; or its name
+contact  contact law?    contact law of deck and support from the start; or its name]], gives = "string" },
+  { "model:bridge", "Simple spans on piers between two abutments, from two tables. The result has supports and "
+    .. "spans: bodies, by number and by name.", keys = [[
+supports      list          from left to right: name, height from ground to deck, keys of model:pier, model:abutment
+spans         list          from left to right: name, length from axis to axis, keys of model:span
 x             number m = 0  axis of the first support
 soffit_level  number m = 0  underside of the decks; seats are lower by the height of their bearings
-gap           number m?     joints, where a support says nothing else
-seat          number m?     length of seats, where a support says nothing else
-material      text?         where a row says nothing else
-abutment      table?        what both abutments have in common; its back_wall_height counts from the deck's underside
-pier          table?        what all piers have in common
-span          table?        what all spans have in common]], gives = "table" },
+gap           number m?     default joint at supports
+seat          number m?     default length of seats
+material      text?         default material
+abutment      table?        default keys of both abutments; back_wall_height counts from the underside of the deck
+pier          table?        default keys of all piers
+span          table?        default keys of all spans]], gives = "table" },
 }

@@ -1,25 +1,31 @@
 return {
-  name = "handlers", title = "Handlers and stories: Lua that runs when something happens",
-  { "model:on", "Calls f(event) at each such event; \"*\": at every one. Of some bodies alone: m:on({ \"impact\", "
-    .. "body = b, above = 2 }, f), with body, bearing, seat, group, above as m:wait has them. Gives the handler.",
+  name = "handlers", title = "Handlers and stories: Lua code that runs at events",
+  { "model:on", "Calls f(event) at each event of a type; \"*\" means all types. With filters: m:on({ \"impact\", "
+    .. "body = b, above = 2 }, f), with body, bearing, seat, group and above as in m:wait. Returns the handler.",
+    also = "callback, event handler, listener",
     args = [[
 event  text      such as "bearing.failed"; or a table with filters
-f      function  is given the event]], gives = "table" },
-  { "model:every", "Calls f(model) each interval of simulated time. Gives the handler.", args = [[
-interval  number s  between calls
-f         function  is given the model]], gives = "table" },
-  { "model:on_step", "Calls f(model) after each step. Gives the handler.", args = "f  function  is given the model",
-    gives = "table" },
-  { "model:off", "That handler is not called any more.", args = "handler  table  what on, every or on_step gave" },
-  { "model:story", "Runs f(model) alongside the model: up to its first m:wait at once, then on when that happens.",
-    args = "f  function  is given the model" },
-  { "model:wait", "In a story: waits for an event, or for a time. Gives the event, nil when the time is over.",
+f      function  function of the event]], gives = "table",
+    example = 'm:on("impact", function(e) print(e.time, e.value) end)' },
+  { "model:every", "Calls f(model) at a fixed interval of simulated time. Returns the handler.", args = [[
+interval  number s  time between calls
+f         function  function of the model]], gives = "table",
+    example = "m:every(0.1, function(model) print(model.time) end)" },
+  { "model:on_step", "Calls f(model) after each step. Returns the handler.",
+    args = "f  function  function of the model", gives = "table",
+    example = "m:on_step(function(model) if model.speed > 10 then model:stop() end end)" },
+  { "model:off", "Removes a handler.", args = "handler  table  result of on, every or on_step",
+    example = 'local h = m:on("impact", print)\nm:off(h)' },
+  { "model:story", "Runs f(model) alongside the model: up to its first m:wait at once, then on at each event it "
+    .. "waits for.", args = "f  function  function of the model",
+    example = "m:story(function() m:wait(0.05); print(m.time) end)" },
+  { "model:wait", "In a story: waits for an event, or for a time. Returns the event, or nil after the time.",
     args = "what  text?  an event, or a time [s], or the table", keys = [[
-[1]      text?      the event
-body     body?      of this body
-bearing  bearing?   of this bearing
-seat     seat?      of this seat
-group    text?      of a body of this group
-above    number?    of a value above this
-within   number s?  and no longer than this]], gives = "event" },
+[1]      text?      type of event
+body     body?      only of this body
+bearing  bearing?   only of this bearing
+seat     seat?      only of this seat
+group    text?      only of a body of this group
+above    number?    only with a value above this
+within   number s?  longest time to wait]], gives = "event" },
 }

@@ -1,59 +1,68 @@
 local until_keys = [[
 
-until_true      function?     by time: end where f(model), asked after each step, is true; the limit is then "until"
-until_collapse  flag = false  by time: end as something comes down: true, or { drop = [m], bodies = how many }]]
+until_true      function?     control "time": ends when f(model), called after each step, is true; limit "until"
+until_collapse  flag = false  control "time": ends at a collapse: true, or { drop = [m], bodies = number of bodies }]]
 local course = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
 
 return {
-  name = "loads", title = "Loads over time, pushes and quiet release",
-  { "model:point_load", "A force or moment on a body from now on. Gives its name.", keys = [[
-body    bodies          on what
-force   point?          the force [N]; in space {x, y, z}
-moment  number N m = 0  the moment; in space a vector {x, y, z}
-at      place = "centroid"  a point {x, y} of the body, {x, y, z} in space, or the name of a place or of a frame's joint
-follow  flag = false    it turns with the body
-course  course = all at once  its share over time: ]] .. course .. [[
+  name = "loads", title = "Loads over time, pushover and release",
+  { "model:point_load", "Applies a force or moment to a body, from the call on. Returns its name.", keys = [[
+body    bodies          loaded bodies
+force   point?          force [N]; in space {x, y, z}
+moment  number N m = 0  moment; in space a vector {x, y, z}
+at      place = "centroid"  point {x, y} of the body, {x, y, z} in space, or the name of a place or of a frame's joint
+follow  flag = false    the force turns with the body
+course  course = all at once  share over time (load curve): ]] .. course .. [[
 
-name    text?           what results call it]], gives = "string" },
-  { "model:pressure", "A pressure on faces of a body from now on. Gives its name.", keys = [[
-body       bodies     on what
-value      number Pa  onto the face
+name    text?           name in results]], gives = "string",
+    example = 'm:point_load { body = "block", force = { 100, 0 }, course = { ramp = 0.1 } }' },
+  { "model:pressure", "Applies a pressure to faces of a body, from the call on. Returns its name.", keys = [[
+body       bodies     loaded bodies
+value      number Pa  pressure onto the face
 face       text?      top, bottom, left, right or all; in space front and back too
-from       point?     in the plane: or from this point of the outline
-to         point?     to this one, counter-clockwise
-direction  point = against the face  where it acts; in space {x, y, z}
-follow     flag?      it turns with the body
-course     course = all at once  its share over time: ]] .. course .. [[
+from       point?     in the plane, instead of face: start of a part of the outline
+to         point?     end of that part, counter-clockwise
+direction  point = against the face  direction of the pressure; in space {x, y, z}
+follow     flag?      the pressure turns with the body
+course     course = all at once  share over time (load curve): ]] .. course .. [[
 
-name       text?      what results call it]], gives = "string" },
-  { "model:set_load", "A load's share from now on, reached smoothly.", keys = [[
-name      text          of the load
-factor    number        its share
-duration  number s = 0  over which it is reached]] },
-  { "model:release", "Lets a support, a load or a push go without a jolt.", keys = [[
-body      bodies?       bodies whose supports go; or
-load      text?         a load; or
-push      text?         a push
-x         flag = false  of bodies: this direction; all where none is given
-y         flag = false  this direction; z too in space
-rotation  flag = false  this direction
-fade      number s = 1  over which it goes]] },
-  { "model:pushover", "A stage that pushes bodies steadily, and what that takes.", keys = [[
-body          bodies           what is pushed
+name       text?      name in results]], gives = "string",
+    example = 'm:pressure { body = "block", face = "left", value = 500 }' },
+  { "model:set_load", "Changes the share of a load, smoothly, from the call on.", keys = [[
+name      text          name of the load
+factor    number        new share
+duration  number s = 0  time in which the share is reached]],
+    example = 'local push = m:point_load { body = "block", force = { 100, 0 } }\n'
+      .. 'm:set_load { name = push, factor = 0.5, duration = 1 }' },
+  { "model:release", "Releases a support, a load or a push without a jolt.", keys = [[
+body      bodies?       bodies whose supports are released; or
+load      text?         name of a load; or
+push      text?         name of a push
+x         flag = false  for bodies: release this direction; all directions if none is given
+y         flag = false  release this direction; z too in space
+rotation  flag = false  release this direction
+fade      number s = 1  time in which the force decreases to 0]],
+    example = 'm:fix("block", "x")\nm:run { duration = 0.01 }\nm:release { body = "block", x = true, fade = 0.1 }' },
+  { "model:pushover", "A stage under displacement control: pushes bodies steadily and returns the capacity curve.",
+    also = "nonlinear static analysis, capacity curve, pushover curve, limit load, displacement control, arc length",
+    keys = [[
+body          bodies           pushed bodies
 at            place = "centroid"  a point {x, y} of one body, {x, y, z} in space, or the name of a place or joint
 direction     text = "x"       x, -x, y or -y; in space z or -z too
-pattern       text = "mass"    share of each body: mass, uniform or triangle
-control       text = "time"    "time": pushed steadily; "arc": by equilibria past limit points
-rate          number m/s?      by time: how fast; left out, so slow that inertia stays small
-arc           number m?        by arc: length of the first step; a hundredth of the displacement
-displacement  number m?        how far; or drift
-drift         number m?        until this drift of the top, in space along the push
-storey        integer?         of this storey
-drop          number?          until the force has fallen to this share of its peak
-samples       integer?         of the curve; by arc at most so many
-damping       number = 0.8     by time: share of the unbalanced force that brakes each body
-name          text?            what results call it
-dt            number s?        by time: fixed step
-safety        number = 0.5     by time: share of the longest stable step, at most 0.9]] .. until_keys,
-    gives = "report" },
+pattern       text = "mass"    distribution of the force over the bodies: mass, uniform or triangle
+control       text = "time"    "time": steady motion; "arc": states of equilibrium by arc length, past limit points
+rate          number m/s?      control "time": speed; if left out, slow enough that inertia stays small
+arc           number m?        control "arc": length of the first step; 0.01 of the displacement if left out
+displacement  number m?        displacement at which the stage ends; or drift
+drift         number m?        drift of the top at which the stage ends; in space along the push
+storey        integer?         storey of this drift
+drop          number?          share of the peak force at which the stage ends
+samples       integer?         number of points of the curve; control "arc": largest number
+damping       number = 0.8     control "time": local damping coefficient, share of the unbalanced force of each body
+name          text?            name in results
+dt            number s?        control "time": fixed time step
+safety        number = 0.5     control "time": share of the longest stable step, at most 0.9]] .. until_keys,
+    gives = "pushover report", example = 'm:consolidate { ratio = 1e-4 }\n'
+      .. 'local p = m:pushover { body = "block", rate = 0.01, displacement = 1e-3 }\n'
+      .. 'print(p.peak_force, p.displacement_at_peak, #p.curve.t)' },
 }

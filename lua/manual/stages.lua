@@ -1,90 +1,106 @@
 local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }"
 local until_keys = [[
 
-until_true       function?  end where f(model), asked after each step, is true
-until_collapse   flag = false  end as something comes down: true, or { drop = [m], bodies = how many }]]
+until_true       function?  the stage ends when f(model), called after each step, is true
+until_collapse   flag = false  ends at a collapse: true, or { drop = [m], bodies = number of bodies }]]
 local drive = [[
-body      bodies   what is moved
-x         motion?  along x
-y         motion?  along y
-z         motion?  along z, in space
-rotation  motion?  about the centroid, in the plane
-turn_x    motion?  about the axis of the world along x through the centroid, in space
-turn_y    motion?  ... along y
-turn_z    motion?  ... along z
+body      bodies   moved bodies
+x         motion?  motion along x
+y         motion?  motion along y
+z         motion?  motion along z, in space
+rotation  motion?  rotation about the centroid, in the plane
+turn_x    motion?  rotation about the world axis x through the centroid, in space
+turn_y    motion?  rotation about y
+turn_z    motion?  rotation about z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
 local in_space = { z = true, turn_x = true, turn_y = true, turn_z = true } -- of drive
+local scaling = "mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by added mass that acts only "
+  .. "on deformation"
+local in_time = [[
+
+integrator       text = "explicit"   "explicit", "implicit" (Newton's method), or "auto" (chosen at run time)
+alpha            number = -0.05      implicit, HHT: from -1/3 to 0; 0 has no numerical damping (Newmark)
+spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
+tolerance        number = 1e-8       implicit: residual force, as a share of the largest force
+accuracy         number?             energy error of a step, 0: any; default implicit 1e-3, explicit 0.02
+watch       flag = true   ends the stage as diverged if speeds or energies have no physical source]]
 
 return {
-  name = "stages", title = "Stages: what runs, and what changes between and within them",
-  { "model:run", "A stage of motion. Where the model pauses, the stage that pauses goes on up to that time.", keys = [[
-duration    number s?     how long
-to          number s?     or until this time
-name        text = "run"  what results call it
-damping     number = 0    share of the unbalanced force that brakes each body
-dt          number s?     fixed step; found by itself where left out. Of implicit ones the longest (5 ms)
-safety      number = 0.5  share of the longest stable step, at most 0.9; where accuracy is given 0.8
-mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
-integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
-alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
-spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
-tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0.02
-watch       flag = true   speeds and energies that nothing gave end it as diverged
-until_rest  rest?         end at rest: ]] .. rest .. until_keys, gives = "report" },
-  { "model:consolidate", "To rest under dead load, with a damping of its own.", keys = [[
-duration  number s = 60           at most
-ratio     number = 1e-5           unbalanced force over the largest one at rest
-speed     number m/s?             fastest point at rest
-hold      number s?               for how long
-damping   number = 0.8            share of the unbalanced force that brakes each body
-grow      number s = 0.5          gravity comes on over this time
-fresh     flag = false            mortar is fresh: joints are bonded as they stand at the end
-or_go_on  flag = false            where rest is not reached, or not in place: a note, and the verdict stays sound
-within    number = 0.25           a body that rests farther than this share of its size from where it was is unstable
-integrator  text = "explicit"     or "static": found by Newton's method, in no time, without damping or steps
-shares     integer = 1            static: weight and loads come on in so many shares
-tolerance  number = 1e-8          static: force left over, as a share of the largest
-name      text = "consolidation"  what results call it
-dt        number s?               fixed step
+  name = "stages", title = "Stages: runs, and changes between and within them",
+  { "model:run", "A stage of motion. Where the model pauses, it continues the paused stage up to that time.",
+    also = "time history analysis, transient analysis, time integration", keys = [[
+duration    number s?     duration
+to          number s?     or the end time
+name        text = "run"  name in results
+damping     number = 0    local damping coefficient: share of the unbalanced force that brakes each body
+dt          number s?     fixed time step; chosen automatically if left out. Implicit: the longest step (5 ms)
+safety      number = 0.5  share of the longest stable step, at most 0.9; 0.8 where accuracy is given
+]] .. scaling .. in_time .. [[
+
+until_rest  rest?         ends the stage at rest: ]] .. rest .. until_keys, gives = "report",
+    example = "local report = m:run { duration = 0.1 }\nprint(report.ending, report.steps)" },
+  { "model:consolidate", "Brings the model to rest under dead load, by dynamic relaxation or statics.",
+    also = "dead load, self weight, dynamic relaxation, static equilibrium", keys = [[
+duration  number s = 60           longest duration
+ratio     number = 1e-5           out-of-balance ratio at rest: unbalanced force over the largest force
+speed     number m/s?             largest speed of a point at rest
+hold      number s?               time for which rest must last
+damping   number = 0.8            local damping coefficient: share of the unbalanced force that brakes each body
+grow      number s = 0.5          time in which gravity grows
+fresh     flag = false            mortar sets at the end: joints are bonded in their state at the end
+or_go_on  flag = false            without rest, or at rest in another place: a note instead of an error
+within    number = 0.25           largest motion of a body, as a share of its size; beyond it the model is unstable
+integrator  text = "explicit"     "explicit", or "static": equilibrium by Newton's method, without time and damping
+shares     integer = 1            static: number of load increments
+tolerance  number = 1e-8          static: residual force, as a share of the largest force
+name      text = "consolidation"  name in results
+dt        number s?               fixed time step
 safety    number = 0.5            share of the longest stable step, at most 0.9
-mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
-watch     flag = true             speeds and energies that nothing gave end it as diverged]] .. until_keys,
-    gives = "report" },
-  { "model:shake", "Bodies follow ground motions.", keys = drive .. [[
+]] .. scaling .. [[
 
-duration  number s?       how long; to the end of the motions where left out
-still     rest?           end at rest after the motions: ]] .. rest .. [[
+watch     flag = true             ends the stage as diverged if speeds or energies have no physical source]]
+    .. until_keys, gives = "report",
+    example = "local report = m:consolidate { ratio = 1e-4 }\nprint(report.ending, report.ratio)" },
+  { "model:shake", "Bodies follow ground motions.",
+    also = "time history analysis, response history, earthquake, base excitation, seismic, ground motion",
+    keys = drive .. [[
 
-name      text = "shake"  what results call it
-dt        number s?       fixed step
-safety    number = 0.5    share of the longest stable step, at most 0.9; where accuracy is given 0.8
-mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by mass that deformation alone feels
-integrator       text = "explicit"   or "implicit": long steps by Newton's method; or "auto": these where they pay
-alpha            number = -0.05      implicit, HHT: from -1/3 to 0, which damps nothing (Newmark)
-spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
-tolerance        number = 1e-8       implicit: force left over, as a share of the largest
-accuracy         number?             share of energies a step may miss, 0: any; implicit 1e-3; explicit: of blows, 0.02
-watch     flag = true     speeds and energies that nothing gave end it as diverged]] .. until_keys,
-    beside = in_space, gives = "report" },
-  { "model:drive", "A body follows a motion from now on.", keys = drive, beside = in_space },
-  { "model:fix", "Holds bodies, in some directions or all.", args = [[
+duration  number s?       duration; up to the end of the motions if left out
+still     rest?           ends the stage at rest after the motions: ]] .. rest .. [[
+
+name      text = "shake"  name in results
+dt        number s?       fixed time step
+safety    number = 0.5    share of the longest stable step, at most 0.9; 0.8 where accuracy is given
+]] .. scaling .. in_time .. until_keys,
+    beside = in_space, gives = "report",
+    example = "local pulse = trilith.motion { acceleration = { 0, 2, -2, 0 }, dt = 0.05 }\n"
+      .. 'm:shake { body = "ground", x = pulse, duration = 0.2 }' },
+  { "model:drive", "A body follows a motion, from the call on.", also = "prescribed displacement, cyclic loading",
+    keys = drive, beside = in_space,
+    example = 'm:drive { body = "ground", x = trilith.ramp { by = 0.01, duration = 0.5 } }' },
+  { "model:fix", "Holds bodies in some or all directions.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
-  { "model:free", "Lets bodies go, in some directions or all.", args = [[
+directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r; r means all rotations]],
+    also = "boundary condition, constraint", example = 'm:fix("block", "x")' },
+  { "model:free", "Frees bodies in some or all directions.", args = [[
 bodies      bodies  a body, set, name, group or list of these
-directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r, which is every turn]] },
-  { "model:tilt", "Gravity turns from now on.", keys = [[
-rate     number rad/s    counter-clockwise; 0 stops it
-by       number rad?     where it stops
-towards  number rad = 0  in space: the azimuth it turns towards, counted from x to y]], beside = { towards = true } },
-  { "model:bounds", "What leaves them is an event, stands still from then on and touches nothing. Sides that are not "
-    .. "given are 10 times the extent of all bodies at the start away from them, at least 100 m.", keys = [[
+directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r; r means all rotations]],
+    example = 'm:fix("block")\nm:free("block", "x")' },
+  { "model:tilt", "Turns gravity, from the call on.", keys = [[
+rate     number rad/s    counter-clockwise rate; 0 stops it
+by       number rad?     angle at which it stops
+towards  number rad = 0  in space: azimuth of the tilt, counted from x to y]], beside = { towards = true },
+    example = "m:tilt { rate = 0.05, by = 0.1 }" },
+  { "model:bounds", "Sets the region outside which bodies leave the model. A body that leaves stops, has no more "
+    .. "contacts and causes an event. Default: ten times the extent of all bodies at the start, at least 100 m away.",
+    keys = [[
 left    number m?  least x
 right   number m?  greatest x
 front   number m?  least y, in space
 back    number m?  greatest y, in space
 bottom  number m?  least y, in space z
-top     number m?  greatest y, in space z]], beside = { front = true, back = true } },
-  { "model:stop", "Ends the running stage at the next step border." },
+top     number m?  greatest y, in space z]], beside = { front = true, back = true },
+    example = "m:bounds { bottom = -5 }" },
+  { "model:stop", "Ends the running stage at the end of the step.",
+    example = 'm:on("impact", function() m:stop() end)' },
 }

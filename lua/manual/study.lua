@@ -1,16 +1,18 @@
 return {
   name = "study", title = "Studies: many cases of one model",
-  { "trilith.study", "Runs many cases, each in a process of its own, and gives their table.", keys = [[
-file        text         the table; folders of the cases stand beside it
-script      text?        runs a case
-case        function?    or a function of the parameters, and of what before gave
-before      function?    called once: the state it makes (a model at rest, say) every case goes on from, in a copy
-parameters  table?       each value of one with each of the others
-cases       list?        or these cases
-samples     table?       or a sample of spreads, with count and seed
-count       integer?     cases of the sample
-seed        integer = 1  of the sample
+  { "trilith.study", "Runs many cases, each in its own process, and returns their table.",
+    also = "fragility curve, incremental dynamic analysis, parameter study, Monte Carlo, Latin hypercube, sensitivity",
+    keys = [[
+file        text         file of the table; the folders of the cases are next to it
+script      text?        script that runs a case; or case
+case        function?    function of the parameters, and of the result of `before`
+before      function?    called once: every case starts from a copy of the state it makes, such as a model at rest
+parameters  table?       lists of values; all combinations are run
+cases       list?        or a list of cases
+samples     table?       or distributions, with count and seed
+count       integer?     number of sampled cases
+seed        integer = 1  seed of the samples
 histories   table?       figures from histories: names: largest absolute value; or name = last, max, min, largest
 ida         table?       { over = parameter, stop = flag }: from its lowest value up, until the flag is true
-jobs        integer = processors  cases at a time]], gives = "table", unread = true },
+jobs        integer = processors  number of cases at a time]], gives = "table", unread = true },
 }

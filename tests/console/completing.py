@@ -89,7 +89,7 @@ def session_tab_where_nothing_fits_adds_nothing(place):
 def session_help_of_everything(place):
     s = place.console("-i", "fall.lua")
     s.ask("help", r"Tab completes.*stages +Stages: what runs.*leaves\.\s+^> $")
-    s.ask('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+To rest under dead load.*ratio +number = 1e-5.*gives: report")
+    s.ask('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+Brings the model to rest under dead load.*ratio +number = 1e-5.*gives: report")
     s.ask("help(m.run)", r"^model:run\{\.\.\.\}")
     s.ask("help(block)", r"^body 'block'.*body\.rotation +counter-clockwise")
     s.ask("help(trilith.frictional)", r"^trilith\.frictional\{\.\.\.\}.*mu +number")
@@ -103,7 +103,7 @@ def session_help_of_everything(place):
 def session_apropos(place):
     s = place.console()
     s.ask('apropos "bearing"', r"model:bearing +A bearing between two bodies")
-    s.ask('apropos "qqq"', r"^nothing is told of 'qqq'")
+    s.ask('apropos "qqq"', r"^no entry mentions 'qqq'")
     s.ask("apropos(3)", r"^apropos: takes a word")
 
 

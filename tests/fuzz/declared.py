@@ -98,7 +98,8 @@ class Call:
 
     def __init__(self, name):
         self.name, self.keys, self.arguments = name, [], []
-        self.bodies = None  # where it takes what bodies take: how many keys are its own
+        self.bodies = None  # where it takes the keys of bodies: how many keys are its own
+        self.others = []  # builders without a model that take the same keys
 
 
 def row_of(cells):
@@ -120,8 +121,10 @@ def declarations(program):
                 calls.append(Call(title[1]))
             elif line.startswith(("| key ", "| argument ")) and calls:
                 rows = calls[-1].keys if line.startswith("| key ") else calls[-1].arguments
-            elif line.startswith("And what"):
+            elif line.startswith("Further keys"):
                 calls[-1].bodies = len(calls[-1].keys)
+            elif line.startswith("Also without a model:"):
+                calls[-1].others = re.findall(r"`([\w.]+)[({]", line)
             elif not line.startswith("|"):
                 rows = None
             elif line.startswith("| `") and page == "fields":
@@ -129,6 +132,11 @@ def declarations(program):
             elif line.startswith("| `") and rows is not None:
                 rows.append(row_of(cells))
     body = next(call for call in calls if call.name == "model:body")
+    for call in list(calls):
+        for name in call.others:
+            other = Call(name)
+            other.keys, other.arguments = call.keys[:call.bodies], list(call.arguments)
+            calls.append(other)
     for call in calls:
         if call.bodies is not None and call is not body:
             call.keys += body.keys[body.bodies:]
