@@ -141,6 +141,16 @@ local function add_events(manual, page)
   end
 end
 
+--- Examples of pages, by the name of the entry.
+local function add_examples(manual)
+  for _, page in ipairs(manual.pages) do
+    for name, text in pairs(page.examples or {}) do
+      local entry = manual.by_name[name] or error("manual: an example names '" .. name .. "', which is not declared", 0)
+      entry.example = text:gsub("%s+$", "")
+    end
+  end
+end
+
 --- All of it: { by_name, list (in order of pages), pages }.
 function console.manual()
   if console.manual_made then return console.manual_made end
@@ -169,6 +179,7 @@ function console.manual()
   add_laws(manual)
   manual.pages[#manual.pages + 1] = { name = "fields", title = "Readings, by kind of object" }
   add_fields(manual, types)
+  add_examples(manual)
   return manual
 end
 

@@ -52,4 +52,20 @@ becomes_from  text or table?  origin of the successor's displacement: "start" or
     .. "remedy.", keys = [[
 slip  number m = 0.1  expected slip of joints: the elastic slip of friction should be below 0.001 of it]],
     gives = "findings" },
+  examples = {
+    ["model:change"] = [[
+m:contact { between = { "block", "ground" }, name = "joint",
+  law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 } }
+m:run { duration = 0.01 }
+m:change { law = "joint", mu = 0.4 }]],
+    ["model:lint"] = [[
+print(m:lint())]],
+    ["model:checkpoints"] = [[
+m:checkpoints { every = 0.05, count = 10 }
+m:run { duration = 0.2 }]],
+    ["model:rewind"] = [[
+m:checkpoints { every = 0.05, count = 10 }
+m:run { duration = 0.2 }
+m:rewind(0.1)]],
+  },
 }

@@ -57,4 +57,18 @@ spin            number rad/s = 0  angular velocity at the start
 load            point?           steady force [N], distributed like the mass
 floating        flag = false     it needs no support at the start
 hold            table?           boxes { from = , to = } whose nodes are held]] },
+  examples = {
+    ["model:beam"] = [[
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",
+  section = trilith.rectangle_section { width = 0.1, depth = 0.2 } }]],
+    ["body:forces"] = [[
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+local post = m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",
+  section = trilith.rectangle_section { width = 0.1, depth = 0.2 } }
+m:consolidate { integrator = "static" }
+print(post:forces()[1].normal)]],
+    ["trilith.polygon_section"] = [[
+local section = trilith.polygon_section { outline = { { 0, 0 }, { 0.2, 0 }, { 0.1, 0.3 } } }]],
+  },
 }

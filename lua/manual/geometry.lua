@@ -172,4 +172,21 @@ material      text?         default material
 abutment      table?        default keys of both abutments; back_wall_height counts from the underside of the deck
 pier          table?        default keys of all piers
 span          table?        default keys of all spans]], gives = "table" },
+  examples = {
+    ["model:block"] = [[
+m:block { name = "upper", width = 0.4, height = 0.5, at = { -0.2, 1 }, material = "stone" }]],
+    ["model:stack"] = [[
+m:stack { name = "pier", at = { 1, 0 }, material = "stone",
+  blocks = { { width = 0.5, height = 0.5 }, { width = 0.4, height = 0.5 } } }]],
+    ["model:arch"] = [[
+m:arch { name = "arch", voussoirs = 9, radius = 0.8, thickness = 0.2, centre = { 4, 0 }, material = "stone",
+  fixed = "abutments" }]],
+    ["model:wall"] = [[
+m:wall { name = "wall", length = 0.8, courses = 3, at = { 0.5, 0 }, material = "stone" }]],
+    ["model:rubble"] = [[
+m:rubble { name = "rubble", outline = { { 0.5, 0 }, { 1.5, 0 }, { 1.5, 0.5 }, { 0.5, 0.5 } },
+  stones = 6, material = "stone" }]],
+    ["model:polygon"] = [[
+m:polygon { name = "wedge", outline = { { 1, 0 }, { 2, 0 }, { 1.5, 0.5 } }, material = "stone" }]],
+  },
 }

@@ -121,4 +121,35 @@ by_group        table?           { group = { keys } }: keys for the bodies of a 
     seat = { name = "string", lost = "boolean" },
     history = { name = "string", unit = "string", t = "number[]", values = "number[]" },
   },
+  examples = {
+    ["trilith.model"] = [[
+local column = trilith.model { name = "column", thickness = 0.5 }]],
+    ["model:close"] = [[
+local short = trilith.model { name = "short" }
+short:close()]],
+    ["model:material"] = [[
+m:material { name = "brick", density = 1900, E = 10e9, nu = 0.2 }]],
+    ["model:contact"] = [[
+m:material { name = "brick", density = 1900 }
+m:contact { between = { "brick", "*" },
+  law = trilith.bonded { kn = 6e9, ks = 3e9, mu = 0.6, beta = 1e-4, tension = 1e5, cohesion = 2e5 } }]],
+    ["model:body"] = [[
+m:body { name = "wedge", outline = { { 1, 0 }, { 2, 0 }, { 1.5, 0.5 } }, material = "stone" }
+print(m:body "wedge".mass)]],
+    ["model:add"] = [[
+local parts = trilith.build.stack { name = "pier", at = { 1, 0 }, blocks = { { width = 0.5, height = 0.5 } } }
+m:add(parts, { material = "stone" })]],
+    ["model:bearing"] = [[
+m:bearing { name = "spring", between = { "ground", "block" }, at = { 0, 0 },
+  along = trilith.linear { stiffness = 1e6, damping = 1e3 }, limit = { along = 0.1 } }]],
+    ["model:seat"] = [[
+m:seat { name = "edge", body = "block", support = "ground", at_end = { 0.25, 0 }, edge = { 2, 0 } }]],
+    ["model:remove"] = [[
+m:run { duration = 0.01 }
+m:remove "block"]],
+    ["model:put_back"] = [[
+m:run { duration = 0.01 }
+m:remove "block"
+m:put_back "block"]],
+  },
 }

@@ -66,4 +66,45 @@ between    numbers?         least and greatest value of the first number; defaul
 tolerance  number = 0.0001  relative tolerance of the frequency
 settle     flag = false     finds rest by statics after each change]], gives = "table" },
   { "model:stresses", "Mean stress by body name, in the plane: { xx, yy, xy, major, minor } [Pa].", gives = "table" },
+  examples = {
+    ["model:bodies"] = [[
+print(#m:bodies { material = "stone" })]],
+    ["set:has"] = [[
+print(m:bodies { name = "b*" }:has "block")]],
+    ["set:damage_by_storey"] = [[
+local wall = m:wall { name = "wall", units = 2, courses = 2, at = { 1, 0 }, material = "stone" }
+m:consolidate { ratio = 1e-3 }
+for _, row in ipairs(wall:damage_by_storey()) do print(row.joints_apart) end]],
+    ["body:point"] = [[
+m:run { duration = 0.01 }
+local x, y = m:body("block"):point { 0.25, 1 }
+print(x, y)]],
+    ["body:reactions"] = [[
+m:consolidate { ratio = 1e-4 }
+print(m:body("ground").reaction_y)]],
+    ["model:contacts"] = [[
+m:consolidate { ratio = 1e-4 }
+for _, c in ipairs(m:contacts { between = { "block", "ground" } }) do print(c.normal) end]],
+    ["model:history"] = [[
+local h = m:history { name = "top", body = "block", what = "ux" }
+m:run { duration = 0.1 }
+print(h.max)]],
+    ["model:explain_dt"] = [[
+print(m:explain_dt())]],
+    ["model:joints"] = [[
+m:consolidate { ratio = 1e-4 }
+for _, joint in ipairs(m:joints()) do print(joint.opening, joint.slip) end]],
+    ["model:thrust_line"] = [[
+m:consolidate { ratio = 1e-4 }
+print(#m:thrust_line { "ground", "block" })]],
+    ["model:modes"] = [[
+m:consolidate { integrator = "static" }
+print(m:modes { count = 3 })]],
+    ["model:damping"] = [[
+m:consolidate { integrator = "static" }
+print(m:damping { count = 3 })]],
+    ["model:stresses"] = [[
+m:consolidate { ratio = 1e-4 }
+print(m:stresses().block.yy)]],
+  },
 }

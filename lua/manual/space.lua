@@ -269,4 +269,45 @@ mesh    table?    or a mesh: { file = } or { nodes = , elements = }; body = "rig
     args = [[
 parts    table  list of { name, outline, groups }
 options  table  depth = , from = , centred = , and keys of solids]], gives = "set" },
+  examples = {
+    ["model:extruded"] = [[
+local deep = m:extruded()
+print(deep.dim)]],
+    ["space:block"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:block { name = "step", size = { 1, 0.4, 0.2 }, at = { 0, 0, 0 }, material = "stone" }]],
+    ["space:hull"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:hull { name = "tip", points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, material = "stone" }]],
+    ["space:prism"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:prism { name = "post", sides = 8, radius = 0.2, height = 0.6, material = "stone" }]],
+    ["space:extrusion"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:extrusion { name = "wedge", outline = { { 0, 0 }, { 1, 0 }, { 0, 1 } }, depth = 0.4, material = "stone" }]],
+    ["space:column"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:column { name = "column", drums = 4, height = 2, radius = 0.25, material = "stone" }]],
+    ["space:wall"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:wall { name = "wall", length = 1.2, courses = 3, material = "stone" }]],
+    ["space:sphere"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:sphere { name = "ball", radius = 0.1, material = "stone" }]],
+    ["space:dome"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:dome { name = "dome", radius = 2, thickness = 0.3, rings = 4, sectors = 8, material = "stone" }]],
+    ["space:rubble"] = [[
+local box = trilith.model { name = "box", dim = 3 }
+box:material { name = "stone", density = 2400 }
+box:rubble { name = "fill", low = { 0, 0, 0 }, high = { 1, 1, 1 }, stones = 8, material = "stone" }]],
+  },
 }

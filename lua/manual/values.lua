@@ -96,4 +96,33 @@ damping  number = 0.05  damping ratio]], gives = "number" },
   { "motion:at", "Acceleration, velocity and displacement at a time.", args = "time  number s  time",
     gives = "number, number, number" },
   fields = { motion = { description = "string" }, ["contact law"] = { name = "string" } },
+  examples = {
+    ["trilith.units"] = [[
+local ft, kip = trilith.units "ft kip"
+print(12*ft, 3*kip)]],
+    ["trilith.rayleigh"] = [[
+local damping = trilith.rayleigh { ratios = { 0.05, 0.05 }, frequencies = { 1, 10 } }
+print(damping.mass_damping, damping.beta)]],
+    ["trilith.motion"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+print(pulse.pga)]],
+    ["trilith.ramp"] = [[
+local ramp = trilith.ramp { by = 0.05, duration = 2 }]],
+    ["motion:scale"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+print(pulse:scale { pga = 3 }.pga)]],
+    ["motion:sa"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+print(pulse:sa(0.5))]],
+    ["trilith.frictional"] = [[
+local law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 }]],
+    ["trilith.bonded"] = [[
+local law = trilith.bonded { kn = 6e9, ks = 3e9, mu = 0.6, beta = 1e-4, tension = 1e5, cohesion = 2e5 }]],
+    ["trilith.linear"] = [[
+local law = trilith.linear { stiffness = 1e6, damping = 1e3 }]],
+    ["trilith.pendulum"] = [[
+local law = trilith.pendulum { radius = 1, mu = 0.05, stiffness = 5e6 }]],
+    ["trilith.rectangle_section"] = [[
+local section = trilith.rectangle_section { width = 0.3, depth = 0.5 }]],
+  },
 }

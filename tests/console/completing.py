@@ -88,7 +88,7 @@ def session_tab_where_nothing_fits_adds_nothing(place):
 
 def session_help_of_everything(place):
     s = place.console("-i", "fall.lua")
-    s.ask("help", r"Tab completes.*stages +Stages: what runs.*leaves\.\s+^> $")
+    s.ask("help", r"Tab completes.*stages +Stages: runs.*leaves\.\s+^> $")
     s.ask('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+Brings the model to rest under dead load.*ratio +number = 1e-5.*gives: report")
     s.ask("help(m.run)", r"^model:run\{\.\.\.\}")
     s.ask("help(block)", r"^body 'block'.*body\.rotation +counter-clockwise")
