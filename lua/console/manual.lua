@@ -131,7 +131,7 @@ local function add_events(manual, page)
     sentences[name] = doc
   end
   for _, event in ipairs(core.event_types()) do
-    local doc = sentences[event.name] 
+    local doc = sentences[event.name]
       or error("manual: the event '" .. event.name .. "' has no sentence in lua/manual/events.lua", 0)
     if event.place then doc = doc .. "; x, y: place" end
     if event.mode then doc = doc .. "; mode: tension, shear or compression" end
