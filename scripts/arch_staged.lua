@@ -1,5 +1,6 @@
--- A dry arch built stone by stone on falsework, which is then struck, from the crown down: it stands by itself.
--- With key=false it is struck before the key is in, and comes down. docs/gallery/arch_staged.md has what is found here.
+-- Builds a dry arch stone by stone on falsework, then removes the falsework from the crown down: the arch stands.
+-- With key=false the falsework is removed before the key is placed, and the arch falls.
+-- Results: docs/gallery/arch_staged.md.
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {

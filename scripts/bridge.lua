@@ -1,17 +1,16 @@
--- Seven simple spans on six piers and two stub abutments through El Centro 1940, from dead load to
--- the last rest.
+-- Seven simple spans on six piers and two stub abutments under El Centro 1940, from dead load to final rest.
 --
--- Physics: decks, piers, abutments and two blocks of ground are rigid. A fixed bearing is a spring
--- that fails at 10 in of shear; what is left is an expansion bearing: a deck slides on its seat of
--- 15 in and comes down where that ends. The right ground follows the record, the left one the
--- record with its time axis times 0.8, so that the two sides of the valley move apart and together.
+-- Physics: decks, piers, abutments and two ground blocks are rigid. A fixed bearing is a spring that fails at 10 in
+-- of shear and becomes an expansion bearing: the deck slides on its seat of 15 in and falls where the seat ends. The
+-- right ground follows the record, the left one the record with its time axis times 0.8, so that the two sides of
+-- the valley move apart and together.
 --
--- Expected at 0.8 g: spans 1, 3, 4 and 5 come down, the others stand; the first bearing fails 3.7 s
--- after the record's own start, all is at rest after 80.3 s; the energy residual stays below 1 % of
--- the input (0.017 %). At 0.6 g no bearing fails.
+-- Expected at 0.8 g: spans 1, 3, 4 and 5 fall, the others stand. The first bearing fails 3.7 s after the start of
+-- the record itself, and all bodies rest after 80.3 s. The energy residual stays below 1 % of the input (0.017 %).
+-- At 0.6 g no bearing fails.
 --
--- Source: R. Barbosa, "Discontinuous structural analysis", first example. It leaves figures open;
--- docs/gallery/bridge.md says which ones are chosen here, and what other choices do.
+-- Source: R. Barbosa, "Discontinuous structural analysis", first example. It leaves data open;
+-- docs/gallery/bridge.md lists the chosen values and the effect of other choices.
 local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {

@@ -1,8 +1,7 @@
--- The seven-span bridge in space: two lines of girders in each span, bents of two columns on springs of the ground,
--- bearings that hold lengthwise, sideways and vertically up to a limit, seats that end lengthwise and sideways; in
--- El Centro 1940 with its three components, the left side of the valley on firmer ground.
--- docs/gallery/bridge3d.md has what is found here, and why the numbers are as they are; scripts/bridge.lua is the
--- same bridge in the plane.
+-- The seven-span bridge in space under El Centro 1940 with three components; the left side of the valley has firmer
+-- ground. Each span has two lines of girders, each bent two columns on soil springs. Bearings resist longitudinal,
+-- lateral and vertical motion up to a limit. Seats end longitudinally and laterally.
+-- Results and reasons for the data: docs/gallery/bridge3d.md. scripts/bridge.lua is the same bridge in the plane.
 local trilith = require "trilith"
 local ft, inch, kip, g, s, deg = trilith.units "ft inch kip g s deg"
 local p = trilith.params {
@@ -25,7 +24,7 @@ local p = trilith.params {
 local m = trilith.model { name = "seven-span bridge in space", dim = 3 }
 m:material { name = "concrete", density = 2400 }
 
--- Contact: damping zeta for what weighs on a girder's seat.
+-- Contact: damping ratio zeta for the mass that a girder's seat carries.
 local dead_load, seat, girder = 5.6*kip, 15*inch, 2*ft -- of a foot of deck; length of a seat, width of a girder
 local reaction = 20*dead_load
 local kn = reaction/(seat*girder*p.overlap)
@@ -108,7 +107,7 @@ local begun = m.time
 local function tell(e) print(("%6.2f s: %s"):format(e.time - begun, e.text)) end
 m:on("bearing.failed", tell)
 m:on("seat.lost", function(e) print(("%6.2f s: seat %s is lost"):format(e.time - begun, e.seat.name)) end)
-local down = {} -- decks that have come to the ground
+local down = {} -- decks that have reached the ground
 m:on("impact", function(e)
   for i, b in ipairs(e.bodies) do
     if b.name:match "^S%d$" and e.bodies[3 - i].name:match "ground" and not down[b.name] then

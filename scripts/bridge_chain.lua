@@ -1,12 +1,11 @@
--- The seven-span bridge with rigid decks on flexible piers and footings, scored against the chain of
--- events that its source tells: one case of bridge_search.lua, which looks through what the source
--- leaves open.
+-- The seven-span bridge with rigid decks on flexible piers and footings, scored against the chain of events in its
+-- source. It is one case of bridge_search.lua, which searches the data that the source leaves open.
 --
--- Physics: decks, abutments and two blocks of ground are rigid, as in bridge.lua. A pier is a beam
--- on a footing that stands on three springs of the soil; a fixed bearing is a spring, or yields
--- (core above 0), and fails 10 in off. Nothing here knows of time or of a certain bearing.
+-- Physics: decks, abutments and two ground blocks are rigid, as in bridge.lua. A pier is a beam on a footing with
+-- three soil springs. A fixed bearing is a spring, or yields (core above 0), and fails at 10 in. No parameter
+-- depends on time or on a single bearing.
 --
--- Expected with the defaults: no number in particular; the table of bridge_search.lua is the result.
+-- Expected with the defaults: no particular number; the table of bridge_search.lua is the result.
 --
 -- Source of the chain: R. Barbosa, "Discontinuous structural analysis", first example.
 local trilith = require "trilith"
@@ -107,7 +106,7 @@ end
 if p.out ~= "" then m:results { file = p.out, frames = 0.05*s, histories = 0.1*s, energy = 0.1*s } end
 m:consolidate { duration = 60*s, ratio = 1e-4, or_go_on = true }
 
--- Three versions of the record. The last one is what its accelerations give from rest, without the
+-- Three versions of the record. The last one integrates its accelerations from rest, without the
 -- velocity that the ground has where the record begins; it drifts, and is brought to rest at its end.
 local function from_rest(motion)
   local dt, samples, speed = 0.02*s, {}, 0

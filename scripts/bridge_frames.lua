@@ -1,16 +1,15 @@
--- Seven simple spans of beams on six slender piers and two abutments through El Centro 1940: the
--- bridge of bridge.lua as an engineer would draw it for an assessment. Its decks bend, its piers
--- yield at their feet, its footings give, its fixed bearings have a lead core.
+-- Seven simple spans of beams on six slender piers and two abutments under El Centro 1940: the bridge of bridge.lua
+-- as an engineer would model it for an assessment. Its decks bend, its piers yield at their feet, its footings are
+-- flexible, its fixed bearings have a lead core.
 --
--- Physics: decks and piers are beams; a pier is a wall of concrete with a plastic hinge (or fibres)
--- at its foot, on a footing that stands on springs of the soil. Both sides of the valley are rigid
--- and follow the record, the left one with its time axis times 0.8. A fixed bearing yields, and fails
--- 10 in off; what is left is friction on the seat of 15 in. integrator = "implicit" takes long steps.
+-- Physics: decks and piers are beams. A pier is a concrete wall with a plastic hinge (or fibres) at its foot, on a
+-- footing with soil springs. Both sides of the valley are rigid and follow the record, the left one with its time
+-- axis times 0.8. A fixed bearing yields, and fails at 10 in; afterwards friction acts on the seat of 15 in.
+-- integrator = "implicit" takes long steps.
 --
--- Expected at 0.8 g: all bearings yield within 2.3 s of the shaking, all piers at their feet between
--- 2.5 and 3.2 s; none fails, and the largest drift is 225 mm. With columns = "fibres", which
--- soften as their concrete crushes, a bearing fails at 6.7 s and span 2 comes down. The energy
--- residual stays below 0.1 % of the input (0.013 %).
+-- Expected at 0.8 g: all bearings yield within 2.3 s of the shaking, all piers at their feet between 2.5 and 3.2 s;
+-- none fails, and the largest drift is 225 mm. With columns = "fibres", which soften as their concrete crushes, a
+-- bearing fails at 6.7 s and span 2 falls. The energy residual stays below 0.1 % of the input (0.013 %).
 local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {
@@ -56,8 +55,8 @@ steps[#steps + 1] = { from = to[7] + p.gap, level = wall }
 m:ground { name = "right ground", base_level = -100*ft, material = "concrete", support = "fixed",
            steps = steps, to = to[7] + 40*ft }
 
--- Piers: walls of 1 % of steel, 9.6 kip a foot. Beside its normal force a hinge carries what its
--- section does (ACI's stress block: most where tension steel and concrete reach their strengths).
+-- Piers: walls with 1 % of steel, 9.6 kip/ft. The moment of a hinge depends on its normal force as the moment of the
+-- section does (ACI's stress block: largest where tension steel and concrete reach their strengths).
 local depth = 2*seat + p.gap
 local shape = trilith.rectangle_section { width = 64*ft^2/depth, depth = depth }
 local steel, crushing = 0.01*shape.area*420e6, 0.85*30e6*shape.area

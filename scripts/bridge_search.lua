@@ -1,8 +1,8 @@
--- How near does the seven-span bridge come to the chain of events that its source tells, over all that
--- the source leaves open? A Latin hypercube of 500 runs of bridge_chain.lua, both signs, three versions
--- of the record; each run is scored by nine links of the chain (and by how far off its times are), the
--- distribution is printed, and the runs that come nearest. `trilith study scripts/bridge_search.lua -j 1`
--- takes some three quarters of an hour on one core; a study that was stopped goes on.
+-- How well can the seven-span bridge reproduce the chain of events in its source, over all data that the source
+-- leaves open? A Latin hypercube of 500 runs of bridge_chain.lua, with both signs and three versions of the record.
+-- Each run is scored by nine links of the chain and by its deviation in time. The study prints the distribution of
+-- scores and the best runs. `trilith study scripts/bridge_search.lua -j 1` takes about three quarters of an hour on
+-- one core; a stopped study continues.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/bridge_search.h5", "the table" }, count = { 500, "runs" },
                            seed = { 1, "of the sample" } }

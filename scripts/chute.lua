@@ -1,5 +1,5 @@
--- Grains held by a gate at the head of a chute: the gate is lifted, they run down and fill a bin. Some are round, the
--- others clumps of three spheres. docs/gallery/chute.md has what is found here.
+-- Grains behind a gate at the head of a chute: the gate opens, the grains slide down and fill a bin. Some are
+-- spheres, the others clumps of three spheres. Results: docs/gallery/chute.md.
 local trilith = require "trilith"
 local deg, s = trilith.units "deg", trilith.units "s"
 local p = trilith.params {
@@ -34,7 +34,7 @@ plate("head", { { -t, top(0) - t }, { 0, top(0) - t }, { 0, high }, { -t, high }
 local gate_x, tall = 0.6, 0.6
 plate("gate", { { gate_x, top(gate_x) }, { gate_x + t, top(gate_x + t) }, { gate_x + t, top(gate_x) + tall },
   { gate_x, top(gate_x) + tall } }, 0, w)
--- What the walls of the chute do not reach up to, at its head.
+-- Higher walls at the head of the chute.
 for _, side in ipairs { { "hopper left", -t }, { "hopper right", w } } do
   plate(side[1], { { 0, top(0) + wall }, { gate_x, top(gate_x) + wall }, { gate_x, high }, { 0, high } }, side[2], t)
 end

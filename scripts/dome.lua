@@ -1,6 +1,6 @@
--- A half sphere of stones in rings, dry, on a springing ring that is cut in as many stones as the dome has sectors.
--- These move outwards, slowly, as walls under a dome do that lean: the dome cracks along its meridians, sinks, falls.
--- docs/gallery/dome.md has what is found here.
+-- A hemisphere of dry stones in rings. Its springing ring is cut into one stone for each sector of the dome. These
+-- stones slowly move outwards, like walls that lean under the thrust: the dome cracks along its meridians and falls.
+-- Results: docs/gallery/dome.md.
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {

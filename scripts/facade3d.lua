@@ -1,7 +1,7 @@
--- A façade of two storeys between two return walls, of stone blocks in weak mortar, with one floor, in El Centro 1940
--- until it leaves the returns: NS goes across the façade, EW along it, the vertical component on demand, all with the
--- same factor.
--- docs/gallery/facade3d.md has what is found here, and why the numbers are as they are.
+-- A two-storey façade between two return walls, of stone blocks in weak mortar, with one floor. El Centro 1940 acts
+-- until the façade separates from the return walls: NS across the façade, EW along it, the vertical component on
+-- demand, all with the same factor.
+-- Results and reasons for the data: docs/gallery/facade3d.md.
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {

@@ -1,7 +1,7 @@
--- Three pictures of one quantity over another: the loop of a bearing, a capacity curve, base shear over drift.
+-- Three plots of one quantity over another: the loop of a bearing, a capacity curve, base shear over drift.
 --
--- A deck on two lead-rubber bearings is shaken; a small wall is pushed over, and one like it is shaken.
--- docs/guide/plots.md draws the results with `trilith plot RESULT HISTORY --against HISTORY`.
+-- A deck on two lead-rubber bearings in an earthquake; a small wall in a pushover; the same wall in an earthquake.
+-- docs/guide/plots.md plots the results with `trilith plot RESULT HISTORY --against HISTORY`.
 local trilith = require "trilith"
 local p = trilith.params { pga = { 0.35, unit = "g", "of the shaking" } }
 local quake = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }

@@ -1,5 +1,5 @@
--- A bridge of two spans on a pier, loaded by traffic. The river takes the ground away from under the pier's footing,
--- piece by piece from upstream, while the load stays. docs/gallery/scour.md has what is found here.
+-- A bridge of two spans on a pier, loaded by traffic. The river removes the ground under the footing of the pier,
+-- piece by piece from upstream, while the load remains. Results: docs/gallery/scour.md.
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {

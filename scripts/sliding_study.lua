@@ -1,8 +1,8 @@
 -- A study: how far a block slides on a floor before friction stops it, over speed and friction.
 --
--- The block starts at speed v; friction takes mu g from it until it rests: distance v^2/(2 mu g) (Coulomb), within 1 %.
--- `trilith study scripts/sliding_study.lua` runs the nine cases, each in a process of its own, into one table; run
--- again, it runs what is not finished. `trilith run scripts/sliding_study.lua --case 3` runs one of them here.
+-- The block starts at speed v and decelerates by mu g until it rests: distance v^2/(2 mu g) (Coulomb), within 1 %.
+-- `trilith study scripts/sliding_study.lua` runs the nine cases, each in its own process, into one table. Repeated,
+-- it runs only unfinished cases. `trilith run scripts/sliding_study.lua --case 3` runs one case in this process.
 local trilith = require "trilith"
 local g = trilith.units "g"
 local p = trilith.params { out = { "out/sliding_study.h5", "the table" } }

@@ -1,7 +1,7 @@
--- What the stiffness of friction and the form of a foot do to a result: the figures of docs/guide/numbers.md.
+-- The effect of friction stiffness and of the shape of a foot on the result: the figures of docs/guide/numbers.md.
 --
--- First a block that slides to and fro under El Centro at 1.6 g, against the same block by Coulomb's law alone; then
--- blocks that rock on their whole base or on two feet, against Housner (1963). Half a minute.
+-- First a block slides back and forth under El Centro at 1.6 g, compared with Coulomb's law alone. Then blocks rock
+-- on their whole base or on two feet, compared with Housner (1963). Half a minute.
 local trilith = require "trilith"
 local mu, g, density = 0.3, 9.80665, 2400
 local duration = 12

@@ -1,15 +1,15 @@
--- Two girders on a slender pier and two abutments through El Centro 1940: beams that bend, bearings
--- with a lead core, restrainers across the joint.
+-- Two girders on a slender pier and two abutments under El Centro 1940: beams, lead rubber bearings, restrainers
+-- across the joint.
 --
--- Physics: girders and pier are frames of beams (elastic, 25 m and 7 m); the ground with its
--- abutments is rigid. The pier's foot stands on springs, as on a flexible footing. A bearing yields
--- at its lead's strength and fails 0.15 m beyond; what is left is friction on the seat. The girders'
--- ends meet each other and the back walls across gaps of 5 cm, and cables hold them over the pier.
+-- Physics: girders and pier are frames of beams (elastic, 25 m and 7 m); the ground with its abutments is rigid.
+-- The foot of the pier stands on springs, as on a flexible footing. A bearing yields at the strength of its lead core
+-- and fails at 0.15 m; afterwards friction acts on the seat. The ends of the girders meet each other and the back
+-- walls across gaps of 5 cm, and cables connect the girders over the pier.
 --
--- Expected at 0.5 g: all four bearings yield within 2.6 s of the record, none fails; the pier's top
--- sways by 13 mm against its foot, whose moment reaches 6.9 MN m; a girder strikes the back wall
--- and the other girder at 0.6 m/s. The energy residual stays below 1 % of the input (0.0001 %). A
--- girder sags by 12 mm under its weight, so of its own it swings at pi/2 sqrt(EI/(m L^4)) = 5 Hz.
+-- Expected at 0.5 g: all four bearings yield within 2.6 s of the record, and none fails. The top of the pier drifts
+-- by 13 mm relative to its foot, and the moment at the foot reaches 6.9 MN m. A girder strikes the back wall and the
+-- other girder at 0.6 m/s. The energy residual stays below 1 % of the input (0.0001 %). A girder sags by 12 mm under
+-- its weight, so its own frequency is pi/2 sqrt(EI/(m L^4)) = 5 Hz.
 local trilith = require "trilith"
 local p = trilith.params {
   pga = { 0.5, unit = "g", "peak horizontal acceleration" },

@@ -1,9 +1,9 @@
 -- The masonry wall of R. Barbosa, "Discontinuous structural analysis": three storeys of 8 ft, 16 ft wide, openings
 -- without symmetry, rigid slabs and base, mortar of very low strength; El Centro NS scaled to 1.0 g at its base.
--- The paper finds: most damage in the top storey, where the weight above is least; failure early, in the strong phase.
--- docs/gallery/wall.md has what is found here, and beside it other strengths, other bodies and copies.
--- What it does not give is chosen: units of 16 x 8 x 8 in, 120 lb/ft3; eleven courses and a slab a storey; openings
--- 4 ft wide with lintels of one course bearing 8 in; slabs of 1.2 kip/ft; joints of 1e5 psi/in.
+-- The paper finds most damage in the top storey, where the weight above is least, and early failure, in the strong
+-- phase. Results, also for other strengths, other bodies and copies: docs/gallery/wall.md.
+-- Data missing in the paper are chosen. Units: 16 x 8 x 8 in, 120 lb/ft3; eleven courses and a slab per storey.
+-- Openings: 4 ft wide, with lintels of one course bearing 8 in. Slabs: 1.2 kip/ft. Joints: 1e5 psi/in.
 local trilith = require "trilith"
 local ft, inch, kip, g, s, pcf, psi = trilith.units "ft inch kip g s pcf psi"
 local p = trilith.params {

@@ -1,9 +1,9 @@
--- A fragility curve: how probably a small wall comes down, over the peak acceleration of the ground.
+-- A fragility curve: the probability that a small wall collapses, over the peak acceleration of the ground.
 --
 -- One storey of rigid units in weak mortar, 4 m long and 2.6 m high, with a door and a window under a slab. The motions
--- are the two horizontal components of El Centro 1940, turned by 20 angles: copies of one earthquake, which differ less
--- than 20 earthquakes would. The wall comes to rest once; every case goes on from there. Each motion is scaled up until
--- the slab has come down, then no further. `trilith study scripts/wall_fragility.lua` runs it in some minutes;
+-- are the two horizontal components of El Centro 1940, rotated by 20 angles. These copies of one earthquake differ less
+-- than 20 earthquakes. The wall settles once, and every case continues from this state. Each motion is scaled up until
+-- the slab has fallen, and no further. `trilith study scripts/wall_fragility.lua` takes some minutes;
 --   trilith plot out/wall_fragility.h5 --fragility collapsed --over pga -o fragility.svg
 --   trilith plot out/wall_fragility.h5 --ida drift --over pga --fragility collapsed -o ida.svg
 local trilith = require "trilith"

@@ -1,6 +1,7 @@
--- Does stronger mortar save the wall? scripts/wall.lua over tensile strength, in eight copies whose head joints are
--- moved by a micron at random: what differs among copies is chance, what differs among strengths beside it is not.
--- `trilith study scripts/wall_study.lua` runs what is not finished; draw it with `trilith plot TABLE --over tension`.
+-- Does stronger mortar save the wall? The study runs scripts/wall.lua over tensile strength, with eight copies each.
+-- Each copy moves the head joints by a micrometre at random. Differences among copies are chance; an effect of the
+-- strength must be larger. `trilith study scripts/wall_study.lua` runs unfinished cases;
+-- `trilith plot TABLE --over tension` plots the table.
 local trilith = require "trilith"
 local p = trilith.params {
   out = { "out/wall_study.h5", "the table" }, copies = { 8, "copies of each strength" },

@@ -1,8 +1,8 @@
--- A block of stone falls onto a fixed base and bounces until it lies still.
+-- A block of stone falls onto a fixed base and bounces until it rests.
 local trilith = require "trilith"
 local p = trilith.params {
-  height = { 0.2, unit = "m", "how far it falls" },
-  zeta = { 0.1, "damping of the contact, as a share of the critical one" } }
+  height = { 0.2, unit = "m", "height of fall" },
+  zeta = { 0.1, "damping ratio of the contact" } }
 local m = trilith.model { name = "first block", thickness = 1 }
 
 m:material { name = "stone", density = 2400 }
@@ -21,7 +21,7 @@ local speeds = {}
 m:on("impact", function(e) speeds[#speeds + 1] = e.value end)
 m:run { duration = 5, until_rest = true, dt = 5e-6 }
 
-local z, s = p.zeta, math.sqrt(1 - p.zeta^2)           -- what a spring and a damper that only push give back
+local z, s = p.zeta, math.sqrt(1 - p.zeta^2)           -- restitution of a spring and a damper that only push
 local formula = math.exp(-z/s*(math.pi - math.atan(2*z*s, 1 - 2*z^2)))
 print(("strikes at %.3f m/s; bounces with %.3f of it, formula %.3f"):format(speeds[1], speeds[2]/speeds[1], formula))
 return { restitution = speeds[2]/speeds[1], formula = formula }

@@ -1,10 +1,10 @@
--- A dry wall of six courses stands on a table that is tilted until the wall comes down.
+-- A dry wall of six courses stands on a table that tilts until the wall collapses.
 local trilith = require "trilith"
 local deg = trilith.units "deg"
 local p = trilith.params {
-  courses = { 6, "how many" },
+  courses = { 6, "number of courses" },
   mu = { 0.65, "friction of the joints" },
-  fast = { 28, unit = "deg", "the tilt up to which the table turns fast" } }
+  fast = { 28, unit = "deg", "tilt up to which the table rotates fast" } }
 local m = trilith.model { name = "dry wall", thickness = 1 }
 
 m:material { name = "stone", density = 2000 }
@@ -18,7 +18,7 @@ m:tilt { rate = 4*deg, by = p.fast }
 m:run { name = "tilting fast", duration = p.fast/(4*deg) }
 
 local slowly = false
-m:every(0.002, function() if slowly and m.speed > 0.02 then m:stop() end end) -- a stone runs away
+m:every(0.002, function() if slowly and m.speed > 0.02 then m:stop() end end) -- a stone moves off
 m:tilt { rate = 0.5*deg, by = 12*deg }
 slowly = true
 local slow = m:run { name = "tilting slowly", duration = 24 }

@@ -2,7 +2,7 @@
 local trilith = require "trilith"
 local p = trilith.params {
   seat = { 0.4, unit = "m", "length of the seats" },
-  away = { 0.6, unit = "m", "how far the right bank goes" } }
+  away = { 0.6, unit = "m", "displacement of the right bank" } }
 local m = trilith.model { name = "two spans", thickness = 10 }
 local concrete = m:material { name = "concrete", density = 2400 }
 local function coulomb(mu) return trilith.frictional { kn = 5e10, ks = 2e10, mu = mu, beta = 5e-5 } end

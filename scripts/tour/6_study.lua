@@ -1,4 +1,4 @@
--- How a block bounces, over the damping of its contact: the script of the first page, once for each value.
+-- Restitution of a block over the damping ratio of its contact: the script of page 1, once for each value.
 local trilith = require "trilith"
 
 local study = trilith.study {

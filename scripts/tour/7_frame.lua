@@ -1,4 +1,4 @@
--- A steel portal under a share of the load that its plastic hinges can carry: it stands, or comes down.
+-- A steel portal under a share of its plastic limit load: it stands or collapses.
 local trilith = require "trilith"
 local p = trilith.params {
   factor = { 0.98, "of the collapse load" },
@@ -21,10 +21,10 @@ local portal = m:frame { name = "portal", material = "steel",
               member("right", "d", "c") } }
 local sway = m:modes { count = 1 }[1].frequency
 
--- 6 hinges of 100 kN m turn with the frame; the beam's own weight does its part
+-- virtual work of 6 hinges of 100 kN m, of the loads and of the beam's own weight
 local weight = 7850*9.80665*0.15*0.25
 local limit = (6*100e3 - weight*6^2/4)/(100e3*6/2 + 50e3*4)
-local load, slowly = p.factor*limit, { smooth = 1.5 } -- comes on within so many seconds
+local load, slowly = p.factor*limit, { smooth = 1.5 } -- time in which the load is applied [s]
 m:point_load { body = portal, at = { 3, 4 }, force = { 0, -load*100e3 }, course = slowly }
 m:point_load { body = portal, at = { 0, 4 }, force = { load*50e3, 0 }, course = slowly }
 local hinges = 0
