@@ -11,7 +11,9 @@ C_LIKE = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<string>R"(?P<mark>[^
 SCRIPT = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<string>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`)""", re.S)
 LUA = re.compile(r"""(?P<comment>--\[\[.*?\]\]|--[^\n]*)|(?P<string>"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|\[\[.*?\]\])""", re.S)
 HASH = re.compile(r"(?P<comment>(?:(?<=\s)|^)#(?!!)[^\n]*)|(?P<string>(?!))", re.M)
-LANGUAGES = {"cpp": C_LIKE, "hpp": C_LIKE, "in": C_LIKE, "js": SCRIPT, "lua": LUA, "py": HASH, "sh": HASH, "txt": HASH, "cmake": HASH}
+HTML = re.compile(r"(?P<comment><!--.*?-->|<(?:script|style)\b.*?</(?:script|style)>)|(?<=>)(?P<string>[^<>]+)(?=<)|"
+                  r"\b(?:title|placeholder|aria-label)=(?P<quoted>\"[^\"]*\")", re.S)
+LANGUAGES = {"html": HTML, "script": HASH, "cpp": C_LIKE, "hpp": C_LIKE, "in": C_LIKE, "js": SCRIPT, "lua": LUA, "py": HASH, "sh": HASH, "txt": HASH, "cmake": HASH}
 LEADER = re.compile(r"^\s*(?:///?!?<?|/\*+|\*+/|\*(?!\w)|--+\[*|#+)\s?|\*/\s*$|\]\]\s*$")
 
 
@@ -75,8 +77,8 @@ def code(source, extension, strings):
     """Comments, neighbouring ones as one paragraph; with `strings` literals of three words and more instead."""
     pieces, last = [], 0
     for hit in LANGUAGES[extension].finditer(source):
-        is_comment = hit["comment"] is not None
-        if hit["string"] is None and not is_comment or is_comment == strings:
+        is_comment, string = hit["comment"] is not None, hit["string"] or hit.groupdict().get("quoted")
+        if string is None and not is_comment or is_comment == strings:
             continue
         between = source[last:hit.start()]
         last = hit.end()
@@ -85,16 +87,16 @@ def code(source, extension, strings):
             yield from paragraph(pieces)
             pieces = []
         number = source.count("\n", 0, hit.start()) + 1
-        body = hit[0] if is_comment else literal(hit[0])
+        body = hit[0] if is_comment else literal(string)
         for offset, line in enumerate(body.split("\n")):
             pieces.append((number + offset, LEADER.sub("", line).strip() if is_comment else line))
     yield from paragraph(pieces)
 
 
 def literal(text):
-    if text[0] == "R":
+    if text.startswith("R\""):
         text = text[text.index("(") + 1:text.rindex(")")]
-    else:
+    elif text[0] in "\"'`[":
         text = text[2:-2] if text.startswith("[[") else text[1:-1]
     return text.replace('\\"', '"').replace("\\n", " ").replace("\\t", " ")
 

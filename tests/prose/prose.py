@@ -18,23 +18,28 @@ import rules
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-CODE = ("cpp", "hpp", "js", "lua", "py", "sh", "cmake")
+CODE = ("cpp", "hpp", "js", "html", "lua", "py", "sh", "cmake")
+
+
+def language_of(path):
+    name = os.path.basename(path)
+    return "txt" if name.endswith(".txt") else name.rsplit(".", 1)[1] if "." in name else "script"
 
 
 def area_of(path):
     """Areas of a path: pages have one, code has one for comments and one for messages."""
-    extension = path.rsplit(".", 1)[-1]
+    extension = language_of(path)
     if path.startswith("tests/prose/"):
         return []
     if extension == "md":
         return ["reference" if path.startswith("docs/reference/") else "docs" if path.startswith("docs/") else "readme"]
-    if extension not in CODE and not path.endswith("CMakeLists.txt"):
+    if extension not in CODE and not path.endswith("CMakeLists.txt") and (extension != "script" or path == "LICENSE"):
         return []
     top = path.split("/")[0]
     if top == "tests":
         return ["tests-comments"]
     if top in ("engine", "lua"):
-        return [f"{top}-comments"] + ([f"{top}-messages"] if extension in ("cpp", "hpp", "js", "lua") else [])
+        return [f"{top}-comments"] + ([f"{top}-messages"] if extension in ("cpp", "hpp", "js", "html", "lua") else [])
     return ["scripts-comments"]
 
 
@@ -54,8 +59,7 @@ def read_exceptions():
 def parts_of(path, area, source):
     if area in ("docs", "reference", "readme"):
         return extract.markdown(source)
-    extension = "txt" if path.endswith(".txt") else path.rsplit(".", 1)[-1]
-    return extract.code(source, extension, area.endswith("-messages"))
+    return extract.code(source, language_of(path), area.endswith("-messages"))
 
 
 def texts_of(path, area, source):

@@ -34,9 +34,12 @@ FILES = [
     ("cpp", 'auto s = "this is // what it " // no\n  "holds of .5 m";', set()),
     ("lua", "-- a body\n-- who stands\nlocal who = 'who is not read'\n", {("who", 1)}),
     ("lua", "--[[ a body who\nstands ]]\n", {("who", 1)}),
+    ("script", "#!/bin/sh\n# a body who stands\n", {("who", 2)}),
     ("py", "# a body who stands\nwho = '#'\n", {("who", 1)}),
 ]
 STRINGS = [("cpp", 'f("the body who", "x", "it " "surely holds .5 m"); // what stands here', {("who", 1), ("leading-zero", 1)}),
+           ("html", '<p class="who">a body who stands</p>\n<b title="it surely holds .5 m"></b>', {("who", 1), ("leading-zero", 2)}),
+           ("script", "x=1 # a body who stands", set()),
            ("lua", "error('a body who stands') -- what stands here", {("who", 1)})]
 
 
