@@ -1,5 +1,5 @@
 # Turns the page of `trilith view` into C++: cmake -DOUT=... -DPAGE=engine/view/page -DMODULES=a,b -P embed_page.cmake
-# The modules become one script: imports go (each module comes after what it imports), exports lose their word.
+# The modules become one script: imports go (each module follows the modules that it imports), exports lose their word.
 string(REPLACE "," ";" MODULES "${MODULES}")
 set(code "")
 foreach(module IN LISTS MODULES)

@@ -1,4 +1,4 @@
-# What `cmake --install` puts down, so that find_package(Trilith) finds the engine as Trilith::trilith elsewhere.
+# Files of `cmake --install`: other projects find the engine by find_package(Trilith) as Trilith::trilith.
 # Users write #include <trilith/base/error.hpp>; between themselves the headers write "base/error.hpp".
 include(CMakePackageConfigHelpers)
 
