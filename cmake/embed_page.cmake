@@ -1,4 +1,4 @@
-# Turns the page of `trilith view` into C++: cmake -DOUT=... -DPAGE=engine/view/page -DMODULES=a,b -P embed_page.cmake
+# Turns the page of `trilith view` into C++. Usage: cmake -DOUT=... -DPAGE=engine/view/page -DMODULES=a,b -P embed_page.cmake
 # The modules become one script: imports go (each module follows the modules that it imports), exports lose their word.
 string(REPLACE "," ";" MODULES "${MODULES}")
 set(code "")
