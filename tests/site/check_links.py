@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks links of the Markdown pages without the tools of the site: check_links.py [SOURCE]
 
-Files and anchors that links lead to exist, each page has a title and a section of the menu, and functions that the glossary names
+Files and anchors that links lead to exist, so do pages that code names, each page has a title and a section of the menu, and functions that the glossary names
 are in the reference."""
 import os
 import re
@@ -51,7 +51,8 @@ def links_of(source, page, known):
                     known[to] = anchors(to)
                 if anchor not in known[to]:
                     near = [a for a in known[to] if a.split("-")[0] == anchor.split("-")[0]]
-                    yield f"{page}:{number}: {path or page} has no heading #{anchor}" + (f"; near: {', '.join(sorted(near)[:3])}" if near else "")
+                    hint = f"; near: {', '.join(sorted(near)[:3])}" if near else ""
+                    yield f"{page}:{number}: {path or page} has no heading #{anchor}{hint}"
 
 
 def glossary(source):
@@ -74,6 +75,18 @@ def glossary(source):
                 yield f"docs/glossary.md:{number}: the reference has no key or event {name}"
 
 
+def named_in_code(source):
+    """Pages that comments and messages of the code name by their path."""
+    for top in ("engine", "lua", "tests", "scripts", "cmake", ".ci"):
+        for path in stage.walk(source, top, (".cpp", ".hpp", ".lua", ".py", ".js", ".txt", ".cmake", "check", "run", "tidy", "make")):
+            if path.startswith("tests/site/"):
+                continue
+            for number, line in enumerate(stage.read(os.path.join(source, path)).split("\n"), 1):
+                for page in re.findall(r"\bdocs/[\w/-]+\.md\b", line):
+                    if not os.path.exists(os.path.join(source, page)):
+                        yield f"{path}:{number}: names {page}, which does not exist"
+
+
 def main(source=os.path.join(HERE, "../..")):
     source, found, known = os.path.abspath(source), [], {}
     pages = stage.pages_of(source)
@@ -83,6 +96,7 @@ def main(source=os.path.join(HERE, "../..")):
             found.append(f"{page}: has no title ('# ...')")
     found += [f"docs/site/navigation.txt names no section for {page}" for page in stage.menu(source, pages + list(stage.MADE))[1]]
     found += [f"docs/site/synonyms.txt: there is no page {page}" for page in stage.synonyms(source) if page not in pages]
+    found += named_in_code(source)
     if os.path.exists(os.path.join(source, "docs/glossary.md")):
         found += glossary(source)
     print("".join(line + "\n" for line in found), end="")

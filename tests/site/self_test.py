@@ -34,6 +34,7 @@ WRONG = [  # a change, and a part of the line that it must give
     ("docs/guide/a.md", "No title\n\n## Two words\n", "docs/guide/a.md: has no title"),
     ("docs/theory/t.md", "# Theory\n", "navigation.txt names no section for docs/theory/t.md"),
     ("docs/site/synonyms.txt", "word; docs/no.md\n", "synonyms.txt: there is no page docs/no.md"),
+    ("engine/a.hpp", "// See docs/theory/no.md.\n", "engine/a.hpp:1: names docs/theory/no.md, which does not exist"),
     ("docs/glossary.md", PAGES["docs/glossary.md"].replace("`kn`", "`knn`"), "the reference has no key or event knn"),
     ("docs/glossary.md", PAGES["docs/glossary.md"].replace("`kn`", "`trilith.bond`"), "the reference has no trilith.bond"),
 ]
