@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -27,12 +28,14 @@ struct AtWork {
   std::vector<std::shared_ptr<void>> kept;
 };
 thread_local AtWork at_work;
+thread_local std::uint64_t crossings = 0;
 
 struct Call {
-  Call() { ++at_work.calls; }
+  Call() { ++at_work.calls, ++crossings; }
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
   ~Call() {
+    ++crossings;
     if (--at_work.calls == 0 && !at_work.kept.empty()) std::exchange(at_work.kept, {}).clear();
   }
 };
@@ -122,6 +125,10 @@ std::string user_place(lua_State* L) {
   return "";
 }
 
+std::uint64_t engine_crossings() {
+  return crossings;
+}
+
 void keep_until_idle(std::shared_ptr<void> value) {
   if (at_work.calls > 0) at_work.kept.push_back(std::move(value));
 }
@@ -198,7 +205,9 @@ void call(lua_State* L, int arguments, int results) {
   const int handler = lua_gettop(L) - arguments;
   lua_pushcfunction(L, trace_text);
   lua_insert(L, handler);
+  ++crossings;
   const int status = lua_pcall(L, arguments, results, handler);
+  ++crossings;
   lua_remove(L, handler);
   if (status == LUA_OK) return;
   const bool is_object = lua_type(L, -1) != LUA_TSTRING;

@@ -5,6 +5,7 @@
 // code. So no longjmp ever crosses an object with a destructor, and the same code is right under both builds of Lua.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -39,6 +40,9 @@ int guarded(lua_State* L) {
 /// Calls the function below `arguments` values on the stack, as lua_pcall does, leaving `results` values. Throws
 /// ScriptError where it fails: a text with its traceback, or the error object as it was raised.
 void call(lua_State* L, int arguments, int results);
+
+/// How often control has passed between Lua and the engine in this thread, in either direction.
+std::uint64_t engine_crossings();
 
 /// Message handler for lua_pcall where an error is told: makes it a text, and adds a traceback, but for errors of
 /// input, where the one line says it all.

@@ -1,6 +1,7 @@
 // What the surroundings of a script give it (command line, folders, listeners) and what it tells them. No Lua here.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "results/results.hpp"
+#include "room.hpp"
 #include "run/stage.hpp"
 #include "run/study.hpp"
 #include "run/thread_choice.hpp"
@@ -20,6 +22,10 @@ struct lua_State;
 namespace trilith::script {
 
 class ScriptModel;
+
+// Limits of a script in a closed room, where none are given.
+inline constexpr double default_script_memory = 4.0 * (std::uint64_t{1} << 30);  ///< [bytes]
+inline constexpr double default_script_seconds = 600;                            ///< [s]
 
 inline constexpr std::size_t largest_script = std::size_t{64} << 20;  ///< [bytes]; more is no script
 
@@ -96,6 +102,9 @@ struct Host {
   std::vector<results::ParameterRow> parameters;  ///< that the script declared, with their values in this run
   std::vector<std::filesystem::path> records;     ///< folders in which motions are looked for after the script's own
   std::string results_file;                       ///< where given, instead of the script's own; for the first model
+  Room room;                                      ///< files that the script may use
+  double script_memory = 0;                       ///< that Lua may hold [bytes]; 0: no limit
+  double script_seconds = 0;                      ///< of Lua code between two calls into the engine [s]; 0: no limit
   RunObserver* observer = nullptr;
   Console* console = nullptr;  ///< nullptr: nothing pauses
   int running = 0;             ///< stages that run

@@ -8,7 +8,7 @@
 namespace trilith::script {
 namespace {
 
-const char host_key = 'h', core_key = 'c';
+const char host_key = 'h', core_key = 'c', environment_key = 'e';
 
 void add_version(lua_State* L) {
   lua_pushstring(L, TRILITH_VERSION);
@@ -18,6 +18,21 @@ void add_version(lua_State* L) {
 void load_file(lua_State* L, const LibraryFile& file) {
   lua_pushfstring(L, "=trilith/%s.lua", file.name);
   if (luaL_loadbufferx(L, file.text, std::strlen(file.text), lua_tostring(L, -1), "t") != LUA_OK) lua_error(L);
+  lua_remove(L, -2);
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &environment_key) == LUA_TTABLE)
+    lua_setupvalue(L, -2, 1);
+  else
+    lua_pop(L, 1);
+}
+
+/// Pushes a copy of the table on top of the stack, and takes that off.
+void copy_table(lua_State* L) {
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, -3) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
   lua_remove(L, -2);
 }
 
@@ -64,6 +79,17 @@ const char* library_text(const std::string& name) {
   for (const LibraryFile* file = library_files(); file->name != nullptr; ++file)
     if (name == file->name) return file->text;
   throw std::out_of_range("there is no library file " + name);
+}
+
+void keep_library_environment(lua_State* L) {
+  lua_pushglobaltable(L);
+  copy_table(L);
+  for (const char* name : {"string", "table", "math", "coroutine", "utf8", "os", "io", "debug", "package"}) {
+    lua_getfield(L, -1, name);
+    copy_table(L);
+    lua_setfield(L, -2, name);
+  }
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &environment_key);
 }
 
 void push_core(lua_State* L) {

@@ -14,6 +14,10 @@ void set_host(lua_State* L, Host& host);
 /// Pushes the module table, made anew; set_host comes first. Raises a Lua error where the library does not load.
 int open_trilith(lua_State* L);
 
+/// From now on files of the library see a copy of today's globals, and of the standard libraries: whatever a script
+/// changes or is refused, the library has what it had.
+void keep_library_environment(lua_State* L);
+
 /// Pushes what the library gets of the engine beside the module; open_trilith comes first.
 void push_core(lua_State* L);
 

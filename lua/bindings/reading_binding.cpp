@@ -285,6 +285,8 @@ int results(lua_State* L) {
   for (const auto& [key, value] : {std::pair{"frames", r.frames}, {"histories", r.histories}, {"energy", r.energy}})
     if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} s, must be above 0", key, value));
   keys.finish();
+  const Host& h = host(L);
+  if (h.case_folder.empty() && h.results_file.empty()) static_cast<void>(h.room.writable(r.file, "results"));
   m.results = r;
   return 0;
 }

@@ -157,10 +157,11 @@ void SimulatedModel<D>::begin_recording(Host& host) {
     results->file = std::exchange(host.results_file, "");
   }
   if (!results) return;
-  make_folder_of(results->file);
-  recording_begun_ = true;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
+  static_cast<void>(host.room.writable(results->file, "results"));
+  make_folder_of(results->file);
+  recording_begun_ = true;
   open_recording(host);
   for (const std::string& text : notes()) recording_->note(text);
   for (auto& found : std::exchange(waiting_modes_, {})) recording_->modes(std::move(found));
@@ -184,6 +185,7 @@ void SimulatedModel<D>::record_modes(std::vector<results::ModeRow> found, Host& 
 
 template <int D>
 void SimulatedModel<D>::open_recording(Host& host) {
+  static_cast<void>(host.room.writable(results->file, "results"));
   RecordingOptions<D> options;
   options.provenance = host.provenance(motions);
   options.provenance.model = name;

@@ -20,6 +20,11 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
   for (const std::string& f : cases.fixed) order.source += '\n' + f;
   order.command = [cases, known = order.plan](std::size_t index, const std::filesystem::path& folder) {
     std::vector<std::string> command{cases.program, "run", cases.script.string()};
+    if (cases.trust) command.emplace_back("--trust");
+    if (cases.memory > 0) command.push_back(fmt::format("--script-memory={:.17g}", cases.memory));
+    if (cases.seconds > 0) command.push_back(fmt::format("--script-seconds={:.17g}", cases.seconds));
+    if (!cases.trust)
+      for (const std::filesystem::path& room : cases.folders) command.push_back("--room=" + room.string());
     command.insert(command.end(), cases.fixed.begin(), cases.fixed.end());
     for (std::size_t k = 0; !cases.by_number && k < known.names.size(); ++k)
       command.push_back(known.argument(index, k));
@@ -50,7 +55,8 @@ void list_cases(const StudyOrder& order) {
   for (std::size_t i = 0; i < order.plan.cases.size(); ++i) {
     std::string line = "trilith";
     const std::vector<std::string> command = order.command(i, case_folder(order, i));
-    for (std::size_t w = 1; w < command.size(); ++w) line.append(" ").append(shell_word(command[w]));
+    for (std::size_t w = 1; w < command.size(); ++w)
+      if (!command[w].starts_with("--room=")) line.append(" ").append(shell_word(command[w]));
     fmt::print("{}\n", line);
   }
 }

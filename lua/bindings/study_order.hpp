@@ -11,6 +11,9 @@ struct CasesOfScript {
   std::filesystem::path script;    ///< that runs a case
   std::vector<std::string> fixed;  ///< "name=value", the same in all cases
   bool by_number = false;          ///< the script knows its cases by number; else it is given their parameters
+  bool trust = false;              ///< the cases run without a closed room
+  double memory = 0, seconds = 0;  ///< limits of each case as in Host; 0: the program's own
+  std::vector<std::filesystem::path> folders;  ///< that the cases may use, where the room is closed
 };
 
 /// An order for `plan` but for file, histories and jobs. Throws InputError where the script cannot be read.

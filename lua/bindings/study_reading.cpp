@@ -42,6 +42,10 @@ StudyValue value_at_top(lua_State* L, const std::string& name) {
 }
 
 StudyParameter parameter_at_top(lua_State* L, const std::string& name) {
+  // It becomes a word of a command line, where it must not be taken for an option.
+  if (name.empty() || name.starts_with("-") || name.find('=') != std::string::npos)
+    throw InputError(fmt::format(
+        "study: '{}' is no name of a parameter; it must not be empty, begin with '-' or hold '='", one_line(name)));
   StudyParameter p{name, "", {}};
   if (lua_type(L, -1) != LUA_TTABLE) {
     p.values.push_back(value_at_top(L, name));

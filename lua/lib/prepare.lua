@@ -1,22 +1,24 @@
 -- What the program makes of a Lua state before the script runs: its folder to require from, text chunks alone, and
--- errors for globals that nobody declared.
--- luacheck: globals load loadfile dofile
+-- errors for globals that nobody declared. The globals of this file are the library's, _G are the script's.
 local trilith, folder = ...
 
 package.loaded.trilith = trilith
-package.path = folder .. "/?.lua;" .. folder .. "/?/init.lua"
+-- The script's table `package` and the library's are two; `require` looks into the first.
+local scripts_package = rawget(_G, "package")
+scripts_package.path = folder .. "/?.lua;" .. folder .. "/?/init.lua"
+package.path = scripts_package.path
 
--- A binary chunk can break the interpreter, so only text is loaded.
-local load_chunk, load_file = load, loadfile
-function load(chunk, name, _, ...) return load_chunk(chunk, name, "t", ...) end
-function loadfile(file, _, ...) return load_file(file, "t", ...) end
-function dofile(file)
+-- A binary chunk can break the interpreter, so only text is loaded. What is loaded sees the script's globals.
+local load_chunk, load_file, G = load, loadfile, _G
+function G.load(chunk, name, _, ...) return load_chunk(chunk, name, "t", ...) end
+function G.loadfile(file, _, ...) return load_file(file, "t", ...) end
+function G.dofile(file)
   local chunk, message = load_file(file, "t")
   if not chunk then error(message, 0) end
   return chunk()
 end
-package.searchers[2] = function(name)
-  local file, tried = package.searchpath(name, package.path)
+scripts_package.searchers[2] = function(name)
+  local file, tried = package.searchpath(name, scripts_package.path)
   if not file then return tried end
   local chunk, message = load_file(file, "t")
   if not chunk then error(message, 0) end

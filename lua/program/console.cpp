@@ -8,6 +8,7 @@
 #include "console_session.hpp"
 #include "interrupt.hpp"
 #include "live.hpp"
+#include "room_options.hpp"
 #include "script_run.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
@@ -19,6 +20,7 @@ struct Options {
   std::string script;
   std::vector<std::string> given;
   bool quiet = false;
+  RoomOptions room;
 };
 
 /// Runs the script before the console; what goes wrong is told, and the console opens all the same.
@@ -47,6 +49,7 @@ int run(const Options& options) {
   host.observer = &live;
   host.command_line = options.script.empty() ? "trilith" : "trilith -i " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
+  set_room(host, options.room);
   if (!host.script.empty()) read_script(host);
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
@@ -74,6 +77,7 @@ void add_console(CLI::App& app, int& code) {
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));
   verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
+  add_room_options(*verb, options->room);
   verb->callback([options, &code] { code = run(*options); });
 }
 

@@ -22,13 +22,19 @@ constexpr int instructions_between = 1000000;
 lua_State* volatile running_thread = nullptr;
 lua_Hook volatile watched_hook = nullptr;
 PushedAside aside;
+/// The hook of threads that have none of another kind, and the instructions between its calls.
+lua_Hook standing_hook = nullptr;
+int standing_count = 0;
+/// Where not "": an error that no script can catch, other than an interrupt.
+std::string final_error;
 volatile std::sig_atomic_t count = 0, most = 1, ending = 0, raised = 0;
 volatile std::time_t first_second = 0;
 volatile long first_nanosecond = 0;
 
 void arm(lua_State* L) {
   const lua_Hook own = lua_gethook(L);
-  if (own != nullptr && own != watched_hook) aside = {L, own, lua_gethookmask(L), lua_gethookcount(L)};
+  if (own != nullptr && own != watched_hook && own != standing_hook)
+    aside = {L, own, lua_gethookmask(L), lua_gethookcount(L)};
   lua_sethook(L, watched_hook, every_event, 1);
 }
 
@@ -37,7 +43,7 @@ void disarm(lua_State* L) {
   if (aside.thread == L)
     lua_sethook(L, aside.hook, aside.mask, aside.count);
   else
-    lua_sethook(L, nullptr, 0, 0);
+    lua_sethook(L, standing_hook, standing_hook != nullptr ? LUA_MASKCOUNT : 0, standing_count);
   if (aside.thread == L) aside = {};
 }
 
@@ -65,6 +71,7 @@ InterruptScope::InterruptScope(lua_State* L, lua_Hook hook, int patience) : main
   count = 0;
   raised = 0;
   ending = 0;
+  final_error.clear();
   most = patience;
   watched_hook = hook;
   running_thread = L;
@@ -130,6 +137,11 @@ std::string signal_text() {
 }
 
 void raise_interrupt(lua_State* L, lua_Debug*) {
+  if (!final_error.empty() && raised != 0) {
+    lua_pushlstring(L, final_error.data(), final_error.size());
+    script::mark_whole(L);
+    lua_error(L);
+  }
   if (!is_interrupted()) {  // a coroutine that waited, or was made, while there was one
     disarm(L);
     return;
@@ -139,6 +151,18 @@ void raise_interrupt(lua_State* L, lua_Debug*) {
   lua_pushliteral(L, "interrupted");
   script::mark_whole(L);
   lua_error(L);
+}
+
+void set_standing_hook(lua_State* L, lua_Hook hook, int instructions) {
+  standing_hook = hook;
+  standing_count = instructions;
+  lua_sethook(L, hook, hook != nullptr ? LUA_MASKCOUNT : 0, instructions);
+}
+
+void raise_final(lua_State* L, const char* message) {
+  final_error = message;
+  raised = 1;
+  raise_interrupt(L, nullptr);
 }
 
 void wait_with_interrupt(lua_State* L, int instructions) {
@@ -151,7 +175,12 @@ bool is_raised() {
 
 void quench_interrupt() {
   raised = 0;
+  final_error.clear();
   if (running_thread != nullptr) disarm(running_thread);
+}
+
+lua_State* thread_at_work() {
+  return running_thread;
 }
 
 lua_State* switch_thread(lua_State* thread) {

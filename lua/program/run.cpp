@@ -9,6 +9,7 @@
 #include "live.hpp"
 #include "positive.hpp"
 #include "profile_text.hpp"
+#include "room_options.hpp"
 #include "script_run.hpp"
 #include "since_option.hpp"
 #include "verbs.hpp"
@@ -23,6 +24,7 @@ struct RunOptions {
   double least_impact = slow_impact;
   bool quiet = false, list = false, profile = false;
   int only = 0, threads = 0;
+  RoomOptions room;
 };
 
 int run_as_asked(const RunOptions& options) {
@@ -41,6 +43,7 @@ int run_as_asked(const RunOptions& options) {
   host.observer = options.list ? nullptr : &live;
   host.command_line = "trilith run " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
+  set_room(host, options.room);
   const int code = run_script(host);
   live.clear();
   if (live.waits() && !options.list)
@@ -90,6 +93,7 @@ void add_run(CLI::App& app, int& code) {
       ->check(CLI::Range(1, most_threads));
   verb->add_flag("--profile", options->profile,
                  "say where the time went: parts of the step, contact laws, Lua callbacks");
+  add_room_options(*verb, options->room);
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run_as_asked(*options); });
 }

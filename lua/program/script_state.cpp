@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "guard.hpp"
 #include "interrupt.hpp"
 #include "open.hpp"
+#include "script_limits.hpp"
+#include "script_room.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {
@@ -49,11 +52,13 @@ int set_up(lua_State* L) {
   lua_pushlightuserdata(L, &host);
   lua_pushcclosure(L, script::guarded<exit_script>, 1);
   lua_setfield(L, -2, "exit");
+  script::keep_library_environment(L);
   script::open_trilith(L);
   script::load_library_file(L, "prepare");
   lua_insert(L, -2);
   lua_pushstring(L, host.folder().string().c_str());
   lua_call(L, 2, 0);
+  if (host.room.closed()) close_room(L, host);
   return 0;
 }
 
@@ -63,10 +68,12 @@ ScriptState new_script_state(script::Host& host) {
   ScriptState state(luaL_newstate());
   if (!state) throw InputError("not enough memory");
   lua_State* L = state.get();
+  limit_memory(L, host.script_memory);
   lua_pushcfunction(L, script::add_traceback);
   lua_pushcfunction(L, set_up);
   lua_pushlightuserdata(L, &host);
   if (lua_pcall(L, 1, 0, 1) != LUA_OK) throw InputError(message_at_top(L));
+  limit_time(L, host.script_seconds);
   return state;
 }
 
@@ -82,6 +89,8 @@ int load_script(lua_State* L, const script::Host& host, const std::string& befor
 
 std::string message_at_top(lua_State* L) {
   const char* text = lua_tostring(L, -1);
+  if (text != nullptr && std::string_view(text).starts_with("not enough memory") && !memory_refusal().empty())
+    return memory_refusal();
   return text != nullptr ? text : "an error without a message";
 }
 

@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "live.hpp"
 #include "positive.hpp"
+#include "room_options.hpp"
 #include "script_run.hpp"
 #include "study_order.hpp"
 #include "verbs.hpp"
@@ -25,6 +26,7 @@ struct StudyOptions {
   std::string ida, stop, on, cases;
   script::StudyChoice choice;
   bool quiet = false;
+  RoomOptions room;
 };
 
 /// "0.4", "0.4 g": a number, and the unit after it.
@@ -82,6 +84,8 @@ StudyOrder order_of(const StudyOptions& o) {
   cases.program = program_path();
   cases.script = o.script;
   cases.fixed = o.given;
+  cases.trust = o.room.trust;
+  cases.memory = std::max(o.room.memory, 0.0), cases.seconds = std::max(o.room.seconds, 0.0);
   StudyOrder order = script::study_order(product_plan(parameters), cases);
   order.file = o.out.empty() ? std::filesystem::path(o.script).stem().string() + "_study.h5" : o.out;
   script::take_choice(o.choice, order);
@@ -94,6 +98,7 @@ StudyOrder order_of(const StudyOptions& o) {
 /// This study again, for a task that is told its cases.
 std::vector<std::string> own_command(const StudyOptions& o) {
   std::vector<std::string> words{program_path(), "study", o.script};
+  for (const std::string& w : o.room.words()) words.push_back(w);
   words.insert(words.end(), o.given.begin(), o.given.end());
   for (const std::string& v : o.over) words.insert(words.end(), {"--over", v});
   if (!o.out.empty()) words.insert(words.end(), {"--output", o.out});
@@ -133,6 +138,7 @@ int run_own(const StudyOptions& o) {
   host.study.program = program_path();
   host.command_line = "trilith study " + o.script;
   for (const std::string& g : o.given) host.command_line += " " + g;
+  set_room(host, o.room);
   const int code = run_script(host);
   live.clear();
   if (code == ended_well && !host.study.begun)
@@ -180,6 +186,7 @@ void add_study(CLI::App& app, int& code) {
   verb->add_option("--stop", o->stop,
                    "with --ida: a flag of the cases; where it is true, higher values are passed over")
       ->type_name("FIGURE");
+  add_room_options(*verb, o->room);
   verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
   verb->add_flag("--list", o->choice.list, "print the command of each case and end");
   verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");

@@ -1,0 +1,27 @@
+// The options of every verb that runs a script: whether its room is closed, and its limits.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "host.hpp"
+
+namespace trilith::program {
+
+struct RoomOptions {
+  bool trust = false;
+  double memory = -1, seconds = -1;  ///< -1: not given
+  std::vector<std::string> folders;  ///< of a study's case: in the place of what its command line names
+
+  /// These options as words of a command line.
+  [[nodiscard]] std::vector<std::string> words() const;
+};
+
+void add_room_options(CLI::App& verb, RoomOptions& options);
+
+/// Closes the room of `host`, unless it is trusted, and sets its limits. Script, parameters, results file and folder of
+/// the case come first: what they name is within reach.
+void set_room(script::Host& host, const RoomOptions& options);
+
+}  // namespace trilith::program
