@@ -60,6 +60,8 @@ void describe_command_line(CLI::App& app, int& code) {
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
   app.footer(
       "trilith alone opens a console; trilith -i SCRIPT runs a script and stays; trilith SCRIPT runs it.\n"
+      "A script runs in a closed room: it starts no programs and uses files only below its own folder, the current\n"
+      "folder and the paths on the command line; --trust opens it.\n"
       "trilith doctor says where the program, its Lua module and its records lie, and whether they work.\n"
       "Exit codes: 0 all went well, 1 wrong input, an error in a script or in a case of a study,\n"
       "2 wrong words on the command line, 3 a run that is not to be trusted (it says why), 130 interrupted.");

@@ -1,5 +1,5 @@
 -- Runs a script of the gallery and prints the hash of the first model it made.
--- usage: SCRIPT=PATH trilith run --quiet last_hash.lua [NAME=VALUE...]
+-- usage: SCRIPT=PATH trilith run --quiet --trust last_hash.lua [NAME=VALUE...]
 local trilith = require "trilith"
 local make, first = trilith.model, nil
 function trilith.model(t)

@@ -85,7 +85,7 @@ local function pull(dim, law, way, mass, share, integrator)
            left = 0.5*mass*v^2/area, turned = turned, residual = residual/area }
 end
 
-local all, show = 0, os.getenv("BONDS_SHOW")
+local all, show = 0, os.getenv("TRILITH_SHOW")
 for _, dim in ipairs { 2, 3 } do
   for law in pairs(laws) do
     for _, way in ipairs { "tension", "shear" } do

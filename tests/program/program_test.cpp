@@ -276,7 +276,7 @@ m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = 
 m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, p.height }, material = "stone", floating = true }
 m:on("impact", function(e) print("said by the script") end)
 m:run { name = "fall", duration = 1 }
-if os.getenv("FAIL") then error("on purpose") end
+if os.getenv("TRILITH_FAIL") then error("on purpose") end
 )lua";
 
 void write_script(const std::filesystem::path& here) {
@@ -309,9 +309,9 @@ TEST_CASE("a script that fails leaves what it had as unfinished results, and say
   if (program_is_missing()) return;
   const testing::Folder here;
   write_script(here.path);
-  ::setenv("FAIL", "1", 1);
+  ::setenv("TRILITH_FAIL", "1", 1);
   const Said said = ask(here.path, "run drop.lua");
-  ::unsetenv("FAIL");
+  ::unsetenv("TRILITH_FAIL");
   CHECK(said.code == 1);
   CHECK(said.err.find("drop.lua:12: on purpose") != std::string::npos);
   CHECK(said.says("drop.h5.part"));
