@@ -200,6 +200,15 @@ StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   return order;
 }
 
+/// What a link in the folder of a case would lead elsewhere.
+void require_own_folders(const Host& h, const StudyOrder& order) {
+  if (!h.room.closed() || order.plan.cases.empty()) return;
+  static_cast<void>(h.room.writable(case_folder(order, 0).parent_path() / "lock", "study"));
+  for (std::size_t i = 0; i < order.plan.cases.size(); ++i)
+    for (const char* name : {"log.txt", "errors.txt"})
+      static_cast<void>(h.room.writable(case_folder(order, i) / name, "study"));
+}
+
 void require_place(Host& h) {
   if (h.list_parameters) throw InputError(parameters_listed);
   if (h.study.begun) throw InputError("study: called a second time; a script has one study");
@@ -222,6 +231,7 @@ int study(lua_State* L) {
   if (h.study.only > 0) run_case(L, h, plan, wanted);
   StudyOrder order = order_of(h, std::move(plan), wanted);
   order.histories = std::move(histories);
+  require_own_folders(h, order);
   if (h.study.list) {
     list_cases(order);
     throw InputError(script_is_done);

@@ -22,9 +22,6 @@ constexpr int instructions_between = 1000000;
 lua_State* volatile running_thread = nullptr;
 lua_Hook volatile watched_hook = nullptr;
 PushedAside aside;
-/// The hook of threads that have none of another kind, and the instructions between its calls.
-lua_Hook standing_hook = nullptr;
-int standing_count = 0;
 /// Where not "": an error that no script can catch, other than an interrupt.
 std::string final_error;
 volatile std::sig_atomic_t count = 0, most = 1, ending = 0, raised = 0;
@@ -33,8 +30,7 @@ volatile long first_nanosecond = 0;
 
 void arm(lua_State* L) {
   const lua_Hook own = lua_gethook(L);
-  if (own != nullptr && own != watched_hook && own != standing_hook)
-    aside = {L, own, lua_gethookmask(L), lua_gethookcount(L)};
+  if (own != nullptr && own != watched_hook) aside = {L, own, lua_gethookmask(L), lua_gethookcount(L)};
   lua_sethook(L, watched_hook, every_event, 1);
 }
 
@@ -43,7 +39,7 @@ void disarm(lua_State* L) {
   if (aside.thread == L)
     lua_sethook(L, aside.hook, aside.mask, aside.count);
   else
-    lua_sethook(L, standing_hook, standing_hook != nullptr ? LUA_MASKCOUNT : 0, standing_count);
+    lua_sethook(L, nullptr, 0, 0);
   if (aside.thread == L) aside = {};
 }
 
@@ -151,12 +147,6 @@ void raise_interrupt(lua_State* L, lua_Debug*) {
   lua_pushliteral(L, "interrupted");
   script::mark_whole(L);
   lua_error(L);
-}
-
-void set_standing_hook(lua_State* L, lua_Hook hook, int instructions) {
-  standing_hook = hook;
-  standing_count = instructions;
-  lua_sethook(L, hook, hook != nullptr ? LUA_MASKCOUNT : 0, instructions);
 }
 
 void raise_final(lua_State* L, const char* message) {

@@ -51,8 +51,6 @@ std::string signal_text();
 /// Raises the error "interrupted" in the Lua code, or takes the hook away where the interrupt was taken meanwhile. What
 /// catches the error does not get far: see is_raised, and the hook comes again after a while.
 void raise_interrupt(lua_State* L, lua_Debug* at);
-/// Sets the hook that `L`, and each thread made by it from now on, has where no interrupt waits.
-void set_standing_hook(lua_State* L, lua_Hook hook, int instructions);
 /// Raises an error that no script can catch; over with quench_interrupt.
 void raise_final(lua_State* L, const char* message);
 /// The hook comes again after so many instructions.

@@ -1,10 +1,15 @@
 #include "script_limits.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <ctime>
 
 #include "guard.hpp"
 #include "interrupt.hpp"
@@ -12,20 +17,20 @@
 namespace trilith::program {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Instructions between two looks at the clock: about a millisecond.
-constexpr int instructions_between_looks = 100000;
+constexpr double longest_between = 10;  ///< looks at the clock [s]
 
 struct Memory {
   double most = 0, held = 0;  ///< [bytes]
   std::string refusal;
 } memory;
 
+/// A signal looks at the clock now and then: a hook that counts instructions would slow all Lua code down.
 struct Time {
-  double most = 0;  ///< [s]
+  double most = 0;  ///< [s]; 0: no limit
   std::uint64_t crossings = 0;
-  Clock::time_point begun;
+  std::timespec begun{};  ///< of the stretch without a crossing
+  timer_t timer{};
+  bool runs = false;
 } script_time;
 
 void note_refusal() {
@@ -53,16 +58,27 @@ void* allocate(void*, void* block, std::size_t before, std::size_t wanted) {
   return found;
 }
 
-void look_at_clock(lua_State* L, lua_Debug*) {
-  const std::uint64_t now = script::engine_crossings();
-  if (now != script_time.crossings) {
-    script_time.crossings = now;
-    script_time.begun = Clock::now();
+/// Since the last crossing, as far as the looks at the clock know it [s]; a new stretch begins where there was one.
+double seconds_alone() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  const std::uint64_t crossings = script::engine_crossings();
+  if (crossings != script_time.crossings) {
+    script_time.crossings = crossings;
+    script_time.begun = now;
+  }
+  return static_cast<double>(now.tv_sec - script_time.begun.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - script_time.begun.tv_nsec);
+}
+
+/// A hook: at the script's next instruction, unless the engine was at work meanwhile.
+void raise_at_limit(lua_State* L, lua_Debug*) {
+  if (seconds_alone() < script_time.most) {
+    lua_sethook(L, nullptr, 0, 0);
     return;
   }
-  if (std::chrono::duration<double>(Clock::now() - script_time.begun).count() < script_time.most) return;
-  // No object with a destructor may be alive where the error is raised.
-  char message[1000];
+  lua_sethook(L, raise_at_limit, LUA_MASKCOUNT, 1000000);
+  char message[1000];  // no object with a destructor may be alive where the error is raised
   {
     const std::string text = fmt::format(
         "{}the script has run for more than {:g} s without a call into the engine; --script-seconds allows more",
@@ -70,6 +86,33 @@ void look_at_clock(lua_State* L, lua_Debug*) {
     message[text.copy(message, sizeof message - 1)] = '\0';
   }
   raise_final(L, message);
+}
+
+extern "C" void on_look(int) {
+  lua_State* const L = thread_at_work();
+  if (L == nullptr || seconds_alone() < script_time.most) return;
+  if (lua_gethook(L) != raise_at_limit) lua_sethook(L, raise_at_limit, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
+}
+
+/// A process that parts from this one (a case of a study) has no timer of it.
+extern "C" void start_timer() {
+  if (!(script_time.most > 0)) return;
+  struct sigaction action {};
+  action.sa_handler = on_look;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGVTALRM, &action, nullptr);
+  sigevent event{};
+  event.sigev_notify = SIGEV_THREAD_ID;
+  event.sigev_signo = SIGVTALRM;
+  event._sigev_un._tid = ::gettid();
+  script_time.runs = ::timer_create(CLOCK_MONOTONIC, &event, &script_time.timer) == 0;
+  if (!script_time.runs) return;
+  const double between = std::clamp(script_time.most / 8, 0.01, longest_between);
+  itimerspec times{};
+  times.it_interval.tv_sec = static_cast<std::time_t>(between);
+  times.it_interval.tv_nsec = static_cast<long>(1e9 * (between - std::floor(between)));
+  times.it_value = times.it_interval;
+  ::timer_settime(script_time.timer, 0, &times, nullptr);
 }
 
 }  // namespace
@@ -86,12 +129,14 @@ const std::string& memory_refusal() {
   return memory.refusal;
 }
 
-void limit_time(lua_State* L, double seconds) {
-  script_time = {seconds, script::engine_crossings(), Clock::now()};
-  if (seconds > 0)
-    set_standing_hook(L, look_at_clock, instructions_between_looks);
-  else
-    set_standing_hook(L, nullptr, 0);
+void limit_time(double seconds) {
+  if (script_time.runs) ::timer_delete(script_time.timer);
+  script_time = {};
+  script_time.most = seconds;
+  script_time.crossings = script::engine_crossings();
+  ::clock_gettime(CLOCK_MONOTONIC, &script_time.begun);
+  static const int registered = ::pthread_atfork(nullptr, nullptr, start_timer);
+  if (registered == 0) start_timer();
 }
 
 }  // namespace trilith::program

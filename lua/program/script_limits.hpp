@@ -12,8 +12,8 @@ void limit_memory(lua_State* L, double bytes);
 /// What was refused last, with the script's line; "" where nothing was.
 const std::string& memory_refusal();
 
-/// Lua code of `L` can run so long [s] without a call into the engine or back; 0: no limit. An error that no script can
-/// catch says where it was.
-void limit_time(lua_State* L, double seconds);
+/// Lua code of this thread can run so long [s] without a call into the engine or back, while an InterruptScope lives;
+/// 0: no limit. An error that no script can catch says where it was.
+void limit_time(double seconds);
 
 }  // namespace trilith::program

@@ -73,7 +73,7 @@ ScriptState new_script_state(script::Host& host) {
   lua_pushcfunction(L, set_up);
   lua_pushlightuserdata(L, &host);
   if (lua_pcall(L, 1, 0, 1) != LUA_OK) throw InputError(message_at_top(L));
-  limit_time(L, host.script_seconds);
+  limit_time(host.script_seconds);
   return state;
 }
 
