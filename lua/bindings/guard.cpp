@@ -29,6 +29,7 @@ struct AtWork {
 };
 thread_local AtWork at_work;
 thread_local std::uint64_t crossings = 0;
+std::string (*limit_of_memory)() = nullptr;
 
 struct Call {
   Call() { ++at_work.calls, ++crossings; }
@@ -125,6 +126,10 @@ std::string user_place(lua_State* L) {
   return "";
 }
 
+void explain_lack_of_memory(std::string (*text)()) {
+  limit_of_memory = text;
+}
+
 std::uint64_t engine_crossings() {
   return crossings;
 }
@@ -211,7 +216,8 @@ void call(lua_State* L, int arguments, int results) {
   lua_remove(L, handler);
   if (status == LUA_OK) return;
   const bool is_object = lua_type(L, -1) != LUA_TSTRING;
-  const std::string message = error_text(L, -1);
+  const std::string limit = status == LUA_ERRMEM && limit_of_memory != nullptr ? limit_of_memory() : "";
+  const std::string message = limit.empty() ? error_text(L, -1) : limit;
   if (is_object)
     lua_setfield(L, LUA_REGISTRYINDEX, error_object);
   else

@@ -44,6 +44,9 @@ void call(lua_State* L, int arguments, int results);
 /// How often control has passed between Lua and the engine in this thread, in either direction.
 std::uint64_t engine_crossings();
 
+/// `text` gives what Lua's "not enough memory" means where a limit was reached, and "" elsewhere.
+void explain_lack_of_memory(std::string (*text)());
+
 /// Message handler for lua_pcall where an error is told: makes it a text, and adds a traceback, but for errors of
 /// input, where the one line says it all.
 int add_traceback(lua_State* L);

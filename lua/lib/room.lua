@@ -2,14 +2,14 @@
 -- file, as all of the library, sees a copy of the globals that no script can change; it calls no method of a text, as
 -- a script can change these.
 local room = ...
-local G, rawget, rawset, type, error, next, select = _G, rawget, rawset, type, error, next, select
+local G, fail, rawget, rawset, type, error, next, select = _G, room.fail, rawget, rawset, type, error, next, select
 local meta_of, set_meta, open, lines = debug.getmetatable, setmetatable, io.open, io.lines
 local own_get, getinfo, traceback, load_file = getmetatable, debug.getinfo, debug.traceback, loadfile
 local input, output, collect = io.input, io.output, collectgarbage
 
 local function refusal(name, why)
   return function()
-    error(name .. " is refused: " .. why .. "; `trilith run --trust SCRIPT` allows it for a script that you trust", 2)
+    fail(name .. " is refused: " .. why .. "; `trilith run --trust SCRIPT` allows it for a script that you trust")
   end
 end
 
@@ -42,10 +42,10 @@ function G.setmetatable(t, ...)
   local meta = ...
   if type(t) == "table" and type(meta) == "table" then
     if rawget(meta, "__gc") ~= nil then
-      error("setmetatable: '__gc' is refused: no limit of time holds in it; use a variable declared <close>", 2)
+      fail("setmetatable: '__gc' is refused: no limit of time holds in it; use a variable declared <close>")
     end
     local was = meta_of(t)
-    if was ~= nil and not set_by_script[was] then error("setmetatable: this table's metatable is locked", 2) end
+    if was ~= nil and not set_by_script[was] then fail("setmetatable: this table's metatable is locked") end
     set_by_script[meta] = true
   end
   return set_meta(t, ...)
@@ -103,8 +103,8 @@ searchers[2] = function(name)
 end
 refuse_others("package", package, closed_package, { "it loads code that is no script" })
 set_meta(closed_package, { __metatable = "locked", __index = function(_, name)
-  error("package." .. (type(name) == "string" and name or "?") ..
-    " is refused: modules are Lua files in package.path; `trilith run --trust SCRIPT` allows more", 2)
+  fail("package." .. (type(name) == "string" and name or "?") ..
+    " is refused: modules are Lua files in package.path; `trilith run --trust SCRIPT` allows more")
 end })
 
 -- The debug library: where something is, never the thing itself.
@@ -112,7 +112,7 @@ local shown = { "currentline", "short_src", "source", "linedefined", "lastlinede
 local closed_debug = { traceback = traceback }
 function closed_debug.getinfo(at, ...)
   if type(at) ~= "number" and type(at) ~= "function" or select("#", ...) > 1 then
-    error("debug.getinfo: takes a level or a function, and which fields", 2)
+    fail("debug.getinfo: takes a level or a function, and which fields")
   end
   local found = getinfo(type(at) == "number" and at + 1 or at, "Sln")
   if not found then return nil end
@@ -124,5 +124,5 @@ refuse_others("debug", debug, closed_debug, { "it reaches into the insides of ot
 
 function G.collectgarbage(option, ...)
   if option == nil or option == "collect" or option == "count" then return collect(option, ...) end
-  error("collectgarbage: takes \"collect\" or \"count\" here; `trilith run --trust SCRIPT` allows all", 2)
+  fail("collectgarbage: takes \"collect\" or \"count\" here; `trilith run --trust SCRIPT` allows all")
 end

@@ -123,9 +123,10 @@ void limit_memory(lua_State* L, double bytes) {
   memory.most = bytes;
   memory.held = 1024.0 * lua_gc(L, LUA_GCCOUNT, 0) + lua_gc(L, LUA_GCCOUNTB, 0);
   lua_setallocf(L, allocate, nullptr);
+  script::explain_lack_of_memory(memory_refusal);
 }
 
-const std::string& memory_refusal() {
+std::string memory_refusal() {
   return memory.refusal;
 }
 

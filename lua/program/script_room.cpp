@@ -108,6 +108,11 @@ int rename_file(lua_State* L) {
   return push_done(L, good, script::text_at(L, 1), errno);
 }
 
+/// room.fail(message): a line with the script's place, and no traceback.
+int fail(lua_State* L) {
+  throw InputError(script::text_at(L, 1));
+}
+
 /// room.variable(name): what os.getenv may give.
 int variable(lua_State* L) {
   const std::string name = script::text_at(L, 1);
@@ -146,10 +151,15 @@ int module_file(lua_State* L) {
 void close_room(lua_State* L, script::Host& host) {
   script::load_library_file(L, "room");
   lua_newtable(L);
-  const luaL_Reg functions[] = {{"readable", script::guarded<readable>},       {"writable", script::guarded<writable>},
-                                {"for_mode", script::guarded<for_mode>},       {"remove", script::guarded<remove_file>},
-                                {"rename", script::guarded<rename_file>},      {"variable", script::guarded<variable>},
-                                {"module_file", script::guarded<module_file>}, {nullptr, nullptr}};
+  const luaL_Reg functions[] = {{"readable", script::guarded<readable>},
+                                {"writable", script::guarded<writable>},
+                                {"for_mode", script::guarded<for_mode>},
+                                {"remove", script::guarded<remove_file>},
+                                {"rename", script::guarded<rename_file>},
+                                {"variable", script::guarded<variable>},
+                                {"fail", script::guarded<fail>},
+                                {"module_file", script::guarded<module_file>},
+                                {nullptr, nullptr}};
   lua_pushlightuserdata(L, &host);
   luaL_setfuncs(L, functions, 1);
   lua_call(L, 1, 0);

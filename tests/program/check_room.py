@@ -167,7 +167,8 @@ def run(text, *options):
 
 def way_out(name, text, message):
     before = contents()
-    done = run(text, "--script-seconds=0.3", "--script-memory=100MB")
+    seconds = "0.3" if "has run for" in message else "100"
+    done = run(text, "--script-seconds=" + seconds, "--script-memory=100MB")
     said = done.stdout + done.stderr
     known = any(part in said for part in message.split("|"))
     if done.returncode == 0 or not known or "secret\n" in said or "ran" == said[:3]:
@@ -192,13 +193,26 @@ for kind, script, options, expected in (("a well-behaved script", GOOD, (), "all
         failed.append(f"{kind}: code {done.returncode}:\n{done.stdout}{done.stderr}")
 
 # Cases of a study inherit the room, its limits and --trust.
-for options, expected in (((), "io.popen is refused"), (("--trust",), None)):
-    shutil.rmtree(room + "/study", ignore_errors=True)
-    done = run('trilith.study { file = "study/s.h5", parameters = { n = { 1 } }, '
-               'case = function() return { answer = io.popen("echo 5"):read "n" } end }', *options)
-    said = done.stdout + done.stderr
-    if (expected is None) != (done.returncode == 0 and "refused" not in said):
-        failed.append(f"a study with {options}: code {done.returncode}:\n{said}")
+STUDY = """local study = trilith.study { file = "study/s.h5", parameters = { n = { 1 } }, BEFORE
+  case = function() CODE return { answer = 5 } end }
+print(study.rows[1].status, study.rows[1].message)
+"""
+for before in ("", "before = function() return 1 end,"):
+    for code, options, expected in (('io.popen("echo 5"):close()', (), "io.popen is refused"),
+                                    ('io.popen("echo 5"):close()', ("--trust",), "finished"),
+                                    ("while true do end", ("--script-seconds=0.3",), "has run for more than 0.3 s"),
+                                    ("local t = ('x'):rep(1e9)", ("--script-memory=100MB",), "more than 100 MB"),
+                                    ('io.open("curve.csv", "w"):close()', (), "finished")):
+        shutil.rmtree(room + "/study", ignore_errors=True)
+        os.makedirs(room + "/study")
+        done = run(STUDY.replace("BEFORE", before).replace("CODE", code), *options)
+        if expected not in done.stdout:
+            failed.append(f"a case of a study, {code} with {options} {before}: {done.returncode}:\n"
+                          f"{done.stdout}{done.stderr}")
+os.makedirs(room + "/linked.cases", exist_ok=True)
+os.symlink(outside, room + "/linked.cases/n=1")
+way_out("a link in the folder of a study's cases",
+        STUDY.replace("study/s.h5", "linked.h5").replace("BEFORE", "").replace("CODE", ""), "study: ")
 
 for text in failed:
     print(text)
