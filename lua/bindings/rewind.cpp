@@ -89,6 +89,7 @@ double SimulatedModel<D>::rewind(double time, Host& host) {
 template <int D>
 void SimulatedModel<D>::continue_recording(Host& host, double left, const Recording<D>& before) {
   const std::string first = results->file;
+  static_cast<void>(host.room.writable(branch_file(first, branches_ + 1), "results"));
   results->file = branch_file(first, ++branches_);
   open_recording(host);
   results->file = first;

@@ -159,8 +159,7 @@ void SimulatedModel<D>::begin_recording(Host& host) {
   if (!results) return;
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
-  static_cast<void>(host.room.writable(results->file, "results"));
-  make_folder_of(results->file);
+  make_folder_of(host.room.writable(results->file, "results"));
   recording_begun_ = true;
   open_recording(host);
   for (const std::string& text : notes()) recording_->note(text);
@@ -185,7 +184,6 @@ void SimulatedModel<D>::record_modes(std::vector<results::ModeRow> found, Host& 
 
 template <int D>
 void SimulatedModel<D>::open_recording(Host& host) {
-  static_cast<void>(host.room.writable(results->file, "results"));
   RecordingOptions<D> options;
   options.provenance = host.provenance(motions);
   options.provenance.model = name;

@@ -78,7 +78,10 @@ void add_room_options(CLI::App& verb, RoomOptions& options) {
                   "not given, 0 for no limit")
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
-  verb.add_option("--room", options.folders)->group("");
+  verb.add_option("--room", options.folders)
+      ->expected(1)  // at a time: what follows it is a parameter
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group("");
 }
 
 void set_room(script::Host& host, const RoomOptions& options) {

@@ -46,7 +46,8 @@ WAYS = [
     ("remove", 'os.remove "kept.csv"', "only files that it has made"),
     ("remove outside", 'os.remove "OUT/secret"', "os.remove"),
     ("rename", 'io.open("new.csv", "w"):close() os.rename("new.csv", "OUT/hit")', "os.rename"),
-    ("rename over a file", 'io.open("new.csv", "w"):close() os.rename("new.csv", "kept.csv")', "only files that it has"),
+    ("rename over a file",
+     'io.open("new.csv", "w"):close() os.rename("new.csv", "kept.csv")', "only files that it has"),
     ("a name for a temporary file", 'print(os.tmpname())', "os.tmpname is refused"),
     ("the surroundings", 'print(os.getenv "HOME")', "begin with TRILITH_"),
     ("the locale", 'os.setlocale "de_DE"', "os.setlocale is refused"),
@@ -88,7 +89,8 @@ WAYS = [
     ("results outside", MODEL + 'm:results { file = "OUT/hit" } m:run { duration = 0.01 }', "results"),
     ("results that are a start file", MODEL + 'm:results { file = ".bashrc" } m:run { duration = 0.01 }', "results"),
     ("results by a link", MODEL + 'm:results { file = "link/run.h5" } m:run { duration = 0.01 }', "results"),
-    ("a study outside", 'trilith.study { file = "OUT/hit", parameters = { n = { 1 } }, case = function() end }', "study"),
+    ("a study outside",
+     'trilith.study { file = "OUT/hit", parameters = { n = { 1 } }, case = function() end }', "study"),
     ("a study of a foreign script",
      'trilith.study { file = "s.h5", parameters = { n = { 1 } }, script = "OUT/code.lua" }', "study: script"),
     ("a parameter that is an option",
@@ -209,6 +211,13 @@ for before in ("", "before = function() return 1 end,"):
         if expected not in done.stdout:
             failed.append(f"a case of a study, {code} with {options} {before}: {done.returncode}:\n"
                           f"{done.stdout}{done.stderr}")
+with open(room + "/case.lua", "w", encoding="utf-8") as file:
+    file.write('local p = require "trilith".params { n = { 1, "a number" } } return { twice = 2 * p.n }')
+for options in ((), ("--trust",)):
+    done = run('local s = trilith.study { file = "o.h5", parameters = { n = { 3, 4 } }, script = "case.lua" } '
+               'print(s.rows[1].twice, s.rows[2].twice)', *options)
+    if done.stdout.split() != ["6.0", "8.0"]:
+        failed.append(f"a study of another script with {options}:\n{done.stdout}{done.stderr}")
 os.makedirs(room + "/linked.cases", exist_ok=True)
 os.symlink(outside, room + "/linked.cases/n=1")
 way_out("a link in the folder of a study's cases",
