@@ -79,8 +79,7 @@ void add_room_options(CLI::App& verb, RoomOptions& options) {
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
   verb.add_option("--room", options.folders)
-      ->expected(1)  // at a time: what follows it is a parameter
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)  // one at a time: the word behind it is a parameter
       ->group("");
 }
 
