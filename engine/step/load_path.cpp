@@ -20,6 +20,13 @@ constexpr double cut_of_path = 0.5, least_change = 0.5, most_change = 2;
 constexpr double condition_share = 1e-7;
 /// Beside the stiffest frequency squared: keeps the tangent regular where something is free to move, and no more.
 constexpr double hold_of_loose = 1e-13;
+/// Failed arcs in a row before dissipation control is tried, and how that cuts its steps.
+constexpr int arcs_before_detour = 2, most_detour_cuts = 10;
+constexpr double cut_of_detour = 0.25, least_jump = 1e-3;
+/// A step without dissipation gives off less than this share of the last step's energy per length.
+constexpr double idle_share = 1e-3;
+/// Energy differences are taken over this share of the step.
+constexpr double share_of_step = 1e-4;
 
 template <int D>
 Model<D> scaled(const Model<D>& model, const std::string& name, double factor) {
@@ -61,16 +68,26 @@ class Path {
   }
 
  private:
-  bool step(double size);
-  bool predict(double size);
+  bool step(double size, bool reversed = false);
+  bool arc(double size);
+  bool detour(double size);
+  bool dissipate(double size);
+  bool jump(double size);
+  bool predict(double size, bool reversed);
+  bool predict_dissipation(double energy);
+  double reach(const Eigen::VectorXd& direction, double factor, double energy);
+  void try_at(const Eigen::VectorXd& direction, double factor, double share);
+  double dissipation_along(const Eigen::VectorXd& by);
   bool correct(double size);
   void move(const Eigen::VectorXd& by, double factor);
   void set_factor(double factor);
   void find_loads();
   bool solve_loads();
   [[nodiscard]] double condition(double size) const;
-  [[nodiscard]] double change(const Eigen::VectorXd& by) const;
+  [[nodiscard]] double change(const Eigen::VectorXd& by);
   [[nodiscard]] double turned() const;
+  [[nodiscard]] bool unloads() const;
+  [[nodiscard]] double length_of(const Eigen::VectorXd& way) const { return std::sqrt(inner(way, way)); }
   [[nodiscard]] double inner(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     return (a.array() * share_ * b.array()).sum();
   }
@@ -86,7 +103,10 @@ class Path {
   const Model<D> reference_;  // with the scaled loads alone
   StaticTrial<D> trial_;
   double factor_, last_factor_;
-  double origin_ = 0;
+  PathControl control_;  // of the present step
+  double origin_ = 0, longest_ = 0;
+  double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
+  double energy_ = 0;                       // next step under dissipation control [J]; 0: none yet
   int taken_ = 0;                       // iterations of the last step
   Eigen::ArrayXd share_;                // of the mass, by unknown
   Eigen::VectorXd followed_;            // weights, by unknown
@@ -103,7 +123,8 @@ Path<D>::Path(const Model<D>& model, const State<D>& state, const LoadPathOption
       reference_(reference_of(model, options.loads)),
       trial_(loaded_, state),
       factor_(options.begin),
-      last_factor_(options.begin) {
+      last_factor_(options.begin),
+      control_(options.control) {
   const Coupling<D>& coupling = trial_.coupling();
   // S: masses and inertias over the sum of the masses along x and y.
   share_.resize(coupling.size());
@@ -174,11 +195,13 @@ bool Path<D>::solve_loads() {
 template <int D>
 double Path<D>::condition(double size) const {
   const Eigen::VectorXd way = trial_.way();
-  switch (options_.control) {
+  switch (control_) {
     case PathControl::load:
       return factor_ - last_factor_ - size;
     case PathControl::displacement:
       return followed_.dot(way) - size;
+    case PathControl::dissipation:
+      return trial_.dissipated() - size;
     case PathControl::arc:
       break;
   }
@@ -187,30 +210,103 @@ double Path<D>::condition(double size) const {
 
 /// How the condition changes with a move of all unknowns, the factor kept.
 template <int D>
-double Path<D>::change(const Eigen::VectorXd& by) const {
-  switch (options_.control) {
+double Path<D>::change(const Eigen::VectorXd& by) {
+  switch (control_) {
     case PathControl::load:
       return 0;
     case PathControl::displacement:
       return followed_.dot(by);
+    case PathControl::dissipation:
+      return dissipation_along(by);
     case PathControl::arc:
       break;
   }
   return 2 * inner(trial_.way(), by);
 }
 
-/// The first move of a step, along the tangent; an arc goes on the way the last one went.
+/// The directional derivative of the energy that the trial has given off, by central differences: so it holds for
+/// every law. The trial ends where it was.
 template <int D>
-bool Path<D>::predict(double size) {
+double Path<D>::dissipation_along(const Eigen::VectorXd& by) {
+  const double size = length_of(by);
+  if (!(size > 0)) return 0;
+  const double share = share_of_step * length_of(trial_.way()) / size;
+  const auto at = [&](double moved) {
+    trial_.move(by, moved);
+    trial_.evaluate_here();
+    return trial_.dissipated();
+  };
+  const double more = at(share), less = at(-2 * share);
+  at(share);
+  return (more - less) / (2 * share);
+}
+
+/// The trial at a share of a move from the step's begin.
+template <int D>
+void Path<D>::try_at(const Eigen::VectorXd& direction, double factor, double share) {
+  trial_.go_back();
+  set_factor(last_factor_);
+  move(share * direction, share * factor);
+}
+
+/// The share of a move at which the trial has given off this energy; unbounded where it does not within twice the
+/// longest arc.
+template <int D>
+double Path<D>::reach(const Eigen::VectorXd& direction, double factor, double energy) {
+  const double most = 2 * longest_ / length_of(direction);
+  const auto given_off = [&](double share) {
+    try_at(direction, factor, share);
+    return trial_.dissipated();
+  };
+  double low = 0, high = 1e-6 * most;
+  while (!(given_off(high) >= energy)) {
+    low = high, high *= 4;
+    if (high > most) return std::numeric_limits<double>::infinity();
+  }
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    (given_off(middle) >= energy ? high : low) = middle;
+  }
+  return high;
+}
+
+/// A step under dissipation control begins on the loading branch of every softening point: on along the last step, or
+/// along the tangent either way, whichever gives the energy off over the shortest way. At a sharp snap-back the tangent
+/// at the last equilibrium is of neither branch, and Newton's method would change between the two.
+template <int D>
+bool Path<D>::predict_dissipation(double energy) {
+  std::vector<std::pair<Eigen::VectorXd, double>> directions;
+  if (last_way_.size() > 0) directions.emplace_back(last_way_, last_rise_);
+  if (solve_loads()) {
+    directions.emplace_back(per_factor_, 1.0);
+    directions.emplace_back(-per_factor_, -1.0);
+  }
+  const std::pair<Eigen::VectorXd, double>* best = nullptr;
+  double shortest = std::numeric_limits<double>::infinity(), best_share = 0;
+  for (const auto& direction : directions) {
+    const double share = reach(direction.first, direction.second, energy);
+    const double length = share * length_of(direction.first);
+    if (length < shortest) shortest = length, best_share = share, best = &direction;
+  }
+  if (best == nullptr) return false;
+  try_at(best->first, best->second, best_share);
+  return true;
+}
+
+/// The first move of a step, along the tangent; an arc goes on the way the last one went, or the other way.
+template <int D>
+bool Path<D>::predict(double size, bool reversed) {
+  if (control_ == PathControl::dissipation) return predict_dissipation(size);
   if (!solve_loads()) return false;
   double factor = size;
-  if (options_.control == PathControl::displacement) factor = size / followed_.dot(per_factor_);
-  if (options_.control == PathControl::arc) {
+  if (control_ == PathControl::displacement) factor = size / followed_.dot(per_factor_);
+  if (control_ == PathControl::arc) {
     factor = size / std::sqrt(inner(per_factor_, per_factor_));
     if (last_way_.size() > 0 && inner(last_way_, per_factor_) < 0)
       factor = -std::abs(factor);
     else if (last_way_.size() > 0)
       factor = std::abs(factor);
+    if (reversed) factor = -factor;
   }
   if (!std::isfinite(factor)) return false;
   move(factor * per_factor_, factor);
@@ -224,7 +320,7 @@ bool Path<D>::correct(double size) {
   for (int i = 0;; ++i) {
     trial_.measure(0);
     out_.left = trial_.share(), out_.worst = trial_.worst();
-    const double off = condition(size), unit = options_.control == PathControl::arc ? size * size : std::abs(size);
+    const double off = condition(size), unit = control_ == PathControl::arc ? size * size : std::abs(size);
     if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
     if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
     if (i == options_.most_iterations) return false;
@@ -232,7 +328,7 @@ bool Path<D>::correct(double size) {
     if (!solve_loads()) return false;
     const Eigen::VectorXd rest = trial_.solve(trial_.left());
     // g + g_x (dx_r + dfactor dx_q) + g_factor dfactor = 0, solved for dfactor.
-    const double by_factor = change(per_factor_) + (options_.control == PathControl::load ? 1 : 0);
+    const double by_factor = change(per_factor_) + (control_ == PathControl::load ? 1 : 0);
     const double factor = -(off + change(rest)) / by_factor;
     if (!std::isfinite(factor)) return false;
     move(rest + factor * per_factor_, factor);
@@ -242,19 +338,31 @@ bool Path<D>::correct(double size) {
 /// Cosine between this step and the last one; 1 where there is none.
 template <int D>
 double Path<D>::turned() const {
-  if (last_way_.size() == 0 || options_.control != PathControl::arc) return 1;
+  if (last_way_.size() == 0 || control_ != PathControl::arc) return 1;
   const Eigen::VectorXd way = trial_.way();
   return inner(way, last_way_) / std::sqrt(inner(way, way) * inner(last_way_, last_way_));
 }
 
+/// An arc that follows a step with dissipation, gives off none and lowers the load: softening points unload, and it goes
+/// back towards the unloaded structure.
+template <int D>
+bool Path<D>::unloads() const {
+  if (control_ != PathControl::arc || last_way_.size() == 0 || !(last_energy_ > 0)) return false;
+  const double expected = last_energy_ * length_of(trial_.way()) / length_of(last_way_);
+  return trial_.dissipated() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
+}
+
 /// Tries a step of this size. Where it fails all is as it was.
 template <int D>
-bool Path<D>::step(double size) {
+bool Path<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would go back on the path it came by.
-  if (predict(size) && correct(size) && turned() > 0) {
+  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads()) {
     last_way_ = trial_.way();
+    last_rise_ = factor_ - last_factor_;
     last_factor_ = factor_;
+    const double least = 1e-9 * std::abs(factor_ * followed_place());
+    last_energy_ = trial_.dissipated() > least ? trial_.dissipated() : 0;
     trial_.keep_carried();
     trial_.accept();
     taken_ = out_.iterations - before;
@@ -263,6 +371,61 @@ bool Path<D>::step(double size) {
   set_factor(last_factor_);
   trial_.go_back();
   return false;
+}
+
+/// A step under dissipation control: where softening turns the path sharply. The energy is that of the last such step,
+/// or what going on by `size` would give off.
+template <int D>
+bool Path<D>::dissipate(double size) {
+  if (last_way_.size() == 0) return false;
+  if (!(energy_ > 0)) {
+    const double length = length_of(last_way_);
+    for (double share = size / length; share * length < 2 * longest_ && !(energy_ > 0); share *= 2) {
+      try_at(last_way_, last_rise_, share);
+      energy_ = trial_.dissipated();
+    }
+    set_factor(last_factor_), trial_.go_back();
+  }
+  if (!(energy_ > 0)) return false;
+  control_ = PathControl::dissipation;
+  double energy = energy_;
+  bool found = false;
+  for (int i = 0; i < most_detour_cuts && !found; ++i) {
+    found = step(energy);
+    if (!found) energy *= cut_of_detour, ++out_.cuts;
+  }
+  control_ = options_.control;
+  if (!found) {
+    energy_ = 0;
+    return false;
+  }
+  const double faster = std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_));
+  energy_ = energy * std::min(std::clamp(faster, least_change, most_change), longest_ / length_of(last_way_));
+  return true;
+}
+
+/// A step under displacement control: where a brittle bond breaks the path itself jumps, and equilibrium is found again
+/// at nearly the same displacement.
+template <int D>
+bool Path<D>::jump(double size) {
+  if (last_way_.size() == 0) return false;
+  const double along = std::abs(followed_.dot(last_way_)) / length_of(last_way_) * std::abs(size);
+  control_ = PathControl::displacement;
+  bool found = false;
+  for (double by = std::copysign(along, followed_place()); !found && std::abs(by) > 0; by *= cut_of_detour) {
+    found = step(by);
+    if (std::abs(by) < least_jump * along) break;
+  }
+  control_ = options_.control;
+  if (found) ++out_.jumps;
+  return found;
+}
+
+/// One step of an arc, and its other way where the first one unloads.
+template <int D>
+bool Path<D>::arc(double size) {
+  if (step(size)) return true;
+  return options_.control == PathControl::arc && last_energy_ > 0 && step(size, true);
 }
 
 /// True where the path is to go on from it.
@@ -313,6 +476,8 @@ void Path<D>::follow() {
   const double longest = options_.longest > 0 ? options_.longest : 10 * first;
   const double shortest = options_.shortest > 0 ? options_.shortest : 1e-5 * first;
   double size = options_.first;
+  longest_ = longest;
+  int failed = 0;
   bool on = add_point(0);
   while (on) {
     const double now = size_to_go(size);
@@ -320,11 +485,16 @@ void Path<D>::follow() {
                : static_cast<int>(out_.points.size()) >= options_.most_points ? PathEnd::most_points
                                                                               : PathEnd::stuck;
     if (out_.end != PathEnd::stuck || std::abs(size) < shortest) return;
-    if (!step(now)) {
+    const bool by_arc = options_.control == PathControl::arc;
+    const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
+    if (!goes_on_softening && !arc(now)) {
       size = cut_of_path * now, ++out_.cuts;
-      continue;
+      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || jump(first))) continue;
+      size = std::min(first, std::max(length_of(last_way_), shortest));
     }
+    failed = 0;
     on = add_point(taken_);
+    if (energy_ > 0) continue;
     // Few iterations: a longer step; the root keeps it from swinging.
     size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_change, most_change);
     size = std::copysign(std::min(std::abs(size), longest), size);

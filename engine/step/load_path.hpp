@@ -29,7 +29,8 @@
 
 namespace trilith {
 
-enum class PathControl { load, displacement, arc };
+/// `dissipation`, the energy given off, is used by an arc where softening turns the path sharply.
+enum class PathControl { load, displacement, arc, dissipation };
 
 /// A part of the displacement that is followed: of this freedom, times its weight.
 struct FollowedFreedom {
@@ -82,6 +83,7 @@ struct LoadPath {
   int cuts = 0;
   double left = 0;  ///< of the last try, see Equilibrium
   int worst = -1;
+  int jumps = 0;  ///< steps over which a brittle break left no equilibrium between its ends
   std::vector<Event> events;
 };
 

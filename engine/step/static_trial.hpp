@@ -54,6 +54,13 @@ class StaticTrial {
   [[nodiscard]] const State<D>& state() const { return state_; }
   [[nodiscard]] Work<D>& work() { return work_; }
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }  ///< of all accepted steps
+  /// What friction, fracture and yielding have given off within the step, at the place last evaluated [J].
+  [[nodiscard]] double dissipated() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < energy_term_info.size(); ++i)
+      if (energy_term_info[i].given_off) sum += work_.given.value[i] - state_.given.value[i];
+    return sum;
+  }
   /// The mass or inertia of an unknown.
   [[nodiscard]] double mass_at(int unknown) const;
 
