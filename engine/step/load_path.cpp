@@ -22,9 +22,11 @@ constexpr double condition_share = 1e-7;
 constexpr double hold_of_loose = 1e-13;
 /// Failed arcs in a row before dissipation control is tried, and how that cuts its steps.
 constexpr int arcs_before_detour = 2, most_detour_cuts = 10;
-constexpr double cut_of_detour = 0.25, least_jump = 1e-3;
+constexpr double cut_of_detour = 0.25, share_of_overshoot = 0.1;
 /// A step without dissipation gives off less than this share of the last step's energy per length.
 constexpr double idle_share = 1e-3;
+/// Loads below this share of the largest one are carried by nothing but the hold of what is loose.
+constexpr double nothing_carried = 1e-9;
 /// Energy differences are taken over this share of the step.
 constexpr double share_of_step = 1e-4;
 
@@ -70,9 +72,12 @@ class Path {
  private:
   bool step(double size, bool reversed = false);
   bool arc(double size);
-  bool detour(double size);
   bool dissipate(double size);
-  bool jump(double size);
+  bool jump();
+  bool leap(double size);
+  [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
+  [[nodiscard]] bool resists() const;
+  [[nodiscard]] bool fractures() const;
   bool predict(double size, bool reversed);
   bool predict_dissipation(double energy);
   double reach(const Eigen::VectorXd& direction, double factor, double energy);
@@ -106,6 +111,7 @@ class Path {
   PathControl control_;  // of the present step
   double origin_ = 0, longest_ = 0;
   double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
+  bool may_leap_ = false;                   // see fractures()
   double energy_ = 0;                       // next step under dissipation control [J]; 0: none yet
   int taken_ = 0;                       // iterations of the last step
   Eigen::ArrayXd share_;                // of the mass, by unknown
@@ -263,7 +269,7 @@ double Path<D>::reach(const Eigen::VectorXd& direction, double factor, double en
     low = high, high *= 4;
     if (high > most) return std::numeric_limits<double>::infinity();
   }
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 30 && high - low > 1e-6 * high; ++i) {
     const double middle = 0.5 * (low + high);
     (given_off(middle) >= energy ? high : low) = middle;
   }
@@ -320,7 +326,9 @@ bool Path<D>::correct(double size) {
   for (int i = 0;; ++i) {
     trial_.measure(0);
     out_.left = trial_.share(), out_.worst = trial_.worst();
-    const double off = condition(size), unit = control_ == PathControl::arc ? size * size : std::abs(size);
+    const double off = condition(size), unit = control_ == PathControl::arc ? size * size
+                                    : size != 0                    ? std::abs(size)
+                                                                   : longest_;
     if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
     if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
     if (i == options_.most_iterations) return false;
@@ -352,17 +360,23 @@ bool Path<D>::unloads() const {
   return trial_.dissipated() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
 }
 
+/// An arc over fracture may leap from one branch to another, whatever that costs in energy: such a step is left to
+/// dissipation control, as long as that finds one.
+template <int D>
+bool Path<D>::fractures() const {
+  return control_ == PathControl::arc && !may_leap_ && last_way_.size() > 0 && trial_.fractured() > least_energy();
+}
+
 /// Tries a step of this size. Where it fails all is as it was.
 template <int D>
 bool Path<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would go back on the path it came by.
-  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads()) {
+  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures()) {
     last_way_ = trial_.way();
     last_rise_ = factor_ - last_factor_;
     last_factor_ = factor_;
-    const double least = 1e-9 * std::abs(factor_ * followed_place());
-    last_energy_ = trial_.dissipated() > least ? trial_.dissipated() : 0;
+    last_energy_ = trial_.dissipated() > least_energy() ? trial_.dissipated() : 0;
     trial_.keep_carried();
     trial_.accept();
     taken_ = out_.iterations - before;
@@ -382,15 +396,18 @@ bool Path<D>::dissipate(double size) {
     const double length = length_of(last_way_);
     for (double share = size / length; share * length < 2 * longest_ && !(energy_ > 0); share *= 2) {
       try_at(last_way_, last_rise_, share);
-      energy_ = trial_.dissipated();
+      energy_ = share_of_overshoot * trial_.dissipated();
     }
     set_factor(last_factor_), trial_.go_back();
   }
-  if (!(energy_ > 0)) return false;
+  if (!(energy_ > least_energy())) {
+    energy_ = 0;
+    return false;
+  }
   control_ = PathControl::dissipation;
   double energy = energy_;
   bool found = false;
-  for (int i = 0; i < most_detour_cuts && !found; ++i) {
+  for (int i = 0; i < most_detour_cuts && !found && energy > least_energy(); ++i) {
     found = step(energy);
     if (!found) energy *= cut_of_detour, ++out_.cuts;
   }
@@ -404,26 +421,41 @@ bool Path<D>::dissipate(double size) {
   return true;
 }
 
-/// A step under displacement control: where a brittle bond breaks the path itself jumps, and equilibrium is found again
-/// at nearly the same displacement.
+/// Over the loss of a brittle bond, where the path itself jumps: the first bond to go along the path is broken alone, and
+/// equilibrium is found again at the same displacement. More bonds go there only as that equilibrium asks for it.
 template <int D>
-bool Path<D>::jump(double size) {
-  if (last_way_.size() == 0) return false;
-  const double along = std::abs(followed_.dot(last_way_)) / length_of(last_way_) * std::abs(size);
-  control_ = PathControl::displacement;
-  bool found = false;
-  for (double by = std::copysign(along, followed_place()); !found && std::abs(by) > 0; by *= cut_of_detour) {
-    found = step(by);
-    if (std::abs(by) < least_jump * along) break;
+bool Path<D>::jump() {
+  if (last_way_.size() == 0 || options_.followed.empty()) return false;
+  const Eigen::VectorXd way = last_way_;
+  const double rise = last_rise_;
+  if (!predict_dissipation(least_energy())) {
+    set_factor(last_factor_), trial_.go_back();
+    return false;
   }
+  trial_.accept();
+  last_factor_ = factor_;
+  control_ = PathControl::displacement;
+  const bool found = step(0);
   control_ = options_.control;
+  // The path goes on as it went before the bond was lost.
+  last_way_ = way, last_rise_ = rise, last_energy_ = 0;
   if (found) ++out_.jumps;
+  return found;
+}
+
+/// The last resort: an arc that may go over fracture.
+template <int D>
+bool Path<D>::leap(double size) {
+  may_leap_ = true;
+  const bool found = step(size);
+  may_leap_ = false;
   return found;
 }
 
 /// One step of an arc, and its other way where the first one unloads.
 template <int D>
 bool Path<D>::arc(double size) {
+  may_leap_ = options_.control != PathControl::arc;
   if (step(size)) return true;
   return options_.control == PathControl::arc && last_energy_ > 0 && step(size, true);
 }
@@ -470,6 +502,16 @@ double Path<D>::size_to_go(double size) const {
   return std::abs(left) < std::abs(size) ? left : size;
 }
 
+/// False where the last point carries next to nothing of the largest load: the parts have come apart.
+template <int D>
+bool Path<D>::resists() const {
+  if (last_way_.size() == 0 || out_.points.size() < 3 || options_.control != PathControl::arc) return true;
+  double most = 0;
+  for (const PathPoint& p : out_.points) most = std::max(most, std::abs(p.factor));
+  const double limit = nothing_carried * most;
+  return std::abs(out_.points.back().factor) > limit;
+}
+
 template <int D>
 void Path<D>::follow() {
   const double first = std::abs(options_.first);
@@ -489,11 +531,15 @@ void Path<D>::follow() {
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
     if (!goes_on_softening && !arc(now)) {
       size = cut_of_path * now, ++out_.cuts;
-      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || jump(first))) continue;
+      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || jump() || leap(now))) continue;
       size = std::min(first, std::max(length_of(last_way_), shortest));
     }
     failed = 0;
     on = add_point(taken_);
+    if (on && !resists()) {
+      out_.end = PathEnd::no_resistance;
+      return;
+    }
     if (energy_ > 0) continue;
     // Few iterations: a longer step; the root keeps it from swinging.
     size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_change, most_change);

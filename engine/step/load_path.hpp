@@ -72,8 +72,8 @@ struct LoadPathOptions {
 };
 
 /// How a path ended: where it was asked to; after the most points; no step however short leads on; no rest at its
-/// begin.
-enum class PathEnd { arrived, most_points, stuck, no_rest };
+/// begin; nothing carries the loads any more.
+enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance };
 
 struct LoadPath {
   PathEnd end = PathEnd::no_rest;

@@ -61,6 +61,10 @@ class StaticTrial {
       if (energy_term_info[i].given_off) sum += work_.given.value[i] - state_.given.value[i];
     return sum;
   }
+  /// The part of it that bonds at their loss and crushing took [J].
+  [[nodiscard]] double fractured() const {
+    return work_.given[EnergyTerm::contact_fracture] - state_.given[EnergyTerm::contact_fracture];
+  }
   /// The mass or inertia of an unknown.
   [[nodiscard]] double mass_at(int unknown) const;
 

@@ -91,7 +91,31 @@ std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const Pus
 
 /// Ends of a path that its recorder did not ask for.
 std::string_view arc_limit(PathEnd end) {
+  if (end == PathEnd::no_resistance) return "no resistance";
   return end == PathEnd::most_points ? "samples" : end == PathEnd::stuck ? "stuck" : "arrived";
+}
+
+/// Where a path ended early and why, and where it jumped.
+template <int D>
+void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path, Host& host) {
+  const PathPoint& last = path.points.back();
+  const auto at = fmt::format("{:g} N and {:g} m", last.factor, last.displacement);
+  if (path.end == PathEnd::stuck) {
+    const int body = path.worst >= 0 ? body_of_node(m.simulation().model(), path.worst) : -1;
+    const std::string where =
+        body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'", m.simulation().model().bodies[body].name)
+                  : std::string();
+    const std::string event = path.events.empty() ? std::string() : "; last event: " + m.text_of(path.events.back());
+    m.note_at_once(fmt::format("{}: the load path ends at {}, as no equilibrium is found beside it however short the "
+                               "step{}{}; a shorter 'arc' or a finer mesh at softening joints may lead on",
+                               o.stage.name, at, where, event),
+                   host);
+  }
+  if (path.end == PathEnd::no_resistance)
+    m.note_at_once(fmt::format("{}: the load path ends at {}: nothing carries the load any more", o.stage.name, at), host);
+  if (path.jumps > 0)
+    m.note_at_once(fmt::format("{}: {} times a bond broke and equilibrium was found again at the same displacement and "
+                               "another force", o.stage.name, path.jumps), host);
 }
 
 /// { {force =, displacement =, highest =}, ... }: where the force turns.
@@ -174,6 +198,7 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
   EquilibriumOptions rest;
   o.stage.duration = path_duration;
   push_report(L, settle_stage(L, m, o.stage, rest, &way));
+  note_end(m, o, path, host(L));
   const PushCurve& curve = recorder.curve();
   add_curve(L, curve, curve.peak(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());
   add_statics(L, curve.force.empty() ? 0 : curve.force[curve.peak()], true);
