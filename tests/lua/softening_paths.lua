@@ -1,0 +1,66 @@
+-- Load paths of a double cantilever whose softening joint cracks: through the limit point and the snap-backs of coarse
+-- meshes until the arms are apart, with the energy in balance, and near linear fracture mechanics as the mesh is refined.
+local trilith = require "trilith"
+local near = require "near_expected"
+local depth, length, crack, E, toughness = 0.1, 1.5, 0.5, 1e10, 100
+
+-- One arm of quadrilaterals; the faces along the crack stand back, so that they begin without a bond.
+local function arm(m, name, side, size)
+  local across, along = 2, math.floor(length/size + 0.5)
+  local nodes, elements = {}, {}
+  local function id(i, j) return j*(along + 1) + i + 1 end
+  for j = 0, across do
+    for i = 0, along do
+      local open = j == 0 and i*size < crack - 1e-9
+      nodes[#nodes + 1] = { i*size, side*(open and 2e-3 or j*depth/across) }
+    end
+  end
+  for j = 0, across - 1 do
+    for i = 0, along - 1 do
+      local e = { id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1) }
+      elements[#elements + 1] = side > 0 and e or { e[4], e[3], e[2], e[1] }
+    end
+  end
+  return m:body { name = name, material = "stone", mesh = { nodes = nodes, elements = elements }, hold = side < 0 and {
+    { from = { 0, -depth }, to = { 0, -depth }, x = "fixed", y = "fixed" },
+    { from = { length, -depth }, to = { length, -depth }, x = "free", y = "fixed" } } or nil }
+end
+
+local function path(size, tension, displacement)
+  local m = trilith.model { name = "double cantilever", thickness = 1, gravity = 0 }
+  m:material { name = "stone", density = 2000, E = E, nu = 0, plane = "stress" }
+  m:contact { between = { "*", "*" }, law = trilith.cohesive { kn = 1e11, ks = 5e10, mu = 0.5, cohesion = 2*tension,
+    tension = tension, energy_tension = toughness, energy_shear = 10*toughness } }
+  arm(m, "lower", -1, size)
+  local upper = arm(m, "upper", 1, size)
+  m:consolidate { integrator = "static" }
+  local r = m:pushover { body = upper, at = { 0, depth }, direction = "y", control = "arc", displacement = displacement,
+    samples = 1000 }
+  local energy = m.energy
+  -- The work of the load along the path is what is stored and what the crack has taken.
+  near("work", energy.load, energy.strain + energy.contact_elastic + energy.contact_fracture, 0.01)
+  m:close()
+  return r
+end
+
+-- To the end, where nothing is left that resists.
+for _, case in ipairs { { 0.05, 1e6 }, { 0.05, 3e6 }, { 0.025, 3e6 } } do
+  local r = path(case[1], case[2], 0.02)
+  assert(r.limit == "no resistance", r.limit)
+  assert(math.abs(r.force) < 1e-6*r.peak_force, r.force)
+end
+
+-- F(u) of the crack that grows, by beams: F = c/a, u = k a^2 with c^2 = G E h^3/12 and k = 8 c/(E h^3). A half of a face
+-- breaks as one, which takes an error with the size of elements to the first power.
+local c = math.sqrt(toughness*E*depth^3/12)
+local function grown(u) return c/math.sqrt(u*E*depth^3/(8*c)) end
+local function force_at(r, u)
+  local x, f = r.curve.displacement, r.curve.force
+  for i = #x, 2, -1 do
+    if x[i - 1] <= u and u < x[i] then return f[i - 1] + (f[i] - f[i - 1])*(u - x[i - 1])/(x[i] - x[i - 1]) end
+  end
+end
+local u = 6e-3
+local coarse, fine = force_at(path(0.025, 1e6, 6.5e-3), u), force_at(path(0.0125, 1e6, 6.5e-3), u)
+assert(coarse < fine and fine < grown(u))
+near("force as the crack grows, of vanishing elements", 2*fine - coarse, grown(u), 0.03)
