@@ -113,11 +113,11 @@ class Path {
   double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
   bool may_leap_ = false;                   // see fractures()
   double energy_ = 0;                       // next step under dissipation control [J]; 0: none yet
-  int taken_ = 0;                       // iterations of the last step
-  Eigen::ArrayXd share_;                // of the mass, by unknown
-  Eigen::VectorXd followed_;            // weights, by unknown
-  Eigen::VectorXd loads_, per_factor_;  // by unknown: of the factor 1; what they move at the present tangent
-  Eigen::VectorXd last_way_;            // of the last step
+  int taken_ = 0;                           // iterations of the last step
+  Eigen::ArrayXd share_;                    // of the mass, by unknown
+  Eigen::VectorXd followed_;                // weights, by unknown
+  Eigen::VectorXd loads_, per_factor_;      // by unknown: of the factor 1; what they move at the present tangent
+  Eigen::VectorXd last_way_;                // of the last step
 };
 
 template <int D>
@@ -327,8 +327,8 @@ bool Path<D>::correct(double size) {
     trial_.measure(0);
     out_.left = trial_.share(), out_.worst = trial_.worst();
     const double off = condition(size), unit = control_ == PathControl::arc ? size * size
-                                    : size != 0                    ? std::abs(size)
-                                                                   : longest_;
+                                               : size != 0                  ? std::abs(size)
+                                                                            : longest_;
     if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
     if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
     if (i == options_.most_iterations) return false;
@@ -351,8 +351,8 @@ double Path<D>::turned() const {
   return inner(way, last_way_) / std::sqrt(inner(way, way) * inner(last_way_, last_way_));
 }
 
-/// An arc that follows a step with dissipation, gives off none and lowers the load: softening points unload, and it goes
-/// back towards the unloaded structure.
+/// An arc that follows a step with dissipation, gives off none and lowers the load: softening points unload, and it
+/// goes back towards the unloaded structure.
 template <int D>
 bool Path<D>::unloads() const {
   if (control_ != PathControl::arc || last_way_.size() == 0 || !(last_energy_ > 0)) return false;
@@ -421,8 +421,8 @@ bool Path<D>::dissipate(double size) {
   return true;
 }
 
-/// Over the loss of a brittle bond, where the path itself jumps: the first bond to go along the path is broken alone, and
-/// equilibrium is found again at the same displacement. More bonds go there only as that equilibrium asks for it.
+/// Over the loss of a brittle bond, where the path itself jumps: the first bond to go along the path is broken alone,
+/// and equilibrium is found again at the same displacement. More bonds go there only as that equilibrium asks for it.
 template <int D>
 bool Path<D>::jump() {
   if (last_way_.size() == 0 || options_.followed.empty()) return false;

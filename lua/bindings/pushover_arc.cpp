@@ -102,9 +102,9 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
   const auto at = fmt::format("{:g} N and {:g} m", last.factor, last.displacement);
   if (path.end == PathEnd::stuck) {
     const int body = path.worst >= 0 ? body_of_node(m.simulation().model(), path.worst) : -1;
-    const std::string where =
-        body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'", m.simulation().model().bodies[body].name)
-                  : std::string();
+    const std::string where = body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'",
+                                                      m.simulation().model().bodies[body].name)
+                                        : std::string();
     const std::string event = path.events.empty() ? std::string() : "; last event: " + m.text_of(path.events.back());
     m.note_at_once(fmt::format("{}: the load path ends at {}, as no equilibrium is found beside it however short the "
                                "step{}{}; a shorter 'arc' or a finer mesh at softening joints may lead on",
@@ -112,10 +112,13 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
                    host);
   }
   if (path.end == PathEnd::no_resistance)
-    m.note_at_once(fmt::format("{}: the load path ends at {}: nothing carries the load any more", o.stage.name, at), host);
+    m.note_at_once(fmt::format("{}: the load path ends at {}: nothing carries the load any more", o.stage.name, at),
+                   host);
   if (path.jumps > 0)
     m.note_at_once(fmt::format("{}: {} times a bond broke and equilibrium was found again at the same displacement and "
-                               "another force", o.stage.name, path.jumps), host);
+                               "another force",
+                               o.stage.name, path.jumps),
+                   host);
 }
 
 /// { {force =, displacement =, highest =}, ... }: where the force turns.
