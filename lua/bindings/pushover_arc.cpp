@@ -11,6 +11,7 @@
 #include "step/equilibrium.hpp"
 #include "step/load_path.hpp"
 #include "world/loads.hpp"
+#include "world/pose.hpp"
 #include "world/postpone.hpp"
 #include "world/pushes.hpp"
 
