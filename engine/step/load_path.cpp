@@ -244,6 +244,14 @@ LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOpti
   return out;
 }
 
+template void LoadPathWalk<2>::set_factor(double);
+template void LoadPathWalk<3>::set_factor(double);
+template void LoadPathWalk<2>::move(const Eigen::VectorXd&, double);
+template void LoadPathWalk<3>::move(const Eigen::VectorXd&, double);
+template bool LoadPathWalk<2>::solve_loads();
+template bool LoadPathWalk<3>::solve_loads();
+template double LoadPathWalk<2>::followed_place() const;
+template double LoadPathWalk<3>::followed_place() const;
 template LoadPath follow_loads(const Model<2>&, State<2>&, const LoadPathOptions<2>&);
 template LoadPath follow_loads(const Model<3>&, State<3>&, const LoadPathOptions<3>&);
 
