@@ -1,5 +1,6 @@
 -- Load paths of a double cantilever whose softening joint cracks: through the limit point and the snap-backs of coarse
--- meshes until the arms are apart, with the energy in balance, and near linear fracture mechanics as the mesh is refined.
+-- meshes until the arms are apart, with the energy in balance, and near linear fracture mechanics as the mesh is
+-- refined.
 local trilith = require "trilith"
 local near = require "near_expected"
 local depth, length, crack, E, toughness = 0.1, 1.5, 0.5, 1e10, 100
@@ -50,8 +51,8 @@ for _, case in ipairs { { 0.05, 1e6 }, { 0.05, 3e6 }, { 0.025, 3e6 } } do
   assert(math.abs(r.force) < 1e-6*r.peak_force, r.force)
 end
 
--- F(u) of the crack that grows, by beams: F = c/a, u = k a^2 with c^2 = G E h^3/12 and k = 8 c/(E h^3). A half of a face
--- breaks as one, which takes an error with the size of elements to the first power.
+-- F(u) of the crack that grows, by beams: F = c/a, u = k a^2 with c^2 = G E h^3/12 and k = 8 c/(E h^3). A half of a
+-- face breaks as one, which takes an error with the size of elements to the first power.
 local c = math.sqrt(toughness*E*depth^3/12)
 local function grown(u) return c/math.sqrt(u*E*depth^3/(8*c)) end
 local function force_at(r, u)
