@@ -56,9 +56,9 @@ struct BoucWen {
           "0.5: unloads along the first stiffness; 1: unloads steeper, in a slender loop"},
         P{&BoucWen::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"},
         P{&BoucWen::strength_loss, "strength_loss", "1", 0, 0, 100, true,
-          "nu grows by this while yield^2 / stiffness is given off; the strength falls as nu^(-1/exponent)"},
+          "growth of nu for a dissipated energy yield^2/stiffness; the strength decreases as nu^(-1/exponent)"},
         P{&BoucWen::stiffness_loss, "stiffness_loss", "1", 0, 0, 100, true,
-          "eta grows by this meanwhile; the first stiffness of what yields falls as 1/eta"}};
+          "growth of eta for the same energy; the elastic stiffness decreases as 1/eta"}};
   }
   /// Unloading is the stiffest; |z| is behind a strength that falls by a share of `strength_loss` over the exponent.
   [[nodiscard]] double tangent() const {

@@ -25,15 +25,15 @@ struct Cable {
   static constexpr std::string_view sentence = "cable or restrainer: tension alone, slack or prestressed, may break";
   static constexpr auto parameters() {
     using P = Parameter<Cable>;
-    return std::array{
-        P{&Cable::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per stretch"},
-        P{&Cable::slack, "slack", "m", 0, 0, unbounded, true, "displacement at which it is taut"},
-        P{&Cable::pretension, "pretension", "N", 0, 0, unbounded, true,
-          "force at displacement 0 where it has no slack"},
-        P{&Cable::strength, "strength", "N", 0, 0, unbounded, true, "force that breaks it, for good; 0: none does"},
-        P{&Cable::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity while taut"},
-        P{&Cable::side, "side", "1", 1, -1, 1, true,
-          "+1: taut as the second point goes along the axis; -1: as it goes against it"}};
+    return std::array{P{&Cable::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per stretch"},
+                      P{&Cable::slack, "slack", "m", 0, 0, unbounded, true, "displacement at which the cable is taut"},
+                      P{&Cable::pretension, "pretension", "N", 0, 0, unbounded, true,
+                        "force at displacement 0 where it has no slack"},
+                      P{&Cable::strength, "strength", "N", 0, 0, unbounded, true,
+                        "force at which it breaks permanently; 0: it does not break"},
+                      P{&Cable::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity while taut"},
+                      P{&Cable::side, "side", "1", 1, -1, 1, true,
+                        "+1: taut in motion of the second point along the axis; -1: against it"}};
   }
   /// A cable to test with, so soft that the usual strength breaks it after many steps.
   static Cable sample() { return {1e5, 0, 0, 0, 0, 1}; }

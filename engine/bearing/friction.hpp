@@ -36,14 +36,14 @@ struct Friction {
   template <class Owner>
   static constexpr auto dependence() {
     using P = Parameter<Owner>;
-    return std::array{
-        P{&Owner::mu_fast, "mu_fast", "1", 0, 0, 100, true,
-          "friction coefficient of fast sliding, `mu` being that of slow; 0: mu at any speed"},
-        P{&Owner::rate, "rate", "s/m", 50, 0, unbounded, true, "how fast it goes from mu to mu_fast: mostly 20 to 100"},
-        P{&Owner::load_exponent, "load_exponent", "1", 1, 0, 1, false,
-          "friction goes with this power of the compression; 1: in proportion"},
-        P{&Owner::reference_load, "reference_load", "N", 0, 0, unbounded, true,
-          "compression at which mu holds; needed where load_exponent is below 1"}};
+    return std::array{P{&Owner::mu_fast, "mu_fast", "1", 0, 0, 100, true,
+                        "friction coefficient of fast sliding; `mu` is for slow sliding; 0: mu at any speed"},
+                      P{&Owner::rate, "rate", "s/m", 50, 0, unbounded, true,
+                        "rate of the change from mu to mu_fast, mostly 20 to 100"},
+                      P{&Owner::load_exponent, "load_exponent", "1", 1, 0, 1, false,
+                        "exponent of friction over compression; 1: proportional"},
+                      P{&Owner::reference_load, "reference_load", "N", 0, 0, unbounded, true,
+                        "compression at which mu holds; needed where load_exponent is below 1"}};
   }
   static constexpr auto parameters() {
     using P = Parameter<Friction>;

@@ -31,7 +31,7 @@ struct Gap {
         P{&Gap::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity while closed"},
         P{&Gap::side, "side", "1", 0, -1, 1, true, "+1 or -1: closes in that direction only; 0: in both"},
         P{&Gap::pull, "pull", "1", 0, 0, 1, true,
-          "0: the dashpot takes the force to 0 at most; 1: it may pull until the gap opens"}};
+          "0: the dashpot reduces the force to 0 at most; 1: it may pull until the gap opens"}};
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return damping; }

@@ -29,7 +29,7 @@ struct LeadRubber {
         P{&LeadRubber::strength, "strength", "N", no_default, 0, unbounded, false,
           "characteristic strength Q: force where the loop crosses zero displacement"},
         P{&LeadRubber::post_stiffness, "post_stiffness", "N/m", no_default, 0, unbounded, false,
-          "K2, after yield: that of the rubber"},
+          "K2, stiffness after yield (rubber)"},
         P{&LeadRubber::stiffness, "stiffness", "N/m", 0, 0, unbounded, true, "K1, before yield; 0: `ratio` times K2"},
         P{&LeadRubber::ratio, "ratio", "1", 10, least_ratio, 1000, true, "K1 / K2 where K1 is not given"},
         P{&LeadRubber::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};

@@ -36,7 +36,7 @@ struct Pendulum {
         more[2],
         more[3],
         P{&Pendulum::rise, "rise", "1", 0, 0, 1, true,
-          "1: it rises on its dish by R - sqrt(R^2 - d^2) and is pushed by N tan(angle); 0: it stays level, by N d/R"}};
+          "1: the slider rises by R - sqrt(R^2 - d^2), restoring force N tan(angle); 0: it stays level, N d/R"}};
   }
   /// As of Friction.
   static Pendulum sample() { return {0.02, 0.3, 1e6, 0, 0, 50, 1, 5e4}; }

@@ -33,11 +33,11 @@ struct Pounding {
           "force per displacement beyond the gap"},
         P{&Pounding::opening, "opening", "m", no_default, 0, unbounded, true, "displacement at which the gap closes"},
         P{&Pounding::restitution, "restitution", "1", 0.65, 0.14, 1, true,
-          "speed apart after an impact over speed together before it"},
+          "coefficient of restitution: separation speed over closing speed"},
         P{&Pounding::mass, "mass", "kg", no_default, 0, unbounded, false,
-          "m1 m2 / (m1 + m2) of the two that meet, for which the restitution holds; beside the ground: the one's mass"},
+          "reduced mass m1 m2 / (m1 + m2) for the restitution; against the ground the mass of the body"},
         P{&Pounding::side, "side", "1", -1, -1, 1, true,
-          "-1: closes where the second point comes along against the axis; +1: with it; 0: both"},
+          "-1: closes in motion of the second point against the axis; +1: along it; 0: both"},
         P{&Pounding::pull, "pull", "1", 0, 0, 1, true,
           "0: the force ends at 0; 1: the dashpot may pull until the gap opens"}};
   }

@@ -27,7 +27,8 @@ struct ShearKey {
     using P = Parameter<ShearKey>;
     return std::array{
         P{&ShearKey::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per displacement"},
-        P{&ShearKey::strength, "strength", "N", no_default, 0, unbounded, false, "force that breaks it, for good"},
+        P{&ShearKey::strength, "strength", "N", no_default, 0, unbounded, false,
+          "force at which it breaks permanently"},
         P{&ShearKey::residual, "residual", "1", 0, 0, 1, true, "friction of the broken key over its strength"},
         P{&ShearKey::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity until it breaks"}};
   }

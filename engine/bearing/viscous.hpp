@@ -30,7 +30,7 @@ struct Viscous {
         P{&Viscous::speed, "speed", "m/s", 1, 0, unbounded, false, "with 1 m/s, `force` is C of f = C v^exponent"},
         P{&Viscous::exponent, "exponent", "1", 1, 0.05, 1, true, "1: a linear dashpot; of oil dampers mostly 0.2 to 1"},
         P{&Viscous::linear_to, "linear_to", "m/s", 1e-3, 0, unbounded, false,
-          "with an exponent below 1: speed up to which the force goes in a straight line; it bounds the step"}};
+          "exponent below 1: speed up to which the force is linear; it limits the time step"}};
   }
   [[nodiscard]] double tangent() const { return 0; }
   [[nodiscard]] double dashpot() const {

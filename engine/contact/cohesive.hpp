@@ -55,13 +55,13 @@ struct Cohesive {
         P{&Cohesive::energy_tension, "energy_tension", "J/m2", no_default, 0, unbounded, false,
           "fracture energy in tension (mode I)"},
         P{&Cohesive::energy_shear, "energy_shear", "J/m2", no_default, 0, unbounded, false,
-          "fracture energy in shear (mode II), what friction takes not counted"},
+          "fracture energy in shear (mode II), without frictional work"},
         P{&Cohesive::dilation, "dilation", "1", 0, 0, 10, true, "opening per slip, tan of the dilatancy angle"},
         P{&Cohesive::dilation_slip, "dilation_slip", "m", 0, 0, unbounded, true, "slip up to which the joint dilates"},
         P{&Cohesive::compression, "compression", "Pa", 0, 0, unbounded, true,
-          "compressive strength, at which the mortar crushes; 0: it does not"},
+          "compressive strength of the mortar; 0: no crushing"},
         P{&Cohesive::crushing_depth, "crushing_depth", "m", 2e-3, 0, unbounded, false,
-          "depth by which it can crush before it is as stiff as ever, a share of the joint's thickness"}};
+          "largest crushing depth, as a share of the joint thickness"}};
   }
 
   /// What the ranges above leave: an energy that the elastic energy at the peak already exceeds cannot soften.

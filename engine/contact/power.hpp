@@ -30,8 +30,8 @@ struct Power {
     return std::array{
         P{&Power::kn, "kn", "Pa/m", no_default, 0, unbounded, false, "stress over overlap at the overlap `depth`"},
         P{&Power::depth, "depth", "m", no_default, 0, unbounded, false,
-          "overlap at which the stiffness is kn; small against the bodies, and what the step reckons with"},
-        P{&Power::exponent, "exponent", "1", 1.5, 1, 3, true, "power of the overlap: 1 linear, 1.5 as of Hertz"},
+          "overlap at which the stiffness is kn; small compared with the bodies; it sets the time step"},
+        P{&Power::exponent, "exponent", "1", 1.5, 1, 3, true, "exponent of the overlap: 1 linear, 1.5 Hertz"},
         P{&Power::ks, "ks", "Pa/m", no_default, 0, unbounded, true, "shear stiffness, stress per elastic slip"},
         P{&Power::mu, "mu", "1", no_default, 0, 100, true, "friction coefficient, tan of the friction angle"},
         P{&Power::beta, "beta", "s", 0, 0, 1, true, "damping stress per stiffness and velocity"}};

@@ -29,7 +29,8 @@ struct DruckerPrager {
         P{&DruckerPrager::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
         P{&DruckerPrager::cohesion, "cohesion", "Pa", no_default, 0, unbounded, true, "shear strength at no stress"},
         P{&DruckerPrager::friction, "friction", "rad", no_default, 0, 1.5, true, "angle of friction"},
-        P{&DruckerPrager::dilation, "dilation", "rad", 0, 0, 1.5, true, "angle of dilation, at most that of friction"},
+        P{&DruckerPrager::dilation, "dilation", "rad", 0, 0, 1.5, true,
+          "angle of dilation, at most the angle of friction"},
         P{&DruckerPrager::tension, "tension", "Pa", no_cut_off, 0, unbounded, true,
           "largest mean tension; 1e12: no cut-off"},
         P{&DruckerPrager::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};

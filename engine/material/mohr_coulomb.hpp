@@ -35,7 +35,8 @@ struct MohrCoulomb {
         P{&MohrCoulomb::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
         P{&MohrCoulomb::cohesion, "cohesion", "Pa", no_default, 0, unbounded, true, "shear strength at no stress"},
         P{&MohrCoulomb::friction, "friction", "rad", no_default, 0, 1.5, true, "angle of friction"},
-        P{&MohrCoulomb::dilation, "dilation", "rad", 0, 0, 1.5, true, "angle of dilation, at most that of friction"},
+        P{&MohrCoulomb::dilation, "dilation", "rad", 0, 0, 1.5, true,
+          "angle of dilation, at most the angle of friction"},
         P{&MohrCoulomb::tension, "tension", "Pa", no_cut_off, 0, unbounded, true, "largest tension; 1e12: no cut-off"},
         P{&MohrCoulomb::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }

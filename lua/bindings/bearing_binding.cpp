@@ -295,7 +295,7 @@ const std::array bearing_properties{
         3, {"turning_along", "rad", "turn of the second body against the first about along", displacement_in_space<3>}),
     in_dimension(3, {"turning_across", "rad", "... about across", displacement_in_space<4>}),
     in_dimension(3, {"turning_axial", "rad", "... about axial", displacement_in_space<5>}),
-    BearingProperty{"limited", "", "true where some displacement ends it", nullptr,
+    BearingProperty{"limited", "", "true if a displacement has a limit", nullptr,
                     [](lua_State* L, const BearingHandle& b) { lua_pushboolean(L, is_limited(b) ? 1 : 0); }},
     BearingProperty{"share", "1", "largest displacement over its limit", share_of},
 };

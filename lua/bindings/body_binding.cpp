@@ -154,24 +154,24 @@ const std::array body_properties{
                  [](lua_State* L, const BodyHandle& b) { push_text(L, b.model().material_of(b.index)); }},
     BodyProperty{"groups", "", "names of its groups", nullptr, push_groups},
     BodyProperty{
-        "present", "", "false where it was removed, or is added at the next step border", nullptr,
+        "present", "", "false if removed, or if added at the end of the step", nullptr,
         [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().why_absent(b.index).empty() ? 1 : 0); }},
-    BodyProperty{"removed_at", "", "when it was removed [s]; nil where it was not, or is back", nullptr,
+    BodyProperty{"removed_at", "", "time of its removal [s]; nil if present", nullptr,
                  [](lua_State* L, const BodyHandle& b) {
                    if (const auto when = b.model().removed_at(b.index))
                      lua_pushnumber(L, *when);
                    else
                      lua_pushnil(L);
                  }},
-    in_plane(BodyProperty{"outline", "", "its corners {x, y} where they are now [m]", nullptr, push_outline}),
+    in_plane(BodyProperty{"outline", "", "present corners {x, y} [m]", nullptr, push_outline}),
     BodyProperty{"x", "m", "place of the centroid", along_axis<&BodyMotion::place, 0>},
     BodyProperty{"y", "m", "height of the centroid; in space its place along y", along_axis<&BodyMotion::place, 1>},
     in_space(BodyProperty{"z", "m", "height of the centroid in space", along_axis<&BodyMotion::place, 2>}),
     in_plane(BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation}),
     in_space(BodyProperty{
         "turn_x", "rad",
-        "turn since the start in space: rotation vector along x, up to 2 pi long, of a driven body with all its turns; "
-        "of a frame that of its first joint by name",
+        "rotation from the start in space: rotation vector along x, up to 2 pi long, for a driven body with all turns; "
+        "for a frame, rotation of its first joint by name",
         along_axis<&BodyMotion::turned, 0>}),
     in_space(BodyProperty{"turn_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
     in_space(BodyProperty{"turn_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),
@@ -181,7 +181,7 @@ const std::array body_properties{
         BodyProperty{"vz", "m/s", "velocity of the centroid along z, in space", along_axis<&BodyMotion::velocity, 2>}),
     in_plane(BodyProperty{"spin", "rad/s", "rate of rotation, in the plane", spin}),
     in_space(BodyProperty{"spin_x", "rad/s",
-                          "rate of rotation about x, in space; of a frame that of its first joint by name",
+                          "rate of rotation about x, in space; for a frame, rate of its first joint by name",
                           along_axis<&BodyMotion::spin, 0>}),
     in_space(BodyProperty{"spin_y", "rad/s", "rate of rotation about y, in space", along_axis<&BodyMotion::spin, 1>}),
     in_space(BodyProperty{"spin_z", "rad/s", "rate of rotation about z, in space", along_axis<&BodyMotion::spin, 2>}),
@@ -208,11 +208,11 @@ const std::array body_properties{
     BodyProperty{"sxy", "Pa", "mean shear stress of a deformable body", stress_along<&Stress::xy, 3>},
     in_space(BodyProperty{"syz", "Pa", "mean shear stress of y and z of a deformable body, in space", space_stress<4>}),
     in_space(BodyProperty{"szx", "Pa", "mean shear stress of z and x of a deformable body, in space", space_stress<5>}),
-    BodyProperty{"reaction_x", "N", "force along x of what holds or drives it",
+    BodyProperty{"reaction_x", "N", "reaction of its supports along x",
                  [](const BodyHandle& b) { return reaction_along(b, 0); }},
-    BodyProperty{"reaction_y", "N", "force along y of what holds or drives it",
+    BodyProperty{"reaction_y", "N", "reaction of its supports along y",
                  [](const BodyHandle& b) { return reaction_along(b, 1); }},
-    in_space(BodyProperty{"reaction_z", "N", "force along z of what holds or drives it",
+    in_space(BodyProperty{"reaction_z", "N", "reaction of its supports along z",
                           [](const BodyHandle& b) { return reaction_along(b, 2); }}),
     BodyProperty{"plastic", "1", "mean plastic measure of a deformable body",
                  [](const BodyHandle& b) {
@@ -225,7 +225,7 @@ const std::array body_properties{
         [](lua_State* L, const BodyHandle& b) { push_ends<push_bearing>(L, b, b.model().bearings); }}),
     in_plane(BodyProperty{"seats", "", "of a span made with from and to: { left, right }", nullptr,
                           [](lua_State* L, const BodyHandle& b) { push_ends<push_seat>(L, b, b.model().seats); }}),
-    BodyProperty{"resting", "", "true while it has been still for the model's still_time", nullptr,
+    BodyProperty{"resting", "", "true after the still_time of the model at rest", nullptr,
                  [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
 

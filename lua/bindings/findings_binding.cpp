@@ -126,19 +126,20 @@ FindingProperty in_space(std::string_view name, std::string_view unit, std::stri
   return {name, unit, doc, number, nullptr, nullptr, 3};
 }
 const std::array model_findings{
-    FindingProperty{"base_shear", "N",
-                    "horizontal force of contacts and bearings on the base (group base, or what cannot move); in space "
-                    "its size",
-                    base_shear},
+    FindingProperty{
+        "base_shear", "N",
+        "base shear: horizontal force of contacts and bearings on the base (group base, or fixed bodies); in space "
+        "its size",
+        base_shear},
     in_space("base_shear_x", "N", "force along x of contacts and bearings on the base", base_shear_along<0>),
     in_space("base_shear_y", "N", "force along y of contacts and bearings on the base", base_shear_along<1>),
     FindingProperty{"top_drift", "m",
-                    "horizontal displacement of the topmost storey against the base; in space its length",
+                    "horizontal displacement of the topmost storey relative to the base; in space its length",
                     drift_of_top},
     in_space("top_drift_x", "m", "displacement along x of the topmost storey against the base", drift_of_top_along<0>),
     in_space("top_drift_y", "m", "displacement along y of the topmost storey against the base", drift_of_top_along<1>),
     FindingProperty{
-        "damage", "1", "part of all bonds that is lost",
+        "damage", "1", "lost part of all bonds",
         [](const ModelBox& box) { return mean_damage(box.get(), [](const auto&, int, int) { return true; }); }},
     FindingProperty{
         "largest_opening", "m", "of all joints since the start",
@@ -152,18 +153,18 @@ const std::array model_findings{
 using S = Property<StoreyHandle>;
 const std::array storey_properties{
     S{"number", "1", "its number, from 1 at the bottom", [](const StoreyHandle& h) { return h.index + 1.0; }},
-    S{"height", "m", "from the top of the storey below, or the base, to its own", height_of},
+    S{"height", "m", "height from the top of the storey below, or the base", height_of},
     S{"drift", "m",
-      "horizontal displacement of its top against that of the storey below, or the base; in space its length",
+      "interstorey drift: displacement of its top relative to the storey below, or the base; in space its length",
       drift_of},
     S{"drift_x", "m", "displacement along x of its top against the storey below, or the base", drift_along<0>, nullptr,
       nullptr, 3},
     S{"drift_y", "m", "displacement along y of its top against the storey below, or the base", drift_along<1>, nullptr,
       nullptr, 3},
     S{"drift_ratio", "1", "drift over height", ratio_of},
-    S{"twist", "rad", "turn of its top about the upright axis against the storey below, or the base", twist_of, nullptr,
-      nullptr, 3},
-    S{"damage", "1", "part of its bonds that is lost", damage_of},
+    S{"twist", "rad", "rotation of its top about the vertical axis relative to the storey below, or the base", twist_of,
+      nullptr, nullptr, 3},
+    S{"damage", "1", "lost part of its bonds", damage_of},
 };
 
 void set_place(lua_State* L, const Joint& joint, const Present<2>& now) {

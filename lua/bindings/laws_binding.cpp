@@ -93,7 +93,7 @@ bool same_law(const ContactLaw& a, const ContactLaw& b) {
 }
 
 const std::array contact_properties{
-    Property<ContactLawValue>{"name", "", "its name, \"\" where it was given none", nullptr,
+    Property<ContactLawValue>{"name", "", "name, \"\" without a name", nullptr,
                               [](lua_State* L, const ContactLawValue& v) { lua_pushstring(L, v.name.c_str()); }},
 };
 

@@ -332,7 +332,7 @@ const std::array motion_properties{
     MotionProperty{"dt", "s", "step of the samples", [](const MotionValue& m) { return m.motion->step(); }},
     MotionProperty{"npts", "1", "number of samples",
                    [](const MotionValue& m) { return static_cast<double>(m.motion->samples().size()); }},
-    MotionProperty{"description", "", "what it is, in one line", nullptr,
+    MotionProperty{"description", "", "description in one line", nullptr,
                    [](lua_State* L, const MotionValue& m) { lua_pushstring(L, m.motion->description().c_str()); }},
 };
 

@@ -197,8 +197,8 @@ const std::array pushover_method_list{
 
 using PushoverProperty = Property<ModelBox>;
 const std::array pushover_property_list{
-    PushoverProperty{"push_force", "N", "force of all pushes now, along them", sum_of_pushes},
-    PushoverProperty{"push_displacement", "m", "displacement of the latest push since it began", push_displacement},
+    PushoverProperty{"push_force", "N", "present force of all pushes, along them", sum_of_pushes},
+    PushoverProperty{"push_displacement", "m", "displacement of the latest push", push_displacement},
 };
 
 }  // namespace

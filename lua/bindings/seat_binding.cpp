@@ -81,7 +81,7 @@ using SeatProperty = Property<SeatHandle>;
 const std::array seat_properties{
     SeatProperty{"name", "", "its name", nullptr,
                  [](lua_State* L, const SeatHandle& s) { lua_pushstring(L, name_of_seat(s).c_str()); }},
-    SeatProperty{"length", "m", "how far the end still reaches over the edge", length_of},
+    SeatProperty{"length", "m", "remaining length of the end over the edge", length_of},
     SeatProperty{"lost", "", "true once the end has left its seat", nullptr, push_lost},
 };
 

@@ -30,7 +30,7 @@ struct BilinearSteel {
         P{&BilinearSteel::yield, "yield", "Pa", no_default, 0, unbounded, false, "yield stress"},
         P{&BilinearSteel::hardening, "hardening", "1", 0, 0, 0.99, true, "modulus after yield over elastic modulus"},
         P{&BilinearSteel::isotropic, "isotropic", "1", 0, 0, 1, true,
-          "share of the hardening that widens the elastic range; the rest moves it"}};
+          "share of isotropic hardening; the rest is kinematic"}};
   }
   static constexpr int memory_size = 4;
   using Memory = std::array<double, memory_size>;

@@ -25,15 +25,15 @@ struct KentPark {
   static constexpr auto parameters() {
     using P = Parameter<KentPark>;
     return std::array{
-        P{&KentPark::strength, "strength", "Pa", no_default, 0, unbounded, false, "in compression, not confined"},
-        P{&KentPark::strain, "strain", "1", 0.002, 0, 0.1, false, "at that strength"},
-        P{&KentPark::ultimate, "ultimate", "1", 0.006, 0, 1, false, "strain where softening ends"},
-        P{&KentPark::residual, "residual", "1", 0.2, 0, 1, true, "stress that is left then, over the strength"},
+        P{&KentPark::strength, "strength", "Pa", no_default, 0, unbounded, false, "compressive strength, unconfined"},
+        P{&KentPark::strain, "strain", "1", 0.002, 0, 0.1, false, "strain at that strength"},
+        P{&KentPark::ultimate, "ultimate", "1", 0.006, 0, 1, false, "strain at the end of softening"},
+        P{&KentPark::residual, "residual", "1", 0.2, 0, 1, true, "residual stress over the strength"},
         P{&KentPark::confinement, "confinement", "1", 1, 1, 10, true,
           "K: confined strength over strength; strain at the peak grows by the same"},
         P{&KentPark::tension, "tension", "Pa", 0, 0, unbounded, true, "strength in tension"},
         P{&KentPark::tension_end, "tension_end", "1", 0, 0, 1, true,
-          "strain of opening where a crack carries nothing more; 0: at once"}};
+          "opening strain at which a crack carries no more stress; 0: at once"}};
   }
   static KentPark sample() { return {30e6, 0.002, 0.006, 0.2, 1.1, 2e6, 4e-4}; }
   void check() const {

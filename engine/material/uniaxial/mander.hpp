@@ -25,16 +25,16 @@ struct Mander {
   static constexpr auto parameters() {
     using P = Parameter<Mander>;
     return std::array{
-        P{&Mander::strength, "strength", "Pa", no_default, 0, unbounded, false, "in compression, not confined"},
+        P{&Mander::strength, "strength", "Pa", no_default, 0, unbounded, false, "compressive strength, unconfined"},
         P{&Mander::young, "E", "Pa", no_default, 0, unbounded, false, "modulus at first"},
-        P{&Mander::strain, "strain", "1", 0.002, 0, 0.1, false, "at that strength"},
-        P{&Mander::ultimate, "ultimate", "1", 0.006, 0, 1, false, "strain where it crushes"},
-        P{&Mander::residual, "residual", "1", 0, 0, 1, true, "stress that is left then, over the confined strength"},
+        P{&Mander::strain, "strain", "1", 0.002, 0, 0.1, false, "strain at that strength"},
+        P{&Mander::ultimate, "ultimate", "1", 0.006, 0, 1, false, "crushing strain"},
+        P{&Mander::residual, "residual", "1", 0, 0, 1, true, "residual stress over the confined strength"},
         P{&Mander::confinement, "confinement", "1", 1, 1, 10, true,
           "K: confined strength over strength; strain at the peak grows by 1 + 5 (K - 1)"},
         P{&Mander::tension, "tension", "Pa", 0, 0, unbounded, true, "strength in tension"},
         P{&Mander::tension_end, "tension_end", "1", 0, 0, 1, true,
-          "strain of opening where a crack carries nothing more; 0: at once"}};
+          "opening strain at which a crack carries no more stress; 0: at once"}};
   }
   static Mander sample() { return {30e6, 27e9, 0.002, 0.015, 0.1, 1.2, 2e6, 4e-4}; }
   void check() const {
