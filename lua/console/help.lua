@@ -48,7 +48,7 @@ function console.entry_text(entry)
     add_keys(lines, entry.with)
   end
   if entry.gives then lines[#lines + 1] = "  gives: " .. entry.gives end
-  if entry.also then lines[#lines + 1] = "  see also: " .. entry.also end
+  if entry.also then lines[#lines + 1] = "  search words: " .. entry.also end
   return table.concat(lines, "\n")
 end
 

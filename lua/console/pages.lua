@@ -76,7 +76,7 @@ local function add_entry(lines, entry)
   add_keys(lines, entry.args, "argument")
   add_keys(lines, entry.keys, "key")
   if #entry.with > 0 then add_keys_of_bodies(lines, entry) end
-  if entry.also then lines[#lines + 1] = "\nSee also: " .. entry.also .. "." end
+  if entry.also then lines[#lines + 1] = "\nSearch words: " .. entry.also .. "." end
 end
 
 local function field_row(entry)
