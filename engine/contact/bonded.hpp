@@ -56,6 +56,9 @@ struct Bonded::Kernel : Mortar {
   Kernel(const Bonded& law, double thickness, double step)
       : Mortar(law, thickness, step), by_point(law.loss_by_point != 0) {}
 
+  using FrictionRemains = Kernel;  ///< see contact/law_forms.hpp
+  using JointForm = Kernel;
+
   template <class T>
   struct Memory {
     T set[2]{};  ///< gaps at both ends of the shared length as the mortar set; where open it fills them [m]

@@ -101,6 +101,9 @@ struct Cohesive::Kernel : Mortar {
         crushing(law.compression / law.kn),
         crushing_depth(law.crushing_depth) {}
 
+  using FrictionRemains = Kernel;  ///< see contact/law_forms.hpp
+  using JointForm = Kernel;
+
   static constexpr bool crushes = true;
   static constexpr bool softens = true;
 

@@ -121,8 +121,8 @@ TRILITH_INLINE std::uint64_t clear_lanes(const Shape& t, const PiecesOfPairs& pi
 /// Four pairs, a lane each; beyond the last one the first again. `Shape`: of what they share, Triangle or
 /// CornerPair.
 template <class Shape>
-TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, const Coulomb& given) {
-  const Coulomb law = given;
+TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, const PlainFriction& given) {
+  const PlainFriction law = given;
   const PiecesOfPairs pieces(pairs);
   const Shape t{CornerEdges(pieces.of_wedge), CornerEdges(pieces.of_owner)};
   std::uint64_t sound = clear_lanes(t, pieces, pairs);
@@ -179,24 +179,25 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
 
 // One copy for each width of registers: the same operations, so the same bits.
 
-TRILITH_INLINE std::uint32_t respond_shapes(std::span<const CornerCase> pairs, const Coulomb& law) {
+TRILITH_INLINE std::uint32_t respond_shapes(std::span<const CornerCase> pairs, const PlainFriction& law) {
   return pairs.front().at.both ? respond_four<CornerPair>(pairs, law) : respond_four<Triangle>(pairs, law);
 }
-std::uint32_t respond_narrow(std::span<const CornerCase> pairs, const Coulomb& law) {
+std::uint32_t respond_narrow(std::span<const CornerCase> pairs, const PlainFriction& law) {
   return respond_shapes(pairs, law);
 }
 #ifdef __x86_64__
-[[gnu::target("avx2")]] std::uint32_t respond_wide(std::span<const CornerCase> pairs, const Coulomb& law) {
+[[gnu::target("avx2")]] std::uint32_t respond_wide(std::span<const CornerCase> pairs, const PlainFriction& law) {
   return respond_shapes(pairs, law);
 }
-[[gnu::target("arch=x86-64-v4")]] std::uint32_t respond_widest(std::span<const CornerCase> pairs, const Coulomb& law) {
+[[gnu::target("arch=x86-64-v4")]] std::uint32_t respond_widest(std::span<const CornerCase> pairs,
+                                                               const PlainFriction& law) {
   return respond_shapes(pairs, law);
 }
 #endif
 
 }  // namespace
 
-std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law) {
+std::uint32_t respond_corners(std::span<const CornerCase> pairs, const PlainFriction& law) {
   assert(!pairs.empty() && pairs.size() <= static_cast<std::size_t>(most_corner_cases));
 #ifdef __x86_64__
   static const Registers here = registers_here();

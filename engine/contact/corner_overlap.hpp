@@ -59,6 +59,6 @@ inline constexpr int most_corner_cases = lane_count;
 
 /// Answers up to most_corner_cases pairs under one law, all with `at.both` alike. Bit i of what is returned: pair i was
 /// answered; of the others nothing is written.
-std::uint32_t respond_corners(std::span<const CornerCase> pairs, const Coulomb& law);
+std::uint32_t respond_corners(std::span<const CornerCase> pairs, const PlainFriction& law);
 
 }  // namespace trilith

@@ -184,7 +184,7 @@ struct alignas(32) WedgeSums {
 
   /// The share m of the push that is along the normal n says what of the motion along it closes the stretch, at
   /// -m (n . v), and what of the damping acts against it.
-  TRILITH_INLINE void add(const Coulomb& law, const RelativeMotion& motion, const DeepStretch& s) {
+  TRILITH_INLINE void add(const PlainFriction& law, const RelativeMotion& motion, const DeepStretch& s) {
     const Lanes along = dot_of(normal, s.push), facing = larger(along, Lanes{});
     const Lanes c0 = -facing * dot_of(normal, motion.at(s.from)),
                 c1 = -facing * dot_of(normal, motion.at(s.from + s.way));
@@ -201,7 +201,7 @@ struct alignas(32) WedgeSums {
 };
 
 /// The elastic force is along the normal of the one face f, as moving along that changes nothing.
-TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const Coulomb& law) {
+TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const PlainFriction& law) {
   const Plane2 zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
   const Lanes none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
   WedgeSums sums(f);
@@ -309,7 +309,7 @@ struct CornerPair {
         clear(wedge.clear & owner.clear) {}
 };
 
-TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const Coulomb& law) {
+TRILITH_INLINE WedgeSums press(const CornerPair& t, const RelativeMotion& motion, const PlainFriction& law) {
   const auto of_wedge = t.wedge.stretches(1.0), of_owner = t.owner.stretches(-1.0);
   Plane2 push{};
   for (const auto* chain : {&of_wedge, &of_owner})

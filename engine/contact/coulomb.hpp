@@ -6,9 +6,12 @@
 //   press   gaps and rates                               -> normal stress, its damping part, length that carries
 //   slide   slip and normal force                        -> shear                -> energy given off
 //   end     what is left of bond and mortar              -> memory               -> energy given off
-// and, for whatever shape a contact has, contact/overlap_pair.hpp asks `stretch`, contact/overlap_energy.hpp `over`.
-// Readings ask `gaps`, `hold`, `stored`, `pressure`, `tangent` and the questions below. A law that differs in one of
-// these has its own of that name; see contact/power.hpp for a short one.
+// Polygons of any shape in the plane ask `stretch`, `over` and `slide`; flat faces, polyhedra and spheres in space ask
+// `effective` and `friction`. Readings ask `gaps`, `hold`, `stored`, `pressure`, `tangent` and the questions below.
+//
+// A law that is pressure by overlap and friction by pressure and slip speed has `effective` or `friction` of its own on
+// contact/point_law.hpp, which makes the rest of them: it acts in every geometry. See contact/power.hpp for a short
+// one. contact/law_forms.hpp tells at compile time in which geometries the equations of a kernel act.
 #pragma once
 
 #include <algorithm>
@@ -86,6 +89,10 @@ struct Coulomb {
   TRILITH_INLINE void press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const;
   template <class T>
   TRILITH_INLINE T slide(HalfState<T>& half, T active, const ShearBefore<T>& before, HalfResponse<T>& out) const;
+  /// As slide, of a half that holds a shear of `limit` [N] at most, if it is not bonded.
+  template <class T>
+  TRILITH_INLINE T slide_within(T limit, HalfState<T>& half, T active, const ShearBefore<T>& before,
+                                HalfResponse<T>& out) const;
   template <class T, class M>
   TRILITH_INLINE T end(const FaceHalves<T>& /*halves*/, const FaceMemory<T>& /*before*/, const M& /*own*/,
                        FaceMemory<T>& /*memory*/, M& /*after*/) const {
@@ -113,6 +120,8 @@ struct Coulomb {
 
   /// The overlap at which a linear spring of stiffness kn would press as much as the law does at `overlap` [m].
   [[nodiscard]] double effective(double overlap) const { return overlap; }
+  /// Coefficient of friction under a mean pressure [Pa] at a slip speed [m/s].
+  [[nodiscard]] double friction(double /*pressure*/, double /*speed*/) const { return mu; }
   /// Depths d and closing speeds c at both ends of a stretch [m], [m/s].
   template <class T>
   [[nodiscard]] TRILITH_INLINE StretchPressure<T> stretch(T d0, T d1, T c0, T c1) const;
@@ -220,9 +229,15 @@ TRILITH_INLINE void Coulomb::press(const HalfState<T>* halves, T* active, HalfRe
 template <class T>
 TRILITH_INLINE T Coulomb::slide(HalfState<T>& half, T active, const ShearBefore<T>& before,
                                 HalfResponse<T>& out) const {
+  return slide_within<T>(mu * larger(out.normal, T{}), half, active, before, out);
+}
+
+template <class T>
+TRILITH_INLINE T Coulomb::slide_within(T friction_limit, HalfState<T>& half, T active, const ShearBefore<T>& before,
+                                       HalfResponse<T>& out) const {
   const T zero{};
   const ShearTrial<T> trial(half, ks, beta, dt, active, before);
-  const T limit = select(half.bonded, zero + 1e300, mu * larger(out.normal, zero));
+  const T limit = select(half.bonded, zero + 1e300, friction_limit);
   const T held = select(trial.total < zero, -limit, limit);
   const double share = dt > 0 ? dt / (dt + beta) : 0.0;
   const T slid = trial.kept + (held - trial.kept) * share;
@@ -259,5 +274,11 @@ inline HalfPressure Coulomb::pressure(const HalfGaps& gaps, double length, doubl
   mix(stress, bond, hold);
   return {kn * length * stress.sum, kn * length * length * stress.moment};
 }
+
+/// Pressure in proportion to the overlap and Coulomb friction, and nothing else: what closed forms are made for. No
+/// kernel of a law turns into it; plain_friction() of contact/list.hpp makes it from the numbers of a law.
+struct PlainFriction final : Coulomb {
+  using Coulomb::Coulomb;
+};
 
 }  // namespace trilith

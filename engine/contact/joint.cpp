@@ -61,14 +61,14 @@ Vec3 moment_on_b(const JointMotion& motion, const Vec2& moment) {
 }
 
 /// Forces, and what the contact remembers: also what other solids would, should the joint end.
-void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& motion, const Coulomb& law,
-            const BodyMotion& a, SolidResponse& out) {
+void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& motion, double kn, const BodyMotion& a,
+            SolidResponse& out) {
   const Vec3 &n = motion.normal, shear = motion.in_world(step.shear), elastic = motion.in_world(step.shear_elastic);
-  const Vec3 damping = law.kn * step.damping.force * n, turning = moment_on_b(motion, law.kn * step.damping.moment);
+  const Vec3 damping = kn * step.damping.force * n, turning = moment_on_b(motion, kn * step.damping.moment);
   out.centre = motion.origin;
-  out.normal_force = law.kn * step.pressed.force * n + damping;
+  out.normal_force = kn * step.pressed.force * n + damping;
   out.force = out.normal_force - shear;
-  out.moment = moment_on_b(motion, law.kn * step.pressed.moment) + turning - step.couple * n;
+  out.moment = moment_on_b(motion, kn * step.pressed.moment) + turning - step.couple * n;
   out.area = step.pressed.area;
   out.memory.shear = {elastic + step.couple_elastic / plan.radius * n, shear + step.couple / plan.radius * n,
                       step.pressed.area};
@@ -183,7 +183,7 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
       sums = step_by_patches(plan, motion, law, joint, after);
     JointResponse out;
     SolidResponse& contact = out.contact;
-    add_up(sums, plan, motion, law, a, contact);
+    add_up(sums, plan, motion, law.kn, a, contact);
     contact.memory.slip = before.slip + sums.slip;
     contact.depth = deepest_overlap(plan, motion);
     contact.middle = motion.origin, contact.normal = motion.normal, contact.radius = plan.radius;

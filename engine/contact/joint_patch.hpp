@@ -156,7 +156,8 @@ struct PatchTrial {
   Lanes size;                         ///< of the total [N]
   double stiffness, compliance, relaxed;
 
-  TRILITH_INLINE PatchTrial(const Coulomb& law, const JointPatch& p, const PatchMemory& before, double area,
+  template <class K>
+  TRILITH_INLINE PatchTrial(const K& law, const JointPatch& p, const PatchMemory& before, double area,
                             const JointMotion& motion) {
     const double stiffness_before = 0.25 * law.ks * before.active;
     const double compliance_before = stiffness_before > 0 ? 1 / stiffness_before : 0;
@@ -207,7 +208,8 @@ TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& 
 }
 
 /// Friction up to `limit` [N], and nothing beside it, as Coulomb::slide.
-TRILITH_INLINE void slide_patch(const Coulomb& law, const PatchTrial& trial, const PatchMemory& before, double area,
+template <class K>
+TRILITH_INLINE void slide_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area,
                                 const Lanes& limit, PatchMemory& after, PatchLosses& lost) {
   const double share = law.dt > 0 ? law.dt / (law.dt + law.beta) : 0.0;
   const Lanes kept = trial.kept.dot(trial.along),

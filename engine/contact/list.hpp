@@ -12,6 +12,7 @@
 #include "contact/bonded.hpp"
 #include "contact/cohesive.hpp"
 #include "contact/frictional.hpp"
+#include "contact/law_forms.hpp"
 #include "contact/power.hpp"
 
 namespace trilith {
@@ -65,6 +66,9 @@ concept ContactLawType = Declared<L> && requires(const L& law) {
   % 2 == 0;
 };
 static_assert(ContactLaws::all([]<class L>() { return ContactLawType<L>; }));
+static_assert(ContactLaws::all([]<class L>() { return has_whole_point_form<typename L::Kernel>; }),
+              "a kernel K with its own effective() or friction() begins with PointLaw<K>; one with its own effective() "
+              "has its own tangent()");
 
 /// A law as it is used: between bodies of some thickness [m], for a step [s].
 struct LawInUse {
@@ -73,14 +77,32 @@ struct LawInUse {
   double held = 0;  ///< depth up to which a bearing stands for the contact: what lies deeper presses [m]
 };
 
-/// f(kernel) with the kernel of a law.
+/// True of what takes an argument of one type, whatever it is called with.
+template <class F>
+inline constexpr bool takes_one_type = requires {
+  &std::remove_cvref_t<F>::operator();
+};
+
+/// f(kernel) with the kernel of a law. `f` takes it as the type that it is: a base of it has none of its own equations.
 template <class F>
 decltype(auto) with_kernel(const LawInUse& use, F&& f) {
+  static_assert(!takes_one_type<F>, "take the kernel by `const auto&` or by a template parameter: a base slices it");
   return std::visit(
       [&](const auto& law) -> decltype(auto) {
         return f(typename std::decay_t<decltype(law)>::Kernel(law, use.thickness, use.dt));
       },
       use.law);
+}
+
+/// What closed forms go by: the numbers of a law, as if its pressure went with the overlap and its friction were
+/// Coulomb's. For laws of which that is true where they are not bonded, see has_closed_form.
+inline PlainFriction plain_friction(const LawInUse& use) {
+  return std::visit([&](const auto& law) { return PlainFriction(law, use.thickness, use.dt); }, use.law);
+}
+
+/// True of laws of which that holds wherever they have no bond and nothing of them is crushed.
+inline bool has_closed_form(const ContactLaw& law) {
+  return std::visit([]<class L>(const L&) { return L::Kernel::linear && !has_own_friction<typename L::Kernel>; }, law);
 }
 
 /// True where faces under the law can be held together.

@@ -9,7 +9,7 @@ namespace trilith {
 double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed = 0);
 
 /// What that energy falls by where the mortar is crushed deeper [N]: of a law with linear springs.
-double crushing_force(const PlacedPiece& a, const PlacedPiece& b, const Coulomb& law, double crushed);
+double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed);
 
 /// What two pieces press by that remember nothing.
 OverlapResponse whole_overlap(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law);

@@ -118,9 +118,10 @@ TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int
 }
 
 /// Friction on the resultant, along t = left_of(n), at the centre of pressure.
-TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
-                                 const Coulomb& law, const OverlapSums& sums, const CentreRates& rates,
-                                 std::span<Vec2> on_a, std::span<Vec2> on_b, OverlapResponse& out) {
+template <class K>
+TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const K& law,
+                                 const OverlapSums& sums, const CentreRates& rates, std::span<Vec2> on_a,
+                                 std::span<Vec2> on_b, OverlapResponse& out) {
   const double normal = sums.force;
   if (!(normal > 0)) {
     out.lost_friction += released_energy(before, law.ks);
@@ -136,7 +137,7 @@ TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, con
   state.bonded = false;
   HalfResponse<double> half{};
   half.normal = normal;
-  law.slide(state, sums.length, both_halves(before), half);
+  slide_unbonded(law, state, sums.length, both_halves(before), half);
   add_opposite(on_a, a, sums.edge_a, on_b, b, sums.edge_b, out.centre, half.shear_total * t);
   for (const int h : {0, 1}) {
     out.memory.shear_elastic[h] = 0.5 * half.shear_elastic;
@@ -155,7 +156,7 @@ void keep_crushed(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   if constexpr (K::crushes) {
     if (!(depth > 0)) return;
     const bool touched = (before.state & contact_touching) != 0, general = (before.state & contact_general) != 0;
-    out.lost_fracture = law.crushed_by(own, depth, crushing_force(a, b, law, depth), touched, general, after);
+    out.lost_fracture = law.crushed_by(own, depth, crushing_force(a, b, law.kn, depth), touched, general, after);
     out.memory.state |= contact_kept;
   }
 }

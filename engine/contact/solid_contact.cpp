@@ -35,7 +35,8 @@ Vec3 mean_sliding(const MovingSolid& a, const MovingSolid& b, const Vec3& x, con
 /// Friction on the resultant, and about its normal. Its spring sits in the middle of the area, whatever the pressure
 /// does: were it to follow the centre of pressure, a body that leans would feel couples that no energy stands behind,
 /// and flutter. What it can hold goes by the centre of pressure.
-void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law,
+template <class K>
+void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const K& law,
                   const SolidPressure& pressed, SolidResponse& out) {
   const bool own = pressed.along == Vec3::Zero();
   const double normal_force = own ? pressed.force.norm() : pressed.force.dot(pressed.along);
@@ -44,8 +45,8 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   Vec3 rate =
       chord_velocity_at(b, b.origin, pressed.middle, law.dt) - chord_velocity_at(a, a.origin, pressed.middle, law.dt);
   rate += (radius * turning - n.dot(rate)) * n;
-  const AreaLimit limit(law.mu * normal_force, n, pressed.centre - pressed.middle, radius, pressed.friction_arm,
-                        pressed.arm);
+  const double held = friction_limit_of(law, normal_force, pressed.area, [&] { return rate.norm(); });
+  const AreaLimit limit(held, n, pressed.centre - pressed.middle, radius, pressed.friction_arm, pressed.arm);
   const SlidingMotion motion{
       law.dt * (a.behind == nullptr ? rate : mean_sliding(a, b, pressed.middle, n, radius, law.dt)), rate, limit};
   const double turned = 0.5 * law.dt * n.dot(Vec3(mean_spin(a, law.dt) + mean_spin(b, law.dt)));
@@ -90,11 +91,11 @@ bool overlap(const PlacedSolid& a, const PlacedSolid& b, Separation3& apart, Sol
 
 /// Two that part let their elastic shear go, and the last damping force works for half a step more. How far their
 /// mortar is crushed stays.
-SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const Coulomb& law) {
+SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, double ks, double dt) {
   SolidResponse out;
   out.memory.keep_crushed(before.crushed, 0);
-  out.lost_friction = sliding_energy(law.ks, before.shear);
-  out.lost_damping = -0.5 * law.dt * damping_power(a, b, before, law.dt);
+  out.lost_friction = sliding_energy(ks, before.shear);
+  out.lost_damping = -0.5 * dt * damping_power(a, b, before, dt);
   return out;
 }
 
@@ -133,15 +134,12 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
   const bool whole = !(use.held > 0);  // the short ways know no depth from which on contact presses
   if (FaceOverlap3 faces; whole && may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
-    return with_kernel(use, [&](const Coulomb& law) {
-      return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), law, faces);
-    });
+    return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), plain_friction(use), faces);
   }
   if (whole && along == nullptr && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
     SolidPressure pressed;
-    const bool found = with_kernel(
-        use, [&](const Coulomb& law) { return edge_pressure(a, b, law.kn, law.beta, shared.triangles, pressed); });
-    if (found) {
+    const PlainFriction law = plain_friction(use);
+    if (edge_pressure(a, b, law.kn, law.beta, shared.triangles, pressed)) {
       apart.distance = 0;
       return pressed;
     }
@@ -157,8 +155,8 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
 SolidResponse respond_solids(const MovingSolid& whole_a, const MovingSolid& whole_b, const SolidMemory& before,
                              const LawInUse& use, const SolidPressure& pressed, SolidRoom& room) {
   const MovingSolid a = whole_a.by_face(pressed.face_a), b = whole_b.by_face(pressed.face_b);
-  return with_kernel(use, [&](const Coulomb& law) {
-    SolidResponse out = parted(a, b, before, law);
+  return with_kernel(use, [&](const auto& law) {
+    SolidResponse out = parted(a, b, before, law.ks, law.dt);
     if (!(pressed.area > 0)) return out;
     out.touching = true;
     out.force = out.normal_force = pressed.force, out.moment = pressed.moment;
@@ -188,9 +186,9 @@ double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const So
   const bool sphere = a.solid->is_sphere() || b.solid->is_sphere();
   const bool flat = !sphere && !(use.held > 0) && is_linear(use.law) && flat_faces(a, b, faces);
   const double pressure = sphere ? sphere_energy(a, b, use)
-                          : flat ? with_kernel(use, [&](const Coulomb& law) { return face_energy(law, faces); })
+                          : flat ? face_energy(plain_friction(use), faces)
                                  : solid_energy(a, b, use, shared, scratch, std::max(memory.crushed, use.held));
-  return pressure + with_kernel(use, [&](const Coulomb& law) { return sliding_energy(law.ks, memory.shear); });
+  return pressure + sliding_energy(plain_friction(use).ks, memory.shear);
 }
 
 }  // namespace trilith

@@ -203,7 +203,8 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
 /// Faces that lie flat. Over the shared polygon the pressure is kn (c + beta
 /// dc/dt) where that is above 0 and there is overlap; force, centre, damping
 /// and its power are exact integrals of it, see shape/face_overlap_3d.
-SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces) {
+SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const PlainFriction& law,
+                            const FaceOverlap3& faces) {
   const bool is_damped = law.beta > 0;
   const FaceMoments undamped = is_damped ? FaceMoments{integrals_in_contact(faces)} : moments_in_contact(faces);
   const FaceIntegrals& springs = undamped;
@@ -236,7 +237,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Co
 
 /// kn / 2 times the integral of the overlap squared over the part in contact
 /// [J].
-double face_energy(const Coulomb& law, const FaceOverlap3& faces) {
+double face_energy(const PlainFriction& law, const FaceOverlap3& faces) {
   return law.kn * integrals_in_contact(faces).energy;
 }
 

@@ -57,10 +57,11 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out);
 bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out);
 
 /// Pressure of flat faces under a law that is linear.
-SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Coulomb& law, const FaceOverlap3& faces);
+SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const PlainFriction& law,
+                            const FaceOverlap3& faces);
 
 /// Elastic energy of that pressure [J].
-double face_energy(const Coulomb& law, const FaceOverlap3& faces);
+double face_energy(const PlainFriction& law, const FaceOverlap3& faces);
 
 /// Whether the law's pressure goes with the overlap, and nothing beside, which the form of faces asks for.
 bool is_linear(const ContactLaw& law);

@@ -38,8 +38,8 @@ Vec3 sampled_push(const FourTriangles& in, const K& law) {
   Lanes springs{};
   for (const auto& [own, other, weight] : sample_rule)
     for (const std::size_t i : {0U, 1U, 2U})
-      springs +=
-          weight * law.effective(Lanes(own * in.depth[i] + other * (in.depth[(i + 1) % 3] + in.depth[(i + 2) % 3])));
+      springs += weight *
+                 effective_of(law, Lanes(own * in.depth[i] + other * (in.depth[(i + 1) % 3] + in.depth[(i + 2) % 3])));
   const Triple<Lanes> push = in.normal * (in.sign * area_of(in) * springs);
   return {push.x[0] + push.x[1] + push.x[2] + push.x[3], push.y[0] + push.y[1] + push.y[2] + push.y[3],
           push.z[0] + push.z[1] + push.z[2] + push.z[3]};
@@ -55,7 +55,7 @@ void sum_sampled(const FourTriangles& in, const K& law, const DampedMotion& moti
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       const Lanes here = weight * area, speed = own * closing[i] + other * (closing[j] + closing[k]);
       const Triple<Lanes> arm = in.arm[i] * (Lanes{} + own) + (in.arm[j] + in.arm[k]) * (Lanes{} + other);
-      const Lanes spring = law.effective(Lanes(own * in.depth[i] + other * (in.depth[j] + in.depth[k])));
+      const Lanes spring = effective_of(law, Lanes(own * in.depth[i] + other * (in.depth[j] + in.depth[k])));
       const Lanes pressed = here * larger<Lanes>(spring + law.beta * speed, Lanes{});
       springs.add(here * spring, speed, arm), total.add(pressed, speed, arm);
       const ArmProducts products(arm, arm);

@@ -98,12 +98,14 @@ class CarriedShear {
 
 /// A Kelvin-Voigt spring in series with a slider, as contact/shear_3d.hpp, but for the limit: what is beyond it comes
 /// back along the radius, so that slip and turn go the way of the force. Area that parts takes its share along.
-void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMemory& before, const Coulomb& law,
+template <class K>
+void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMemory& before, const K& law,
                          const SphereArea& at, SolidResponse& out) {
   const Vec3& n = at.normal;
-  const double radius = out.radius, limit = law.mu * at.force;
+  const double radius = out.radius;
   Vec3 rate = chord_velocity_at(b, b.origin, at.middle, law.dt) - chord_velocity_at(a, a.origin, at.middle, law.dt);
   rate += (radius * n.dot(Vec3(b.spin - a.spin)) - n.dot(rate)) * n;
+  const double limit = friction_limit_of(law, at.force, at.area, [&] { return rate.norm(); });
   Vec3 path = law.dt * rate;
   if (a.behind != nullptr) {
     const Vec3 slip = mean_slip(a, b, at.middle, law.dt);

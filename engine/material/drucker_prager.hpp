@@ -22,6 +22,7 @@ struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view sentence = "friction and cohesion on a round cone with a cut-off of mean tension";
   static constexpr bool is_elastic = false;
+  static constexpr bool acts_across = true;  ///< see material/tensor_form.hpp
   static constexpr auto parameters() {
     using P = Parameter<DruckerPrager>;
     return std::array{

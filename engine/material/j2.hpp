@@ -23,6 +23,7 @@ struct J2 {
   static constexpr std::string_view name = "j2";
   static constexpr std::string_view sentence = "von Mises plasticity with linear hardening";
   static constexpr bool is_elastic = false;
+  static constexpr bool acts_across = true;  ///< see material/tensor_form.hpp
   static constexpr auto parameters() {
     using P = Parameter<J2>;
     return std::array{

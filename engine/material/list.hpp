@@ -8,6 +8,7 @@
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/point.hpp"
+#include "material/tensor_form.hpp"
 
 namespace trilith {
 
@@ -16,14 +17,15 @@ using SolidLaw = SolidLaws::Variant;
 /// What E, nu and damping alone stand for.
 using ElasticSolid = LinearElastic;
 
-/// What every law has; one that is not elastic answers `respond(plane, strain, memory)` too.
+/// What every law has; one that is not elastic answers `respond(strain, memory)` in space, from which the plane
+/// follows, or `respond(plane, strain, memory)`, of the plane alone unless it `acts_across`.
 template <class L>
 concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& strain, const PlasticMemory& memory) {
   { law.young } -> std::convertible_to<double>;
   { law.poisson } -> std::convertible_to<double>;
   { law.damping } -> std::convertible_to<double>;
   { L::is_elastic } -> std::convertible_to<bool>;
-  requires L::is_elastic || requires {
+  requires L::is_elastic || TensorLaw<L> || requires {
     { law.respond(Plane::strain, strain, memory) } -> std::same_as<PointResponse>;
   };
 };
@@ -77,6 +79,11 @@ inline Stress point_stress(const Solid& solid, const PlaneVector& strain, const 
   const PlaneVector elastic = strain - PlaneVector(memory.xx, memory.yy, memory.xy);
   return std::visit([&](const auto& l) { return elastic_stress(l.young, l.poisson, solid.plane, elastic, memory.zz); },
                     solid.law);
+}
+
+/// Whether a solid has equations in space.
+inline bool has_space_form(const SolidLaw& law) {
+  return std::visit([](const auto& l) { return acts_in_space<std::decay_t<decltype(l)>>; }, law);
 }
 
 /// "linear_elastic{E=...}, plane stress".

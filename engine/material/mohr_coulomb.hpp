@@ -28,6 +28,7 @@ struct MohrCoulomb {
   static constexpr std::string_view name = "mohr_coulomb";
   static constexpr std::string_view sentence = "friction and cohesion with a tension cut-off";
   static constexpr bool is_elastic = false;
+  static constexpr bool acts_across = true;  ///< see material/tensor_form.hpp
   static constexpr auto parameters() {
     using P = Parameter<MohrCoulomb>;
     return std::array{

@@ -1,4 +1,4 @@
-// Strain and stress at one point of a solid in the plane.
+// Strain and stress at one point of a solid, in the plane and in space.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,6 +32,27 @@ struct PointResponse {
   double stored = 0;      ///< elastic energy [J/m3]
   double dissipated = 0;  ///< plastic work of this step, never negative [J/m3]
 };
+
+/// xx, yy, zz, xy, yz, zx of stress [Pa], or of strain with engineering shears [1].
+using SpaceVector = Eigen::Matrix<double, 6, 1>;
+using SpaceMatrix = Eigen::Matrix<double, 6, 6>;
+
+/// What an inelastic point in space remembers: its plastic strain (shears engineering) and the law's measure of it.
+struct SpaceMemory {
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+  double measure = 0;
+  [[nodiscard]] SpaceVector strain() const { return (SpaceVector() << xx, yy, zz, xy, yz, zx).finished(); }
+};
+
+/// Answer of a law in space, as PointResponse.
+struct SpaceResponse {
+  SpaceVector stress;
+  SpaceMemory memory;
+  double stored = 0, dissipated = 0;  ///< [J/m3]
+};
+
+/// Elastic matrix of an isotropic solid in space [Pa].
+SpaceMatrix elastic_in_space(double young, double poisson);
 
 /// Elastic matrix of an isotropic solid: stress (xx, yy, xy) per strain (xx, yy, xy engineering) [Pa].
 inline Eigen::Matrix3d elastic_matrix(double young, double poisson, Plane plane) {

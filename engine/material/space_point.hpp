@@ -1,13 +1,15 @@
-// Strain and stress at one point of a solid in space, by the laws that are written for the plane.
+// Strain and stress at one point of a solid in space.
 //
-// All laws here are isotropic: what they do is done along the principal axes of the elastic strain of the trial, in
-// which there is no shear. There a law of plane strain is asked for the strains e1, e2 in its plane, with -e3 as what
-// has flown across: its elastic strain across is then e3. What flows comes back along the same axes. So a law is
-// written once, and is in space what it is in plane strain, to rounding.
+// A law of tensor form (material/tensor_form.hpp) is asked as it is. A law that is written for plane strain and whose
+// `acts_across` says that it treats the strain across as the two in its plane is isotropic: what it does is done along
+// the principal axes of the elastic strain of the trial, in which there is no shear. There it is asked for the strains
+// e1, e2 in its plane, with -e3 as what has flown across: its elastic strain across is then e3. What flows comes back
+// along the same axes. A law of the plane alone is refused in space as its body is added.
 #pragma once
 
 #include <Eigen/Core>
 
+#include <stdexcept>
 #include <type_traits>
 
 #include "base/principal_axes.hpp"
@@ -15,30 +17,11 @@
 
 namespace trilith {
 
-/// xx, yy, zz, xy, yz, zx of stress [Pa], or of strain with engineering shears [1].
-using SpaceVector = Eigen::Matrix<double, 6, 1>;
-using SpaceMatrix = Eigen::Matrix<double, 6, 6>;
-
-/// What an inelastic point in space remembers: its plastic strain (shears engineering) and the law's measure of it.
-struct SpaceMemory {
-  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
-  double measure = 0;
-  [[nodiscard]] SpaceVector strain() const { return (SpaceVector() << xx, yy, zz, xy, yz, zx).finished(); }
-};
-
 /// Of a point in D dimensions.
 template <int D>
 using PointMemory = std::conditional_t<D == 2, PlasticMemory, SpaceMemory>;
 
-/// Answer of a law in space, as PointResponse.
-struct SpaceResponse {
-  SpaceVector stress;
-  SpaceMemory memory;
-  double stored = 0, dissipated = 0;  ///< [J/m3]
-};
-
 /// Elastic matrix of an isotropic solid in space [Pa].
-SpaceMatrix elastic_in_space(double young, double poisson);
 SpaceMatrix elastic_in_space(const Solid& solid);
 
 /// Stress of `strain` less the plastic strain of `memory`, without further flow [Pa].
@@ -47,9 +30,9 @@ SpaceVector stress_in_space(const Solid& solid, const SpaceVector& strain, const
 /// Of a strain with engineering shears.
 Eigen::Matrix3d tensor_of_strain(const SpaceVector& strain);
 
-/// What `law` answers at a strain with the memory of before.
+/// What a law that acts across its plane answers at a strain with the memory of before.
 template <class Law>
-SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const SpaceMemory& before) {
+SpaceResponse respond_along_axes(const Law& law, const SpaceVector& strain, const SpaceMemory& before) {
   const Eigen::Matrix3d elastic = tensor_of_strain(strain - before.strain());
   const PrincipalAxes p = principal_axes(elastic, 1e-17 * elastic.cwiseAbs().maxCoeff());
   const PlasticMemory across{0, 0, -p.value[2], 0, before.measure};
@@ -64,6 +47,17 @@ SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const 
                 before.yz + 2 * e(1, 2), before.zx + 2 * e(2, 0), r.memory.measure};
   out.stored = r.stored, out.dissipated = r.dissipated;
   return out;
+}
+
+/// What `law` answers at a strain with the memory of before: of a law that acts in space.
+template <class Law>
+SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const SpaceMemory& before) {
+  if constexpr (TensorLaw<Law>)
+    return law.respond(strain, before);
+  else if constexpr (acts_in_space<Law>)
+    return respond_along_axes(law, strain, before);
+  else
+    throw std::logic_error("a solid of the plane alone is asked in space");
 }
 
 }  // namespace trilith

@@ -144,7 +144,8 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
       const double* const point = k + element_stiffness_numbers + p * element_point_numbers;
       const double volume = point[24];
       // Strain of the whole deformation in, plastic strain of the last commit out of State; the new one is a trial.
-      const PointResponse r = law.respond(plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
+      const PointResponse r =
+          respond_in_plane(law, plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
       pass.work.plastic[e.first_point + p] = r.memory;
       // Each point stands for `volume` of the element.
       energy.stored += volume * r.stored, energy.plastic += volume * r.dissipated;

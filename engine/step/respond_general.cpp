@@ -80,9 +80,7 @@ struct GeneralPass {
     return is_plain_friction(model.laws[pair.law]) && !pair.replaced &&
            (memory.empty() || (memory.state & contact_general) != 0);
   }
-  [[nodiscard]] Coulomb friction_of(int law) const {
-    return with_kernel(law_in_use(model, law, dt), [](const Coulomb& kernel) { return kernel; });
-  }
+  [[nodiscard]] PlainFriction friction_of(int law) const { return plain_friction(law_in_use(model, law, dt)); }
   void fetch_pairs(std::span<const int> rows) const;
   void fetch(std::span<const int> rows) const;
   void respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* force) const;

@@ -313,10 +313,10 @@ void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answe
 /// What faces that lie flat ask of the laws.
 void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
   numbers.clear();
-  for (const ContactLaw& law : model.laws)
-    with_kernel({law, model.thickness, 0}, [&](const Coulomb& k) {
-      numbers.push_back({k.kn, k.ks, k.mu, k.beta, is_linear(law)});
-    });
+  for (const ContactLaw& law : model.laws) {
+    const PlainFriction k = plain_friction({law, model.thickness, 0});
+    numbers.push_back({k.kn, k.ks, k.mu, k.beta, is_linear(law) && has_closed_form(law)});
+  }
 }
 
 }  // namespace

@@ -87,16 +87,17 @@ double of_general(const Model<2>& model, const State<2>& state, const ContactHis
   const Ways way(rate, slip(a.mean(), b.mean()), dt);
   if (way.back == 0) return 0;
   const ContactMemory &m = before.memory[g.row], &now = work.contacts.memory[g.row];
-  const Coulomb law = with_kernel(law_in_use(model, p.law, dt), [](const Coulomb& kernel) { return kernel; });
   HalfResponse<double> out{};
   out.normal = g.force.norm();
   HalfState<double> half{};
   half.length = g.size, half.slip_mean = way.on / dt;
-  law.slide(half, g.size,
-            {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]},
-            out);
-  half.slip_rate = rate, half.slip_mean = way.back / dt;
-  law.slide(half, g.size, {out.shear_elastic, out.shear_total, out.active}, out);
+  with_kernel(law_in_use(model, p.law, dt), [&](const auto& law) {
+    const ShearBefore<double> both{m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1],
+                                   m.active[0] + m.active[1]};
+    slide_unbonded(law, half, g.size, both, out);
+    half.slip_rate = rate, half.slip_mean = way.back / dt;
+    slide_unbonded(law, half, g.size, {out.shear_elastic, out.shear_total, out.active}, out);
+  });
   return 0.5 * std::abs((now.shear_total[0] + now.shear_total[1] - out.shear_total) * way.back);
 }
 
@@ -138,9 +139,12 @@ double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& wo
   const Ways way(size, mean.dot(rate) / size, dt);
   if (way.back == 0) return 0;
   const LawInUse use{model.laws[p.law], model.thickness, dt};
-  const Coulomb law = with_kernel(use, [](const Coulomb& kernel) { return kernel; });
+  const PlainFriction law = plain_friction(use);
+  const double held = with_kernel(use, [&](const auto& kernel) {
+    return friction_limit_of(kernel, g.force.norm(), area.area, [&] { return size; });
+  });
   const Vec3 back = way.back / size * rate, on = dt * mean - back;
-  const AreaLimit limit(law.mu * g.force.norm(), n, g.centre - area.middle, area.radius, area.friction_arm, area.arm);
+  const AreaLimit limit(held, n, g.centre - area.middle, area.radius, area.friction_arm, area.arm);
   const SlidingForce& before = contacts_before(state, work).memory[g.row].shear;
   const SlidingForce turned =
       slide({on, Vec3::Zero(), limit}, limit, area.area, before, {law.ks, law.beta, dt - way.time_back}).force;

@@ -207,7 +207,7 @@ Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   if (!whole) return model;
   model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});
-  rules_.fill(model);
+  attempt(faults, [&] { rules_.fill(model); });
   find_thickness(model);
   if (!model.skin_after.empty()) fill_lines(model);
   return model;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/nearest.hpp"
+#include "contact/form_check.hpp"
 #include "world/missing_laws.hpp"
 #include "world/names.hpp"
 #include "world/usual.hpp"
@@ -92,6 +93,50 @@ std::vector<const Body*> ContactRules::assign_surfaces(Model<D>& model) const {
   return example;
 }
 
+namespace {
+
+/// The geometries in which two bodies may meet.
+std::vector<ContactForm> meeting_forms(const Model<2>& /*model*/, const Body& /*a*/, const Body& /*b*/) {
+  return {ContactForm::plane_faces, ContactForm::polygons};
+}
+std::vector<ContactForm> meeting_forms(const Model<3>& model, const Body& a, const Body& b) {
+  bool sphere = false;
+  for (const Body* body : {&a, &b})
+    for (int p = body->first_piece; p < body->first_piece + body->pieces; ++p)
+      sphere = sphere || model.piece_solid[static_cast<std::size_t>(p)].is_sphere();
+  std::vector<ContactForm> forms{ContactForm::flat_faces, ContactForm::polyhedra};
+  if (sphere) forms.push_back(ContactForm::spheres);
+  return forms;
+}
+
+}  // namespace
+
+/// One line for each law, by the first two bodies for which it does not hold as it is written. A surface that one body
+/// has alone meets itself nowhere.
+template <int D>
+void ContactRules::require_whole_laws(const Model<D>& model, const std::vector<const Body*>& example) const {
+  std::vector<const Body*> second(example.size(), nullptr);
+  for (const Body& body : model.bodies)
+    if (const auto s = static_cast<std::size_t>(body.surface); &body != example[s] && second[s] == nullptr)
+      second[s] = &body;
+  std::set<int> told;
+  std::string faults;
+  for (std::size_t i = 0; i < example.size(); ++i)
+    for (std::size_t j = i; j < example.size(); ++j) {
+      const int law = model.law_of[i * example.size() + j];
+      const Body* const other = i == j ? second[i] : example[j];
+      if (law < 0 || other == nullptr || told.contains(law)) continue;
+      const auto& [name, numbers] = laws_[static_cast<std::size_t>(law)];
+      const std::string refusal = form_refusal(numbers, meeting_forms(model, *example[i], *other));
+      if (refusal.empty()) continue;
+      told.insert(law);
+      faults += fmt::format("{}contact law '{}' ({}) between '{}' and '{}': {}", faults.empty() ? "" : "\n", name,
+                            std::visit([](const auto& l) { return l.name; }, numbers), example[i]->name, other->name,
+                            refusal);
+    }
+  if (!faults.empty()) throw InputError(faults);
+}
+
 /// Of each pair of surfaces the last statement that fits both gives the law.
 template <int D>
 void ContactRules::fill(Model<D>& model) const {
@@ -112,6 +157,7 @@ void ContactRules::fill(Model<D>& model) const {
         model.law_of[static_cast<std::size_t>(j * model.surfaces + i)] = index;
       }
   }
+  require_whole_laws(model, example);
 }
 
 /// A statement about a name that nothing has would never hold. Hundreds of bodies are no help in a message, so the hint

@@ -33,7 +33,8 @@ class ContactRules {
     }
     check_sides(std::move(known), names, faults);
   }
-  /// Writes laws, surfaces and their table into a model whose bodies have names, materials and groups.
+  /// Writes laws, surfaces and their table into a model whose bodies have names, materials and groups. Throws
+  /// InputError for a law of which not all equations act between bodies that it holds for.
   template <int D>
   void fill(Model<D>& model) const;
 
@@ -46,6 +47,9 @@ class ContactRules {
 
   template <int D>
   std::vector<const Body*> assign_surfaces(Model<D>& model) const;
+  /// Throws InputError where a geometry in which two bodies may meet leaves out equations of their law.
+  template <int D>
+  void require_whole_laws(const Model<D>& model, const std::vector<const Body*>& example) const;
 
   std::vector<std::pair<std::string, ContactLaw>> laws_;
   std::map<std::string, int> law_rows_;  ///< rows of laws_ by name

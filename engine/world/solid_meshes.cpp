@@ -10,12 +10,26 @@
 namespace trilith {
 namespace {
 
+/// A solid that is written for the plane alone would answer the strain across by chance of its axes.
+void require_space_form(const Solid& solid, const std::string& owner) {
+  if (has_space_form(solid.law)) return;
+  std::string others;
+  SolidLaws::for_each([&]<class L>() {
+    if constexpr (acts_in_space<L>) others += fmt::format("{}{}", others.empty() ? "" : ", ", L::name);
+  });
+  throw InputError(fmt::format(
+      "{} is {}, which has equations of plane stress and plane strain alone, none of elements in space; use one of {}, "
+      "or give it respond(strain, memory) of space (material/tensor_form.hpp)",
+      owner, std::visit([](const auto& l) { return l.name; }, solid.law), others));
+}
+
 const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& spec, const std::string& owner) {
   const auto found =
       std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == spec.material; });
   if (found == materials.end() || !found->solid)
     throw InputError(fmt::format("{}: it deforms, so it needs a material with a stiffness (E, nu); {} has none", owner,
                                  spec.material.empty() ? "it" : "'" + spec.material + "'"));
+  require_space_form(*found->solid, fmt::format("{}: its material '{}'", owner, spec.material));
   return *found->solid;
 }
 

@@ -189,7 +189,7 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
     model.bodies[b].material = bodies_[b].material, model.bodies[b].groups = bodies_[b].groups;
     set_up(bodies_[b], model, model.bodies[b]);
   }
-  rules_.fill(model);
+  attempt(faults, [&] { rules_.fill(model); });
   complete_space(model);
   attempt(faults, [&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
   model.impact_speed = impact_speed, model.apart_time = apart_time;

@@ -141,7 +141,7 @@ void check_corners(bool both) {
   std::mt19937_64 bits(71);
   const Frictional law{1e8, 5e7, 0.6, 1e-3};
   const double dt = 1e-4;
-  const Coulomb kernel(law, 1, dt);
+  const PlainFriction kernel(law, 1, dt);
   int found = 0, answered = 0, missed = 0, as_b = 0;
   for (int round = 0; round < 1500; ++round) {
     std::vector<StoneMeeting> meetings;
@@ -203,7 +203,7 @@ TEST_CASE("a corner of each piece in the other gives what the contact of any sha
 
 TEST_CASE("a corner that is not below the face it is said to be below is not answered") {
   const Frictional law{1e8, 5e7, 0.6, 1e-3};
-  const Coulomb kernel(law, 1, 1e-4);
+  const PlainFriction kernel(law, 1, 1e-4);
   const LooseStone floor({{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, {0, -0.5}, Vec2::Zero(), 0);
   const auto stone = [](double lift) {
     return LooseStone({{0, lift}, {0.2, 0.2 + lift}, {0, 0.4 + lift}, {-0.2, 0.2 + lift}}, {0, 0.2 + lift}, {0, -1}, 0);

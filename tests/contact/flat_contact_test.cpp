@@ -31,7 +31,7 @@ MovingInLanes moving(const MovingSolid& of) {
 
 /// All lanes alike.
 FlatContacts flat_contact(const MovingSolid& a, const MovingSolid& b, const FacePair& pair, const SolidMemory& m,
-                          const Coulomb& law) {
+                          const PlainFriction& law) {
   FlatContacts in;
   FaceRoom room_a, room_b;
   const PlacedFace face_a = face_of(a.placed, pair.a, room_a), face_b = face_of(b.placed, pair.b, room_b);
@@ -75,10 +75,10 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
   SolidRoom room;
   for (int step = 0; step < 30 && flat_faces(laid.a, laid.b, faces); ++step) {
     const MovingSolid a = laid.lower(), b = laid.upper();
-    const SolidPressure pressed = with_kernel(use, [&](const Coulomb& k) { return face_pressure(a, b, k, faces); });
+    const SolidPressure pressed = face_pressure(a, b, plain_friction(use), faces);
     const SolidResponse r = respond_solids(a, b, memory, use, pressed, room);
     FlatResponses four;
-    with_kernel(use, [&](const Coulomb& k) { respond_flat(flat_contact(a, b, pair, memory, k), four); });
+    respond_flat(flat_contact(a, b, pair, memory, plain_friction(use)), four);
     REQUIRE((four.flat[0] != 0));
     REQUIRE((four.rough[0] == 0));
     REQUIRE((four.presses[0] != 0) == r.touching);
@@ -159,7 +159,7 @@ FlatContacts rubbed(std::mt19937_64& bits, double tilt, const ContactLaw& law) {
     FlatContacts in;
     for (int step = 0; step < 3; ++step) {
       FlatResponses out;
-      with_kernel(use, [&](const Coulomb& k) { in = flat_contact(laid.lower(), laid.upper(), pair, memory, k); });
+      in = flat_contact(laid.lower(), laid.upper(), pair, memory, plain_friction(use));
       respond_flat(in, out);
       if (out.flat[0] == 0 || out.presses[0] == 0) break;
       const FlatMemory& m = out.memory;

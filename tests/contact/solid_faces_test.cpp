@@ -27,8 +27,7 @@ TEST_CASE("flat faces press as the volume they share does") {
       solid_overlap(laid.a, laid.b, shared);
       const LawInUse use{law};
       const SolidPressure whole = solid_pressure(laid.lower(), laid.upper(), use, shared);
-      const SolidPressure face =
-          with_kernel(use, [&](const Coulomb& k) { return face_pressure(laid.lower(), laid.upper(), k, faces); });
+      const SolidPressure face = face_pressure(laid.lower(), laid.upper(), plain_friction(use), faces);
       // The bands along the rim are as wide as the overlap is deep.
       const double within = 2e-3, size = std::max(whole.force.norm(), 1.0);
       CHECK((face.force - whole.force).norm() <= within * size);
@@ -41,7 +40,7 @@ TEST_CASE("flat faces press as the volume they share does") {
       CHECK(near(face.area, whole.area, 1e-2));
       CHECK(near(face.radius, whole.radius, 1e-2));
       CHECK(near(face.friction_arm, whole.friction_arm, 1e-2));
-      const double energy = with_kernel(use, [&](const Coulomb& k) { return face_energy(k, faces); });
+      const double energy = face_energy(plain_friction(use), faces);
       CHECK(near(energy, solid_energy(laid.a, laid.b, use, shared, cell), 1e-2));
     }
     CHECK(flat > 200);
@@ -59,10 +58,9 @@ TEST_CASE("force and moment of flat faces are the gradient of their energy, but 
     const auto pressed = [&](const PlacedSolid& b) {
       FaceOverlap3 f;
       REQUIRE(flat_faces(laid.a, b, f));
-      return with_kernel(use, [&](const Coulomb& k) { return face_energy(k, f); });
+      return face_energy(plain_friction(use), f);
     };
-    const SolidPressure p =
-        with_kernel(use, [&](const Coulomb& k) { return face_pressure(laid.lower(), laid.upper(), k, faces); });
+    const SolidPressure p = face_pressure(laid.lower(), laid.upper(), plain_friction(use), faces);
     const Vec3 n = faces.plane.normal;
     const double h = 1e-8;
     PlacedSolid up = laid.b, down = laid.b;
