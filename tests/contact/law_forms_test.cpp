@@ -17,13 +17,15 @@ namespace {
 
 /// Overlaps over the metre of the blocks: bands along the rims, where another face is the nearest, are as wide as the
 /// overlap is deep, and the pressure of a law that is not linear is sampled where the contact ends.
-constexpr double within = 1e-3;
-constexpr double overlap = 2e-5, speed = 0.2, dt = 1e-3;
+constexpr double trial_within = 1e-3;
+constexpr double trial_overlap = 2e-5, trial_speed = 0.2, trial_step = 1e-3;
 
 /// The same pair, even; tilted and closed all along; and tilted so that three tenths of it are open.
-constexpr std::array<Lie, 3> lies{{{overlap, 0, speed, dt}, {overlap, 2e-5, speed, dt}, {overlap, 1e-4, speed, dt}}};
+constexpr std::array<Lie, 3> trial_lies{{{trial_overlap, 0, trial_speed, trial_step},
+                                         {trial_overlap, 2e-5, trial_speed, trial_step},
+                                         {trial_overlap, 1e-4, trial_speed, trial_step}}};
 
-void tell(std::string_view law, std::string_view geometry, const Lie& lie, const Carried& at, const Carried& of) {
+void tell_law(std::string_view law, std::string_view geometry, const Lie& lie, const Carried& at, const Carried& of) {
   if (std::getenv("TRILITH_TABLE") == nullptr) return;
   fmt::print("{:13} {:34} tilt {:7.1e}  N {:11.5g} N  T {:11.5g} N  stored {:9.3g} J  difference {:8.1e}\n", law,
              geometry, lie.tilt, at.normal, at.shear, at.stored,
@@ -32,7 +34,7 @@ void tell(std::string_view law, std::string_view geometry, const Lie& lie, const
 }
 
 template <class K>
-Carried carried(const ContactLaw& law, const Lie& lie, ContactForm form) {
+Carried carried_by(const ContactLaw& law, const Lie& lie, ContactForm form) {
   switch (form) {
     case ContactForm::plane_faces:
       return as_plane_faces<K>(law, lie);
@@ -54,12 +56,13 @@ bool lifts(const L& law) {
   return false;
 }
 
-void check_same(const Carried& found, const Carried& expected, bool lifts) {
-  CHECK(near(found.normal, expected.normal, within));
-  CHECK(near_zero(found.shear - expected.shear, within * (std::abs(expected.shear) + 1e-9 * expected.normal)));
-  CHECK(near(found.stored, expected.stored, 2 * within));
+void check_same_carried(const Carried& found, const Carried& expected, bool lifts) {
+  CHECK(near(found.normal, expected.normal, trial_within));
+  CHECK(near_zero(found.shear - expected.shear, trial_within * (std::abs(expected.shear) + 1e-9 * expected.normal)));
+  CHECK(near(found.stored, expected.stored, 2 * trial_within));
   if (lifts) return;
-  CHECK(near_zero(found.taken - expected.taken, 2 * within * (std::abs(expected.taken) + 1e-9 * expected.stored)));
+  CHECK(
+      near_zero(found.taken - expected.taken, 2 * trial_within * (std::abs(expected.taken) + 1e-9 * expected.stored)));
 }
 
 /// A law of which friction remains holds faces that are open in its own way.
@@ -74,7 +77,7 @@ void try_law(const L& numbers) {
   using K = typename L::Kernel;
   const ContactLaw law = numbers;
   INFO(describe(numbers));
-  for (const Lie& lie : lies) {
+  for (const Lie& lie : trial_lies) {
     if (!compares<K>(lie)) continue;
     const Carried faces = as_plane_faces<K>(law, lie);
     REQUIRE(faces.normal > 0);
@@ -83,9 +86,9 @@ void try_law(const L& numbers) {
       const std::string_view name = contact_form_names[static_cast<std::size_t>(form)];
       INFO(name << ", tilt " << lie.tilt);
       if (!left_out<K>(form).empty()) continue;
-      const Carried found = carried<K>(law, lie, form);
-      tell(L::name, name, lie, found, faces);
-      check_same(found, faces, lifts(numbers));
+      const Carried found = carried_by<K>(law, lie, form);
+      tell_law(L::name, name, lie, found, faces);
+      check_same_carried(found, faces, lifts(numbers));
     }
   }
 }
@@ -97,18 +100,18 @@ void try_ball(const L& numbers) {
   const ContactLaw law = numbers;
   INFO(describe(numbers));
   if (!left_out<K>(ContactForm::spheres).empty()) return;
-  const Lie lie{overlap, 0, speed, dt};
-  const auto even = [&](double depth) { return as_plane_faces<K>(law, {depth, 0, 0, dt}); };
+  const Lie lie{trial_overlap, 0, trial_speed, trial_step};
+  const auto even = [&](double depth) { return as_plane_faces<K>(law, {depth, 0, 0, trial_step}); };
   Carried rings = rings_of_ball(
-      overlap, [&](double d) { return even(d).normal; }, [&](double d) { return even(d).stored; });
+      trial_overlap, [&](double d) { return even(d).normal; }, [&](double d) { return even(d).stored; });
   const Carried found = as_ball(law, lie), slid = as_plane_faces<K>(law, lie);
   rings.shear = rings.normal * slid.shear / slid.normal;
-  tell(L::name, contact_form_names[4], lie, found, rings);
-  CHECK(near(found.normal, rings.normal, within));
-  CHECK(near(found.stored, rings.stored, 2 * within));
+  tell_law(L::name, contact_form_names[4], lie, found, rings);
+  CHECK(near(found.normal, rings.normal, trial_within));
+  CHECK(near(found.stored, rings.stored, 2 * trial_within));
   // Of a friction that goes by the pressure the mean of the disc counts.
   if constexpr (!has_own_friction<K>)
-    CHECK(near_zero(found.shear - rings.shear, within * (std::abs(rings.shear) + 1e-9 * rings.normal)));
+    CHECK(near_zero(found.shear - rings.shear, trial_within * (std::abs(rings.shear) + 1e-9 * rings.normal)));
 }
 
 }  // namespace
