@@ -119,7 +119,11 @@ void ContactRules::require_whole_laws(const Model<D>& model, const std::vector<c
   for (const Body& body : model.bodies)
     if (const auto s = static_cast<std::size_t>(body.surface); &body != example[s] && second[s] == nullptr)
       second[s] = &body;
+  // Nothing more is asked of laws that act everywhere.
   std::set<int> told;
+  for (std::size_t law = 0; law < laws_.size(); ++law)
+    if (form_refusal(laws_[law].second, contact_forms).empty()) told.insert(static_cast<int>(law));
+  if (told.size() == laws_.size()) return;
   std::string faults;
   for (std::size_t i = 0; i < example.size(); ++i)
     for (std::size_t j = i; j < example.size(); ++j) {
