@@ -14,9 +14,11 @@
 //     y = (1 - B Jf)^-1 B (T' f + T' D a of what is driven),     Jf = T' D T of the free directions
 //
 // after Sherman, Morrison and Woodbury, so no system is to be solved. Where nothing is held that is
-// y = (J^-1 - Jl^-1) (moment of f), and in space what w x J w asks. K T = 0, so the frequencies of the element are what
-// they were; contacts, whose frequency on the lumped masses is n, have n Jl/J at most on the rotation: the step is that
-// of max(n + e, n Jl/J), e of the element.
+// y = (J^-1 - Jl^-1) (moment of f). In space T, J and Jl turn with the body: the angular momentum J s, with s the spin
+// Jl^-1 T' D v, follows the moment only with B ( ) + Jl^-1 (J Jl^-1 (s x Jl s) - s x J s) for B ( ) in y. That is 0
+// where J is a multiple of Jl, as of parallelepipeds and tetrahedra, and does no work. K T = 0, so the frequencies of
+// the element are what they were; contacts, whose frequency on the lumped masses is n, have n Jl/J at most on the
+// rotation: the step is that of max(n + e, n Jl/J), e of the element.
 #pragma once
 
 #include <Eigen/LU>
@@ -54,6 +56,7 @@ template <int D>
 struct RotaryInertia {
   Vec<D> centre;
   TurnMatrix<D> lumped, own;  ///< Jl, J [kg m2]
+  double multiple = 0;        ///< Jl over J in space where they are alike, else 0
 
   [[nodiscard]] TurnMatrix<D> taken_off() const {
     const TurnMatrix<D> back = lumped.inverse();
@@ -81,7 +84,8 @@ template <int D>
 void add_rotary_inertia(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
                         bool all_count, std::vector<Vec<D>>& added);
 
-/// What it adds to the kinetic energy as the ledger of explicit steps has it, half of v(-) M v(+) [J].
+/// What it adds to the kinetic energy as the ledger of explicit steps has it, half of v(-) M v(+) [J]. 0 where the step
+/// to come does without it, as its forces have not been added.
 template <int D>
 double rotary_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options);
 

@@ -16,6 +16,7 @@
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
+#include "step/mass_scaling.hpp"
 #include "step/stable_step.hpp"
 #include "world/builder.hpp"
 
@@ -109,6 +110,7 @@ void bench_wall(int courses, double dt, double seconds) {
     if (i % 32 == 0) stable_step(model, state, work);
     if (i % 1000 == 0) tell(wall + ", shaken", static_cast<double>(i) / steps);
     if (i % 100 == 0) pairs += touching(work), general += static_cast<double>(work.general_touching.size());
+    add_inertia(model, state, work, {dt, {}});
     commit(model, state, work);
     advance(model, state, work, {dt, {}});
   }

@@ -56,6 +56,21 @@ for name, points in pairs(shapes) do
   end
 end
 
+-- In space a brick about each axis.
+for axis = 1, 3 do
+  local sides = { 1, 2, 0.5 }
+  local spin = { 0, 0, 0 }
+  spin[axis] = 2
+  local m = free(3)
+  local b = m:block { name = "b", size = sides, at = { 0, 0, 0 }, material = "s", body = "brick", floating = true,
+    spin = spin }
+  local inertia = b.mass/12*(sides[axis % 3 + 1]^2 + sides[(axis + 1) % 3 + 1]^2)
+  near(m.energy.kinetic, 0.5*inertia*4, 1e-9, "brick")
+  m:run { duration = 0.1, integrator = "explicit" }
+  near(m.energy.kinetic, 0.5*inertia*4, 2e-3, "brick")
+  assert(math.abs(m.energy.residual) < 1e-3*m.energy.kinetic, m.energy.residual)
+end
+
 -- Pinned at one corner it swings as a compound pendulum: only some of its nodes are held.
 do
   local w, h = 1, 2

@@ -63,7 +63,8 @@ do
   local path = os.tmpname() .. ".h5"
   m:results { file = path, frames = 0.01 }
   local plain = m:run { duration = 0.005, damping = 0.8 }
-  local step = 4*plain.longest_dt
+  -- The lone brick turns by its own rotary inertia, on which contacts are three times as stiff as on its nodes.
+  local step = 3.5*plain.longest_dt
   assert(plain.mass_scaling == nil)
   local report = m:run { name = "longer", duration = 0.01, damping = 0.8, mass_scaling = { step = step } }
   local scaled = report.mass_scaling

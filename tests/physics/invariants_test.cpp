@@ -10,6 +10,7 @@
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
+#include "step/mass_scaling.hpp"
 #include "step/stable_step.hpp"
 #include "step/start.hpp"
 #include "world/checkpoint.hpp"
@@ -61,6 +62,7 @@ Trace follow(const Model<2>& model, State<2> state, double duration, int drop_ev
     trace.most_general = std::max(trace.most_general, static_cast<int>(work.general_touching.size()));
     for (const FaceBatch& b : work.batches) trace.chosen = std::max(trace.chosen, static_cast<int>(b.choice.size()));
     if (state.step % 32 == 0) state.dt = settled_step(stable_step(model, state, work).dt, 0.5);
+    add_inertia(model, state, work, {state.dt, {}});
     commit(model, state, work);
     advance(model, state, work, {state.dt, {}});
     for (const Event& e : work.events) trace.events.push_back(line_of(e));

@@ -81,6 +81,7 @@ TEST_CASE("bricks whose joints open and close have the same bits on any number o
       evaluate(model, state, work, state.last_dt);
       runs = std::max(runs, work.general_runs.size());
       for (const GeneralRun<3>& run : work.general_runs) later = std::max(later, run.later.size());
+      add_inertia(model, state, work, options);
       commit(model, state, work);
       advance(model, state, work, options);
     }

@@ -11,6 +11,7 @@
 #include "step/central_difference.hpp"
 #include "step/commit.hpp"
 #include "step/evaluate.hpp"
+#include "step/mass_scaling.hpp"
 #include "world/energy.hpp"
 #include "world/space_builder.hpp"
 
@@ -39,13 +40,13 @@ class SolidRun {
   SolidRun(const Model<3>& model, double dt) : SolidRun(model, initial_state(model), dt) {}
   SolidRun(const Model<3>& model, const State<3>& state, double dt) : model_(model), state_(state) {
     options_.dt = dt;
-    evaluate(model_, state_, work_, state_.last_dt);
+    look();
   }
   /// Forces are those of the state before and after.
   void step() {
     commit(model_, state_, work_);
     advance(model_, state_, work_, options_);
-    evaluate(model_, state_, work_, state_.last_dt);
+    look();
   }
   void run(double seconds) {
     const auto count = static_cast<int>(std::lround(seconds / options_.dt));
@@ -66,7 +67,7 @@ class SolidRun {
     return false;
   }
   StepOptions& options() { return options_; }
-  void drop_work() { work_ = {}, evaluate(model_, state_, work_, state_.last_dt); }
+  void drop_work() { work_ = {}, look(); }
   Model<3>& model() { return model_; }
   [[nodiscard]] const Model<3>& model() const { return model_; }
   State<3>& state() { return state_; }
@@ -110,6 +111,11 @@ class SolidRun {
   }
 
  private:
+  /// All forces that the step to come goes by, as Simulation finds them.
+  void look() {
+    evaluate(model_, state_, work_, state_.last_dt);
+    add_inertia(model_, state_, work_, options_);
+  }
   Model<3> model_;
   State<3> state_;
   Work<3> work_;

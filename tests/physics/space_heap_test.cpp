@@ -40,10 +40,11 @@ TEST_CASE("a heap of deformable and rigid stones has the same bits on any number
     Work<3> work;
     work.threads = threads;
     for (int i = 0; i < 4500; ++i) {
-      evaluate(model, state, work, state.last_dt);
-      commit(model, state, work);
       StepOptions options;
       options.dt = heap_step;
+      evaluate(model, state, work, state.last_dt);
+      add_inertia(model, state, work, options);
+      commit(model, state, work);
       advance(model, state, work, options);
       if (threads == 1 && i == 3000) {
         const auto words = state_words(state);
