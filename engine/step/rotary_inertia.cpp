@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -257,20 +256,15 @@ RotaryInertia<3> rotary_inertia(const Model<3>& model, const State<3>& state, in
   const Body& b = model.bodies[body];
   const Lumped<3> lumped = lumped_inertia(model, state, b);
   RotaryInertia<3> out{lumped.centre, lumped.inertia, {}};
-  if (b.nodes == 4) {
-    out.multiple = 5, out.own = lumped.inertia / 5;
-    return out;
-  }
+  if (b.nodes == 4) return {lumped.centre, lumped.inertia, lumped.inertia / 5, 5};
   const SpaceElement* element = only_element(model.space_elements, body);
   std::array<Vec3, 8> arm;
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = 0; i < 8; ++i) arm[i] = state.position[element->node[i]], mean += 0.125 * arm[i];
   for (Vec3& a : arm) a -= mean;
   const BrickShape shape(arm);
-  if (shape.is_parallelepiped())
-    out.multiple = 3, out.own = lumped.inertia / 3;
-  else
-    out.own = lumped.mass * brick_inertia(shape, lumped.centre - mean);
+  if (shape.is_parallelepiped()) return {lumped.centre, lumped.inertia, lumped.inertia / 3, 3};
+  out.own = lumped.mass * brick_inertia(shape, lumped.centre - mean);
   return out;
 }
 
