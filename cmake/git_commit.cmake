@@ -6,7 +6,7 @@ if(GIT)
   execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --abbrev=12 --exclude=* --dirty=+
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()
-set(text "#include \"results/provenance.hpp\"\n\nnamespace trilith::results {\nconst char* built_from() {\n  return \"${commit}\";\n}\n}  // namespace trilith::results\n")
+set(text "#include \"results/file/provenance.hpp\"\n\nnamespace trilith::results {\nconst char* built_from() {\n  return \"${commit}\";\n}\n}  // namespace trilith::results\n")
 set(there "")
 if(EXISTS ${OUT})
   file(READ ${OUT} there)

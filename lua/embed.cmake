@@ -10,7 +10,7 @@ foreach(file IN LISTS FILES)
   string(APPEND rows "    {\"${name}\", R\"lua(${text})lua\"},\n")
 endforeach()
 file(WRITE "${OUT}.new" "// Made from lua/lib by lua/embed.cmake.
-#include \"open.hpp\"
+#include \"bindings/core/open.hpp\"
 
 namespace trilith::script {
 

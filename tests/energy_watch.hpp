@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "model/check/energy_check.hpp"
 #include "run/simulation.hpp"
-#include "world/energy_check.hpp"
 
 namespace trilith::testing {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/lanes.hpp"
+#include "base/simd/lanes.hpp"
 
 namespace trilith {
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/lanes.hpp"
 #include "base/portable.hpp"
-#include "base/portable_lanes.hpp"
+#include "base/simd/lanes.hpp"
+#include "base/simd/portable_lanes.hpp"
 #include "base/two_doubles.hpp"
 
 namespace trilith::portable {

@@ -1,4 +1,4 @@
-// Forces from outside as the model holds them; world/loads.hpp makes them.
+// Forces from outside as the model holds them; model/loads.hpp makes them.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/attachment.hpp"
 #include "base/space.hpp"
-#include "base/tie.hpp"
 #include "load/load_curve.hpp"
 #include "load/motion.hpp"
 
@@ -18,7 +18,7 @@ template <int D>
 struct PointLoad {
   std::string name;
   int body = -1;
-  Tie<D> at;                                ///< the point it acts on
+  Attachment<D> at;                         ///< the point it acts on
   Vec<D> force = Vec<D>::Zero();            ///< [N]
   Moment<D> moment = nothing<Moment<D>>();  ///< [N m]
   bool follows = false;                     ///< turns with the point; given for where it was at the start

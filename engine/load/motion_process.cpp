@@ -128,7 +128,7 @@ std::vector<double> through(std::vector<double> x, const FilterBand& band, doubl
 }
 
 /// `values` without their mean product with `base`, whose square sums to `square`.
-void take_out(std::vector<double>& values, const std::vector<double>& base, double square) {
+void deactivate(std::vector<double>& values, const std::vector<double>& base, double square) {
   double product = 0;
   for (std::size_t i = 0; i < base.size(); ++i) product += values[i] * base[i];
   for (std::size_t i = 0; i < base.size(); ++i) values[i] -= product / square * base[i];
@@ -151,8 +151,8 @@ GroundMotion baseline_corrected(const GroundMotion& motion, int degree) {
     double square = 0, middle = 0;
     const auto place = [&](std::size_t i) { return 2.0 * static_cast<double>(i) / static_cast<double>(n - 1) - 1; };
     for (std::size_t i = 0; i < n; ++i) square += now[i] * now[i], middle += place(i) * now[i] * now[i];
-    take_out(a, now, square);
-    take_out(a, now, square);
+    deactivate(a, now, square);
+    deactivate(a, now, square);
     for (std::size_t i = 0; i < n; ++i)
       next[i] = (place(i) - middle / square) * now[i] - (k == 0 ? 0 : square / square_before) * before[i];
     square_before = square;

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "base/quantity_text.hpp"
+#include "model/event_text.hpp"
 #include "report/sections.hpp"
-#include "results/event_tree.hpp"
-#include "world/event_text.hpp"
+#include "results/reading/event_tree.hpp"
 
 namespace trilith::report {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "base/error.hpp"
 #include "base/quantity_text.hpp"
-#include "draw/results_picture.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "report/sections.hpp"
-#include "results/event_tree.hpp"
-#include "results/largest_value.hpp"
+#include "results/reading/event_tree.hpp"
+#include "results/reading/largest_value.hpp"
 
 namespace trilith::report {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "report/sections.hpp"
-#include "results/body_mass.hpp"
+#include "results/file/body_mass.hpp"
 
 namespace trilith::report {
 namespace {

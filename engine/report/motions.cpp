@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "draw/motion_chart.hpp"
-#include "draw/stored_motion.hpp"
+#include "draw/chart/motion_chart.hpp"
+#include "draw/chart/stored_motion.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_read.hpp"
 #include "report/sections.hpp"

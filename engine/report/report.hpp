@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "results/reader.hpp"
-#include "results/time_origin.hpp"
+#include "results/file/time_origin.hpp"
+#include "results/reading/reader.hpp"
 
 namespace trilith::report {
 

@@ -8,9 +8,9 @@
 
 #include "base/space.hpp"
 #include "report/sections.hpp"
-#include "results/event_tree.hpp"
-#include "results/placement.hpp"
-#include "results/verdict.hpp"
+#include "results/file/placement.hpp"
+#include "results/reading/event_tree.hpp"
+#include "results/reading/verdict.hpp"
 
 namespace trilith::report {
 namespace {

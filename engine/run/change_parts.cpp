@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "assembly/tangent/tangent.hpp"
+#include "edit/deactivate.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
-#include "step/take_out.hpp"
-#include "step/tangent.hpp"
 
 namespace trilith {
 
@@ -27,8 +27,8 @@ void Simulation<D>::remove(const Parts& parts) {
 }
 
 template <int D>
-void Simulation<D>::put_back(const Parts& parts) {
-  change_parts([&](const StepOptions& options) { return trilith::put_back(model_, state_, work_, options, parts); });
+void Simulation<D>::reactivate(const Parts& parts) {
+  change_parts([&](const StepOptions& options) { return trilith::reactivate(model_, state_, work_, options, parts); });
   drop_step();
 }
 
@@ -43,9 +43,9 @@ void Simulation<D>::grow(Model<D> grown) {
 }
 
 template <int D>
-void Simulation<D>::alter(const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
+void Simulation<D>::modify(const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
   change_parts([&](const StepOptions& options) {
-    trilith::alter(model_, state_, work_, options, change, begun);
+    trilith::modify(model_, state_, work_, options, change, begun);
     return std::vector<Event>{};
   });
   drop_step();
@@ -83,13 +83,13 @@ void Simulation<D>::change_supports(const std::function<void(Model<D>&)>& change
 
 template void Simulation<2>::change_supports(const std::function<void(Model<2>&)>&);
 template void Simulation<3>::change_supports(const std::function<void(Model<3>&)>&);
-template void Simulation<2>::alter(const std::function<void(Model<2>&)>&, std::span<const int>);
-template void Simulation<3>::alter(const std::function<void(Model<3>&)>&, std::span<const int>);
+template void Simulation<2>::modify(const std::function<void(Model<2>&)>&, std::span<const int>);
+template void Simulation<3>::modify(const std::function<void(Model<3>&)>&, std::span<const int>);
 template void Simulation<2>::remove(const Parts&);
-template void Simulation<2>::put_back(const Parts&);
+template void Simulation<2>::reactivate(const Parts&);
 template void Simulation<2>::grow(Model<2>);
 template void Simulation<3>::remove(const Parts&);
-template void Simulation<3>::put_back(const Parts&);
+template void Simulation<3>::reactivate(const Parts&);
 template void Simulation<3>::grow(Model<3>);
 
 }  // namespace trilith

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <variant>
 
-#include "world/pose.hpp"
+#include "model/pose.hpp"
 
 namespace trilith {
 namespace {

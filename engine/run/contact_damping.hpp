@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "run/face_joints.hpp"
+#include "run/record/face_joints.hpp"
 
 namespace trilith {
 

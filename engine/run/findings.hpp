@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "run/face_joints.hpp"
-#include "run/storeys.hpp"
+#include "run/record/face_joints.hpp"
+#include "run/record/storeys.hpp"
 
 namespace trilith {
 

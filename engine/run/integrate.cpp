@@ -5,15 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "assembly/evaluate.hpp"
 #include "base/error.hpp"
+#include "events/commit.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/followed_step.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "integrate/implicit/implicit_step.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/evaluate.hpp"
-#include "step/followed_step.hpp"
-#include "step/implicit_step.hpp"
-#include "step/stable_step.hpp"
 
 namespace trilith {
 namespace {

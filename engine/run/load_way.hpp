@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "world/event.hpp"
-#include "world/model.hpp"
-#include "world/state.hpp"
+#include "model/event.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
 
 namespace trilith {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/joint.hpp"
-#include "contact/list.hpp"
-#include "contact/solid_faces.hpp"
-#include "detect/pairs.hpp"
-#include "step/contact_rows.hpp"
-#include "step/evaluate.hpp"
+#include "assembly/contact/contact_rows.hpp"
+#include "assembly/evaluate.hpp"
+#include "broad_phase/pairs.hpp"
+#include "contact/joint/joint.hpp"
+#include "contact/space/solid_faces.hpp"
+#include "law/contact/list.hpp"
 
 namespace trilith {
 namespace {
@@ -51,8 +51,8 @@ MissedBonds missed_bonds(const Model<2>& model, const State<2>& state) {
   MissedBonds found;
   if (!any_bonds(model)) return found;
   Work<2> work;
-  place(model, state, work);
-  find(model, state, work);
+  update_kinematics(model, state, work);
+  update_contact_pairs(model, state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     NearPair pair = work.pairs[row];
     if (!may_bond(model.laws[pair.law]) || work.matched.memory[row].bonds != 0) continue;
@@ -69,8 +69,8 @@ MissedBonds missed_bonds(const Model<3>& model, const State<3>& state) {
   MissedBonds found;
   if (!any_bonds(model)) return found;
   Work<3> work;
-  place(model, state, work);
-  find(model, state, work);
+  update_kinematics(model, state, work);
+  update_contact_pairs(model, state, work);
   FaceOverlap3 faces;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
     const NearPair& pair = work.pairs[row];

@@ -1,8 +1,8 @@
 // Faces that a law would bond, but for a gap between them: told before a run, as nothing else would.
 #pragma once
 
-#include "world/model.hpp"
-#include "world/state.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
 
 namespace trilith {
 

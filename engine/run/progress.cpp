@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/quantity_text.hpp"
-#include "body/rigid_turn.hpp"
-#include "world/event_text.hpp"
+#include "element/rigid/rigid_turn.hpp"
+#include "model/event_text.hpp"
 
 namespace trilith {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "model/event_text.hpp"
 #include "run/stage.hpp"
-#include "world/event_text.hpp"
 
 namespace trilith {
 

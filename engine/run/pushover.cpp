@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "step/push_compliance.hpp"
-#include "world/pushes.hpp"
+#include "model/pushes.hpp"
+#include "statics/push_compliance.hpp"
 
 namespace trilith {
 

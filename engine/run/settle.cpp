@@ -7,12 +7,12 @@
 
 #include "base/error.hpp"
 #include "base/flagged.hpp"
+#include "model/postpone.hpp"
 #include "run/load_way.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
-#include "step/equilibrium.hpp"
-#include "world/postpone.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith {
 namespace {

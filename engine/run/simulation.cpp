@@ -8,21 +8,21 @@
 #include <cmath>
 #include <utility>
 
+#include "assembly/evaluate.hpp"
+#include "assembly/start.hpp"
 #include "base/error.hpp"
 #include "base/flagged.hpp"
+#include "edit/deactivate.hpp"
+#include "events/commit.hpp"
+#include "integrate/explicit/bond_step.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/deep_penetration.hpp"
+#include "integrate/explicit/impact_step.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "integrate/implicit/implicit_step.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
-#include "step/bond_step.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/displacement_control.hpp"
-#include "step/evaluate.hpp"
-#include "step/impact_step.hpp"
-#include "step/implicit_step.hpp"
-#include "step/passed.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
-#include "step/take_out.hpp"
+#include "statics/displacement_control.hpp"
 
 namespace trilith {
 namespace {
@@ -71,7 +71,7 @@ template <int D>
 void Simulation<D>::edited() {
   work_.valid = evaluated_ = false;
   tangent_->forget();
-  watch_->doubt();
+  watch_->plausibility_note();
   kept_model_.reset();
 }
 
@@ -104,7 +104,7 @@ void Simulation<D>::refresh() {
   evaluate(model_, state_, work_, state_.last_dt, times_);
   StepClock clock(times_);
   next_ = choose_step();
-  swept_ = swept_step(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
+  swept_ = tunnelling_limit(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   if (const double accuracy = impact_accuracy(); accuracy > 0)
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
   // A given step is kept, also where it skips part of the work of a bond.
@@ -146,7 +146,7 @@ void Simulation<D>::require_step(const StageOptions& options) const {
         fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could go through "
                     "another unseen: {}; "
                     "leave dt out, and the step is cut short where it has to be",
-                    options.name, options.dt, swept_.needed(), state_.time, explain_sweep(model_, swept_)));
+                    options.name, options.dt, swept_.needed(), state_.time, explain_tunnelling_limit(model_, swept_)));
   if (next_.longest == 0 && next_.dt > 0) return;  // as it was found before
   if (asked > 0 && asked > next_.longest)
     throw InputError(fmt::format(
@@ -265,7 +265,7 @@ void Simulation<D>::see_off() {
   if (bodies.empty()) return;
   const bool is_scaled = !state_.added_share.empty();
   if (is_scaled) unscale_masses(), refresh();
-  const std::vector<Event> events = take_out(model_, state_, work_, {swept_.dt, rest_}, bodies);
+  const std::vector<Event> events = deactivate(model_, state_, work_, {swept_.dt, rest_}, bodies);
   leaving_.insert(leaving_.end(), events.begin(), events.end());
   all_left_ = hold_left(model_, state_);
   tangent_->forget();
@@ -304,7 +304,7 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
 
 /// Ends the stage where no step could be found: the state is that of the last whole one.
 template <int D>
-void Simulation<D>::get_stuck(const RunListener<D>& listener) {
+void Simulation<D>::fail_stage(const RunListener<D>& listener) {
   refresh();
   const Instant<D> now = instant();
   set_end(stage_->report, now, std::nullopt, StageEnd::not_converged);
@@ -343,7 +343,7 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   scale_masses();
   refresh();
   require_step(stage.options);
-  std::vector<Event> passed = notice_passed(model_, state_, work_);  // before what has left is taken out
+  std::vector<Event> passed = report_deep_penetration(model_, state_, work_);  // before what has left is taken out
   see_off();
   StepClock clock(times_);
   const Instant<D> now = instant();
@@ -368,7 +368,7 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   state_.dt = next_.dt;
   state_.safety = next_.safety;
   evaluated_ = false;
-  if (!step_in_time(now.dt)) return get_stuck(listener);
+  if (!step_in_time(now.dt)) return fail_stage(listener);
   tell_step(listener);
   if (times_ != nullptr) ++times_->steps;
   if (!listener.at_border) return;

@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "run/causes.hpp"
+#include "assembly/step_times.hpp"
+#include "edit/deactivate.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/tunnelling_limit.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
+#include "model/verdict.hpp"
+#include "model/work.hpp"
+#include "run/record/causes.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
 #include "run/thread_choice.hpp"
-#include "step/central_difference.hpp"
-#include "step/step_times.hpp"
-#include "step/sweep.hpp"
-#include "step/take_out.hpp"
-#include "world/model.hpp"
-#include "world/state.hpp"
-#include "world/verdict.hpp"
-#include "world/work.hpp"
 
 namespace trilith {
 
@@ -74,7 +74,7 @@ class Simulation {
   /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
   /// InputError too after a stage that diverged: its state means nothing.
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
-  /// A stage without time: rest under the present weight and loads by Newton's method (step/equilibrium.hpp). Where
+  /// A stage without time: rest under the present weight and loads by Newton's method (statics/equilibrium.hpp). Where
   /// none is found the state is as it was, and the report says what fails. Of `options` name and intervals count.
   /// `way`: the load path that has led here, each of its points a frame and a sample; the stage then lasts as long as
   /// path_duration (run/load_way.hpp).
@@ -94,16 +94,16 @@ class Simulation {
   Model<D>& edit_model();
   /// The same by a function; where it frees a degree of freedom, drop_step. Not of supports and drives in mid-run.
   void edit(const std::function<void(Model<D>&)>& change);
-  /// Bodies and bearings go, come back, or come new, between stages or at the border of a step: see step/take_out.hpp.
-  /// What that was is told at the next instant of a stage.
+  /// Bodies and bearings go, come back, or come new, between stages or at the border of a step: see
+  /// edit/deactivate.hpp. What that was is told at the next instant of a stage.
   void remove(const Parts& parts);
-  void put_back(const Parts& parts);
+  void reactivate(const Parts& parts);
   void grow(Model<D> grown);
   /// An edit of supports and drives: what is freed begins at this instant, and the ledger has what moved or begins to
   /// count. Before anything has run it is an edit like others.
   void change_supports(const std::function<void(Model<D>&)>& change);
   /// An edit of laws, whose difference of energy the ledger has; bearings of `begun` begin anew by theirs.
-  void alter(const std::function<void(Model<D>&)>& change, std::span<const int> begun);
+  void modify(const std::function<void(Model<D>&)>& change, std::span<const int> begun);
   /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.
   void drop_step() { state_.dt = 0; }
   /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
@@ -114,7 +114,7 @@ class Simulation {
   /// there. Between stages: its stage waits for resume().
   void restore(const Snapshot<D>& snapshot);
 
-  /// Bonds of all joints are taken away, or made where faces meet now: see step/start.hpp. Not while a stage runs.
+  /// Bonds of all joints are taken away, or made where faces meet now: see assembly/start.hpp. Not while a stage runs.
   void lift_bonds();
   void set_bonds(double reach = 1e-3);
 
@@ -156,7 +156,7 @@ class Simulation {
   bool take_step(double dt, const Energy& energy);
   bool step_in_time(double dt);
   bool step_implicitly(double dt, const Energy& energy);
-  void get_stuck(const RunListener<D>& listener);
+  void fail_stage(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
   [[nodiscard]] double impact_accuracy() const;
   [[nodiscard]] Instant<D> instant() const;
@@ -178,7 +178,7 @@ class Simulation {
   StepTimes* times_ = nullptr;
   ThreadChoice threads_;
   NextStep next_;           // found by refresh()
-  SweptStep swept_;         // ... and what of it is taken
+  TunnellingLimit swept_;   // ... and what of it is taken
   RestDamping rest_;        // of the present stage, or of the last one
   bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
   std::unique_ptr<Watch> watch_;

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "step/alpha_scheme.hpp"
-#include "step/mass_scaling.hpp"
-#include "world/event.hpp"
-#include "world/work.hpp"
+#include "assembly/alpha_scheme.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "model/event.hpp"
+#include "model/work.hpp"
 
 namespace trilith {
 
@@ -48,7 +48,7 @@ struct StageOptions {
   bool must_rest = false;  ///< with until_rest: where it is not reached, or not in place, the run's verdict says so
   bool watched = true;     ///< speeds and energies beyond what was put in end the stage as diverged
   /// With until_rest: a body that rests farther than this share of its size from where the stage began has left its
-  /// place, and the stage is unstable (step/travel.hpp); 0: any place.
+  /// place, and the stage is unstable (statics/travel.hpp); 0: any place.
   float within = 0;
 
   double frame_interval = 0;    ///< [s]; 0: none

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "run/body_forces.hpp"
-#include "step/equilibrium.hpp"
-#include "step/implicit_step.hpp"
-#include "world/pose.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+#include "model/pose.hpp"
+#include "run/record/body_forces.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith {
 namespace {

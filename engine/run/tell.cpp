@@ -3,11 +3,11 @@
 
 #include <utility>
 
+#include "assembly/step_times.hpp"
+#include "model/event_text.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
-#include "step/step_times.hpp"
-#include "world/event_text.hpp"
 
 namespace trilith {
 

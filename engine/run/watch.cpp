@@ -10,14 +10,14 @@
 #include "base/portable.hpp"
 #include "base/principal_axes.hpp"
 #include "base/quantity_text.hpp"
-#include "body/element_gradients.hpp"
-#include "run/body_forces.hpp"
+#include "element/solid/element_gradients.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "model/element_rows.hpp"
+#include "model/event_text.hpp"
+#include "model/pose.hpp"
+#include "run/record/body_forces.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch_beams.hpp"
-#include "step/central_difference.hpp"
-#include "world/element_rows.hpp"
-#include "world/event_text.hpp"
-#include "world/pose.hpp"
 
 namespace trilith {
 namespace {
@@ -143,10 +143,10 @@ double held(const Energy& e) {
          e[EnergyTerm::strain];
 }
 
-double given_off(const Energy& e) {
+double dissipated(const Energy& e) {
   double sum = 0;
   for (int i = 0; i < energy_terms; ++i)
-    if (energy_term_info[i].given_off) sum += e.value[i];
+    if (energy_term_info[i].dissipated) sum += e.value[i];
   return sum;
 }
 
@@ -268,7 +268,7 @@ std::optional<Divergence> Watch::look_at_beams(const Instant<D>& now) {
 /// What was strained beyond its limit without a time in which it came to that can come on no more slowly.
 template <int D>
 std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const std::string& under) {
-  doubt();
+  plausibility_note();
   std::optional<Divergence> found = look_at_elements(now);
   if (!found) found = look_at_beams(now);
   if (!found) return found;
@@ -311,7 +311,7 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
   most_put_in_ = std::max(most_put_in_, put_in(e) - put_in(from_));
   const double start = held(from_), given = most_put_in_;
-  const double lost = given_off(e) - given_off(from_), made = held(e) + lost - start - (put_in(e) - put_in(from_));
+  const double lost = dissipated(e) - dissipated(from_), made = held(e) + lost - start - (put_in(e) - put_in(from_));
   double mass = 0;
   for (int n = 0; n < now.model.nodes(); ++n)
     if (now.model.moves(n)) mass += now.model.mass[n];

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "integrate/explicit/bond_step.hpp"
 #include "run/stage.hpp"
-#include "step/bond_step.hpp"
-#include "step/travel.hpp"
+#include "statics/travel.hpp"
 
 namespace trilith {
 
@@ -39,7 +39,7 @@ class Watch {
   /// Forgets all, as for another stage or state: what is there now counts as given.
   void reset();
   /// Looks at everything at the next instant: the model was changed.
-  void doubt() { element_room_ = beam_room_ = bounds_room_ = 0, bonds_.reset(); }
+  void plausibility_note() { element_room_ = beam_room_ = bounds_room_ = 0, bonds_.reset(); }
   /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
   /// on when it looked before.
   template <int D>
@@ -63,7 +63,7 @@ class Watch {
   const Travel& look_at_places(const Instant<D>& now);
   /// Of the last stage that was looked at so.
   [[nodiscard]] const Travel& displaced() const { return displaced_; }
-  /// Until when no bond can come near its strength, see step/bond_step.hpp.
+  /// Until when no bond can come near its strength, see integrate/explicit/bond_step.hpp.
   BondRoom& bonds() { return bonds_; }
 
  private:

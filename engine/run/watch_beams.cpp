@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "step/beam_motion.hpp"
-#include "step/resist_beams.hpp"
+#include "assembly/element/beam_motion.hpp"
+#include "assembly/element/internal_forces_beams.hpp"
 
 namespace trilith {
 namespace {

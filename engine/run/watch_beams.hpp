@@ -1,8 +1,8 @@
 // Members of frames along their axes, for the watch.
 #pragma once
 
-#include "world/model.hpp"
-#include "world/state.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
 
 namespace trilith {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "results/reader.hpp"
-#include "results/time_origin.hpp"
+#include "results/file/time_origin.hpp"
+#include "results/reading/reader.hpp"
 
 namespace trilith::view {
 

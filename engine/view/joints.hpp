@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "results/results.hpp"
+#include "results/file/results.hpp"
 
 namespace trilith::view {
 

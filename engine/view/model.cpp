@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "draw/palette.hpp"
-#include "draw/solid_joints.hpp"
-#include "results/body_mass.hpp"
-#include "results/verdict.hpp"
+#include "draw/scene/solid_joints.hpp"
+#include "model/event_text.hpp"
+#include "results/file/body_mass.hpp"
+#include "results/reading/verdict.hpp"
 #include "view/joints.hpp"
-#include "world/event_text.hpp"
 
 namespace trilith::view {
 namespace {

@@ -1,7 +1,7 @@
 // Private to view/: what the page of `trilith view` is told in words: model, stages, events, parameters, colours.
 #pragma once
 
-#include "results/reader.hpp"
+#include "results/reading/reader.hpp"
 #include "view/frames.hpp"
 #include "view/json_text.hpp"
 

@@ -1,7 +1,7 @@
 // Private to view/: natural modes of a results file, for the page to play.
 #pragma once
 
-#include "results/reader.hpp"
+#include "results/reading/reader.hpp"
 #include "view/bytes.hpp"
 #include "view/json_text.hpp"
 

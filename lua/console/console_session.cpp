@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "guard.hpp"
+#include "bindings/core/guard.hpp"
+#include "bindings/core/open.hpp"
 #include "interrupt.hpp"
-#include "open.hpp"
 #include "script_run.hpp"
 #include "verbs.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "host.hpp"
+#include "bindings/core/host.hpp"
+#include "bindings/core/lua_api.hpp"
 #include "line_editor.hpp"
-#include "lua_api.hpp"
 
 namespace trilith::program {
 

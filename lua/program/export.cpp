@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "newer_run.hpp"
-#include "results/vtk_export.hpp"
+#include "results/vtk/vtk_export.hpp"
 #include "share_status.hpp"
 #include "verbs.hpp"
 

@@ -5,11 +5,11 @@
 
 #include "base/error.hpp"
 #include "base/terminal_text.hpp"
-#include "draw/results_picture.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "newer_run.hpp"
-#include "results/event_table.hpp"
-#include "results/info.hpp"
-#include "results/study_info.hpp"
+#include "results/reading/event_table.hpp"
+#include "results/reading/info.hpp"
+#include "results/study/study_info.hpp"
 #include "since_option.hpp"
 #include "verbs.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-#include "guard.hpp"
+#include "bindings/core/guard.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <string>
 
-#include "lua_api.hpp"
+#include "bindings/core/lua_api.hpp"
 
 namespace trilith::program {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "host.hpp"
+#include "bindings/core/host.hpp"
 #include "run/progress.hpp"
 #include "screen.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "results/info.hpp"
+#include "results/reading/info.hpp"
 
 namespace trilith::program {
 

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/terminal_text.hpp"
-#include "draw/results_picture.hpp"
-#include "draw/study_chart.hpp"
+#include "draw/chart/study_chart.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "newer_run.hpp"
 #include "output_folder.hpp"
 #include "since_option.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "host.hpp"
+#include "bindings/core/host.hpp"
 
 namespace trilith::program {
 

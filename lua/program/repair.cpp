@@ -5,7 +5,7 @@
 #include <string>
 
 #include "output_folder.hpp"
-#include "results/reader.hpp"
+#include "results/reading/reader.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

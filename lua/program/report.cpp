@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
-#include "host.hpp"
+#include "bindings/core/host.hpp"
 #include "newer_run.hpp"
 #include "output_folder.hpp"
 #include "share_status.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host.hpp"
+#include "bindings/core/host.hpp"
 
 namespace trilith::program {
 

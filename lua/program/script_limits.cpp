@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "guard.hpp"
+#include "bindings/core/guard.hpp"
 #include "interrupt.hpp"
 
 namespace trilith::program {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lua_api.hpp"
+#include "bindings/core/lua_api.hpp"
 
 namespace trilith::program {
 

@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "guard.hpp"
+#include "bindings/core/guard.hpp"
+#include "bindings/core/open.hpp"
 #include "interrupt.hpp"
-#include "open.hpp"
 
 namespace trilith::program {
 namespace {

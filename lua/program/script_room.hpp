@@ -1,8 +1,8 @@
 // The closed room of a script: which parts of Lua's own libraries it has.
 #pragma once
 
-#include "host.hpp"
-#include "lua_api.hpp"
+#include "bindings/core/host.hpp"
+#include "bindings/core/lua_api.hpp"
 
 namespace trilith::program {
 

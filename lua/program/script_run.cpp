@@ -7,11 +7,11 @@
 
 #include "base/terminal_text.hpp"
 #include "base/whole_file.hpp"
-#include "bindings.hpp"
-#include "figures_reading.hpp"
-#include "guard.hpp"
+#include "bindings/core/bindings.hpp"
+#include "bindings/core/guard.hpp"
+#include "bindings/core/parameter_list.hpp"
+#include "bindings/readings/figures_reading.hpp"
 #include "interrupt.hpp"
-#include "parameter_list.hpp"
 #include "script_state.hpp"
 #include "verbs.hpp"
 
@@ -20,10 +20,10 @@ namespace {
 
 /// Says what runs are not to be trusted; true where there are any.
 bool tell_doubts(const script::Host& host) {
-  const std::vector<std::string> doubts = host.doubts();
+  const std::vector<std::string> plausibility_notes = host.plausibility_notes();
   if (host.observer != nullptr) host.observer->clear();
-  for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
-  return !doubts.empty();
+  for (const std::string& line : plausibility_notes) fmt::print(stderr, "{}\n", line);
+  return !plausibility_notes.empty();
 }
 
 int report_error(script::Host& host, const std::string& message) {

@@ -7,9 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
-#include "guard.hpp"
+#include "bindings/core/guard.hpp"
+#include "bindings/core/open.hpp"
 #include "interrupt.hpp"
-#include "open.hpp"
 #include "script_limits.hpp"
 #include "script_room.hpp"
 #include "verbs.hpp"
@@ -24,9 +24,9 @@ int exit_script(lua_State* L) {
   const int code = good ? ended_well : lua_isinteger(L, 1) != 0 ? static_cast<int>(lua_tointeger(L, 1)) : wrong_input;
   auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
   host.finish(good ? "" : "the script called os.exit");
-  const std::vector<std::string> doubts = host.doubts();
-  for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
-  std::exit(good && !doubts.empty() ? not_trusted : code);
+  const std::vector<std::string> plausibility_notes = host.plausibility_notes();
+  for (const std::string& line : plausibility_notes) fmt::print(stderr, "{}\n", line);
+  std::exit(good && !plausibility_notes.empty() ? not_trusted : code);
 }
 
 /// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.

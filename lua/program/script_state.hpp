@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "host.hpp"
-#include "lua_api.hpp"
+#include "bindings/core/host.hpp"
+#include "bindings/core/lua_api.hpp"
 
 namespace trilith::program {
 

@@ -8,13 +8,13 @@
 
 #include "assignment.hpp"
 #include "base/error.hpp"
+#include "bindings/study/study_order.hpp"
 #include "comma_list.hpp"
 #include "interrupt.hpp"
 #include "live.hpp"
 #include "positive.hpp"
 #include "room_options.hpp"
 #include "script_run.hpp"
-#include "study_order.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

@@ -1,4 +1,4 @@
-#include "base/lane_rows.hpp"
+#include "base/simd/lane_rows.hpp"
 
 #include <doctest/doctest.h>
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "base/portable_lanes.hpp"
-#include "shape/random_convex.hpp"
+#include "base/simd/portable_lanes.hpp"
+#include "geometry/plane/random_convex.hpp"
 
 using namespace trilith;
 

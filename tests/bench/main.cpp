@@ -11,14 +11,14 @@
 #include <ctime>
 #include <map>
 
-#include "build/running_bond.hpp"
+#include "assembly/evaluate.hpp"
+#include "build/plane/running_bond.hpp"
+#include "events/commit.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "model/builder/builder.hpp"
 #include "run/simulation.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/evaluate.hpp"
-#include "step/mass_scaling.hpp"
-#include "step/stable_step.hpp"
-#include "world/builder.hpp"
 
 using namespace trilith;
 
@@ -124,14 +124,14 @@ void bench_wall(int courses, double dt, double seconds) {
     stage[name] = (now() - from) / rounds / mean_pairs * 1e9;
   };
   evaluate(model, state, work, dt);
-  time_stage("1 place", [&] { place(model, state, work); });
-  time_stage("2 find", [&] { find(model, state, work); });
-  time_stage("3 respond faces", [&] { respond_faces(model, state, work, dt); });
+  time_stage("1 place", [&] { update_kinematics(model, state, work); });
+  time_stage("2 find", [&] { update_contact_pairs(model, state, work); });
+  time_stage("3 respond faces", [&] { face_contact_forces(model, state, work, dt); });
   time_stage("4 respond general", [&] {
-    respond_faces(model, state, work, dt);
-    respond_general(model, state, work, dt);
+    face_contact_forces(model, state, work, dt);
+    polygon_contact_forces(model, state, work, dt);
   });
-  time_stage("5 sum", [&] { sum(model, state, work); });
+  time_stage("5 sum", [&] { assemble_forces(model, state, work); });
   stage["4 respond general"] -= stage["3 respond faces"];
   State<2> copy = state;
   const double whole = spent / steps / mean_pairs * 1e9;

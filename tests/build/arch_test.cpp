@@ -1,4 +1,4 @@
-#include "build/arch.hpp"
+#include "build/plane/arch.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <random>
 
-#include "build/building.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
-#include "shape/random_convex.hpp"
+#include "build/space/building.hpp"
+#include "geometry/plane/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/whole_file.hpp"
-#include "build/solid_part.hpp"
+#include "build/space/solid_part.hpp"
 #include "source_dir.hpp"
 
 namespace trilith::testing {

@@ -1,4 +1,4 @@
-#include "build/block.hpp"
+#include "build/plane/block.hpp"
 
 #include <doctest/doctest.h>
 

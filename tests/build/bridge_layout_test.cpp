@@ -1,4 +1,4 @@
-#include "build/bridge_layout.hpp"
+#include "build/plane/bridge_layout.hpp"
 
 #include <doctest/doctest.h>
 

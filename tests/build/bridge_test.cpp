@@ -1,4 +1,4 @@
-#include "build/bridge.hpp"
+#include "build/plane/bridge.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "build/building.hpp"
+#include "build/space/building.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "build/check_solids.hpp"
+#include "build/space/check_solids.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,12 +6,12 @@
 #include <chrono>
 #include <numbers>
 
-#include "build/building.hpp"
-#include "build/dome.hpp"
-#include "build/drum.hpp"
-#include "build/solid_block.hpp"
+#include "build/plane/drum.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
+#include "build/space/building.hpp"
+#include "build/space/dome.hpp"
+#include "build/space/solid_block.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

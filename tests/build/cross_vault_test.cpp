@@ -1,13 +1,13 @@
-#include "build/cross_vault.hpp"
+#include "build/space/cross_vault.hpp"
 
 #include <doctest/doctest.h>
 
 #include <numbers>
 
-#include "build/check_solids.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
-#include "shape/half_plane.hpp"
+#include "build/space/check_solids.hpp"
+#include "geometry/plane/half_plane.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,4 +1,4 @@
-#include "build/drum.hpp"
+#include "build/plane/drum.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Half an arch between a pier and a wall: where its joints lie, and what cannot be built.
-#include "build/flying_buttress.hpp"
+#include "build/space/flying_buttress.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "build/gmsh.hpp"
+#include "build/space/gmsh.hpp"
 
 #include <doctest/doctest.h>
 

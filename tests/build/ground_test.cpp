@@ -1,4 +1,4 @@
-#include "build/ground.hpp"
+#include "build/plane/ground.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "build/plane/wall.hpp"
 #include "build/sound_parts.hpp"
-#include "build/wall.hpp"
 #include "near.hpp"
 
 namespace trilith::testing {

@@ -1,12 +1,12 @@
-#include "build/rubble.hpp"
+#include "build/plane/rubble.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "base/hash.hpp"
+#include "build/plane/voronoi.hpp"
 #include "build/sound_parts.hpp"
-#include "build/voronoi.hpp"
 #include "near.hpp"
 
 using namespace trilith;

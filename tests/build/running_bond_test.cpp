@@ -1,4 +1,4 @@
-#include "build/running_bond.hpp"
+#include "build/plane/running_bond.hpp"
 
 #include <doctest/doctest.h>
 

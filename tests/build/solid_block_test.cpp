@@ -1,11 +1,11 @@
-#include "build/solid_block.hpp"
+#include "build/space/solid_block.hpp"
 
 #include <doctest/doctest.h>
 
 #include <numbers>
 
 #include "base/rotation_3d.hpp"
-#include "build/arch.hpp"
+#include "build/plane/arch.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
 

@@ -1,4 +1,4 @@
-#include "build/solid_file.hpp"
+#include "build/space/solid_file.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -12,11 +12,11 @@
 #include <numbers>
 
 #include "base/rotation_3d.hpp"
-#include "build/check_solids.hpp"
-#include "build/dome.hpp"
-#include "build/solid_rubble.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
+#include "build/space/check_solids.hpp"
+#include "build/space/dome.hpp"
+#include "build/space/solid_rubble.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -242,11 +242,11 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
 
 TEST_CASE("a solid that crosses itself is refused with the place and not made its hull") {
   // a prism over a bow tie, whose volume is 0, and one over a five-pointed star, which is convex at each edge
-  const std::string tie =
+  const std::string attachment =
       "o tie\nv 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nv 1 0 1\nv 0 1 1\n"
       "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
   CHECK(
-      refusal_of([&] { parse_obj(tie, {}, "file"); }) ==
+      refusal_of([&] { parse_obj(attachment, {}, "file"); }) ==
       "file: solid 'tie' crosses itself at (0.5, 0.5, 0) m, where two sides of one face cross; the surface of a solid "
       "only closes around it: give each part that is convex as an object of its own");
   std::string star = "o star\n";

@@ -1,10 +1,10 @@
-#include "build/solid_rubble.hpp"
+#include "build/space/solid_rubble.hpp"
 
 #include <doctest/doctest.h>
 
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
-#include "shape/random_convex_3d.hpp"
+#include "geometry/space/random_convex_3d.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

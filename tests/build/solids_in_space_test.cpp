@@ -1,14 +1,14 @@
 // Whatever a builder makes, a model in space takes as bodies.
 #include <doctest/doctest.h>
 
-#include "build/building.hpp"
-#include "build/cross_vault.hpp"
-#include "build/dome.hpp"
-#include "build/drum.hpp"
-#include "build/solid_block.hpp"
-#include "build/solid_rubble.hpp"
+#include "build/plane/drum.hpp"
+#include "build/space/building.hpp"
+#include "build/space/cross_vault.hpp"
+#include "build/space/dome.hpp"
+#include "build/space/solid_block.hpp"
+#include "build/space/solid_rubble.hpp"
+#include "model/space_builder/space_builder.hpp"
 #include "near.hpp"
-#include "world/space_builder.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

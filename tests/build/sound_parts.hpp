@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "build/part.hpp"
-#include "shape/convex_parts.hpp"
-#include "shape/overlap.hpp"
+#include "build/plane/part.hpp"
+#include "geometry/plane/convex_parts.hpp"
+#include "geometry/plane/overlap.hpp"
 
 namespace trilith::testing {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "build/solid_part.hpp"
+#include "build/space/solid_part.hpp"
+#include "geometry/space/facing_faces.hpp"
+#include "geometry/space/overlap_3d.hpp"
 #include "near.hpp"
-#include "shape/facing_faces.hpp"
-#include "shape/overlap_3d.hpp"
 
 namespace trilith::testing {
 

@@ -1,4 +1,4 @@
-#include "build/stack.hpp"
+#include "build/plane/stack.hpp"
 
 #include <doctest/doctest.h>
 

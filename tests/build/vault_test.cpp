@@ -3,11 +3,11 @@
 
 #include <numbers>
 
-#include "build/barrel_vault.hpp"
 #include "build/block_list.hpp"
-#include "build/dome.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
+#include "build/space/barrel_vault.hpp"
+#include "build/space/dome.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

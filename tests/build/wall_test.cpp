@@ -1,4 +1,4 @@
-#include "build/wall.hpp"
+#include "build/plane/wall.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -7,11 +7,11 @@
 #include <random>
 
 #include "base/units.hpp"
-#include "build/bond_pattern.hpp"
 #include "build/plain_wall.hpp"
+#include "build/plane/bond_pattern.hpp"
 #include "build/sound_parts.hpp"
+#include "geometry/plane/random_convex.hpp"
 #include "near.hpp"
-#include "shape/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,6 +1,6 @@
 // A program outside the project, against the installed engine: a block dropped from 1 m falls freely until it lands.
+#include <trilith/model/builder/builder.hpp>
 #include <trilith/run/simulation.hpp>
-#include <trilith/world/builder.hpp>
 
 #include <cmath>
 #include <cstdio>

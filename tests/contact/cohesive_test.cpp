@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "contact/cohesive.hpp"
 #include "contact/mortar_joint.hpp"
+#include "law/contact/cohesive.hpp"
 #include "near.hpp"
 
 using namespace trilith;

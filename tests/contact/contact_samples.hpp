@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/list.hpp"
+#include "law/contact/list.hpp"
 #include "law_sample.hpp"
 
 namespace trilith::testing {

@@ -1,5 +1,5 @@
 // One corner under one face, several pairs at once: the same as the contact of any shape gives.
-#include "contact/corner_overlap.hpp"
+#include "contact/plane/corner_overlap.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "geometry/plane/random_convex.hpp"
 #include "near.hpp"
-#include "shape/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/mortar_joint.hpp"
-#include "contact/overlap_energy.hpp"
+#include "contact/plane/overlap_energy.hpp"
 #include "near.hpp"
 
 using namespace trilith;

@@ -1,13 +1,13 @@
-#include "contact/edge_pressure.hpp"
+#include "contact/plane/edge_pressure.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 
+#include "geometry/space/random_convex_3d.hpp"
+#include "geometry/space/separation_3d.hpp"
 #include "near.hpp"
-#include "shape/random_convex_3d.hpp"
-#include "shape/separation_3d.hpp"
 
 using namespace trilith;
 

@@ -1,5 +1,5 @@
 // Properties of the contact of two faces, whatever their pose and motion.
-#include "contact/face_pair.hpp"
+#include "contact/plane/face_pair.hpp"
 
 #include <doctest/doctest.h>
 

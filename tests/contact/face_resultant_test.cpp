@@ -1,10 +1,10 @@
-#include "contact/face_resultant.hpp"
+#include "contact/joint/face_resultant.hpp"
 
 #include <doctest/doctest.h>
 
 #include <random>
 
-#include "contact/face_pair.hpp"
+#include "contact/plane/face_pair.hpp"
 
 using namespace trilith;
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/space.hpp"
-#include "contact/face_pair.hpp"
-#include "contact/list.hpp"
-#include "shape/random_convex.hpp"
+#include "contact/plane/face_pair.hpp"
+#include "geometry/plane/random_convex.hpp"
+#include "law/contact/list.hpp"
 
 namespace trilith::testing {
 

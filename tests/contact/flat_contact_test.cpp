@@ -1,4 +1,4 @@
-#include "contact/flat_contact.hpp"
+#include "contact/space/flat_contact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 
 #include "contact/laid_bricks.hpp"
-#include "contact/solid_faces.hpp"
+#include "contact/space/solid_faces.hpp"
+#include "geometry/space/facing_faces.hpp"
 #include "near.hpp"
-#include "shape/facing_faces.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -76,7 +76,7 @@ double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, in
   for (int step = 0; step < 30 && flat_faces(laid.a, laid.b, faces); ++step) {
     const MovingSolid a = laid.lower(), b = laid.upper();
     const SolidPressure pressed = face_pressure(a, b, plain_friction(use), faces);
-    const SolidResponse r = respond_solids(a, b, memory, use, pressed, room);
+    const SolidResponse r = polyhedron_contact_forces(a, b, memory, use, pressed, room);
     FlatResponses four;
     respond_flat(flat_contact(a, b, pair, memory, plain_friction(use)), four);
     REQUIRE((four.flat[0] != 0));

@@ -1,10 +1,10 @@
 // Two boxes held together by mortar whose motion is given: what the joint between them does.
 #pragma once
 
-#include "contact/joint.hpp"
-#include "contact/solid_faces.hpp"
-#include "contact/sound_joint.hpp"
-#include "shape/polyhedron.hpp"
+#include "contact/joint/intact_joint.hpp"
+#include "contact/joint/joint.hpp"
+#include "contact/space/solid_faces.hpp"
+#include "geometry/space/polyhedron.hpp"
 
 namespace trilith::testing {
 

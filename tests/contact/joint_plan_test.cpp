@@ -1,12 +1,12 @@
 // How a joint is laid: its patches have the area and the moments of what two faces share, whatever its shape.
-#include "contact/joint_plan.hpp"
+#include "contact/joint/joint_plan.hpp"
 
 #include <doctest/doctest.h>
 
-#include "contact/joint_motion.hpp"
-#include "contact/solid_faces.hpp"
+#include "contact/joint/joint_motion.hpp"
+#include "contact/space/solid_faces.hpp"
+#include "geometry/space/random_convex_3d.hpp"
 #include "near.hpp"
-#include "shape/random_convex_3d.hpp"
 
 using namespace trilith;
 using testing::near;

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "contact/solid_contact.hpp"
-#include "shape/random_convex_3d.hpp"
+#include "contact/space/solid_contact.hpp"
+#include "geometry/space/random_convex_3d.hpp"
 
 namespace trilith::testing {
 

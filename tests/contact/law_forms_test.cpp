@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "contact/contact_samples.hpp"
-#include "contact/form_check.hpp"
 #include "contact/law_trial.hpp"
+#include "law/contact/form_check.hpp"
 #include "near.hpp"
 
 using namespace trilith;

@@ -3,8 +3,8 @@
 
 #include "contact/contact_samples.hpp"
 #include "contact/face_scene.hpp"
+#include "model/builder/builder.hpp"
 #include "near.hpp"
-#include "world/builder.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "contact/face_pair.hpp"
-#include "contact/face_resultant.hpp"
 #include "contact/face_scene.hpp"
+#include "contact/joint/face_resultant.hpp"
 #include "contact/laid_bricks.hpp"
-#include "contact/overlap_energy.hpp"
-#include "contact/solid_energy.hpp"
-#include "contact/sphere_contact.hpp"
+#include "contact/plane/face_pair.hpp"
+#include "contact/plane/overlap_energy.hpp"
+#include "contact/space/solid_energy.hpp"
+#include "contact/space/sphere_contact.hpp"
 
 namespace trilith::testing {
 
@@ -109,7 +109,7 @@ inline Carried as_solids(const ContactLaw& law, const Lie& lie, bool flat) {
     pressed = solid_pressure(a, b, use, room.shared);
     stored = solid_energy(a.placed, b.placed, use, room.shared, room.part);
   }
-  const SolidResponse r = respond_solids(a, b, SolidMemory{}, use, pressed, room);
+  const SolidResponse r = polyhedron_contact_forces(a, b, SolidMemory{}, use, pressed, room);
   return {r.force.z(), r.force.x(), stored,
           r.lost_friction + r.lost_damping + sliding_energy(plain_friction(use).ks, r.memory.shear)};
 }

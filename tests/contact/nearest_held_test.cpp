@@ -1,4 +1,4 @@
-#include "contact/nearest_held.hpp"
+#include "contact/joint/friction_projection.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "contact/friction_limit.hpp"
+#include "contact/joint/friction_limit.hpp"
 
 using namespace trilith;
 

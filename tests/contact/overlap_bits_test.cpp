@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "contact/overlap_reference.hpp"
-#include "shape/random_convex.hpp"
+#include "geometry/plane/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

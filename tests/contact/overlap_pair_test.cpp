@@ -1,15 +1,15 @@
 // Properties of the contact of convex pieces of any shape and pose.
-#include "contact/overlap_energy.hpp"
+#include "contact/plane/overlap_energy.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "contact/face_scene.hpp"
+#include "geometry/plane/convex_parts.hpp"
+#include "geometry/plane/overlap.hpp"
+#include "model/flatness.hpp"
 #include "near.hpp"
-#include "shape/convex_parts.hpp"
-#include "shape/overlap.hpp"
-#include "world/flatness.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

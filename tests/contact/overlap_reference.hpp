@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "contact/chord.hpp"
-#include "contact/overlap_pair.hpp"
+#include "contact/joint/chord.hpp"
+#include "contact/plane/overlap_pair.hpp"
 
 namespace trilith::testing {
 
@@ -123,7 +123,7 @@ class ReferenceWalk {
     sums.moment_arm += total * x0 + stiff * stress.moment * over;
   }
   static bool is_straight(const PlacedPiece& p) { return p.over_step != nullptr || !p.corner_velocity.empty(); }
-  /// What going along a chord adds to the velocity of point x of one of two rigid pieces, see contact/chord.hpp.
+  /// What going along a chord adds to the velocity of point x of one of two rigid pieces, see contact/joint/chord.hpp.
   [[nodiscard]] Vec2 chord(const PlacedPiece& p, const Vec2& x) const {
     if (is_straight(owner_) || is_straight(walker_)) return Vec2::Zero();
     return chord_rate(p.spin, law_.dt) * (x - p.origin);

@@ -1,13 +1,13 @@
 // Contact that stiffens with a power of the overlap: closed forms of faces, of its energy, of a blow.
-#include "contact/power.hpp"
+#include "law/contact/power.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "contact/face_resultant.hpp"
 #include "contact/face_scene.hpp"
-#include "contact/overlap_energy.hpp"
+#include "contact/joint/face_resultant.hpp"
+#include "contact/plane/overlap_energy.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
 

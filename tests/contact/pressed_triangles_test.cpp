@@ -1,4 +1,4 @@
-#include "contact/pressed_triangles.hpp"
+#include "contact/space/pressed_triangles.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/solid_pressure.hpp"
+#include "contact/space/solid_pressure.hpp"
+#include "geometry/space/random_convex_3d.hpp"
 #include "near.hpp"
-#include "shape/random_convex_3d.hpp"
 
 using namespace trilith;
 using testing::near;
@@ -141,7 +141,7 @@ TEST_CASE("triangles by lanes sum up to what points of each give one after the o
     CHECK(got.depth == deepest);
     // The damping takes energy, and the whole force is along the push of the springs.
     CHECK(got.damped >= 0);
-    const Vec3 n = springs_push(lanes.all()).normalized();
+    const Vec3 n = spring_force(lanes.all()).normalized();
     CHECK((got.force - got.force.dot(n) * n).norm() <= 1e-11 * whole);
     in_part += got.damped > 0 ? 1 : 0;
   }

@@ -1,11 +1,11 @@
-#include "contact/shear_3d.hpp"
+#include "contact/joint/shear_3d.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 
-#include "contact/area_limit.hpp"
+#include "contact/joint/area_limit.hpp"
 #include "near.hpp"
 
 using namespace trilith;

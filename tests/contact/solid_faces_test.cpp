@@ -1,12 +1,12 @@
-#include "contact/solid_faces.hpp"
+#include "contact/space/solid_faces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "contact/laid_bricks.hpp"
-#include "contact/solid_contact.hpp"
-#include "contact/solid_energy.hpp"
+#include "contact/space/solid_contact.hpp"
+#include "contact/space/solid_energy.hpp"
 #include "near.hpp"
 
 using namespace trilith;

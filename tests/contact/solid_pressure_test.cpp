@@ -1,10 +1,10 @@
-#include "contact/solid_pressure.hpp"
+#include "contact/space/solid_pressure.hpp"
 
 #include <doctest/doctest.h>
 
-#include "contact/solid_energy.hpp"
+#include "contact/space/solid_energy.hpp"
+#include "geometry/space/random_convex_3d.hpp"
 #include "near.hpp"
-#include "shape/random_convex_3d.hpp"
 
 using namespace trilith;
 using testing::near;

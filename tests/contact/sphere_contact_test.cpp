@@ -1,4 +1,4 @@
-#include "contact/sphere_contact.hpp"
+#include "contact/space/sphere_contact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/space/random_convex_3d.hpp"
+#include "geometry/space/sphere_distance.hpp"
 #include "near.hpp"
-#include "shape/random_convex_3d.hpp"
-#include "shape/sphere_distance.hpp"
 
 using namespace trilith;
 using trilith::testing::near;

@@ -1,4 +1,4 @@
-#include "draw/axis_ticks.hpp"
+#include "draw/chart/axis_ticks.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "draw/chart.hpp"
-#include "draw/energy_chart.hpp"
+#include "draw/chart/chart.hpp"
+#include "draw/chart/energy_chart.hpp"
 #include "draw/sample_pictures.hpp"
 
 using namespace trilith;

@@ -1,4 +1,4 @@
-#include "draw/chart.hpp"
+#include "draw/chart/chart.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "draw/chart_marks.hpp"
-#include "draw/plot_axis.hpp"
+#include "draw/chart/chart_marks.hpp"
+#include "draw/chart/plot_axis.hpp"
 #include "draw/sample_pictures.hpp"
 
 using namespace trilith;

@@ -1,4 +1,4 @@
-#include "draw/decimate.hpp"
+#include "draw/chart/decimate.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // A recorded motion as it is drawn for a report: three traces and the 5 % spectrum.
 #include <doctest/doctest.h>
 
-#include "draw/motion_chart.hpp"
+#include "draw/chart/motion_chart.hpp"
 #include "draw/sample_pictures.hpp"
 #include "load/motion_read.hpp"
 #include "load/record_folder.hpp"

@@ -1,7 +1,7 @@
 // Cracks in pictures: joints that have lost their bond, and dry ones that are open or have slid.
 #include <doctest/doctest.h>
 
-#include "draw/results_picture.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

@@ -1,5 +1,5 @@
 // Pictures of natural modes: as large as they read, about where the structure stood.
-#include "draw/results_modes.hpp"
+#include "draw/scene/results_modes.hpp"
 
 #include <doctest/doctest.h>
 

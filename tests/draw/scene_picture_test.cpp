@@ -1,4 +1,4 @@
-#include "draw/scene_picture.hpp"
+#include "draw/scene/scene_picture.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -8,10 +8,10 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "draw/scene_labels.hpp"
-#include "draw/scene_legend.hpp"
-#include "draw/scene_marks.hpp"
-#include "draw/scene_view.hpp"
+#include "draw/scene/scene_labels.hpp"
+#include "draw/scene/scene_legend.hpp"
+#include "draw/scene/scene_marks.hpp"
+#include "draw/scene/scene_view.hpp"
 
 using namespace trilith;
 using namespace trilith::draw;

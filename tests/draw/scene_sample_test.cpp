@@ -7,7 +7,7 @@
 #include <string>
 
 #include "draw/sample_pictures.hpp"
-#include "draw/scene_picture.hpp"
+#include "draw/scene/scene_picture.hpp"
 
 using namespace trilith;
 using namespace trilith::draw;

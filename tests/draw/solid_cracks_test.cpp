@@ -1,9 +1,9 @@
 // Cracks between solids: joints found from faces at the start, what they have done since, and where they are seen.
-#include "draw/solid_cracks.hpp"
+#include "draw/scene/solid_cracks.hpp"
 
 #include <doctest/doctest.h>
 
-#include "draw/results_picture.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "near.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "draw/results_picture.hpp"
 #include "draw/sample_pictures.hpp"
-#include "draw/scene_faces.hpp"
-#include "draw/scene_legend.hpp"
-#include "draw/scene_view.hpp"
+#include "draw/scene/results_picture.hpp"
+#include "draw/scene/scene_faces.hpp"
+#include "draw/scene/scene_legend.hpp"
+#include "draw/scene/scene_view.hpp"
 #include "draw/solid_samples.hpp"
 #include "near.hpp"
 #include "results/sample_run.hpp"

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "draw/inside_outline.hpp"
-#include "draw/results_solids.hpp"
+#include "draw/scene/results_solids.hpp"
 #include "near.hpp"
 #include "physics/space_solids.hpp"
-#include "results/placement.hpp"
-#include "run/recording_header.hpp"
+#include "results/file/placement.hpp"
+#include "run/record/recording_header.hpp"
 
 using namespace trilith;
 using namespace trilith::draw;

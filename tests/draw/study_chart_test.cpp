@@ -1,4 +1,4 @@
-#include "draw/study_chart.hpp"
+#include "draw/chart/study_chart.hpp"
 
 #include <doctest/doctest.h>
 #include <unistd.h>

@@ -18,16 +18,16 @@
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/units.hpp"
-#include "build/gmsh.hpp"
-#include "build/solid_file.hpp"
+#include "build/space/gmsh.hpp"
+#include "build/space/solid_file.hpp"
+#include "geometry/plane/mesh.hpp"
 #include "load/motion_plain.hpp"
 #include "load/motion_read.hpp"
 #include "load/text_lines.hpp"
+#include "model/builder/builder.hpp"
+#include "model/io/checkpoint.hpp"
 #include "run/simulation.hpp"
-#include "run/study_figures.hpp"
-#include "shape/mesh.hpp"
-#include "world/builder.hpp"
-#include "world/checkpoint.hpp"
+#include "run/study/study_figures.hpp"
 
 namespace {
 

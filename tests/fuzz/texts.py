@@ -10,11 +10,11 @@ import shared
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # Compiled with sanitizers; the rest comes from the library.
 SOURCES = ["tests/fuzz/readers.cpp", "engine/base/error.cpp", "engine/base/nearest.cpp", "engine/base/units.cpp",
-           "engine/body/space_mesh.cpp", "engine/build/gmsh.cpp", "engine/build/obj.cpp", "engine/build/solid_file.cpp",
-           "engine/build/stl.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp", "engine/load/motion_columns.cpp",
+           "engine/element/solid/space_mesh.cpp", "engine/build/space/gmsh.cpp", "engine/build/space/obj.cpp", "engine/build/space/solid_file.cpp",
+           "engine/build/space/stl.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp", "engine/load/motion_columns.cpp",
            "engine/load/motion_csv.cpp", "engine/load/motion_formats.cpp", "engine/load/motion_peer.cpp",
-           "engine/load/motion_plain.cpp", "engine/load/motion_read.cpp", "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study_figures.cpp",
-           "engine/shape/mesh.cpp", "engine/world/checkpoint.cpp"]
+           "engine/load/motion_plain.cpp", "engine/load/motion_read.cpp", "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study/study_figures.cpp",
+           "engine/geometry/plane/mesh.cpp", "engine/model/io/checkpoint.cpp"]
 MESH = """$MeshFormat
 4.1 0 8
 $EndMeshFormat

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "model/io/motion_hash.hpp"
 #include "physics/collapses.hpp"
 #include "source_dir.hpp"
-#include "world/motion_hash.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,12 +1,12 @@
 // VALIDATION I11: an arch set down by statics, and one too thin to stand.
 #include <algorithm>
 
-#include "build/arch.hpp"
+#include "assembly/contact/contact_resultants.hpp"
+#include "assembly/evaluate.hpp"
+#include "build/plane/arch.hpp"
 #include "near.hpp"
 #include "physics/masonry_scene.hpp"
-#include "step/contact_resultants.hpp"
-#include "step/equilibrium.hpp"
-#include "step/evaluate.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,6 +1,6 @@
 // Arches against their limits: cases A2 and A4 to A7. Rigid voussoirs without tension; joints so stiff that hinges near
 // the limit are short, as in masonry_test.cpp, which has A3.
-#include "build/arch.hpp"
+#include "build/plane/arch.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 
+#include "assembly/contact/contact_resultants.hpp"
 #include "physics/masonry_scene.hpp"
-#include "step/contact_resultants.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

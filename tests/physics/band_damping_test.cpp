@@ -1,15 +1,15 @@
 // Damping that is the same over a band: its ratio from free vibration, what it costs, its place in the ledger.
-#include "body/band_damping.hpp"
+#include "element/band_damping.hpp"
 
+#include "assembly/start.hpp"
+#include "assembly/tangent/beam_tangent.hpp"
 #include "base/error.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "modal/mode_damping.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
-#include "step/beam_tangent.hpp"
-#include "step/equilibrium.hpp"
-#include "step/mode_damping.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -157,7 +157,7 @@ TEST_CASE("damping over a band: the tangent is that of central differences") {
         State<2> moved = state;
         dof_of(moved, column / 3, column % 3) += side == 0 ? way : -way;
         Work<2> work;
-        resist(model, moved, work, dt);
+        internal_forces(model, moved, work, dt);
         for (int n = 0; n < 2; ++n) {
           const Vec2 f = work.element_force[n] + work.element_damping[n];
           force[side][3 * n] = f.x(), force[side][3 * n + 1] = f.y();

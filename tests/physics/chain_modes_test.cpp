@@ -1,11 +1,11 @@
 // VALIDATION M7, M8, M9: natural frequencies of grids, of a slab in plan, of hanging chains.
 #include <algorithm>
 
+#include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/grid_frequencies.hpp"
-#include "step/equilibrium.hpp"
-#include "step/modes.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/portable.hpp"
-#include "build/running_bond.hpp"
-#include "build/stack.hpp"
+#include "build/plane/running_bond.hpp"
+#include "build/plane/stack.hpp"
+#include "geometry/plane/random_convex.hpp"
 #include "physics/scene.hpp"
-#include "shape/random_convex.hpp"
 
 namespace trilith::testing {
 

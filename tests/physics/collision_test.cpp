@@ -1,9 +1,9 @@
 // Elastic and frictionless collisions of random polygons: what is kept, and that nothing passes through.
 #include <algorithm>
 
+#include "geometry/plane/overlap.hpp"
+#include "geometry/plane/random_convex.hpp"
 #include "physics/scene.hpp"
-#include "shape/overlap.hpp"
-#include "shape/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

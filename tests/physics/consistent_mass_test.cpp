@@ -1,13 +1,13 @@
 // Consistent mass of beams: known frequencies of few elements, forces of inertia, what is kept, supports that move.
-#include "step/consistent_mass.hpp"
-#include "body/beam_inertia.hpp"
+#include "assembly/element/consistent_mass.hpp"
+#include "element/beam/beam_inertia.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+#include "modal/modes.hpp"
+#include "model/check/energy_check.hpp"
+#include "model/io/state_words.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
-#include "step/implicit_step.hpp"
-#include "step/modes.hpp"
-#include "world/energy_check.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {

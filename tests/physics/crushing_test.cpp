@@ -1,10 +1,10 @@
 // Mortar that crushes under moving blocks: stopping distance, toes, the ledger.
 #include <algorithm>
 
-#include "contact/cohesive.hpp"
+#include "law/contact/cohesive.hpp"
+#include "model/check/energy_check.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "world/energy_check.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "bearing/linear.hpp"
+#include "assembly/contact/contact_resultants.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "law/bearing/linear.hpp"
+#include "model/check/energy_check.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/solids.hpp"
-#include "step/central_difference.hpp"
-#include "step/contact_resultants.hpp"
-#include "world/checkpoint.hpp"
-#include "world/energy_check.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -98,7 +98,7 @@ TEST_CASE("virtual power: forces at the skin do the work at the nodes, for every
     Model<2> still = model;
     still.gravity.field = Vec2::Zero();
     std::fill(work.element_force.begin(), work.element_force.end(), Vec2::Zero());
-    sum(still, state, work);
+    assemble_forces(still, state, work);
     for (int n = 0; n < model.nodes(); ++n)
       at_nodes += work.force[n].dot(state.velocity[n]) + work.moment[n] * state.spin[n];
     CAPTURE(word(kind));
@@ -118,13 +118,13 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
     state.position[n] = turn.apply(model.start_position[n]) + 0.02 * Vec2(std::sin(1.0 + n), std::cos(2.0 * n));
     state.velocity[n] = {std::sin(3.0 * n + 1), std::cos(5.0 * n)};
   }
-  const Tie<2> tie = tie_point(model, 0, {0.5, 0.3}, "test");
-  const Pose pose = pose_at(model, state, tie);
+  const Attachment<2> attachment = tie_point(model, 0, {0.5, 0.3}, "test");
+  const Pose pose = pose_at(model, state, attachment);
   const Vec2 force(3, -2);
   const double moment = 0.7;
   std::vector<Vec2> on(state.position.size(), Vec2::Zero());
   std::vector<double> none(state.position.size(), 0.0);
-  push_at(model, state, tie, force, moment, on, none);
+  apply_force(model, state, attachment, force, moment, on, none);
   double power = 0;
   for (std::size_t n = 0; n < on.size(); ++n) power += on[n].dot(state.velocity[n]);
   CHECK(near(power, force.dot(pose.velocity) + moment * pose.spin, 1e-12));
@@ -132,7 +132,7 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
   const double h = 1e-7;
   State<2> later = state;
   for (std::size_t n = 0; n < on.size(); ++n) later.position[n] += h * state.velocity[n];
-  CHECK(near((pose_at(model, later, tie).rotation - pose.rotation) / h, pose.spin, 1e-5));
+  CHECK(near((pose_at(model, later, attachment).rotation - pose.rotation) / h, pose.spin, 1e-5));
   CHECK_THROWS_AS(tie_point(model, 0, {3, 3}, "test"), InputError);
 }
 

@@ -31,7 +31,7 @@ TEST_CASE("B1: a rigid turn of an unstressed element by any angle makes no stres
       Work<2> work;
       for (int degrees = 0; degrees <= 720; ++degrees) {
         turn_all(model, state, {3, -2}, degrees * degree);
-        resist(model, state, work);
+        internal_forces(model, state, work);
         CHECK(largest(work.element_force) < 1e-9 * young);
         CHECK(work.element_stored < 1e-18 * young);
         for (int e = 0; e < static_cast<int>(model.elements.size()); ++e) {
@@ -49,7 +49,7 @@ TEST_CASE("element forces are the gradient of the stored energy, with no resulta
   turn_all(model, state, {0, 0}, 1.1);
   const std::array<Vec2, 4> bend{Vec2(.05, -.02), Vec2(.1, .07), Vec2(-.06, .03), Vec2(.02, -.08)};
   for (int n = 0; n < 4; ++n) state.position[n] += bend[n];
-  resist(model, state, work);
+  internal_forces(model, state, work);
   const std::vector<Vec2> force = work.element_force;
   Vec2 sum = Vec2::Zero();
   double moment = 0;
@@ -61,7 +61,7 @@ TEST_CASE("element forces are the gradient of the stored energy, with no resulta
       std::array<double, 2> stored{};
       for (const int side : {0, 1}) {
         state.position[n][k] += side == 0 ? h : -2 * h;
-        resist(model, state, work);
+        internal_forces(model, state, work);
         stored[side] = work.element_stored;
       }
       state.position[n][k] += h;
@@ -88,7 +88,7 @@ TEST_CASE("B3: the patch of distorted elements carries a constant stress") {
     State<2> state = initial_state(model);
     for (Vec2& x : state.position) x += 1e-3 * Vec2(x.x() + 0.5 * x.y(), x.y() + 0.5 * x.x());
     Work<2> work;
-    resist(model, state, work);
+    internal_forces(model, state, work);
     for (const Vec2& inner : {Vec2(.04, .02), Vec2(.18, .03), Vec2(.16, .08), Vec2(.08, .08)})
       CHECK(work.element_force[node_at(model, inner)].norm() < 1e-6 * 1333 * 0.05);
     for (int e = 0; e < static_cast<int>(model.elements.size()); ++e) {

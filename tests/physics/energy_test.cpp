@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bearing/direction_samples.hpp"
 #include "contact/contact_samples.hpp"
+#include "law/bearing/direction_samples.hpp"
 #include "near.hpp"
 #include "physics/collapses.hpp"
 

@@ -1,8 +1,8 @@
 // Rigid blocks that are joints of a frame: mass and inertia on a cantilever, free flight, contact on their faces.
+#include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
-#include "step/modes.hpp"
 
 namespace trilith::testing {
 namespace {

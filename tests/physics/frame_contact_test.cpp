@@ -1,9 +1,9 @@
 // Frames that touch: a beam on a bed, on piers, against another one; followed supports, and what is kept.
+#include "model/check/energy_check.hpp"
+#include "model/contact/skin_places.hpp"
+#include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
-#include "world/energy_check.hpp"
-#include "world/pose.hpp"
-#include "world/skin_places.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -90,8 +90,8 @@ double sag_on_piers(int divisions) {
   Simulation<2> sim = scene.start();
   const StageReport report = settle(sim, 20, 1e-7);
   CHECK(report.end == StageEnd::rest);
-  const Tie<2> middle = tie_point(sim.model(), 2, {4, 0.25}, "test"),
-               end = tie_point(sim.model(), 2, {0, 0.25}, "test");
+  const Attachment<2> middle = tie_point(sim.model(), 2, {4, 0.25}, "test"),
+                      end = tie_point(sim.model(), 2, {0, 0.25}, "test");
   return pose_at(sim.model(), sim.state(), end).place.y() - pose_at(sim.model(), sim.state(), middle).place.y();
 }
 

@@ -1,7 +1,7 @@
 // Limit and critical loads of frames by themselves: snap-through, Lee's frame, columns and portals.
+#include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
-#include "world/pose.hpp"
 
 namespace trilith::testing {
 namespace {

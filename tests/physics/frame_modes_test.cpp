@@ -1,7 +1,7 @@
 // VALIDATION M1, M3: natural frequencies of a free beam and of a portal.
+#include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
-#include "step/modes.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,8 +1,8 @@
 // Beams and frames by themselves: their forces, known deflections, vibrations and flight.
+#include "integrate/explicit/stable_step.hpp"
+#include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
-#include "step/stable_step.hpp"
-#include "world/pose.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -45,7 +45,7 @@ TEST_CASE("beam forces are the gradient of the stored energy, with no resultant 
     State<2> state = bent_state(model, turn);
     const auto energy = [&] {
       Work<2> work;
-      resist(model, state, work);
+      internal_forces(model, state, work);
       return work.element_stored;
     };
     const double scale = energy();
@@ -83,7 +83,7 @@ TEST_CASE("B1: a rigid turn of a frame by any angle, over several full turns, ma
     for (const NodeDofs& f : forces_at(model, state))
       for (const double part : f) CHECK(std::abs(part) < 1e-9 * frame_young * 0.2);
     Work<2> work;
-    resist(model, state, work);
+    internal_forces(model, state, work);
     CHECK(work.element_stored < 1e-18 * frame_young);
   }
 }
@@ -92,7 +92,7 @@ TEST_CASE("dampings of beams take the power that the ledger books, and none in a
   const Model<2> model = of_frames(elastic_material("m", 2400, frame_young, 0.2, 1e-3), {odd_frame()});
   State<2> state = bent_state(model, 0.7);
   Work<2> work;
-  resist(model, state, work);
+  internal_forces(model, state, work);
   double power = 0;
   for (int n = 0; n < model.nodes(); ++n)
     power += work.element_damping[n].dot(state.velocity[n]) + work.element_damping_moment[n] * state.spin[n];
@@ -101,7 +101,7 @@ TEST_CASE("dampings of beams take the power that the ledger books, and none in a
     state.velocity[n] = Vec2(1, 2) + cross(0.5, state.position[n]);
     state.spin[n] = 0.5;
   }
-  resist(model, state, work);
+  internal_forces(model, state, work);
   for (const Vec2& f : work.element_damping) CHECK(f.norm() < 1e-9 * frame_young * 0.2 * 1e-3);
 }
 

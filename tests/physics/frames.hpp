@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "assembly/evaluate.hpp"
+#include "model/loads.hpp"
 #include "physics/scene.hpp"
-#include "step/evaluate.hpp"
-#include "step/member_forces.hpp"
-#include "world/loads.hpp"
+#include "readings/member_forces.hpp"
 
 namespace trilith::testing {
 
@@ -66,7 +66,7 @@ using NodeDofs = std::array<double, 3>;
 /// Of the beams' forces on every node.
 inline std::vector<NodeDofs> forces_at(const Model<2>& model, const State<2>& state) {
   Work<2> work;
-  resist(model, state, work);
+  internal_forces(model, state, work);
   std::vector<NodeDofs> out;
   for (std::size_t n = 0; n < work.element_force.size(); ++n)
     out.push_back({work.element_force[n].x(), work.element_force[n].y(), work.element_moment[n]});

@@ -3,11 +3,11 @@
 
 #include <array>
 
+#include "assembly/evaluate.hpp"
 #include "base/rotation_3d.hpp"
-#include "body/rigid_turn.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/evaluate.hpp"
+#include "element/rigid/rigid_turn.hpp"
+#include "events/commit.hpp"
+#include "integrate/explicit/central_difference.hpp"
 
 namespace trilith::testing {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

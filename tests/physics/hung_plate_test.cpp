@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
+#include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/space_implicit.hpp"
-#include "world/solid_model_builder.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "assembly/implicit_turn.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/space_implicit.hpp"
-#include "step/implicit_turn.hpp"
-#include "world/solid_model_builder.hpp"
 
 namespace trilith::testing {
 namespace {

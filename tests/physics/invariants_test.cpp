@@ -6,14 +6,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "assembly/evaluate.hpp"
+#include "assembly/start.hpp"
+#include "events/commit.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "model/io/checkpoint.hpp"
 #include "physics/collapses.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/evaluate.hpp"
-#include "step/mass_scaling.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
-#include "world/checkpoint.hpp"
 
 namespace trilith {
 namespace {

@@ -3,17 +3,17 @@
 
 #include <filesystem>
 
+#include "edit/release.hpp"
+#include "integrate/explicit/central_difference.hpp"
 #include "load/ramp.hpp"
+#include "model/check/energy_check.hpp"
+#include "model/io/checkpoint.hpp"
+#include "model/loads.hpp"
+#include "model/pushes.hpp"
 #include "near.hpp"
 #include "physics/solids.hpp"
-#include "run/body_forces.hpp"
 #include "run/pushover.hpp"
-#include "step/central_difference.hpp"
-#include "step/release.hpp"
-#include "world/checkpoint.hpp"
-#include "world/energy_check.hpp"
-#include "world/loads.hpp"
-#include "world/pushes.hpp"
+#include "run/record/body_forces.hpp"
 
 namespace trilith::testing {
 namespace {

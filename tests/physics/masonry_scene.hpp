@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "build/part.hpp"
+#include "build/plane/part.hpp"
 #include "physics/scene.hpp"
 
 namespace trilith::testing {

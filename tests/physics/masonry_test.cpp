@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "build/arch.hpp"
-#include "build/stack.hpp"
+#include "build/plane/arch.hpp"
+#include "build/plane/stack.hpp"
 #include "physics/masonry_scene.hpp"
 
 using namespace trilith;

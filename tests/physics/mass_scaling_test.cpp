@@ -1,5 +1,5 @@
 // Bodies of elements that are slowed in what deforms them, so that steps are longer.
-#include "step/mass_scaling.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
 
 #include <doctest/doctest.h>
 

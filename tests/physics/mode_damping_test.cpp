@@ -1,11 +1,11 @@
 // Shares of critical damping of modes, against their closed forms.
-#include "step/mode_damping.hpp"
+#include "modal/mode_damping.hpp"
 
+#include "assembly/start.hpp"
+#include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
-#include "step/modes.hpp"
-#include "step/start.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,5 +1,5 @@
 // Natural frequencies of blocks on joints, of masses on springs, of beams (VALIDATION M2, M4 to M6).
-#include "step/modes.hpp"
+#include "modal/modes.hpp"
 
 #include "near.hpp"
 #include "physics/frames.hpp"

@@ -1,8 +1,8 @@
 // Two hundred random stones poured into a box.
 #include <algorithm>
 
+#include "geometry/plane/random_convex.hpp"
 #include "physics/scene.hpp"
-#include "shape/random_convex.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,10 +1,10 @@
 // A beam whose hinge has lost its moment is removed: what it held is given off, its mass stays, the rest carries on.
+#include "assembly/start.hpp"
 #include "base/error.hpp"
 #include "near.hpp"
 #include "physics/implicit.hpp"
 #include "physics/yielding.hpp"
-#include "step/equilibrium.hpp"
-#include "step/start.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,9 +1,9 @@
 // VALIDATION F12: a short bar hits a long one.
 #include <algorithm>
 
+#include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/solids.hpp"
-#include "world/pose.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "model/io/state_words.hpp"
 #include "run/simulation.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 

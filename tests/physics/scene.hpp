@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "load/motion.hpp"
+#include "model/builder/builder.hpp"
 #include "run/simulation.hpp"
-#include "world/builder.hpp"
 
 namespace trilith::testing {
 

@@ -1,10 +1,10 @@
 // Mortar that sets in joints as they stand: no stress changes by it, and from there on the bond holds what it can.
 #include <array>
 
+#include "assembly/evaluate.hpp"
+#include "integrate/explicit/central_difference.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "step/central_difference.hpp"
-#include "step/evaluate.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

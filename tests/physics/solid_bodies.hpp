@@ -6,14 +6,14 @@
 #include <random>
 #include <string>
 
-#include "body/rigid_turn.hpp"
-#include "shape/random_convex_3d.hpp"
-#include "step/central_difference.hpp"
-#include "step/commit.hpp"
-#include "step/evaluate.hpp"
-#include "step/mass_scaling.hpp"
-#include "world/energy.hpp"
-#include "world/space_builder.hpp"
+#include "assembly/evaluate.hpp"
+#include "element/rigid/rigid_turn.hpp"
+#include "events/commit.hpp"
+#include "geometry/space/random_convex_3d.hpp"
+#include "integrate/explicit/central_difference.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "model/energy.hpp"
+#include "model/space_builder/space_builder.hpp"
 
 namespace trilith::testing {
 

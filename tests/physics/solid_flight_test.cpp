@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "build/block_list.hpp"
+#include "geometry/space/convex_hull.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "shape/convex_hull.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <tuple>
 
+#include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/space_implicit.hpp"
-#include "step/equilibrium.hpp"
-#include "world/solid_model_builder.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -6,11 +6,11 @@
 #include <bit>
 #include <filesystem>
 
+#include "assembly/start.hpp"
 #include "contact/held_joint.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "step/start.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

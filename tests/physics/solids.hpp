@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "assembly/element/element_stress.hpp"
+#include "assembly/evaluate.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "model/pose.hpp"
 #include "physics/scene.hpp"
-#include "step/element_stress.hpp"
-#include "step/evaluate.hpp"
-#include "step/stable_step.hpp"
-#include "world/pose.hpp"
 
 namespace trilith::testing {
 
@@ -67,7 +67,7 @@ inline std::vector<Vec2> solve_small(const Model<2>& model, const std::vector<Ve
     std::array<std::vector<Vec2>, 2> at;
     for (const int side : {0, 1}) {
       state.position[n][k] = model.start_position[n][k] + (side == 0 ? size : -size);
-      resist(model, state, work);
+      internal_forces(model, state, work);
       at[side] = work.element_force;
     }
     state.position[n][k] = model.start_position[n][k];

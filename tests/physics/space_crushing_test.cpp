@@ -8,10 +8,10 @@
 #include <cmath>
 #include <filesystem>
 
+#include "assembly/start.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "step/start.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -35,7 +35,7 @@ TEST_CASE("patch test: distorted bricks and tetrahedra carry a linear field exac
     State<3> state = initial_state(model);
     Work<3> work;
     for (int n = 0; n < model.nodes(); ++n) state.position[n] += gradient * model.start_position[n];
-    resist(model, state, work);
+    internal_forces(model, state, work);
     // The field itself is in balance: no force on any inner node.
     double left = 0, held = 0;
     for (int n = 0; n < model.nodes(); ++n)
@@ -69,7 +69,7 @@ TEST_CASE("patch test: bricks and wedges in one mesh stretch uniformly to roundi
   Work<3> work;
   for (int n = 0; n < model.nodes(); ++n)
     state.position[n] = Vec3(1 + stretch, 1 - poisson * stretch, 1 - poisson * stretch).cwiseProduct(state.position[n]);
-  resist(model, state, work);
+  internal_forces(model, state, work);
   SpaceVector expected = SpaceVector::Zero();
   expected[0] = young * stretch;
   CHECK(stress_error(model, state, expected) < 1e-9);
@@ -88,7 +88,7 @@ TEST_CASE("patch test: a stretch of distorted elements is uniform to rounding") 
       const Vec3& x = model.start_position[n];
       state.position[n] = Vec3((1 + stretch) * x.x(), (1 - poisson * stretch) * x.y(), (1 - poisson * stretch) * x.z());
     }
-    resist(model, state, work);
+    internal_forces(model, state, work);
     SpaceVector expected = SpaceVector::Zero();
     expected[0] = young * stretch;
     CHECK(stress_error(model, state, expected) < 1e-9);
@@ -116,7 +116,7 @@ TEST_CASE("a rigid turn of elements in space by any angle makes no stress, no fo
         const Turn3 turn = turn_of(random_turn(bits));
         for (int n = 0; n < model.nodes(); ++n)
           state.position[n] = Vec3(3, -2, 1) + turn.apply(model.start_position[n]);
-        resist(model, state, work);
+        internal_forces(model, state, work);
         CHECK(largest_of(work.element_force) < 1e-9 * young);
         CHECK(work.element_stored < 1e-18 * young);
       }
@@ -133,7 +133,7 @@ TEST_CASE("forces of elements in space are the gradient of the stored energy, wi
     Work<3> work;
     const Turn3 turn = turn_of(random_turn(bits));
     for (Vec3& x : state.position) x = turn.apply(x) + 0.08 * random_in_ball(bits);
-    resist(model, state, work);
+    internal_forces(model, state, work);
     const std::vector<Vec3> force = work.element_force;
     const double size = largest_of(force);
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
@@ -141,9 +141,9 @@ TEST_CASE("forces of elements in space are the gradient of the stored energy, wi
       sum += force[n], moment += cross(state.position[n], force[n]);
       for (int k = 0; k < 3; ++k) {
         const double h = 1e-6, at = state.position[n][k];
-        state.position[n][k] = at + h, resist(model, state, work);
+        state.position[n][k] = at + h, internal_forces(model, state, work);
         const double more = work.element_stored;
-        state.position[n][k] = at - h, resist(model, state, work);
+        state.position[n][k] = at - h, internal_forces(model, state, work);
         const double less = work.element_stored;
         state.position[n][k] = at;
         CHECK(near_zero(force[n][k] + (more - less) / (2 * h), 1e-6 * size));

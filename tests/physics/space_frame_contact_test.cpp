@@ -1,10 +1,10 @@
 // Beams in space that touch solids and hang on bearings: their skin goes with their nodes.
 #include <doctest/doctest.h>
 
+#include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/space_frames.hpp"
-#include "world/pose.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/space_frames.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

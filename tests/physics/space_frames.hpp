@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/element/beam_motion.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "model/loads.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 #include "physics/solid_bodies.hpp"
-#include "step/beam_motion.hpp"
-#include "step/member_forces.hpp"
-#include "step/stable_step.hpp"
-#include "world/loads.hpp"
-#include "world/solid_model_builder.hpp"
+#include "readings/member_forces.hpp"
 
 namespace trilith::testing {
 
@@ -86,7 +86,7 @@ class SpaceEquilibrium {
 
  private:
   Eigen::VectorXd residual_at(double share) {
-    resist(model_, state_, work_);
+    internal_forces(model_, state_, work_);
     Eigen::VectorXd out(static_cast<Eigen::Index>(free_.size()));
     for (std::size_t i = 0; i < free_.size(); ++i) {
       const auto [n, k] = free_[i];

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
+#include "model/io/state_words.hpp"
 #include "near.hpp"
 #include "physics/soft_solids.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {

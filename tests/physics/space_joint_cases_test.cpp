@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "contact/held_joint.hpp"
+#include "model/pushes.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 #include "physics/scene.hpp"
 #include "physics/space_implicit.hpp"
 #include "physics/turned_worlds.hpp"
-#include "world/pushes.hpp"
-#include "world/solid_model_builder.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

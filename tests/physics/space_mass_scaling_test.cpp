@@ -4,11 +4,11 @@
 #include <cmath>
 #include <functional>
 
-#include "bearing/linear.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "law/bearing/linear.hpp"
 #include "near.hpp"
 #include "physics/space_solids.hpp"
 #include "run/simulation.hpp"
-#include "step/mass_scaling.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "energy_watch.hpp"
+#include "integrate/explicit/stable_step.hpp"
 #include "near.hpp"
 #include "physics/scaled_masses.hpp"
 #include "physics/scene.hpp"
 #include "physics/space_solids.hpp"
-#include "step/stable_step.hpp"
 
 namespace trilith::testing {
 namespace {

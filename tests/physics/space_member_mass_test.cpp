@@ -4,20 +4,20 @@
 
 #include <fmt/format.h>
 
-#include "body/beam_inertia_3d.hpp"
+#include "assembly/element/consistent_mass.hpp"
+#include "assembly/start.hpp"
+#include "assembly/tangent/beam_tangent.hpp"
+#include "element/beam/beam_inertia_3d.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+#include "modal/mode_damping.hpp"
+#include "modal/modes.hpp"
+#include "model/io/state_words.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
 #include "physics/space_frames.hpp"
 #include "physics/space_implicit.hpp"
-#include "step/beam_tangent.hpp"
-#include "step/consistent_mass.hpp"
-#include "step/implicit_step.hpp"
-#include "step/mode_damping.hpp"
-#include "step/modes.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
-#include "world/state_words.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -320,7 +320,7 @@ TEST_CASE("damping over a band in space: the tangent is that of central differen
           moved.rotation[n] = rotation_by(turn) * moved.rotation[n];
         }
         Work<3> work;
-        resist(model, moved, work, dt);
+        internal_forces(model, moved, work, dt);
         for (int i = 0; i < 2; ++i) {
           const auto at = static_cast<std::size_t>(i);
           difference.segment<3>(6 * i) += side * (work.element_force[at] + work.element_damping[at]);

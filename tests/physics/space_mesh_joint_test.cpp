@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "assembly/start.hpp"
+#include "assembly/stored_energy.hpp"
+#include "integrate/explicit/stable_step.hpp"
 #include "near.hpp"
 #include "physics/space_solids.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
-#include "step/stored_energy.hpp"
 
 namespace trilith::testing {
 namespace {

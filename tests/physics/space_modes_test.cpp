@@ -1,17 +1,17 @@
 // Natural frequencies in space (VALIDATION M1, M4, M5, M7 to M10, F6, F7): blocks on joints, a slab on columns, a grid
 // of masses, hanging chains, beams and frames by themselves and under load.
-#include "step/modes.hpp"
+#include "modal/modes.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
 
+#include "modal/mode_damping.hpp"
 #include "near.hpp"
 #include "physics/grid_frequencies.hpp"
 #include "physics/space_frames.hpp"
 #include "physics/space_implicit.hpp"
-#include "step/equilibrium.hpp"
-#include "step/mode_damping.hpp"
+#include "statics/equilibrium.hpp"
 
 namespace trilith::testing {
 namespace {

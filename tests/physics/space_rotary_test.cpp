@@ -6,12 +6,12 @@
 #include <cmath>
 #include <memory>
 
+#include "assembly/element/rotary_inertia.hpp"
+#include "assembly/start.hpp"
+#include "assembly/whole_body.hpp"
 #include "load/ramp.hpp"
 #include "near.hpp"
 #include "physics/soft_solids.hpp"
-#include "step/rotary_inertia.hpp"
-#include "step/start.hpp"
-#include "step/whole_body.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -7,12 +7,12 @@
 #include <memory>
 #include <numbers>
 
-#include "bearing/linear.hpp"
+#include "assembly/start.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "law/bearing/linear.hpp"
 #include "load/ramp.hpp"
 #include "near.hpp"
 #include "physics/soft_solids.hpp"
-#include "step/stable_step.hpp"
-#include "step/start.hpp"
 
 namespace trilith::testing {
 namespace {

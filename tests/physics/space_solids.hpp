@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "assembly/element/element_stress.hpp"
+#include "model/pose.hpp"
+#include "model/space_builder/space_solid.hpp"
 #include "physics/space_frames.hpp"
-#include "step/element_stress.hpp"
-#include "world/pose.hpp"
-#include "world/space_solid.hpp"
 
 namespace trilith::testing {
 

@@ -7,8 +7,8 @@
 #include "near.hpp"
 #include "physics/space_frames.hpp"
 #include "physics/space_implicit.hpp"
-#include "step/equilibrium.hpp"
-#include "step/load_path.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/load_path.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -105,7 +105,7 @@ TEST_CASE("F1: the bend of 45 degrees in 16 elements comes to where it is publis
 TEST_CASE("a path in space controlled by its load leads to the equilibrium that statics find at once") {
   Model<3> model = bend_of_45(8);
   PointLoad<3> load;
-  load.name = "push", load.body = 0, load.at = Tie<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
+  load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
   model.point_loads.push_back(load);
   for (const PathControl control : {PathControl::load, PathControl::arc}) {
     LoadPathOptions<3> how;
@@ -149,7 +149,7 @@ Model<3> right_angle(int divisions) {
                         axes.z().cwiseAbs2().dot(tensor[n])};
   }
   PointLoad<3> load;
-  load.name = "push", load.body = 0, load.at = Tie<3>::to_node(1, Vec3::Zero()), load.force = Vec3(0, 0, 1);
+  load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(1, Vec3::Zero()), load.force = Vec3(0, 0, 1);
   load.curve.time = {0, 1, 2}, load.curve.share = {0, 50, 0};
   model.point_loads.push_back(load);
   return model;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "integrate/explicit/stable_step.hpp"
 #include "near.hpp"
 #include "solid_bodies.hpp"
-#include "step/stable_step.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

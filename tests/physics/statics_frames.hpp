@@ -5,8 +5,8 @@
 #include <string>
 
 #include "physics/frames.hpp"
-#include "step/equilibrium.hpp"
-#include "step/load_path.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/load_path.hpp"
 
 namespace trilith::testing {
 

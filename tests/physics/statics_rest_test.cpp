@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <chrono>
 
-#include "build/arch.hpp"
+#include "assembly/contact/contact_resultants.hpp"
+#include "assembly/evaluate.hpp"
+#include "build/plane/arch.hpp"
+#include "model/loads.hpp"
 #include "near.hpp"
 #include "physics/masonry_scene.hpp"
-#include "step/contact_resultants.hpp"
-#include "step/equilibrium.hpp"
-#include "step/evaluate.hpp"
-#include "step/load_path.hpp"
-#include "world/loads.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/load_path.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,9 +1,9 @@
 // VALIDATION I7, I8: friction by implicit steps, where sticking and sliding take turns.
 #include <algorithm>
 
+#include "assembly/contact/contact_resultants.hpp"
 #include "near.hpp"
 #include "physics/implicit.hpp"
-#include "step/contact_resultants.hpp"
 
 namespace trilith::testing {
 namespace {
@@ -118,7 +118,7 @@ TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and go
   const int n = node_of(sim.model(), "block");
   const double slips = 0.2942, period = 2 * M_PI / 10, from = sim.state().position[n].x();
   struct Sample {
-    double time, place, speed, given_off;
+    double time, place, speed, dissipated;
   };
   std::vector<Sample> all{{0, 0, 0, 0}};
   StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), 2, 2e-3);
@@ -144,7 +144,7 @@ TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and go
                (all[i].*what - all[i - 1].*what) * (t - all[i - 1].time) / (all[i].time - all[i - 1].time);
     return std::nan("");
   };
-  const double way = at(slips + 1, &Sample::place), work = at(slips + period, &Sample::given_off);
+  const double way = at(slips + 1, &Sample::place), work = at(slips + period, &Sample::dissipated);
   MESSAGE(
       fmt::format("I8: slips at {:.4f} s (.2942), peak {:.5f} m/s (.2), {:.2e} m/s at {:.5f} s (.62832), {:.6f} m "
                   "(.105440), {:.6f} J (.184851), friction off by {:.1e} N, at most {:.5f} N",

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "build/running_bond.hpp"
+#include "build/plane/running_bond.hpp"
 #include "physics/masonry_scene.hpp"
 
 using namespace trilith;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "build/arch.hpp"
+#include "build/plane/arch.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+#include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/implicit.hpp"
 #include "physics/masonry_scene.hpp"
-#include "step/implicit_step.hpp"
-#include "step/modes.hpp"
 
 namespace trilith::testing {
 namespace {

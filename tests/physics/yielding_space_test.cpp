@@ -8,11 +8,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/frames.hpp"
 #include "physics/space_frames.hpp"
 #include "physics/space_implicit.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

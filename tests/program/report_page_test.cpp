@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "draw/stored_motion.hpp"
+#include "draw/chart/stored_motion.hpp"
 #include "program/verb.hpp"
 #include "run/falling_span.hpp"
 #include "source_dir.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "report/html_text.hpp"
-#include "results/event_tree.hpp"
+#include "results/reading/event_tree.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"
 #include "source_dir.hpp"

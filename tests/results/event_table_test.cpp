@@ -1,4 +1,4 @@
-#include "results/event_table.hpp"
+#include "results/reading/event_table.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Fragility curves by maximum likelihood, against closed forms and against chance itself.
-#include "results/fragility.hpp"
+#include "results/study/fragility.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/normal_distribution.hpp"
 #include "near.hpp"
-#include "results/study_fragility.hpp"
+#include "results/study/study_fragility.hpp"
 
 using namespace trilith;
 using results::CapacityBounds;

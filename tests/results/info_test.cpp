@@ -1,10 +1,10 @@
-#include "results/info.hpp"
+#include "results/reading/info.hpp"
 
 #include <doctest/doctest.h>
 
 #include <chrono>
 
-#include "results/provenance.hpp"
+#include "results/file/provenance.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

@@ -1,7 +1,7 @@
 // Natural modes in a results file.
 #include <doctest/doctest.h>
 
-#include "results/extended.hpp"
+#include "results/file/extended.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "draw/stored_motion.hpp"
+#include "draw/chart/stored_motion.hpp"
 #include "near.hpp"
-#include "results/extended.hpp"
+#include "results/file/extended.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

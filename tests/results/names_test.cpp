@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "results/sample_run.hpp"
-#include "results/study_table.hpp"
+#include "results/study/study_table.hpp"
 
 using namespace trilith;
 using namespace trilith::results;

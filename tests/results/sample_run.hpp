@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "results/reader.hpp"
-#include "results/writer.hpp"
+#include "results/file/writer.hpp"
+#include "results/reading/reader.hpp"
 
 namespace trilith::testing {
 

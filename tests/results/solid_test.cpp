@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "near.hpp"
-#include "results/info.hpp"
+#include "results/reading/info.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"
 

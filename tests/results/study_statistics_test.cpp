@@ -1,5 +1,5 @@
 // Medians, bands, dispersions and Wilson's interval, against tables.
-#include "results/study_statistics.hpp"
+#include "results/study/study_statistics.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // The table of a study: read back, and damaged in ways that HDF5 itself does not catch.
-#include "results/study_table.hpp"
+#include "results/study/study_table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include <fstream>
 #include <string>
 
-#include "results/results.hpp"
+#include "results/file/results.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/rotation_3d.hpp"
-#include "results/writer.hpp"
-#include "shape/polyhedron.hpp"
+#include "geometry/space/polyhedron.hpp"
+#include "results/file/writer.hpp"
 
 namespace trilith::testing {
 

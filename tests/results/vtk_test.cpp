@@ -7,11 +7,11 @@
 
 #include "base/error.hpp"
 #include "near.hpp"
-#include "results/placement.hpp"
+#include "results/file/placement.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"
-#include "results/vtk_export.hpp"
-#include "results/vtk_file.hpp"
+#include "results/vtk/vtk_export.hpp"
+#include "results/vtk/vtk_file.hpp"
 
 using namespace trilith;
 using namespace trilith::results;

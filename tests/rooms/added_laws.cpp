@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "contact/law_trial.hpp"
-#include "material/space_point.hpp"
+#include "law/material/space_point.hpp"
+#include "model/contact/contact_rules.hpp"
 #include "near.hpp"
-#include "world/contact_rules.hpp"
 
 namespace trilith::testing {
 namespace {

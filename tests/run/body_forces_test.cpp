@@ -1,15 +1,15 @@
 // Mean stress of what hangs on bearings, from the forces on it.
-#include "run/body_forces.hpp"
+#include "run/record/body_forces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "bearing/linear.hpp"
+#include "assembly/contact/contact_resultants.hpp"
+#include "law/bearing/linear.hpp"
 #include "near.hpp"
 #include "physics/solids.hpp"
-#include "step/contact_resultants.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,12 +1,12 @@
 // Bodies that leave the bounds: told, out of the step, in the ledger, and still out after a restart.
 #include <fmt/format.h>
 
+#include "integrate/explicit/central_difference.hpp"
+#include "model/bounds.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
 #include "results/sample_run.hpp"
-#include "step/central_difference.hpp"
-#include "world/bounds.hpp"
-#include "world/checkpoint.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

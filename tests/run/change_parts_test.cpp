@@ -1,12 +1,12 @@
 // Models that change: bodies go, come back and come new; what stays keeps its bits, and the ledger closes.
 #include <fmt/format.h>
 
+#include "integrate/explicit/central_difference.hpp"
+#include "model/check/energy_check.hpp"
+#include "model/io/checkpoint.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
 #include "results/sample_run.hpp"
-#include "step/central_difference.hpp"
-#include "world/checkpoint.hpp"
-#include "world/energy_check.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;
@@ -54,7 +54,7 @@ TEST_CASE("a body that is removed and put back before it did anything leaves the
     plain.run(short_stage(duration));
     changed.run(short_stage(duration));
     if (changed.state().is_removed(static_cast<std::size_t>(beside[0])))
-      changed.put_back({beside, {}});
+      changed.reactivate({beside, {}});
     else
       changed.remove({beside, {}});
   }
@@ -94,7 +94,7 @@ TEST_CASE("the ledger closes through removal of what moves and presses, and the 
   sim.remove({upper, {}});
   CHECK(sim.state().given[EnergyTerm::removed] > 0.5 * 1000 * speed * speed * 0.9);
   run_checked(sim, 0.5, check, first);
-  sim.put_back({upper, {}});
+  sim.reactivate({upper, {}});
   run_checked(sim, 0.5, check, first);
   CHECK(check.share() < 1e-3);
   CHECK(check.input() > 0);

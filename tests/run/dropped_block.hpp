@@ -1,8 +1,8 @@
 // A block of stone, 1 m x 0.5 m, above fixed ground: the smallest run with an impact, a rest and an energy ledger.
 #pragma once
 
+#include "model/builder/builder.hpp"
 #include "run/simulation.hpp"
-#include "world/builder.hpp"
 
 namespace trilith::testing {
 

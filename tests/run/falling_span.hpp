@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "build/bridge.hpp"
-#include "run/recording.hpp"
+#include "build/plane/bridge.hpp"
+#include "run/record/recording.hpp"
 #include "run/simulation.hpp"
 
 namespace trilith::testing {

@@ -6,12 +6,12 @@
 #include "base/error.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "results/reader.hpp"
+#include "results/reading/reader.hpp"
 #include "results/sample_run.hpp"
-#include "run/body_forces.hpp"
-#include "run/joints.hpp"
-#include "run/recording.hpp"
-#include "run/storeys.hpp"
+#include "run/record/body_forces.hpp"
+#include "run/record/joints.hpp"
+#include "run/record/recording.hpp"
+#include "run/record/storeys.hpp"
 
 using namespace trilith;
 using testing::box;

@@ -1,4 +1,4 @@
-#include "run/processes.hpp"
+#include "run/study/processes.hpp"
 
 #include <doctest/doctest.h>
 

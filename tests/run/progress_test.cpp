@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "model/event_text.hpp"
 #include "near.hpp"
 #include "run/falling_span.hpp"
 #include "run/listeners.hpp"
-#include "world/event_text.hpp"
 
 using namespace trilith;
 using testing::near;

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "assembly/contact/contact_resultants.hpp"
 #include "base/error.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "step/contact_resultants.hpp"
 
 using namespace trilith;
 using testing::box;

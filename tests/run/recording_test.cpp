@@ -1,4 +1,4 @@
-#include "run/recording.hpp"
+#include "run/record/recording.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "near.hpp"
-#include "results/reader.hpp"
+#include "results/reading/reader.hpp"
 #include "results/sample_run.hpp"
 #include "run/dropped_block.hpp"
 

@@ -1,8 +1,8 @@
 // A small collapse, recorded and drawn: to be looked at, and checked for what the pictures say.
 #include <doctest/doctest.h>
 
-#include "draw/results_picture.hpp"
 #include "draw/sample_pictures.hpp"
+#include "draw/scene/results_picture.hpp"
 #include "run/falling_span.hpp"
 
 using namespace trilith;

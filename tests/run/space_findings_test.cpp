@@ -4,15 +4,15 @@
 #include <cmath>
 #include <filesystem>
 
+#include "model/pose.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "results/reader.hpp"
-#include "run/body_forces.hpp"
-#include "run/recording.hpp"
+#include "results/reading/reader.hpp"
+#include "run/record/body_forces.hpp"
+#include "run/record/recording.hpp"
+#include "run/record/storey_damage.hpp"
 #include "run/simulation.hpp"
-#include "run/storey_damage.hpp"
-#include "world/pose.hpp"
-#include "world/solid_model_builder.hpp"
 
 namespace trilith::testing {
 namespace {

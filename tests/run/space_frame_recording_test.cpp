@@ -3,8 +3,8 @@
 
 #include "near.hpp"
 #include "physics/space_frames.hpp"
-#include "results/placement.hpp"
-#include "run/recording_header.hpp"
+#include "results/file/placement.hpp"
+#include "run/record/recording_header.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

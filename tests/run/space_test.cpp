@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "integrate/explicit/stable_step.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/solid_bodies.hpp"
-#include "results/reader.hpp"
-#include "run/recording.hpp"
+#include "results/reading/reader.hpp"
+#include "run/record/recording.hpp"
 #include "run/simulation.hpp"
-#include "step/stable_step.hpp"
-#include "world/solid_model_builder.hpp"
 
 namespace trilith::testing {
 namespace {

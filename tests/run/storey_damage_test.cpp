@@ -1,10 +1,10 @@
 // What became of a wall, storey by storey: both sides of each limit, on bodies moved by hand.
-#include "run/storey_damage.hpp"
+#include "run/record/storey_damage.hpp"
 
 #include <doctest/doctest.h>
 
+#include "assembly/start.hpp"
 #include "physics/scene.hpp"
-#include "step/start.hpp"
 
 using namespace trilith;
 using testing::box;

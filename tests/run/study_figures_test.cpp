@@ -1,9 +1,9 @@
-#include "run/study_figures.hpp"
+#include "run/study/study_figures.hpp"
 
 #include <doctest/doctest.h>
 
 #include "base/error.hpp"
-#include "run/study_columns.hpp"
+#include "run/study/study_columns.hpp"
 
 using namespace trilith;
 

@@ -1,4 +1,4 @@
-#include "run/study_plan.hpp"
+#include "run/study/study_plan.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "run/slurm_job.hpp"
+#include "run/study/slurm_job.hpp"
 
 using namespace trilith;
 

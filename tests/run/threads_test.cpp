@@ -5,10 +5,10 @@
 #include <array>
 #include <numbers>
 
+#include "model/space_builder/solid_model_builder.hpp"
 #include "physics/scene.hpp"
 #include "physics/solid_bodies.hpp"
 #include "run/simulation.hpp"
-#include "world/solid_model_builder.hpp"
 
 namespace trilith::testing {
 namespace {

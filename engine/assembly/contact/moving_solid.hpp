@@ -1,0 +1,32 @@
+// Pieces in space where they stand, as contact asks for them.
+#pragma once
+
+#include "assembly/contact/solid_joints.hpp"
+#include "contact/space/solid_pressure.hpp"
+#include "model/work.hpp"
+
+namespace trilith {
+
+/// A piece where its body is now, with the velocity and spin of the node that it goes with, or of its fit.
+inline MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
+  if (model.is_fitted(piece)) {
+    const auto first = static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)]);
+    const Fitted& whole = work.solids.fitted[first];
+    return {work.solids.placed[piece],
+            whole.place,
+            whole.velocity,
+            whole.spin,
+            step_behind(work, model.carrier_of(piece)),
+            &work.solids.face_motion[first + 1]};
+  }
+  const int n = model.node_of_piece(piece);
+  return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n], step_behind(work, n)};
+}
+
+/// One of the two is a ball.
+inline bool has_sphere(const Work<3>& work, const NearPair& pair) {
+  const std::vector<Sphere>& sphere = work.solids.sphere;
+  return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);
+}
+
+}  // namespace trilith

@@ -1,0 +1,333 @@
+#include "assembly/element/consistent_mass.hpp"
+
+#include <cmath>
+
+#include "assembly/element/beam_motion.hpp"
+#include "assembly/element/rotary_inertia.hpp"
+
+namespace trilith {
+namespace {
+
+/// The beam's ends from its nodes: each is carried by its node, `arm` away.
+BeamMatrix carried_by(const std::array<Vec2, 2>& arm) {
+  BeamMatrix g = BeamMatrix::Identity();
+  for (const int end : {0, 1}) g(3 * end, 3 * end + 2) = -arm[end].y(), g(3 * end + 1, 3 * end + 2) = arm[end].x();
+  return g;
+}
+
+/// Where the beam lies: its chord and arms.
+struct Lie {
+  std::array<Vec2, 2> arm;
+  Vec2 along;
+  double length;
+
+  Lie(const State<2>& state, const Beam& beam) {
+    const Vec2 from = end_of(state, beam, 0, arm[0]).place, to = end_of(state, beam, 1, arm[1]).place;
+    length = (to - from).norm();
+    along = (to - from) / length;
+  }
+};
+
+/// Translations and turns of the two nodes as one vector of six.
+BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std::vector<double>& about) {
+  BeamVector out;
+  for (const int end : {0, 1}) {
+    const int n = beam.node[end];
+    out.segment<2>(3 * end) = along[n], out[3 * end + 2] = about[n];
+  }
+  return out;
+}
+
+/// What the nodes' own masses and inertias hold of the beam already, and is taken off what is added.
+BeamVector lumped_of(const BeamInertia& inertia) {
+  BeamVector out;
+  out << inertia.lumped, inertia.lumped, inertia.turning[0], inertia.lumped, inertia.lumped, inertia.turning[1];
+  return out;
+}
+
+/// ... in space as one of twelve.
+BeamVector3 of_nodes(const Beam3& beam, const std::vector<Vec3>& along, const std::vector<Vec3>& about) {
+  BeamVector3 out;
+  for (const int end : {0, 1}) {
+    const auto n = static_cast<std::size_t>(beam.node[static_cast<std::size_t>(end)]);
+    out.segment<3>(6 * end) = along[n], out.segment<3>(6 * end + 3) = about[n];
+  }
+  return out;
+}
+
+/// Where a beam in space lies: its chord, and how its ends are carried by its nodes.
+struct Lie3 {
+  Vec3 along;
+  double length;
+  bool on_arms;
+  std::array<Vec3, 2> arm;
+  BeamMatrix3 carried;  ///< motion of the ends by that of the nodes: an end goes with v + w x arm
+
+  Lie3(const State<3>& state, const Beam3& beam) : on_arms(has_arm(beam, 0) || has_arm(beam, 1)) {
+    const Vec3 chord = end_of(state, beam, 1).place - end_of(state, beam, 0).place;
+    length = chord.norm(), along = chord / length;
+    if (!on_arms) return;
+    carried.setIdentity();
+    for (const int end : {0, 1}) {
+      arm[static_cast<std::size_t>(end)] = arm_of(state, beam, static_cast<std::size_t>(end));
+      for (int k = 0; k < 3; ++k)
+        carried.block<3, 1>(6 * end, 6 * end + 3 + k) = cross(Vec3::Unit(k), arm[static_cast<std::size_t>(end)]);
+    }
+  }
+  /// Inertia that a node has of the lumped half of the beam's mass at its arm.
+  [[nodiscard]] Eigen::Matrix3d lumped_turning(double mass, int end) const {
+    return inertia_at(0.5 * mass, arm[static_cast<std::size_t>(end)]);
+  }
+};
+
+/// Of a beam on arms: an arm that turns with its node brings w x (w x arm), and what the node has of the lumped mass by
+/// its own tensor, I a + w x I w, is taken off.
+BeamVector3 forces_on_arms(const BeamInertia3& inertia, const Lie3& lie, const BeamVector3& v, const BeamVector3& a) {
+  BeamMotion3 motion{lie.along, lie.length, lie.carried * v, lie.carried * a};
+  for (const int end : {0, 1}) {
+    const Vec3 spin = v.segment<3>(6 * end + 3);
+    motion.rise.segment<3>(6 * end) += cross(spin, cross(spin, lie.arm[static_cast<std::size_t>(end)]));
+  }
+  BeamVector3 force = lie.carried.transpose() * inertia_forces(inertia, motion);
+  for (const int end : {0, 1}) {
+    const Eigen::Matrix3d turning = lie.lumped_turning(inertia.mass, end);
+    const Vec3 spin = v.segment<3>(6 * end + 3), rise = a.segment<3>(6 * end + 3);
+    force.segment<3>(6 * end + 3) -= turning * rise + cross(spin, Vec3(turning * spin));
+  }
+  return force;
+}
+
+/// The mass of a node by itself on the motion v of it; in space turns meet its tensor as it stands.
+Dofs<2> own_momentum(const Model<2>& model, const State<2>& state, int n, const Dofs<2>& v) {
+  const Dofs<2> mass = mass_of(model, state, n);
+  return {mass[0] * v[0], mass[1] * v[1], mass[2] * v[2]};
+}
+Dofs<3> own_momentum(const Model<3>& model, const State<3>& state, int n, const Dofs<3>& v) {
+  const auto i = static_cast<std::size_t>(n);
+  const double m = model.mass[i];
+  return dofs_of(Vec3(m * v[0], m * v[1], m * v[2]),
+                 momentum_of(model.inertia[i], state.rotation[i], Vec3(v[3], v[4], v[5])));
+}
+
+template <int D>
+double dot_free(const Model<D>& model, const std::vector<Dofs<D>>& a, const std::vector<Dofs<D>>& b) {
+  double sum = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    for (int k = 0; k < Space<D>::dofs; ++k)
+      if (model.support[n][k] == Support::free) sum += a[n][k] * b[n][k];
+  return sum;
+}
+
+/// M of all beams as they lie, for products with it.
+template <int D>
+class MassMatrix {
+ public:
+  static constexpr int dofs = Space<D>::dofs;
+  using Added = std::conditional_t<D == 2, BeamMatrix, BeamMatrix3>;
+
+  MassMatrix(const Model<D>& model, const State<D>& state) : model_(model), state_(state) {
+    for (const auto& beam : beams_of(model))
+      if (beam.inertia >= 0) added_.push_back({beam.node, added_mass(model, state, beam)});
+  }
+  [[nodiscard]] std::vector<Dofs<D>> times(const std::vector<Dofs<D>>& v) const {
+    std::vector<Dofs<D>> out(v.size());
+    for (std::size_t n = 0; n < v.size(); ++n) out[n] = own_momentum(model_, state_, static_cast<int>(n), v[n]);
+    for (const auto& [node, m] : added_)
+      for (int row = 0; row < 2 * dofs; ++row)
+        for (int column = 0; column < 2 * dofs; ++column)
+          out[node[row / dofs]][row % dofs] += m(row, column) * v[node[column / dofs]][column % dofs];
+    add_rotary_momentum(model_, state_, v, out);
+    return out;
+  }
+  /// Of M on its diagonal.
+  [[nodiscard]] std::vector<Dofs<D>> diagonal() const {
+    std::vector<Dofs<D>> out(model_.mass.size());
+    for (int n = 0; n < model_.nodes(); ++n)
+      for (int k = 0; k < dofs; ++k) {
+        Dofs<D> one{};
+        one[k] = 1;
+        out[n][k] = own_momentum(model_, state_, n, one)[k];
+      }
+    for (const auto& [node, m] : added_)
+      for (int i = 0; i < 2 * dofs; ++i) out[node[i / dofs]][i % dofs] += m(i, i);
+    add_rotary_diagonal(model_, state_, out);
+    return out;
+  }
+
+ private:
+  const Model<D>& model_;
+  const State<D>& state_;
+  std::vector<std::pair<std::array<int, 2>, Added>> added_;
+};
+
+}  // namespace
+
+/// G' R' M R G - diag(lumped): M in the axes of the chord, turned to the world, carried to the nodes by their arms.
+BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam) {
+  const BeamInertia& inertia = model.beam_inertias[beam.inertia];
+  const Lie lie(state, beam);
+  const BeamMatrix g = carried_by(lie.arm);
+  BeamMatrix out = g.transpose() * turned(inertia.consistent, lie.along) * g;
+  out.diagonal() -= lumped_of(inertia);
+  return out;
+}
+
+/// Forces that the added mass puts on the nodes, by its acceleration and by its own change as the chord turns: the
+/// Lagrange equation of its kinetic energy, d/dt (dT/dv) - dT/dx. An arm that turns with its node brings -w^2 arm.
+void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out) {
+  out.clear();
+  if (!has_added_mass(model)) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  add_rotary_forces(model, state, rising, out);
+  for (const Beam& beam : model.beams) {
+    if (beam.inertia < 0) continue;
+    const BeamInertia& inertia = model.beam_inertias[beam.inertia];
+    const Lie lie(state, beam);
+    const BeamMatrix g = carried_by(lie.arm);
+    const BeamVector v = of_nodes(beam, state.velocity, state.spin);
+    const BeamVector a = rising ? of_nodes(beam, state.acceleration, state.spin_rate) : BeamVector(BeamVector::Zero());
+    BeamMotion motion{lie.along, lie.length, g * v, g * a};
+    for (const int end : {0, 1}) motion.rise.segment<2>(3 * end) -= v[3 * end + 2] * v[3 * end + 2] * lie.arm[end];
+    const BeamVector force =
+        g.transpose() * inertia_forces(inertia.consistent, motion) - lumped_of(inertia).cwiseProduct(a);
+    for (int i = 0; i < 6; ++i) out[beam.node[i / 3]][i % 3] += force[i];
+  }
+}
+
+/// M carried to the nodes by arms, less the lumped half of the beam's mass on either node; its sections' turning
+/// inertia is the nodes' own.
+BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam) {
+  const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
+  const Lie3 lie(state, beam);
+  BeamMatrix3 out = mass_in_space(inertia, lie.along);
+  if (lie.on_arms) out = (lie.carried.transpose() * out * lie.carried).eval();
+  for (const int i : {0, 1, 2, 6, 7, 8}) out(i, i) -= 0.5 * inertia.mass;
+  for (const int end : {0, 1})
+    if (lie.on_arms) out.block<3, 3>(6 * end + 3, 6 * end + 3) -= lie.lumped_turning(inertia.mass, end);
+  return out;
+}
+
+void added_inertia(const Model<3>& model, const State<3>& state, bool rising, std::vector<Dofs<3>>& out) {
+  out.clear();
+  if (!has_added_mass(model)) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  add_rotary_forces(model, state, rising, out);
+  for (const Beam3& beam : model.beams_3d) {
+    if (beam.inertia < 0) continue;
+    const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
+    const Lie3 lie(state, beam);
+    const BeamVector3 v = of_nodes(beam, state.velocity, state.spin);
+    const BeamVector3 a =
+        rising ? of_nodes(beam, state.acceleration, state.spin_rate) : BeamVector3(BeamVector3::Zero());
+    BeamVector3 force =
+        lie.on_arms ? forces_on_arms(inertia, lie, v, a) : inertia_forces(inertia, {lie.along, lie.length, v, a});
+    for (const int i : {0, 1, 2, 6, 7, 8}) force[i] -= 0.5 * inertia.mass * a[i];
+    for (int i = 0; i < 12; ++i) out[static_cast<std::size_t>(beam.node[i / 6])][i % 6] += force[i];
+  }
+}
+
+template <int D>
+bool has_added_mass(const Model<D>& model) {
+  return model.has_consistent_mass() || has_one_element_bodies(model);
+}
+template bool has_added_mass(const Model<2>&);
+template bool has_added_mass(const Model<3>&);
+
+template <int D>
+void added_damping(const Model<D>& model, const State<D>& state, std::vector<Dofs<D>>& out) {
+  constexpr int dofs = Space<D>::dofs;
+  out.clear();
+  if (!has_added_mass(model) || !(model.mass_damping > 0)) return;
+  out.resize(static_cast<std::size_t>(model.nodes()));
+  each_rotary_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    if (model.support[i][k] == Support::free) out[i][k] -= model.mass_damping * m * state.velocity[j][l];
+  });
+  for (const auto& beam : beams_of(model)) {
+    if (beam.inertia < 0) continue;
+    const auto momentum = (added_mass(model, state, beam) * of_nodes(beam, state.velocity, state.spin)).eval();
+    for (int i = 0; i < 2 * dofs; ++i)
+      if (const int n = beam.node[i / dofs]; model.support[n][i % dofs] == Support::free)
+        out[n][i % dofs] -= model.mass_damping * momentum[i];
+  }
+}
+
+template void added_damping(const Model<2>&, const State<2>&, std::vector<Dofs<2>>&);
+template void added_damping(const Model<3>&, const State<3>&, std::vector<Dofs<3>>&);
+
+template <int D>
+std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>& state, const Work<D>& work) {
+  const Outside outside(model, state, work);
+  std::vector<NodeForces<D>> out;
+  out.reserve(static_cast<std::size_t>(model.nodes()));
+  for (int n = 0; n < model.nodes(); ++n)
+    out.push_back(node_forces(model, state, work, n, velocity_of(state, n), outside, {}));
+  std::vector<Dofs<D>> added;
+  added_damping(model, state, added);
+  for (std::size_t n = 0; n < added.size(); ++n)
+    for (int k = 0; k < Space<D>::dofs; ++k) out[n].force[k] += added[n][k], out[n].mass[k] += added[n][k];
+  return out;
+}
+
+template std::vector<NodeForces<2>> implicit_forces(const Model<2>&, const State<2>&, const Work<2>&);
+template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State<3>&, const Work<3>&);
+
+/// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
+template <int D>
+double added_kinetic(const Model<D>& model, const State<D>& state) {
+  double sum = rotary_energy(model, state);
+  for (const auto& beam : beams_of(model)) {
+    if (beam.inertia < 0) continue;
+    const auto v = of_nodes(beam, state.velocity, state.spin);
+    sum += 0.5 * v.dot(added_mass(model, state, beam) * v);
+  }
+  return sum;
+}
+
+template double added_kinetic(const Model<2>&, const State<2>&);
+template double added_kinetic(const Model<3>&, const State<3>&);
+
+template <int D>
+double work_on_support(const Model<D>& model, int node, const std::type_identity_t<Dofs<D>>& force,
+                       const std::type_identity_t<Dofs<D>>& path) {
+  double sum = 0;
+  for (int k = 0; k < Space<D>::dofs; ++k)
+    if (model.support[node][k] != Support::free) sum += force[k] * path[k];
+  return sum;
+}
+
+template double work_on_support(const Model<2>&, int, const Dofs<2>&, const Dofs<2>&);
+template double work_on_support(const Model<3>&, int, const Dofs<3>&, const Dofs<3>&);
+
+/// Scaled by the diagonal, M is so well-conditioned that some twenty products reach its last digits.
+template <int D>
+std::vector<Dofs<D>> accelerations(const Model<D>& model, const State<D>& state, const std::vector<Dofs<D>>& force) {
+  const MassMatrix<D> mass(model, state);
+  const std::vector<Dofs<D>> diagonal = mass.diagonal();
+  std::vector<Dofs<D>> a(force.size()), left = force, scaled(force.size()), way;
+  const auto each_free = [&](auto&& f) {
+    for (std::size_t n = 0; n < force.size(); ++n)
+      for (int k = 0; k < Space<D>::dofs; ++k)
+        if (model.support[n][k] == Support::free) f(n, k);
+  };
+  each_free([&](std::size_t n, int k) { scaled[n][k] = left[n][k] / diagonal[n][k]; });
+  way = scaled;
+  double merit = dot_free(model, left, scaled);
+  const double enough = 1e-28 * merit;
+  for (int turn = 0; turn < 500 && merit > enough; ++turn) {
+    const std::vector<Dofs<D>> moved = mass.times(way);
+    const double step = merit / dot_free(model, way, moved);
+    each_free([&](std::size_t n, int k) {
+      a[n][k] += step * way[n][k], left[n][k] -= step * moved[n][k];
+      scaled[n][k] = left[n][k] / diagonal[n][k];
+    });
+    const double next = dot_free(model, left, scaled), share = next / merit;
+    each_free([&](std::size_t n, int k) { way[n][k] = scaled[n][k] + share * way[n][k]; });
+    merit = next;
+  }
+  return a;
+}
+
+template std::vector<Dofs<2>> accelerations(const Model<2>&, const State<2>&, const std::vector<Dofs<2>>&);
+template std::vector<Dofs<3>> accelerations(const Model<3>&, const State<3>&, const std::vector<Dofs<3>>&);
+
+}  // namespace trilith

@@ -1,0 +1,50 @@
+// M a = load + resist(bodies) + respond(contacts) + respond(bearings): one evaluation, shared by every integrator,
+// writes only Work.
+#pragma once
+
+#include "assembly/step_times.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
+#include "model/work.hpp"
+
+namespace trilith {
+
+/// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
+/// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
+/// goes is added to it. In space solids stand for skin points: place -> find -> respond -> resist -> sum.
+template <int D>
+void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
+
+// The stages, each the only writer of its part of Work.
+template <int D>
+void update_kinematics(const Model<D>& model, const State<D>& state, Work<D>& work);
+template <>
+void update_kinematics(const Model<2>& model, const State<2>& state, Work<2>& work);
+template <>
+void update_kinematics(const Model<3>& model, const State<3>& state, Work<3>& work);
+void update_contact_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
+void update_contact_pairs(const Model<3>& model, const State<3>& state, Work<3>& work);
+void face_contact_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt,
+                         StepTimes* times = nullptr);
+void polygon_contact_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt);
+void polygon_contact_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
+template <int D>
+void bearing_forces(const Model<D>& model, const State<D>& state, Work<D>& work, double dt);
+/// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from `begun_at`, by
+/// direction [m], [rad]. Writes its trial memory. Returns the elastic energy it begins with [J].
+template <int D>
+double start_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i,
+                     const std::array<double, Space<D>::dofs>& begun_at);
+/// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
+/// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
+void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
+void internal_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt = 0);
+/// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
+void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
+void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);
+/// Force on the whole of a face that is loaded, at the full size of its load curve [N].
+Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
+template <int D>
+void assemble_forces(const Model<D>& model, const State<D>& state, Work<D>& work);
+
+}  // namespace trilith

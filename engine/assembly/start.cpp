@@ -1,0 +1,92 @@
+#include "assembly/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/contact/contact_rows.hpp"
+#include "assembly/evaluate.hpp"
+#include "broad_phase/pairs.hpp"
+#include "contact/joint/face_resultant.hpp"
+
+namespace trilith {
+namespace {
+
+/// Faces that share less than this of the smaller body's size are those of neighbours across a corner, which settling
+/// has pushed past each other by a hair; no mortar holds there.
+constexpr double least_shared = 1e-3;
+
+double smaller_size(const Model<2>& model, const NearPair& p) {
+  return 2 * std::min(model.body_radius[model.piece_body[p.piece_a]], model.body_radius[model.piece_body[p.piece_b]]);
+}
+
+/// change(law, memory, what the law remembers) alters what a contact of two faces remembers, where its law has bonds;
+/// the ledger has the difference of the elastic energy.
+template <class Change>
+void change_bond(const Model<2>& model, const Work<2>& work, std::size_t row, State<2>& state, Change&& change) {
+  const NearPair& pair = work.pairs[row];
+  const FaceOverlap<double> overlap = face_overlap(work, pair);
+  ContactMemory& memory = state.contacts.memory[row];
+  with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {
+    if constexpr (K::bonds) {
+      LawMemory<K> own = law_memory<K>(state.contacts.law_numbers(row));
+      const double before = pressing_energy(overlap, memory, own, law);
+      change(law, memory, own);
+      keep_law_memory<K>(own, state.contacts.law_numbers(row));
+      state.given[EnergyTerm::contact_fracture] += before - pressing_energy(overlap, memory, own, law);
+    }
+  });
+}
+
+/// The pairs that are near, and a state that has its contacts in their rows.
+void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
+  update_kinematics(model, state, work);
+  update_contact_pairs(model, state, work);
+  state.contacts = work.matched;
+}
+
+}  // namespace
+
+/// Where two faces look at each other within `reach` of the smaller body's size, mortar is put between them as they
+/// stand. Stresses stay as they are (see Filling); where what is stored changes, the ledger has the difference.
+void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_body) {
+  Work<2> work;
+  find_contacts(model, state, work);
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    NearPair& pair = work.pairs[row];
+    const ContactMemory& memory = state.contacts.memory[row];
+    if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
+    // A joint bonded on both halves is left as it is, so this may be called again.
+    if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
+    if (!choose_face_pair(model, work, true, pair)) continue;
+    const FaceOverlap<double> overlap = face_overlap(work, pair);
+    // Length of the joint and gap are judged by the smaller of both bodies.
+    const double size = smaller_size(model, pair);
+    if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * size) continue;
+    if (overlap.shared < least_shared * size) continue;
+    change_bond(model, work, row, state, [&](const auto& law, ContactMemory& contact, auto& own) {
+      contact.bonds = 3;
+      contact.state |= contact_touching;
+      law.set_bond(own, overlap.gap_lo, overlap.gap_hi);
+    });
+  }
+}
+
+/// Fresh mortar: joints press and rub, and hold nothing.
+void lift_bonds(const Model<2>& model, State<2>& state) {
+  Work<2> work;
+  find_contacts(model, state, work);
+  for (std::size_t row = 0; row < work.pairs.size(); ++row)
+    if (state.contacts.memory[row].bonds != 0 && choose_face_pair(model, work, true, work.pairs[row]))
+      change_bond(model, work, row, state, [](const auto& law, ContactMemory& contact, auto& own) {
+        contact.bonds = 0;
+        law.lift_bond(own);
+      });
+}
+
+State<2> start_state(const Model<2>& model, double reach) {
+  State<2> state = initial_state(model);
+  set_bonds(model, state, reach);
+  return state;
+}
+
+}  // namespace trilith

@@ -1,0 +1,60 @@
+// An unknown of a state moved a little, to see how forces answer.
+#pragma once
+
+#include <cstddef>
+
+#include "assembly/implicit_turn.hpp"
+#include "assembly/tangent/dof_graph.hpp"
+#include "assembly/tangent/tangent.hpp"
+#include "element/rigid/rigid.hpp"
+#include "model/model.hpp"
+#include "model/state.hpp"
+
+namespace trilith {
+
+/// How far an unknown is moved [m] or [rad]: small against overlaps of faces, large against rounding; over a short step
+/// less, so that its velocity is not changed much. A rotation moves what is a radius of gyration away as far. `most`:
+/// no farther than this, as of faces pressed together by little.
+template <int D>
+double perturbation_of(const Model<D>& model, const Freedom& f, const TangentOptions& options, double most = unbounded);
+
+/// What is farther apart than this touches nowhere as an unknown is moved: no corner goes farther than some
+/// disturbances as its body turns [m].
+inline double reach_of_moves(const TangentOptions& options) {
+  return 10 * (options.move > 0 ? options.move : 1e-8);
+}
+
+/// An unknown is moved by no more than this share of the depth of a contact; a larger move would open the contact on
+/// one side of the difference. It is moved by at least `least_move` [m] because of rounding.
+inline constexpr double share_of_depth = 0.01, least_move = 1e-13;
+
+/// Moves an unknown by `by`, its rate by `rate` times that, for as long as this lives.
+template <int D>
+class Moved {
+ public:
+  Moved(State<D>& state, const Freedom& f, double by, double rate)
+      : state_(state),
+        node_(static_cast<std::size_t>(f.node)),
+        was_{state.position[node_], state.rotation[node_], state.velocity[node_], state.spin[node_]} {
+    if (is_turn<D>(f)) {
+      const int axis = f.k - Space<D>::translations;
+      turn_about(axis, by, state.rotation[node_]);
+      number_at(axis, state.spin[node_]) += rate * by;
+    } else {
+      state.position[node_][f.k] += by, state.velocity[node_][f.k] += rate * by;
+    }
+  }
+  Moved(const Moved&) = delete;
+  Moved& operator=(const Moved&) = delete;
+  ~Moved() {
+    state_.position[node_] = was_.position, state_.rotation[node_] = was_.rotation;
+    state_.velocity[node_] = was_.velocity, state_.spin[node_] = was_.spin;
+  }
+
+ private:
+  State<D>& state_;
+  const std::size_t node_;
+  const NodeMotion<D> was_;
+};
+
+}  // namespace trilith

@@ -1,0 +1,352 @@
+#include "broad_phase/pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/portable.hpp"
+#include "base/team.hpp"
+#include "broad_phase/bearing_rules.hpp"
+#include "broad_phase/broad_phase_update.hpp"
+#include "broad_phase/face_line.hpp"
+#include "broad_phase/incremental_pairs.hpp"
+#include "law/contact/face_overlap.hpp"
+
+namespace trilith {
+namespace {
+
+/// One edge of a piece: its two skin points in counter-clockwise order.
+struct Edge {
+  int s0, s1;
+  double corner;
+};
+
+Edge edge_of(const Model<2>& model, int piece, int e) {
+  const int first = model.piece_first[piece], count = model.corners_of(piece);
+  return {model.corner_skin[first + e], model.corner_skin[first + (e + 1) % count], model.edge_corner[first + e]};
+}
+
+/// As Work is placed: ends of a face and their velocities, counter-clockwise around its own body.
+FaceEnds<double> ends(const Work<2>& work, int s0, int s1) {
+  const SkinMotion<2>&p = work.skin[s0], &q = work.skin[s1];
+  return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
+}
+
+void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
+  pair.a0 = a.s0, pair.a1 = a.s1, pair.b0 = b.s0, pair.b1 = b.s1;
+  pair.corner = std::max(a.corner, b.corner);
+}
+
+/// An edge with the way along it [m].
+struct EdgeWay {
+  Edge edge;
+  double x, y;
+};
+using EdgeWays = std::array<EdgeWay, max_piece_corners>;
+
+/// The surface edges of a piece, as Work is placed; returns how many there are.
+int list_ways(const Model<2>& model, const Work<2>& work, int piece, EdgeWays& ways) {
+  const int first = model.piece_first[piece], edges = model.corners_of(piece);
+  std::size_t count = 0;
+  for (int e = 0; e < edges; ++e) {
+    if (!model.edge_is_face[first + e]) continue;
+    const int s0 = model.corner_skin[first + e], s1 = model.corner_skin[first + (e + 1 < edges ? e + 1 : 0)];
+    const SkinMotion<2>&from = work.skin[s0], &to = work.skin[s1];
+    ways[count++] = {{s0, s1, model.edge_corner[first + e]}, to.x - from.x, to.y - from.y};
+  }
+  return static_cast<int>(count);
+}
+
+/// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`, until
+/// it returns false.
+/// With e_a, e_b along the faces, both counter-clockwise: e_a . e_b < 0 and |e_a x e_b| <= tan(angle) |e_a . e_b|, so
+/// no root and no angle is found. `angle` is that tangent.
+template <class Visit>
+void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle,
+                      Visit&& visit) {
+  EdgeWays of_a, of_b;
+  const int na = list_ways(model, work, piece_a, of_a), nb = list_ways(model, work, piece_b, of_b);
+  for (int i = 0; i < na; ++i)
+    for (int j = 0; j < nb; ++j) {
+      const EdgeWay &a = of_a[static_cast<std::size_t>(i)], &b = of_b[static_cast<std::size_t>(j)];
+      const double cosine = a.x * b.x + a.y * b.y, sine = a.x * b.y - a.y * b.x;
+      if (cosine < 0 && std::abs(sine) <= -cosine * angle && !visit(a.edge, b.edge)) return;
+    }
+}
+
+/// Could the faces come to touch flatly before they are looked at again? Until then no two points come nearer than the
+/// margin.
+/// `in_line`: what neighbours in line may add to their length.
+bool may_touch(const FaceOverlap<double>& o, double margin, double in_line) {
+  const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin + in_line;
+  return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
+}
+
+/// The faces of a deformable body turn with their nodes.
+/// A face whose ends move by d each turns by up to 2 d over its length: half of the shortest is its arm.
+double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece) {
+  double least = unbounded;
+  for (int e = 0; e < model.corners_of(piece); ++e) {
+    const Edge edge = edge_of(model, piece, e);
+    const SkinMotion<2>&p = work.skin[edge.s0], &q = work.skin[edge.s1];
+    if (model.edge_is_face[model.piece_first[piece] + e])
+      least = std::min(least, portable::hypot(q.x - p.x, q.y - p.y));
+  }
+  return 0.5 * least;
+}
+
+/// The most that an edge of a piece turns while its corners move by `reach` [rad]: asin(reach / arm), which is below
+/// pi/3 of its argument up to a half; `any_turn` beyond.
+double turn_within(const Model<2>& model, const Work<2>& work, int piece, double reach) {
+  constexpr double any_turn = 1, pi_third = 1.0471975511965979;
+  const double rigid = work.search.arm[piece], arm = rigid > 0 ? rigid : half_shortest_face(model, work, piece);
+  return 2 * reach <= arm ? pi_third * reach / arm : any_turn;
+}
+
+/// No less than the tangent of an angle from 0 to 1: (1 - x / tan x) / x^2 rises from 1/3 to 0.358 there.
+double tangent_or_more(double angle) {
+  return angle / (1 - 0.36 * angle * angle);
+}
+
+/// Counts the pairs of faces, up to two, that may come to touch flatly while the corners of the pieces move by these
+/// reaches [m]; all that look at each other where the pieces may turn by any angle. Keeps the first.
+int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, double reach_b, NearPair& pair) {
+  const double margin = reach_a + reach_b, angle = face_pair_max_tilt +
+                                                   turn_within(model, work, pair.piece_a, reach_a) +
+                                                   turn_within(model, work, pair.piece_b, reach_b);
+  const bool any = angle >= 1;
+  const FaceLine line = face_line(model);
+  int count = 0;
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, any ? unbounded : tangent_or_more(angle),
+                   [&](const Edge& a, const Edge& b) {
+                     if (!any && !may_touch({ends(work, a.s0, a.s1), ends(work, b.s0, b.s1)}, margin,
+                                            length_in_line(line, work.skin.data(), a.s0, a.s1, b.s0, b.s1)))
+                       return true;
+                     if (count == 0) set_faces(pair, a, b);
+                     count = any ? 2 : count + 1;
+                     return count < 2;
+                   });
+  return count;
+}
+
+/// 0: a contact of general shape until one of the pieces is looked up again; 1: of these two faces; 2: chosen anew at
+/// each step. Faces that are `beside` each other count with those that may touch, see choose_face_pair.
+void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
+  const BroadPhaseState<2>& search = work.search;
+  pair.facing = count_facing(model, work, reach_of(search, pair.piece_a) + search.beside,
+                             reach_of(search, pair.piece_b) + search.beside, pair);
+}
+
+/// Pairs of faces by law, for kernels that do several rows at once; all others one by one. Rows stay in their order.
+void sort_into_batches(const Model<2>& model, Work<2>& work) {
+  work.batches.resize(model.laws.size());
+  work.general.clear();
+  for (std::size_t l = 0; l < model.laws.size(); ++l) {
+    work.batches[l].law = static_cast<int>(l);
+    work.batches[l].row.clear(), work.batches[l].choice.clear();
+  }
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    const NearPair& pair = work.pairs[row];
+    if (pair.facing == 0 || pair.replaced)
+      work.general.push_back(row);
+    else
+      (pair.facing == 1 ? work.batches[pair.law].row : work.batches[pair.law].choice).push_back(row);
+  }
+}
+
+}  // namespace
+
+int contact_law(const Model<2>& model, int body_a, int body_b) {
+  if (model.surfaces == 1) return model.law_of[0];  // asked of many pairs, whose bodies lie far apart
+  return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
+}
+
+namespace {
+
+/// Two pieces of bodies that are there, of which one may move, with a law between them.
+bool may_ever_touch(const Model<2>& model, const State<2>& state, const BroadPhaseState<2>& search, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  return a != b && (search.may_move[p] != 0 || search.may_move[q] != 0) && state.left[a] == 0 && state.left[b] == 0 &&
+         contact_law(model, a, b) >= 0;
+}
+
+/// Pieces and rows that threads take at a time: some ten microseconds.
+constexpr int due_stretch = 16, faced_stretch = 64;
+
+/// Runs f(list) with what a thread has found so far: taken out, as the ends of lists that lie beside each other would
+/// go to and fro between threads.
+template <class F>
+void add_found(BroadPhaseState<2>& search, int thread, F&& f) {
+  std::vector<ContactKey> found = std::move(search.found_by[static_cast<std::size_t>(thread)]);
+  f(found);
+  search.found_by[static_cast<std::size_t>(thread)] = std::move(found);
+}
+
+/// Keys of the pairs of the pieces from `first` to before `last` of those that are due, by their boxes.
+void find_by_boxes(const Model<2>& model, const State<2>& state, const BroadPhaseState<2>& search, int first, int last,
+                   std::vector<ContactKey>& found) {
+  for (int i = first; i < last; ++i) {
+    const int p = search.due[i];
+    if (!search.boxes.holds(p)) continue;
+    search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
+      if (q == p || (search.is_due[q] != 0 && q < p)) return;  // two that are due are met from the lower one
+      if (may_ever_touch(model, state, search, p, q)) found.push_back(contact_key(std::min(p, q), std::max(p, q)));
+    });
+  }
+}
+
+/// Keys of the pairs that remember something, wherever they are; of a piece that is due.
+void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  BroadPhaseState<2>& search = work.search;
+  if (!work.valid) {
+    const ContactHistory& before = state.contacts;
+    for (std::size_t row = 0; row < before.size(); ++row)
+      if (const ContactKey key = before.key[row];
+          !before.memory[row].empty() && may_ever_touch(model, state, search, first_piece(key), second_piece(key)))
+        search.found.push_back(key);
+    return;
+  }
+  const ContactHistory& before = contacts_before(state, work);
+  list_due_rows(before.key, search);
+  for (const int row : search.due_rows)
+    if (!before.memory[row].empty()) search.found.push_back(before.key[row]);
+}
+
+/// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something. Each thread has a
+/// list of its own: sorted they are the same, whoever found which.
+void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  BroadPhaseState<2>& search = work.search;
+  search.found.clear();
+  search.found_by.resize(static_cast<std::size_t>(std::clamp(work.threads, 1, most_threads)));
+  for (std::vector<ContactKey>& of_thread : search.found_by) of_thread.clear();
+  share(work.threads, static_cast<int>(search.due.size()), due_stretch, [&](int first, int last, int thread) {
+    add_found(search, thread,
+              [&](std::vector<ContactKey>& found) { find_by_boxes(model, state, search, first, last, found); });
+  });
+  find_remembered(model, state, work);
+  for (const std::vector<ContactKey>& of_thread : search.found_by)
+    search.found.insert(search.found.end(), of_thread.begin(), of_thread.end());
+  std::sort(search.found.begin(), search.found.end());
+  search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
+}
+
+/// Looks at the faces of some rows. Each asks its own pieces and writes itself alone.
+void face_rows(const Model<2>& model, Work<2>& work, const std::vector<int>& rows) {
+  share(work.threads, static_cast<int>(rows.size()), faced_stretch, [&](int first, int last, int /*thread*/) {
+    for (int i = first; i < last; ++i) find_facing(model, work, work.pairs[rows[i]]);
+  });
+}
+
+/// Looks at the faces of the rows anew of which a piece was looked up.
+void face_again(const Model<2>& model, Work<2>& work) {
+  for (const int row : work.search.due_rows) work.clear_until[row] = 0;
+  face_rows(model, work, work.search.due_rows);
+}
+
+/// Merges what was found into the list: rows of pieces that are not due stay, of the others those that were found.
+void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  const std::vector<ContactKey>& found = work.search.found;
+  std::vector<int>& to_face = work.search.to_face;
+  work.spare_pairs.clear(), work.spare_asleep.clear(), work.spare_clear.clear(), to_face.clear();
+  const auto add = [&](const NearPair& pair, double asleep, double clear) {
+    work.spare_pairs.push_back(pair), work.spare_asleep.push_back(asleep), work.spare_clear.push_back(clear);
+  };
+  const auto add_new = [&](ContactKey key) {
+    const int p = first_piece(key), q = second_piece(key);
+    NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
+    apply_bearings<2>(model, work.search, state.bearing, pair);
+    to_face.push_back(static_cast<int>(work.spare_pairs.size()));
+    add(pair, -1.0, 0.0);
+  };
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const NearPair& pair = work.pairs[row];
+    const ContactKey key = key_of(pair);
+    while (next < found.size() && found[next] < key) add_new(found[next++]);
+    const bool due = is_due(work.search, pair);
+    if (!due) {
+      add(pair, work.asleep_until[row], work.clear_until[row]);
+    } else if (next < found.size() && found[next] == key) {
+      to_face.push_back(static_cast<int>(work.spare_pairs.size()));
+      add(pair, work.asleep_until[row], 0.0);
+      ++next;
+    }
+  }
+  while (next < found.size()) add_new(found[next++]);
+  work.pairs.swap(work.spare_pairs);
+  work.asleep_until.swap(work.spare_asleep);
+  work.clear_until.swap(work.spare_clear);
+  face_rows(model, work, to_face);
+}
+
+/// Lets paths begin at 0 again, so that they keep their digits; rounded to the safe side.
+void begin_paths(Work<2>& work) {
+  const auto less = [&](double& path) { path -= (1 + 1e-12) * work.travel; };
+  for (double& path : work.asleep_until) less(path);
+  for (double& path : work.clear_until) less(path);
+  less(work.clear_path);
+  work.travel = 0;
+}
+
+}  // namespace
+
+bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  if (!work.valid) update_broad_phase(model, state, work);
+  return !work.valid || some_are_due(model, state, work);
+}
+
+bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  BroadPhaseState<2>& search = work.search;
+  if (!work.valid) {
+    work.travel = 0;
+    work.pairs.clear(), work.asleep_until.clear(), work.clear_until.clear();
+    list_bearings(model, search);
+  }
+  if (work.travel > 1) begin_paths(work);
+  place_boxes(model, state, work);
+  find_keys(model, state, work);
+  const bool same = work.valid && are_same(work);
+  same ? face_again(model, work) : merge_found(model, state, work);
+  sort_into_batches(model, work);
+  for (const int p : search.due) search.is_due[p] = 0;
+  search.due.clear();
+  work.clear_path = 0;
+  work.valid = true;
+  return !same;
+}
+
+/// Bonded faces stay a pair however far they open or tilt, so the one at the smallest mean gap is taken, and touch and
+/// flatness are not asked. Else the one that touches flatly, if there is just one. Where none does a contact parts as
+/// one of faces if a flat pair is the only one within BroadPhaseState::beside, and as one of general shape if there are
+/// several: a row gives the same whether one pair of faces was near when it was looked at or several were.
+bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
+  int found = 0, touching = 0;
+  double nearest = unbounded;
+  const FaceLine line = face_line(model);
+  static const double angle = portable::tan(face_pair_max_tilt);
+  for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
+    const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
+    if (!overlap.sane || !(bonded || overlap.is_flat(std::max(a.corner, b.corner)))) {
+      if (bonded || !line.is_there()) return true;
+      NearPair faces{};
+      set_faces(faces, a, b);
+      if (!is_flat_in_line(line, work.skin.data(), faces)) return true;
+    }
+    const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
+    const bool touches = overlap.shared > 0 && std::min(overlap.gap_lo, overlap.gap_hi) < 0;
+    if (!bonded && touches && touching++ == 0) nearest = unbounded;  // rather than any that does not
+    if (gap >= nearest || (!bonded && !touches && touching > 0)) return true;
+    nearest = gap;
+    ++found;
+    set_faces(pair, a, b);
+    return true;
+  });
+  // Two flat pairs that touch at once, as of a wedge in a notch, are one contact of general shape.
+  if (bonded || found == 0 || touching > 0) return found > 0 && touching < 2;
+  NearPair beside = pair;
+  return count_facing(model, work, work.search.beside, work.search.beside, beside) < 2;
+}
+
+}  // namespace trilith

@@ -1,0 +1,168 @@
+#include "broad_phase/swept_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "broad_phase/grid.hpp"
+#include "broad_phase/pairs.hpp"
+
+namespace trilith {
+namespace {
+
+/// What goes farther than this in a step [m] has run away, and meets nothing.
+constexpr double beyond_all = 1e30;
+
+/// How a body moves: all its points within `spread` of `velocity`.
+struct Pace {
+  Vec2 velocity;      ///< [m/s]
+  double spread = 0;  ///< [m/s]
+  double bend = 0;    ///< largest acceleration of a point from turning [m/s2]
+  [[nodiscard]] double against(const Pace& other) const {
+    return (velocity - other.velocity).norm() + spread + other.spread;
+  }
+};
+
+struct Range {
+  Vec2 low = Vec2::Constant(unbounded), high = Vec2::Constant(-unbounded);
+  void add(const Vec2& v) { low = low.cwiseMin(v), high = high.cwiseMax(v); }
+  [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
+  [[nodiscard]] double half() const { return 0.5 * (high - low).norm(); }
+};
+
+/// Of a rigid body: the velocity of its node and |spin| times its radius around it. Of others: the middle of the box
+/// that the velocities of their nodes or sections' corners lie in, and its half diagonal.
+std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  std::vector<Pace> out(work.body.size());
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    const BodyRow& body = work.body[b];
+    const double spin = state.spin[body.node], radius = model.body_radius[b];
+    out[b] = {state.velocity[body.node], std::abs(spin) * radius, spin * spin * radius};
+    if (body.layout == SkinLayout::one_node) continue;
+    Range range;
+    double bend = 0;
+    if (body.layout == SkinLayout::node_each)
+      for (int n = body.node; n < body.node + body.nodes; ++n) range.add(state.velocity[n]);
+    else
+      for (int s = body.skin; s < body.skin + body.skins; ++s) {
+        const double turning = state.spin[model.skin_turn[s]];
+        range.add({work.skin[s].u, work.skin[s].v});
+        bend = std::max(bend, turning * turning * model.skin_place[s].norm());
+      }
+    out[b] = {range.middle(), range.half(), bend};
+  }
+  return out;
+}
+
+/// Component `k` of the velocity that half of the bodies are below [m/s]: one that flies does not count among many.
+double median(const std::vector<Pace>& paces, int k) {
+  std::vector<double> speeds;
+  for (const Pace& p : paces) speeds.push_back(p.velocity[k]);
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+/// The way that a piece goes, beside what all go together at `common` [m/s].
+Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2& common, const Pace& pace, double dt) {
+  Range range;
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
+    const SkinMotion<2>& s = work.skin[model.corner_skin[c]];
+    const Vec2 at(s.x, s.y);
+    range.add(at);
+    range.add(at + dt * (Vec2(s.u, s.v) - common));
+  }
+  // A point that turns is off its straight way by a t^2 / 2 at most, and never by more than twice its own path.
+  const double widen = std::min(0.5 * pace.bend * dt * dt, 2 * pace.spread * std::abs(dt));
+  return {range.low.x() - widen, range.low.y() - widen, range.high.x() + widen, range.high.y() + widen};
+}
+
+/// What of a sweep does not depend on the pair.
+struct Sweep {
+  const Model<2>& model;
+  const State<2>& state;
+  std::vector<Pace> pace;  ///< [body]
+  Range all;               ///< velocities of all points of all bodies [m/s]
+  double time, share;      ///< [s], [1]
+  /// What most go by, which is no motion against each other: a quake alone makes no pair [m/s].
+  Vec2 common = Vec2::Zero();
+  double fastest = 0;  ///< beside `common` [m/s]
+
+  Sweep(const Model<2>& m, const State<2>& s, const Work<2>& work, double dt, double of)
+      : model(m), state(s), pace(paces(m, s, work)), time(std::abs(dt)), share(of) {
+    for (const Pace& p : pace) all.add(p.velocity.array() - p.spread), all.add(p.velocity.array() + p.spread);
+  }
+  /// At most how far any two go against each other [m].
+  [[nodiscard]] double farthest() const { return 2 * all.half() * time; }
+  void find_common() {
+    common = {median(pace, 0), median(pace, 1)};
+    for (const Pace& p : pace) fastest = std::max(fastest, (p.velocity - common).norm() + p.spread);
+  }
+  [[nodiscard]] double speed(int piece) const {
+    const Pace& p = pace[model.piece_body[piece]];
+    return (p.velocity - common).norm() + p.spread;
+  }
+  /// At most how fast a piece goes against any other [m/s].
+  [[nodiscard]] double closing(int piece) const {
+    const Pace& p = pace[model.piece_body[piece]];
+    return (p.velocity - all.low).cwiseMax(all.high - p.velocity).norm() + p.spread;
+  }
+  /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
+  /// With v_a + v_b > s / t one of the two is above s / 2 t: so the shorter of both lists, `fewest`, misses no pair.
+  [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
+  [[nodiscard]] bool is_thin(int piece) const {
+    return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
+  }
+  /// A law holds between them, one may move, and they go against each other by more than their share of the thinner.
+  [[nodiscard]] bool counts(int p, int q) const {
+    const int a = model.piece_body[p], b = model.piece_body[q];
+    if (a == b || state.left[a] != 0 || state.left[b] != 0) return false;
+    if ((!model.body_moves(a) && !model.body_moves(b)) || contact_law(model, a, b) < 0) return false;
+    return pace[a].against(pace[b]) * time > share * std::min(model.piece_thickness[p], model.piece_thickness[q]);
+  }
+};
+
+/// The shorter list, or none. What most go by is looked for only where some piece is fast and some is thin for any.
+std::vector<int> fewest(Sweep& sweep) {
+  std::vector<int> fast, thin;
+  for (int p = 0; p < sweep.model.pieces(); ++p) {
+    const double way = sweep.closing(p) * sweep.time;
+    if (way > sweep.share * sweep.model.least_thickness) fast.push_back(p);
+    if (way > sweep.share * sweep.model.piece_thickness[p]) thin.push_back(p);
+  }
+  if (fast.empty() || thin.empty()) return {};
+  sweep.find_common();
+  std::erase_if(fast, [&](int p) { return !sweep.is_fast(p); });
+  std::erase_if(thin, [&](int p) { return !sweep.is_thin(p); });
+  return fast.size() < thin.size() ? fast : thin;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                             double dt, double share) {
+  Sweep sweep(model, state, work, dt, share);
+  std::vector<std::pair<int, int>> found;
+  // What has run away, or is no number, is not followed.
+  if (!(sweep.farthest() > share * model.least_thickness && sweep.farthest() < beyond_all)) return found;
+  const std::vector<int> few = fewest(sweep);
+  if (few.empty()) return found;
+  std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
+  for (int p = 0; p < model.pieces(); ++p)
+    boxes[p] = swept_box(model, work, p, sweep.common, sweep.pace[model.piece_body[p]], dt);
+  const auto keep = [&](int p, int q) {
+    if (sweep.counts(p, q)) found.emplace_back(std::min(p, q), std::max(p, q));
+  };
+  // Many: all boxes on the grid. Few: each of them against all boxes, which costs less than laying a grid.
+  if (32 * few.size() > boxes.size()) {
+    for (const auto& [p, q] : meeting_boxes(boxes)) keep(p, q);
+    return found;
+  }
+  for (const int p : few)
+    for (int q = 0; q < model.pieces(); ++q)
+      if (q != p && boxes[p].meets(boxes[q])) keep(p, q);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace trilith

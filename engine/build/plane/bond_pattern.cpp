@@ -1,0 +1,79 @@
+#include "build/plane/bond_pattern.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+
+namespace trilith {
+namespace {
+
+// Quarter laps of English and Flemish bond come from a closer next to the corner header (the usual arrangement, as in
+// BS 5606 and every bricklayer's handbook).
+constexpr std::array patterns{
+    BondPattern{"running", "stretchers, each over the joint of two below", {{{"", "S", ""}, {"B", "S", ""}}}, 2},
+    BondPattern{"stack", "stretchers, joint over joint", {{{"", "S", ""}}}, 1},
+    BondPattern{"english", "a course of stretchers, a course of headers", {{{"", "S", ""}, {"HC", "H", "CH"}}}, 2},
+    BondPattern{"flemish",
+                "stretcher and header in turn, each header over the middle of a stretcher",
+                {{{"", "SH", ""}, {"HC", "SH", "CH"}}},
+                2},
+    BondPattern{"header", "headers alone, each over the joint of two below", {{{"", "H", ""}, {"C", "H", ""}}}, 2},
+    BondPattern{"english_garden",
+                "three courses of stretchers in running bond, a course of headers",
+                {{{"", "S", ""}, {"B", "S", ""}, {"", "S", ""}, {"HC", "H", "CH"}}},
+                4},
+};
+
+double length_of(char letter, const BondUnits& units) {
+  switch (letter) {
+    case 'S':
+      return units.stretcher;
+    case 'B':
+      return units.stretcher / 2;
+    case 'H':
+      return units.header;
+    default:
+      assert(letter == 'C');
+      return units.header / 2;
+  }
+}
+
+}  // namespace
+
+std::span<const BondPattern> bond_patterns() {
+  return patterns;
+}
+
+const BondPattern& find_bond(std::string_view name, std::string_view owner) {
+  std::vector<std::string> known;
+  for (const BondPattern& pattern : patterns) {
+    if (pattern.name == name) return pattern;
+    known.emplace_back(pattern.name);
+  }
+  throw InputError(fmt::format("{}: there is no bond '{}'{}", owner, name, name_hint(name, known)));
+}
+
+/// The units of the start, then the repeat as often as it goes, then those of the end, which are measured from the
+/// right: what does not fit between is the last unit of the repeat, cut.
+std::vector<double> head_joints(const BondCourse& course, const BondUnits& units, double length) {
+  const double same = 1e-9 * length;
+  double right = length;  // where the end's units begin
+  std::vector<double> last;
+  for (auto letter = course.end.rbegin(); letter != course.end.rend(); ++letter)
+    last.insert(last.begin(), right -= length_of(*letter, units));
+  double x = 0;
+  std::vector<double> joints;
+  for (const char letter : course.start)
+    if ((x += length_of(letter, units)) < right - same) joints.push_back(x);
+  for (std::size_t i = 0; x < right - same; ++i)
+    if ((x += length_of(course.repeat[i % course.repeat.size()], units)) < right - same) joints.push_back(x);
+  const double taken = joints.empty() ? 0 : joints.back();
+  for (const double joint : last)  // a wall shorter than start and end together keeps its start
+    if (joint > taken + same) joints.push_back(joint);
+  return joints;
+}
+
+}  // namespace trilith

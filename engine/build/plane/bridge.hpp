@@ -1,0 +1,94 @@
+// The rigid pieces of a simple-span bridge seen from the side: piers, abutments and spans.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/schema.hpp"
+#include "build/plane/part.hpp"
+
+namespace trilith {
+
+/// A pier of footing, stem and head, one rigid body symmetric about its middle line.
+struct Pier {
+  std::string name = "pier";
+  double x = 0;                  ///< middle line, m
+  double ground_level = 0;       ///< y of the footing's underside, m
+  double height = 0;             ///< from there to the seat, m
+  double stem_width = 0;         ///< m
+  double top_width = 0;          ///< of the seat, m; 0: the stem's
+  double cap_thickness = 0;      ///< height of the cap, m; 0: no cap, the stem tapers evenly to the top width
+  double footing_width = 0;      ///< m; 0: no footing
+  double footing_thickness = 0;  ///< m, above 0 where there is a footing
+  double seat = 0;  ///< length of each of its two seats, m, with `gap`: the top is as wide as both and the joint; it is
+                    ///< the stem's width too where that is not given. 0: what the widths give
+  std::optional<double> gap = std::nullopt;  ///< joint between the decks that meet on it, m; nothing: spans say it
+};
+
+/// The pier with the widths that `seat` and `gap` give. Throws InputError where only one of them makes sense of the
+/// other, where the top's width is given besides, and where the joint leaves no seat.
+Pier with_seats(const Pier& pier);
+
+/// One part, group "piers". The outline begins at the lower left corner of the footing (of the stem where there is
+/// none). Throws InputError for sizes not above 0, a footing narrower than the stem, a height that leaves no stem, and
+/// as with_seats() does.
+Part build_pier(const Pier& pier);
+
+/// Side of the bridge an abutment stands at.
+enum class AbutmentSide { left, right };
+
+/// A stub abutment: a block whose seat carries the end of a span, with or without a back wall behind the deck's end.
+struct Abutment {
+  std::string name = "abutment";
+  AbutmentSide side = AbutmentSide::left;
+  double x = 0;                               ///< of the front face, towards the span, m; or `axis`
+  double ground_level = 0;                    ///< y of the underside, m
+  double height = 0;                          ///< from there to the seat, m
+  double width = 0;                           ///< from the front face away from the bridge, m
+  double back_wall_height = 0;                ///< above the seat, m; 0: no back wall
+  double back_wall_width = 0;                 ///< m, below `width`: seat and joint are as long as the rest
+  std::optional<double> axis = std::nullopt;  ///< middle of the joint between deck and back wall, m, instead of `x`
+  double seat = 0;                            ///< length of the seat, m, with `gap`, instead of the back wall's width
+  std::optional<double> gap = std::nullopt;   ///< joint between deck and back wall, m; nothing: the span says it
+};
+
+/// The abutment with the front face and the back wall's width that `axis`, `seat` and `gap` give. Throws InputError
+/// where one of them is missing, where the wall's width is given besides, and where nothing is left for the wall.
+Abutment with_seats(const Abutment& abutment);
+
+/// One part, group "abutments": a rectangle or an L whose seat lies at the front. Left and right are mirror images.
+/// Throws InputError for sizes not above 0 or a back wall that leaves no seat, and as with_seats() does.
+Part build_abutment(const Abutment& abutment);
+
+/// A deck between two supports.
+struct Span {
+  std::string name = "span";
+  double x0 = 0, x1 = 0;    ///< left and right end of the opening it fills, m
+  double end_gap = 0;       ///< kept free at each of the two ends, m: half the joint between two decks
+  double soffit_level = 0;  ///< y of the underside, m
+  double depth = 0;         ///< m
+
+  static constexpr std::string_view kind = "span";
+  static constexpr std::string_view sentence = "a deck between two places";
+  static constexpr bool is_single = true;
+  static constexpr auto parameters() {
+    using P = Parameter<Span>;
+    return std::array{
+        P{&Span::x0, "x0", "m", no_default, -unbounded, unbounded, false, "axis of the left support"},
+        P{&Span::x1, "x1", "m", no_default, -unbounded, unbounded, false, "axis of the right support"},
+        P{&Span::end_gap, "end_gap", "m", 0, 0, unbounded, true, "from the axis to its end"},
+        P{&Span::soffit_level, "soffit_level", "m", no_default, -unbounded, unbounded, false, "its underside"},
+        P{&Span::depth, "depth", "m", no_default, 0, unbounded, false, "its height"}};
+  }
+  /// The one part of build_span.
+  [[nodiscard]] std::vector<Part> parts() const;
+};
+
+/// One rectangle, group "spans", from x0 + end_gap to x1 - end_gap. Throws InputError where no length is left or the
+/// depth is not above 0.
+Part build_span(const Span& span);
+
+}  // namespace trilith

@@ -1,0 +1,44 @@
+// Domes of rings and sectors, closed by a key or open at the top.
+//
+//            key, or open          Corners lie on two spheres about the centre, at equal steps of colatitude (the angle
+//           _____|_____            from the vertical) and of angle about the vertical axis.
+//         /_|__|___|__|_\          A stone has eight of them.
+//        /__|__|___|__|__\         Its sides lie in planes through the axis. Its beds, inside and outside are each
+//       |___|__|___|__|___|        bounded by two chords between the same two sectors, which are parallel: so all six
+//                                  faces are plane to rounding, and stones above each other share their beds.
+#pragma once
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "build/space/solid_part.hpp"
+
+namespace trilith {
+
+/// What closes a dome.
+enum class DomeTop {
+  key,    ///< a stone with as many sides as there are sectors
+  oculus  ///< nothing
+};
+
+/// A dome of stones with plane faces. All rings have their joints in the same planes: shifted joints would lay a bed of
+/// chords on others that cross them.
+struct Dome {
+  std::string name = {};
+  double radius = 1;                        ///< midway between the two spheres, m
+  double thickness = 0.1;                   ///< between them, m, below twice the radius
+  int rings = 8;                            ///< 1 to 1000
+  int sectors = 16;                         ///< 3 to 1000
+  double springing = std::numbers::pi / 2;  ///< colatitude of the lowest bed, rad, at most pi/2 (a half sphere)
+  double crown = std::numbers::pi / 18;     ///< colatitude of the uppermost bed, rad, above 0, below the springing
+  DomeTop top = DomeTop::key;               ///< what is within the uppermost bed
+  double phase = 0;                         ///< angle of the first joint from x, rad
+  Vec3 centre = Vec3::Zero();               ///< of the spheres, m
+};
+
+/// "r2.s5" (second ring from below, fifth sector) in groups "voussoirs", "ring 2", "sector 5" and the dome's name, then
+/// "key" in "key". Stones that meet share corners to the bit. Throws InputError for numbers out of range.
+std::vector<SolidPart> build_dome(const Dome& dome);
+
+}  // namespace trilith

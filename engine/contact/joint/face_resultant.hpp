@@ -1,0 +1,63 @@
+// The resultant of a contact of two faces, found back from where they stand and what the contact remembers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "base/space.hpp"
+#include "law/contact/list.hpp"
+
+namespace trilith {
+
+/// Force of a contact as one vector at one point.
+struct ContactResultant {
+  Vec2 point = Vec2::Zero();  ///< centre of pressure, at mid-gap [m]
+  Vec2 force = Vec2::Zero();  ///< on the second body [N]
+  double normal = 0;          ///< pressing part of the force, negative in tension [N]
+  double shear = 0;           ///< part along the faces, with its sign [N]
+};
+
+/// Elastic energy of the normal stresses of two faces [J].
+template <class K>
+double pressing_energy(const FaceOverlap<double>& o, const ContactMemory& memory, const LawMemory<K>& own,
+                       const K& law) {
+  if (!o.sane) return 0;
+  const std::array<HalfGaps, 2> gaps = law.gaps(o, memory, own);
+  return law.stored(gaps[0], 0.5 * o.shared, law.hold(memory, own, 0)) +
+         law.stored(gaps[1], 0.5 * o.shared, law.hold(memory, own, 1));
+}
+
+/// `memory`: as respond_face_pair left it for these ends. The same force as that spread to the ends, and the same
+/// moment but for the shear times the change of the mid-gap line's height along the contact, which is of the order of
+/// the gaps; where a bond in tension would put the point beyond the shared length, it is held at its end.
+template <class K>
+ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double>& b, const ContactMemory& memory,
+                                const LawMemory<K>& own, const K& law) {
+  const FaceOverlap<double> o(a, b);
+  const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
+  const std::array<HalfGaps, 2> gaps = law.gaps(o, memory, own);
+  const HalfPressure first = law.pressure(gaps[0], half, law.hold(memory, own, 0));
+  const HalfPressure second = law.pressure(gaps[1], half, law.hold(memory, own, 1));
+  ContactResultant out;
+  out.normal = first.force + second.force + memory.damping_force[0];
+  out.shear = memory.shear_total[0] + memory.shear_total[1];
+  // About the middle of the shared length; the damping part is remembered about it.
+  const double moment = first.moment - half * first.force + second.moment + memory.damping_force[1];
+  const double offset = out.normal != 0 ? std::clamp(moment / out.normal, -half, half) : 0.0;
+  const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(a.x0, a.y0);
+  const double s = middle + offset;
+  const double height_a = (n.x() * (a.x1 - a.x0) + n.y() * (a.y1 - a.y0)) * o.inv_a * s;
+  const double gap = gap_mid + (o.gap_hi - o.gap_lo) * (o.shared > 0 ? offset / o.shared : 0);
+  out.point = origin + s * d + (height_a + 0.5 * gap) * n;
+  out.force = out.normal * n - out.shear * d;
+  return out;
+}
+
+/// The same for a contact of general shape: `normal` is its normal resultant on the second body at `centre`.
+inline ContactResultant general_resultant(const Vec2& centre, const Vec2& normal, const ContactMemory& memory) {
+  const double size = normal.norm(), shear = memory.shear_total[0] + memory.shear_total[1];
+  const Vec2 t = size > 0 ? left_of(Vec2(normal / size)) : Vec2::Zero();
+  return {centre, normal - shear * t, size, size > 0 ? shear : 0};
+}
+
+}  // namespace trilith

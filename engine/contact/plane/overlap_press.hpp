@@ -1,0 +1,233 @@
+// The pressures on stretches of edges inside another piece, four at once.
+//
+// Comes in: stretches, each a part of an edge of one piece (the walker) over which one face of the other (the owner) is
+// the nearest, so that the depth is linear; how both move; a law. Goes out: forces at the corners of both, and sums of
+// what they come to. A lane is a stretch: what is found of it alone is found of four at once, and the sums are then
+// taken stretch by stretch in the order of the list, so that the bits do not depend on the lanes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "base/simd/four_by_four.hpp"
+#include "contact/joint/chord.hpp"
+#include "contact/plane/overlap_pair.hpp"
+
+namespace trilith {
+
+TRILITH_INLINE Lanes all_lanes(double v) {
+  return Lanes{v, v, v, v};
+}
+
+/// A part of an edge, in shares of it.
+struct EdgeSpan {
+  double from, to;
+};
+
+/// Part of an edge of the walker over which its depth below one face of the owner counts.
+struct alignas(32) OverlapStretch {
+  EdgeSpan span;
+  double d0, d1;  ///< depths below that face of the whole edge's ends [m]; read with the span as one row
+  int edge, face;
+  bool walker_is_b;
+};
+
+/// Sums over the pressed faces of both sides, and the forces at the corners [N].
+struct OverlapSums {
+  Vec2 push = Vec2::Zero();    ///< of the springs on b, over kn / 2 [m2]
+  Vec2 normal = Vec2::Zero();  ///< see OverlapPress
+  double force = 0;            ///< on b along it [N]
+  Vec2 moment_arm = Vec2::Zero();
+  Vec2 damping = Vec2::Zero();  ///< damping part of the force on b ...
+  double damping_moment = 0;    ///< ... and its moment about a's origin ...
+  double damped = 0;            ///< ... and the power it takes [W]
+  double pressure = 0, length = 0, deepest = 0;
+  double most_a = 0, most_b = 0;  ///< largest share of the pressure on one edge, and which edge
+  int edge_a = 0, edge_b = 0;
+};
+
+/// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
+struct alignas(32) EdgeColumns {
+  Lanes x, y, along_x, along_y, nx, ny, length2;
+  TRILITH_INLINE EdgeColumns(const EdgeLanes& e, const EdgeLanes& next)
+      : x(e.x), y(e.y), along_x(next.x - e.x), along_y(next.y - e.y), nx(e.nx), ny(e.ny) {
+    length2 = along_x * along_x + along_y * along_y;
+  }
+};
+
+/// A force at a point and a moment about it, as forces on the two corners of an edge: same resultant, and same moment
+/// through a couple. row(i): of lane i, first x and y, second x and y.
+struct alignas(32) CornerForces {
+  FourByFour row;
+  TRILITH_INLINE CornerForces(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx, const Lanes& fy,
+                              const Lanes& moment)
+      : row(of(e, x, y, fx, fy, moment)) {}
+
+ private:
+  TRILITH_INLINE static FourByFour of(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx,
+                                      const Lanes& fy, const Lanes& moment) {
+    const Lanes share = (e.along_x * (x - e.x) + e.along_y * (y - e.y)) / e.length2, rest = 1.0 - share;
+    const Lanes off_x = x - (e.x + share * e.along_x), off_y = y - (e.y + share * e.along_y);
+    const Lanes turn = (off_x * fy - off_y * fx + moment) / e.length2;
+    const Lanes couple_x = -e.along_y * turn, couple_y = e.along_x * turn;
+    return {rest * fx - couple_x, rest * fy - couple_y, share * fx + couple_x, share * fy + couple_y};
+  }
+};
+
+/// The edge after that with this number, or the corner it ends at.
+TRILITH_INLINE int edge_after(const PlacedPiece& piece, int e) {
+  return e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
+}
+
+/// To the corners of edge e of a piece.
+TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e, const Lanes& row) {
+  const int e1 = edge_after(piece, e);
+  double *first = on[e].data(), *second = on[e1].data();
+  store_pair(first, load_pair(first) + LanePair{row[0], row[1]});
+  store_pair(second, load_pair(second) + LanePair{row[2], row[3]});
+}
+
+/// Two pieces whose stretches press each other under a law, above a depth by which the mortar is crushed [m].
+///
+/// Springs push along the normals of the walkers' edges, and together along some n; where other pieces of the same two
+/// bodies press at the same place n is the direction of all of them. What is damped is the motion along that: a stretch
+/// whose push on b is along u closes at -m (n . v), m = u . n where that is above 0, and its damping acts on b along n
+/// with the share m. So what slides across n is not braked, and damping takes energy from any motion.
+template <class K>
+struct OverlapPress {
+  const PlacedPiece &a, &b;
+  const PieceSides &sides_a, &sides_b;
+  const K& law;
+  double crushed;
+  std::span<Vec2> on_a, on_b;
+  Vec2 normal = Vec2::Zero();  ///< n, of length 1
+
+  /// What the springs of `count` stretches from `list` on push b by, over kn / 2 [m2]. A stretch times its normal is
+  /// its way turned to the right.
+  [[nodiscard]] TRILITH_INLINE Vec2 springs(const OverlapStretch* list, int count) const {
+    Vec2 push = Vec2::Zero();
+    for (int i = 0; i < count; ++i) {
+      const OverlapStretch& s = list[i];
+      const EdgeRow *const rows = (s.walker_is_b ? sides_b : sides_a).row, &edge = rows[s.edge],
+                           &next = rows[edge_after(s.walker_is_b ? b : a, s.edge)];
+      const double phi0 = larger(s.d0 + (s.d1 - s.d0) * s.span.from - crushed, 0.0),
+                   phi1 = larger(s.d0 + (s.d1 - s.d0) * s.span.to - crushed, 0.0);
+      const double pressed = (s.span.to - s.span.from) * law.stretch(phi0, phi1, 0.0, 0.0).spring.sum;
+      const Vec2 turned(pressed * (next.y - edge.y), pressed * (edge.x - next.x));
+      push += s.walker_is_b ? Vec2(-turned) : turned;
+    }
+    return push;
+  }
+
+  /// `count` stretches from `list` on, in fours.
+  TRILITH_INLINE void press(const OverlapStretch* list, int count, OverlapSums& sums) const {
+    for (int i = 0; i < count; i += lane_count) press_four(list + i, std::min(count - i, lane_count), sums);
+  }
+
+ private:
+  /// Speed along the normal at which b moves against a at points of the stretches, a lane each [m/s].
+  [[nodiscard]] TRILITH_INLINE Lanes speed(const PlacedPiece& p, const PlacedPiece& q, const OverlapStretch* const* s,
+                                           const Lanes& x, const Lanes& y) const {
+    Lanes u, v;
+    if (p.corner_velocity.empty() && q.corner_velocity.empty()) {
+      u = (q.velocity.x() - q.spin * (y - q.origin.y())) - (p.velocity.x() - p.spin * (y - p.origin.y()));
+      v = (q.velocity.y() + q.spin * (x - q.origin.x())) - (p.velocity.y() + p.spin * (x - p.origin.x()));
+      if (p.over_step == nullptr && q.over_step == nullptr) {
+        const double of_q = chord_rate(q.spin, law.dt), of_p = chord_rate(p.spin, law.dt);
+        u += of_q * (x - q.origin.x()) - of_p * (x - p.origin.x());
+        v += of_q * (y - q.origin.y()) - of_p * (y - p.origin.y());
+      }
+    } else
+      for (int i = 0; i < lane_count; ++i) {
+        const Vec2 at(x[i], y[i]);
+        const bool b_walks = s[i]->walker_is_b;
+        const Vec2 w =
+            q.velocity_at(b_walks ? s[i]->edge : s[i]->face, at) - p.velocity_at(b_walks ? s[i]->face : s[i]->edge, at);
+        u[i] = w.x(), v[i] = w.y();
+      }
+    return normal.x() * u + normal.y() * v;
+  }
+  TRILITH_INLINE void press_four(const OverlapStretch* list, int count, OverlapSums& sums) const;
+};
+
+template <class K>
+TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
+  const OverlapStretch* s[lane_count];
+  const EdgeRow *walkers[lane_count], *owners[lane_count], *past_walkers[lane_count], *past_owners[lane_count];
+  Lanes sign{};
+  for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
+    s[i] = &list[i < count ? i : 0];
+    const bool b_walks = s[i]->walker_is_b;
+    const PieceSides &walks = b_walks ? sides_b : sides_a, &owns = b_walks ? sides_a : sides_b;
+    walkers[i] = walks.row + s[i]->edge, past_walkers[i] = walks.row + edge_after(b_walks ? b : a, s[i]->edge);
+    owners[i] = owns.row + s[i]->face, past_owners[i] = owns.row + edge_after(b_walks ? a : b, s[i]->face);
+    sign[i] = s[i]->walker_is_b ? 1.0 : -1.0;
+  }
+  const FourByFour parts(load_lanes(&s[0]->span.from), load_lanes(&s[1]->span.from), load_lanes(&s[2]->span.from),
+                         load_lanes(&s[3]->span.from));
+  const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
+  const EdgeColumns walker{EdgeLanes(walkers), EdgeLanes(past_walkers)},
+      owner{EdgeLanes(owners), EdgeLanes(past_owners)};
+  const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
+  const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
+  const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;
+  const Lanes way_x = x1 - x0, way_y = y1 - y0;
+  const Lanes phi0 = larger(d0 + (d1 - d0) * from - crushed, zero), phi1 = larger(d0 + (d1 - d0) * to - crushed, zero);
+  // On b acts -n where b walks, as n then points from b into a, and +n where a does: hence `sign`.
+  const Lanes along = -sign * (normal.x() * nx + normal.y() * ny), facing = larger(along, zero);
+  const auto closing = [&](const PlacedPiece& p, const PlacedPiece& q, const Lanes& x, const Lanes& y) {
+    return Lanes(-facing * speed(p, q, s, x, y));
+  };
+  // c > 0: they close. k is half of kn, and half the length counts, as the other piece's walk brings the other halves.
+  const Lanes c0 = closing(a, b, x0, y0), c1 = closing(a, b, x1, y1);
+  const Lanes length = root(way_x * way_x + way_y * way_y), force = (0.5 * law.kn) * length;
+  const auto [stress, spring] = law.stretch(phi0, phi1, c0, c1);
+  const Lanes total = force * stress.sum, elastic = force * spring.sum;
+  const Lanes damping = force * (stress.sum - spring.sum), first_moment = force * (stress.moment - spring.moment);
+  const Lanes along_n = facing * damping, first_along_n = facing * first_moment;
+  const Lanes way_n = way_x * normal.y() - way_y * normal.x();
+  const Lanes damping_moment =
+      along_n * ((x0 - a.origin.x()) * normal.y() - (y0 - a.origin.y()) * normal.x()) + first_along_n * way_n;
+  Lanes m0 = c0, m1 = c1;
+  if (a.over_step != nullptr || b.over_step != nullptr)
+    m0 = closing(a.mean(), b.mean(), x0, y0), m1 = closing(a.mean(), b.mean(), x1, y1);
+  const Lanes damped = damping * m0 + first_moment * (m1 - m0);
+  // No pressure where the two part fast; what the damping took of the spring then is booked above.
+  const LaneMask counts = LaneMask{0, 1, 2, 3} < count, presses = counts & ~(elastic <= zero);
+  // At the centre of what the springs press; the damping has a moment about that.
+  const Lanes share = spring.moment / select(presses, spring.sum, all_lanes(1));
+  const Lanes x = x0 + share * way_x, y = y0 + share * way_y;
+  const Lanes on_b_x = along_n * normal.x() - sign * elastic * nx, on_b_y = along_n * normal.y() - sign * elastic * ny,
+              moment_on_b = (first_along_n - share * along_n) * way_n;
+  const Lanes fx = sign * on_b_x, fy = sign * on_b_y, moment = sign * moment_on_b;
+  const CornerForces on_walker(walker, x, y, fx, fy, moment), on_owner(owner, x, y, -fx, -fy, -moment);
+  const auto of = [&](const LaneMask& m, const Lanes& v) { return select(m, v, zero); };
+  const FourByFour dampings(of(counts, along_n * normal.x()), of(counts, along_n * normal.y()),
+                            of(counts, damping_moment), of(counts, damped));
+  const FourByFour forces(of(presses, along * total), of(presses, total), of(counts, 0.5 * length), zero);
+  const Lanes first_total = force * stress.moment;
+  const Lanes arm_x = total * x0 + first_total * way_x, arm_y = total * y0 + first_total * way_y;
+  const Lanes deepest = larger(phi0, phi1);
+  Lanes sum_damping{sums.damping.x(), sums.damping.y(), sums.damping_moment, sums.damped};
+  Lanes sum_force{sums.force, sums.pressure, sums.length, 0};
+  for (int i = 0; i < count; ++i) {
+    sum_damping += dampings.v[i];
+    sum_force += forces.v[i];
+    sums.deepest = larger(sums.deepest, deepest[i]);
+    if (presses[i] == 0) continue;
+    const OverlapStretch& stretch = *s[i];
+    const bool b_walks = stretch.walker_is_b;
+    add_row(b_walks ? on_b : on_a, b_walks ? b : a, stretch.edge, on_walker.row.v[i]);
+    add_row(b_walks ? on_a : on_b, b_walks ? a : b, stretch.face, on_owner.row.v[i]);
+    sums.moment_arm += Vec2(arm_x[i], arm_y[i]);
+    // The edges that carry most stand for their pieces where friction is added, which acts at one point.
+    const int edge_a = b_walks ? stretch.face : stretch.edge, edge_b = b_walks ? stretch.edge : stretch.face;
+    if (total[i] > sums.most_a) sums.most_a = total[i], sums.edge_a = edge_a;
+    if (total[i] > sums.most_b) sums.most_b = total[i], sums.edge_b = edge_b;
+  }
+  sums.damping = {sum_damping[0], sum_damping[1]}, sums.damping_moment = sum_damping[2], sums.damped = sum_damping[3];
+  sums.force = sum_force[0], sums.pressure = sum_force[1], sums.length = sum_force[2];
+}
+
+}  // namespace trilith

@@ -1,0 +1,79 @@
+// Contact of two convex solids of any shape and pose: pressure from the volume they share, friction on its resultant.
+//
+// Where they are near and do not touch, the axis that parted them last is asked first
+// (geometry/space/separation_3d.hpp).
+#pragma once
+
+#include "contact/joint/shear_3d.hpp"
+#include "contact/space/solid_pressure.hpp"
+#include "geometry/space/separation_3d.hpp"
+#include "law/contact/memory.hpp"
+
+namespace trilith {
+
+/// History of the contact of two convex solids. All zero means: nothing to remember.
+struct SolidMemory {
+  SlidingForce shear;                  ///< b drives a by it; in the axes of the world
+  Vec3 normal = Vec3::Zero();          ///< of the plane of contact, from a to b, of length 1
+  Vec3 damping = Vec3::Zero();         ///< damping part of the last normal force on b [N]
+  Vec3 damping_moment = Vec3::Zero();  ///< ... about a's origin [N m]
+  double slip = 0;                     ///< accumulated sliding distance [m]
+  double crushed = 0;                  ///< depth by which the mortar between the two is crushed, also apart [m]
+  double crushing_force = 0;           ///< that crushed it at the last step, of any shape but a joint; or 0 [N]
+  std::uint32_t state = 0;             ///< bits of ContactState; contact_kept: it is crushed
+
+  [[nodiscard]] bool empty() const { return state == 0; }
+  /// What stays as the two part, and for others that touch anew.
+  void keep_crushed(double depth, double force) {
+    crushed = depth, crushing_force = force;
+    if (depth > 0) state |= contact_kept;
+  }
+
+  /// Calls f with every number in turn, and g with the state: for the hash and checkpoints.
+  template <class Self, class F, class G>
+  static void fields(Self& m, F&& f, G&& g) {
+    for (auto* v : {&m.shear.elastic, &m.shear.total, &m.normal, &m.damping, &m.damping_moment})
+      for (const int k : {0, 1, 2}) f((*v)[k]);
+    f(m.shear.area), f(m.slip), g(m.state);
+    if ((m.state & contact_kept) != 0) f(m.crushed), f(m.crushing_force);
+  }
+};
+
+/// What the contact gives. Forces on a are the opposite ones, along the same lines.
+struct SolidResponse {
+  SolidMemory memory;
+  bool touching = false;
+  Vec3 force = Vec3::Zero();   ///< on b [N]
+  Vec3 moment = Vec3::Zero();  ///< ... about `centre` [N m]
+  Vec3 normal_force = Vec3::Zero();
+  Vec3 centre = Vec3::Zero();                                     ///< of pressure [m]
+  double area = 0, depth = 0;                                     ///< [m2], [m]
+  int face_a = -1, face_b = -1;                                   ///< see SolidPressure
+  Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();              ///< of the area, for the step estimate [m]
+  double radius = 0, friction_arm = 0;                            ///< see SolidPressure [m]
+  std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};            ///< likewise [m]
+  double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
+};
+
+/// Room of one thread: for the solid that two share, and for a part of it.
+struct SolidRoom {
+  SolidOverlapBuffer shared, part;
+};
+
+/// The normal pressure of two solids where they stand: of faces where they lie flat on each other, else of the volume
+/// they share; nothing where they are apart. `apart`: the axis that parted them last, and what parts them now. Not
+/// `may_be_flat`: it is known that no faces lie flat. `crushed`: depth by which their mortar was crushed before [m].
+/// `along`: see solid_pressure; faces that lie flat have a normal of their own.
+SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& law, Separation3& apart,
+                               SolidOverlapBuffer& shared, bool may_be_flat = true, double crushed = 0,
+                               const Vec3* along = nullptr);
+
+/// Of two solids that press each other by `pressed`. The motion over the step is that of now.
+SolidResponse polyhedron_contact_forces(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before,
+                                        const LawInUse& law, const SolidPressure& pressed, SolidRoom& room);
+
+/// Elastic energy of a contact, of its pressure and of its shear [J].
+double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& law,
+                            SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch);
+
+}  // namespace trilith

@@ -1,0 +1,131 @@
+// The parts of the faces of a shared solid that is a tetrahedron: of a corner
+// under a face, or of an edge across an edge, which are half of what touches in
+// a heap. They are those of contact/plane/nearest_parts.hpp, written down.
+//
+//                 C          On a face at the corner C the one face g of the
+//                 other solid is nearest. On that, E1 E2 E3,
+//                /|\         the three faces at C are, each beside its own
+//                edge, as far as where they meet: in
+//               / | \.
+//             E1--|--E3        P = d (E1/h1 + E2/h2 + E3/h3),   1/d = 1/h1 +
+//             1/h2 + 1/h3,
+//               \ | /
+//                 E2         hk the depth of Ek below the face of the corner
+//                 that it is not on.
+//
+// Of two edges each face has both ends X, Y of one part of an edge and one end
+// Z of the other's. Below one of the two faces of the other solid X and Z are
+// at no depth, below the other Y and Z; they meet in Z S,
+//
+//   S = X + t (Y - X),   t = hx / (hx + hy),   d = t hy,   hx, hy: the depths
+//   of X and Y below the one they are not on.
+#pragma once
+
+#include "geometry/plane/edge_overlap.hpp"
+#include "geometry/space/triangle_lanes.hpp"
+
+namespace trilith {
+
+/// A shared solid of four corners and four faces, some of each of the two
+/// solids.
+class TetrahedronParts {
+ public:
+  TRILITH_INLINE explicit TetrahedronParts(const EdgeOverlap& shared) : shared_(shared) {
+    std::array<std::array<double, few_faces>, 2> is_face{};
+    for (std::size_t l = 0; l < shared.loop.size(); ++l) {
+      if (shared.loop[l].count == 0) continue;
+      is_face[l / few_faces][l % few_faces] = 1;
+      ++count_[l / few_faces];
+    }
+    __builtin_memcpy(&is_face_, &is_face, sizeof is_face_);
+  }
+
+  [[nodiscard]] TRILITH_INLINE bool is_one() const {
+    return shared_.points == 4 && count_[0] + count_[1] == 4 && count_[0] > 0 && count_[1] > 0;
+  }
+
+  /// Adds the parts of a face. False, and nothing added, where a further face
+  /// of the other solid may be nearest.
+  TRILITH_INLINE bool add_to(TriangleLanes& triangles, const Lanes& face, std::size_t loop) const {
+    const std::size_t own = loop / few_faces;
+    const Corners of(shared_, shared_.loop[loop], 1 - own, is_face_[1 - own]);
+    switch (count_[own]) {
+      case 3:
+        return add_below_one(triangles, face, of);
+      case 2:
+        return add_below_two(triangles, face, of);
+      default:
+        return add_below_three(triangles, face, of);
+    }
+  }
+
+ private:
+  /// The corners of a face: arms, and depths below that face of the other solid
+  /// in the tetrahedron which they are not on, if there is one; below all its
+  /// others at least `least` [m].
+  struct Corners {
+    std::array<Lanes, 3> arm;
+    std::array<double, 3> depth;
+    double least;
+
+    TRILITH_INLINE Corners(const EdgeOverlap& shared, const EdgeOverlap::Loop& rim, std::size_t other,
+                           const std::array<Lanes, 2>& is_face) {
+      Lanes nearest = Lanes{} + std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t point = rim.point[k];
+        arm[k] = shared.arm[point];
+        Lanes sum{};
+        for (std::size_t half = 0; half < 2; ++half) {
+          Lanes row;
+          __builtin_memcpy(&row, shared.depth[other][point].below.data() + half * lane_count, sizeof row);
+          const LaneMask is = is_face[half] > 0.0;
+          sum += select(is, row, Lanes{}), nearest = smaller<Lanes>(nearest, select(is, nearest, row));
+        }
+        depth[k] = larger(0.0, (sum[0] + sum[1]) + (sum[2] + sum[3]));
+      }
+      least = smaller(smaller(nearest[0], nearest[1]), smaller(nearest[2], nearest[3]));
+    }
+    [[nodiscard]] TRILITH_INLINE Lanes at(std::size_t k, double below) const {
+      Lanes v = arm[k];
+      v[3] = below;
+      return v;
+    }
+  };
+
+  TRILITH_INLINE static bool add_below_one(TriangleLanes& triangles, const Lanes& face, const Corners& of) {
+    if (!(larger(larger(of.depth[0], of.depth[1]), of.depth[2]) <= of.least)) return false;
+    triangles.add(face, of.at(0, of.depth[0]), of.at(1, of.depth[1]), of.at(2, of.depth[2]));
+    return true;
+  }
+
+  TRILITH_INLINE static bool add_below_two(TriangleLanes& triangles, const Lanes& face, const Corners& of) {
+    const std::size_t z = of.depth[0] == 0   ? 0
+                          : of.depth[1] == 0 ? 1
+                                             : 2,
+                      x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
+    const double hx = of.depth[x], hy = of.depth[y], t = hx / (hx + hy), d = t * hy;
+    if (!(of.depth[z] == 0 && hx > 0 && hy > 0 && d <= of.least)) return false;
+    const Lanes at_x = of.at(x, 0), at_y = of.at(y, 0), at_z = of.at(z, 0);
+    Lanes middle = at_x + t * (at_y - at_x);
+    middle[3] = d;
+    triangles.add(face, at_z, at_x, middle), triangles.add(face, at_z, middle, at_y);
+    return true;
+  }
+
+  TRILITH_INLINE static bool add_below_three(TriangleLanes& triangles, const Lanes& face, const Corners& of) {
+    const double d = 1 / (1 / of.depth[0] + 1 / of.depth[1] + 1 / of.depth[2]);
+    if (!(d > 0 && d <= of.least)) return false;
+    const Lanes first = of.at(0, 0), second = of.at(1, 0), third = of.at(2, 0);
+    Lanes middle = (d / of.depth[0]) * first + (d / of.depth[1]) * second + (d / of.depth[2]) * third;
+    middle[3] = d;
+    triangles.add(face, first, second, middle), triangles.add(face, second, third, middle);
+    triangles.add(face, third, first, middle);
+    return true;
+  }
+
+  const EdgeOverlap& shared_;
+  std::array<std::array<Lanes, 2>, 2> is_face_;  // [solid] 1: the face has a part in the tetrahedron
+  std::array<int, 2> count_{};                   // [solid] of those
+};
+
+}  // namespace trilith

@@ -1,0 +1,54 @@
+#include "draw/chart/motion_chart.hpp"
+
+#include <fmt/format.h>
+
+#include "base/quantity_text.hpp"
+#include "load/motion_measures.hpp"
+#include "load/response_spectrum.hpp"
+
+namespace trilith::draw {
+namespace {
+
+std::string peak_note(const Peak& peak, double unit, const char* name) {
+  return fmt::format("peak {} at {:.2f} s", quantity_text(peak.value / unit, name), peak.time);
+}
+
+std::vector<double> in_units(std::vector<double> values, double unit) {
+  for (double& v : values) v /= unit;
+  return values;
+}
+
+}  // namespace
+
+Chart motion_chart(const GroundMotion& motion) {
+  const MotionTraces traces = motion_traces(motion);
+  const MotionPeaks peaks = motion_peaks(motion);
+  Chart chart;
+  chart.title = motion.source().title.empty() ? motion.description() : motion.source().title;
+  chart.subtitle = motion.source().component;
+  chart.x = {"Time", "s"};
+  chart.panels = {
+      {{"Acceleration", "g"},
+       {{"", traces.time, in_units(traces.acceleration, standard_gravity)}},
+       peak_note(peaks.acceleration, standard_gravity, "g")},
+      {{"Velocity", "m/s"}, {{"", traces.time, traces.velocity}}, peak_note(peaks.velocity, 1, "m/s")},
+      {{"Displacement", "m"}, {{"", traces.time, traces.displacement}}, peak_note(peaks.displacement, 1, "m")}};
+  return chart;
+}
+
+Chart spectrum_chart(const std::vector<GroundMotion>& motions) {
+  Chart chart;
+  chart.title = "Spectrum, 5 %";
+  chart.share = 0.55;
+  chart.x = {"Period", "s", AxisScale::logarithmic};
+  chart.panels = {{{"Pseudo-acceleration", "g", AxisScale::logarithmic}, {}}};
+  for (const GroundMotion& motion : motions) {
+    ChartSeries series{motion.source().component, spectrum_periods(0.05, 10), {}};
+    for (const OscillatorPeak& peak : response_spectrum(motion, series.x))
+      series.y.push_back(peak.pseudo_acceleration / standard_gravity);
+    chart.panels[0].series.push_back(std::move(series));
+  }
+  return chart;
+}
+
+}  // namespace trilith::draw

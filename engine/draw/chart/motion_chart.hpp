@@ -1,0 +1,17 @@
+// Ground motions as they are drawn for a report: three traces and the response spectrum.
+#pragma once
+
+#include <vector>
+
+#include "draw/chart/chart.hpp"
+#include "load/motion.hpp"
+
+namespace trilith::draw {
+
+/// Acceleration [g], velocity and displacement over time, each with its peak.
+Chart motion_chart(const GroundMotion& motion);
+
+/// Pseudo-acceleration [g] over period, 5 % of critical damping, one line for each motion; both axes logarithmic.
+Chart spectrum_chart(const std::vector<GroundMotion>& motions);
+
+}  // namespace trilith::draw

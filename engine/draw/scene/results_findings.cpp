@@ -1,0 +1,175 @@
+#include "draw/scene/results_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "base/portable.hpp"
+#include "base/rotation_3d.hpp"
+#include "draw/scene/crack_mark.hpp"
+#include "results/file/placement.hpp"
+
+namespace trilith::draw {
+
+using results::BodyRow;
+using results::Frame;
+using results::Header;
+
+namespace {
+
+/// Index of a field of the frames, or InputError.
+std::size_t find_field(const Header& header, std::string_view name) {
+  for (std::size_t i = 0; i < header.fields.size(); ++i)
+    if (header.fields[i].name == name) return i;
+  throw InputError(fmt::format("the results have no '{}'; they were recorded without joints", name));
+}
+
+bool is_in(const BodyRow& body, std::string_view group) {
+  return (" " + body.groups + " ").find(fmt::format(" {} ", group)) != std::string::npos;
+}
+
+Vec2 start_place(const Header& header, int vertex) {
+  const int n = header.vertex_node[vertex];
+  const Vec2 node(header.node_position[2 * n], header.node_position[2 * n + 1]);
+  return node + Turn(header.node_rotation[n]).apply(Vec2(header.vertices[2 * vertex], header.vertices[2 * vertex + 1]));
+}
+
+/// Where a point of the body's outline at the start is now: it keeps its share of the edge it lies on.
+Vec2 follow(const Header& header, const BodyRow& body, const std::vector<Vec2>& outline, const Vec2& point) {
+  const int count = body.vertex_count;
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec2 now = point;
+  for (int i = 0; i < count; ++i) {
+    const int j = (i + 1) % count;
+    const Vec2 p = start_place(header, body.first_vertex + i), q = start_place(header, body.first_vertex + j);
+    const Vec2 edge = q - p;
+    const double share = std::clamp(edge.dot(point - p) / edge.squaredNorm(), 0.0, 1.0);
+    const double far = (p + share * edge - point).norm();
+    if (far >= nearest) continue;
+    nearest = far;
+    now = (1 - share) * outline[i] + share * outline[j];
+  }
+  return now;
+}
+
+double pick(std::string_view name, double xx, double yy, double xy) {
+  const double mean = 0.5 * (xx + yy), radius = portable::hypot(0.5 * (xx - yy), xy);
+  if (name == "major") return mean + radius;
+  if (name == "minor") return mean - radius;
+  return name == "xx" ? xx : name == "yy" ? yy : xy;
+}
+
+/// In space each node's turn since the start, about its axis, by the factor.
+void magnify_turns(const Header& header, Frame& frame, double factor) {
+  for (int n = 0; n < static_cast<int>(header.node_count()); ++n) {
+    const UnitQuaternion start = results::quaternion_of(header.node_rotation, n);
+    const Vec3 turn = angle_of(results::quaternion_of(frame.rotation, n) * inverse(start));
+    const UnitQuaternion more = rotation_by(factor * turn) * start;
+    std::copy_n(std::array{more.w, more.x, more.y, more.z}.begin(), 4, frame.rotation.begin() + 4 * n);
+  }
+}
+
+std::string stress_label(std::string_view name) {
+  if (name == "major") return "larger principal stress";
+  if (name == "minor") return "smaller principal stress";
+  return fmt::format("stress {}", name);
+}
+
+/// The body outside of the chain that presses its end the hardest, or -1: what the end springs from, whatever lies on
+/// it.
+int springer(const Frame& frame, const std::vector<int>& chain, int end) {
+  std::map<int, Vec2> pressed;
+  for (const results::ContactForce& c : frame.contacts) {
+    if (c.body_a != end && c.body_b != end) continue;
+    const int other = c.body_a == end ? c.body_b : c.body_a;
+    if (std::find(chain.begin(), chain.end(), other) == chain.end())
+      pressed.try_emplace(other, Vec2::Zero()).first->second += Vec2(c.force[0], c.force[1]);
+  }
+  const auto smaller = [](const auto& a, const auto& b) { return a.second.squaredNorm() < b.second.squaredNorm(); };
+  const auto hardest = std::max_element(pressed.begin(), pressed.end(), smaller);
+  return hardest == pressed.end() ? -1 : hardest->first;
+}
+
+}  // namespace
+
+const std::vector<std::string>& stress_names() {
+  static const std::vector<std::string> names{"minor", "major", "xx", "yy", "xy"};
+  return names;
+}
+
+void magnify(const Header& header, Frame& frame, double factor) {
+  for (std::size_t i = 0; i < frame.position.size(); ++i)
+    frame.position[i] = header.node_position[i] + factor * (frame.position[i] - header.node_position[i]);
+  frame.contacts.clear();
+  if (header.dim == 3) return magnify_turns(header, frame, factor);
+  for (std::size_t i = 0; i < frame.rotation.size(); ++i)
+    frame.rotation[i] = header.node_rotation[i] + factor * (frame.rotation[i] - header.node_rotation[i]);
+}
+
+void colour_by_stress(const Header& header, const Frame& frame, std::string_view name, Scene& scene) {
+  const auto& names = stress_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw InputError(fmt::format("there is no stress '{}'{}", name, name_hint(name, names)));
+  const std::vector<double>& stress = frame.fields[find_field(header, "body_stress")];
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].role == BodyRole::free)
+      scene.bodies[i].value = pick(name, stress[3 * i], stress[3 * i + 1], stress[3 * i + 2]);
+  scene.value_label = stress_label(name);
+  scene.value_unit = "Pa";
+}
+
+/// Joints that have lost some of their bonds, and dry ones that are open or have slid, drawn where the first body has
+/// taken their ends; a joint that is farther open than it is long is none any more.
+void add_cracks(const Header& header, const Frame& frame, const std::vector<bool>& left_out, Scene& scene) {
+  const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
+        &opening = frame.fields[find_field(header, "joint_opening")],
+        &slip = frame.fields[find_field(header, "joint_slip")];
+  for (std::size_t j = 0; j < header.joints.size(); ++j) {
+    const results::JointRow& joint = header.joints[j];
+    const bool dry = joint.bonded == 0;
+    if (dry ? !(std::max(opening[j], std::abs(slip[j])) > least_crack) : !(damage[j] > 0)) continue;
+    if (left_out[joint.body_a] || left_out[joint.body_b]) continue;
+    const auto end = [&](const double* at) {
+      return follow(header, header.bodies[joint.body_a], scene.bodies[joint.body_a].outline, {at[0], at[1]});
+    };
+    const double length = portable::hypot(joint.end_1[0] - joint.end_0[0], joint.end_1[1] - joint.end_0[1]);
+    if (std::max(opening[j], std::abs(slip[j])) > length) continue;  // the two are no longer neighbours
+    scene.cracks.push_back({end(joint.end_0), end(joint.end_1), crack_mark(opening[j], slip[j])});
+  }
+}
+
+/// From springing to springing, from body to body of the group, in its order: the mean of the points where they press
+/// on each other, weighed by the forces there. It is broken where two neighbours do not touch.
+void add_thrust_line(const Header& header, const Frame& frame, std::string_view group, Scene& scene) {
+  std::vector<int> chain;
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    if (is_in(header.bodies[i], group)) chain.push_back(static_cast<int>(i));
+  if (chain.empty()) throw InputError(fmt::format("no body is in the group '{}'", group));
+  const int first = springer(frame, chain, chain.front()), last = springer(frame, chain, chain.back());
+  if (first >= 0) chain.insert(chain.begin(), first);
+  if (last >= 0) chain.push_back(last);
+  scene.lines.emplace_back();
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    Vec2 point = Vec2::Zero();
+    double weight = 0;
+    for (const results::ContactForce& c : frame.contacts) {
+      if (std::minmax(c.body_a, c.body_b) != std::minmax(chain[i], chain[i + 1])) continue;
+      const double size = portable::hypot(c.force[0], c.force[1]);
+      point += size * Vec2(c.point[0], c.point[1]);
+      weight += size;
+    }
+    if (weight > 0)
+      scene.lines.back().push_back(point / weight);
+    else if (!scene.lines.back().empty())
+      scene.lines.emplace_back();
+  }
+  scene.line_label = "line of thrust";
+}
+
+}  // namespace trilith::draw

@@ -1,0 +1,386 @@
+#include "draw/scene/results_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "draw/scene/results_findings.hpp"
+#include "draw/scene/results_solids.hpp"
+#include "model/event_text.hpp"
+#include "results/file/placement.hpp"
+#include "results/file/presence.hpp"
+#include "results/reading/verdict.hpp"
+
+namespace trilith::draw {
+
+using results::BodyRow;
+using results::Frame;
+using results::Header;
+using results::ResultsReader;
+
+namespace {
+
+/// Few grounds are told apart by name and hatch; other bodies have the colour of their first group, else material.
+constexpr int few_grounds = 3;
+
+std::string group_of(const BodyRow& body, bool named) {
+  if (named) return body.name;
+  const std::string first = body.groups.substr(0, body.groups.find(' '));
+  return first.empty() ? body.material : first;
+}
+
+/// A point in the axes of a node, where that stands in `frame`.
+Vec2 placed(const Frame& frame, int node, const Vec2& place) {
+  const Vec2 at(frame.position[2 * node], frame.position[2 * node + 1]);
+  return at + Turn(frame.rotation[node]).apply(place);
+}
+
+std::vector<Vec2> outline_of(const Header& header, const BodyRow& body, const Frame& frame) {
+  std::vector<Vec2> out;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    out.push_back(placed(frame, header.vertex_node[v], {header.vertices[2 * v], header.vertices[2 * v + 1]}));
+  return out;
+}
+
+BearingMark mark_of(results::BearingState state) {
+  switch (state) {
+    case results::BearingState::yielded:
+      return BearingMark::yielded;
+    case results::BearingState::failed:
+      return BearingMark::failed;
+    case results::BearingState::changed:
+      return BearingMark::changed;
+    case results::BearingState::intact:
+    case results::BearingState::waiting:
+    case results::BearingState::absent:
+      break;
+  }
+  return BearingMark::intact;
+}
+
+/// What waits for another one carries nothing, and what is absent is not there.
+bool is_seen(results::BearingState state) {
+  return state != results::BearingState::waiting && state != results::BearingState::absent;
+}
+
+/// A place of the world in the picture.
+using Flatten = std::function<Vec2(const Vec3&)>;
+
+Flatten flatten_for(const Header& header, const ViewAxes& view) {
+  if (header.dim == 2) return [](const Vec3& p) { return Vec2(p.x(), p.y()); };
+  return [view](const Vec3& p) { return view.flat(p); };
+}
+
+/// Outlines of solids are found with their faces.
+void add_bodies(const Header& header, const Frame& frame, Scene& scene) {
+  const auto is_ground = [](const BodyRow& body) { return role_of(body.support) != BodyRole::free; };
+  const bool few = std::count_if(header.bodies.begin(), header.bodies.end(), is_ground) <= few_grounds;
+  for (const BodyRow& body : header.bodies) {
+    std::vector<Vec2> outline;
+    if (header.dim == 2) outline = outline_of(header, body, frame);
+    // A name in the picture of a solid would not tell what is hidden from what is seen.
+    scene.bodies.push_back({header.dim == 2 ? body.name : "", std::move(outline), role_of(body.support),
+                            group_of(body, few && is_ground(body))});
+  }
+}
+
+/// Displacement or speed of the first node of each free body as its value.
+void colour_bodies(const ResultsReader& reader, const Frame& frame, const std::string& by, Scene& scene) {
+  const Header& header = reader.header();
+  if (std::find(colour_names().begin(), colour_names().end(), by) == colour_names().end())
+    throw InputError(fmt::format("bodies cannot be coloured by '{}'{}", by, name_hint(by, colour_names())));
+  if (by == "group") return;
+  const bool speed = by == "speed";
+  if (speed && !header.with_velocity)
+    throw InputError(
+        fmt::format("'{}' has no velocities; record them with m:results{{velocities = true}}", reader.path().string()));
+  const std::vector<double>& to = speed ? frame.velocity : frame.position;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    if (scene.bodies[i].role != BodyRole::free) continue;
+    double square = 0;
+    for (int k = 0; k < header.dim; ++k) {
+      const auto at = static_cast<std::size_t>(header.dim * header.bodies[i].first_node + k);
+      const double part = to[at] - (speed ? 0 : header.node_position[at]);
+      square += part * part;
+    }
+    scene.bodies[i].value = std::sqrt(square);
+  }
+  scene.value_label = by;
+  scene.value_unit = speed ? "m/s" : "m";
+}
+
+bool touch(const Frame& frame, int a, int b) {
+  return std::any_of(frame.contacts.begin(), frame.contacts.end(), [&](const results::ContactForce& c) {
+    return (c.body_a == a && c.body_b == b) || (c.body_a == b && c.body_b == a);
+  });
+}
+
+void add_bearings(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
+  const results::Placement place(header, frame);
+  for (std::size_t i = 0; i < header.bearings.size(); ++i) {
+    if (!is_seen(frame.bearing_state[i])) continue;
+    const results::BearingRow& b = header.bearings[i];
+    const Vec3 a_end = place.end_of(header.bodies[b.body_a], b.point_a),
+               b_end = place.end_of(header.bodies[b.body_b], b.point_b);
+    SceneBearing out{flat(a_end), flat(b_end), mark_of(frame.bearing_state[i])};
+    // What it changed to, sliding on a seat, ends where its bodies part.
+    const double far = (a_end - b_end).norm();
+    const bool apart = far > 1 || (far > 0.1 && !touch(frame, b.body_a, b.body_b));
+    if (out.state == BearingMark::changed && apart) out.state = BearingMark::failed;
+    scene.bearings.push_back(out);
+  }
+}
+
+/// Of the two bodies' forces the one on the body that is held up by it.
+void add_forces(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
+  for (const results::ContactForce& c : frame.contacts) {
+    const bool a_is_ground = role_of(header.bodies[c.body_a].support) != BodyRole::free;
+    const bool b_is_ground = role_of(header.bodies[c.body_b].support) != BodyRole::free;
+    const bool on_a = a_is_ground == b_is_ground ? c.force[header.dim - 1] >= 0 : b_is_ground;
+    const double sign = on_a ? 1 : -1;
+    const Vec3 point(c.point[0], c.point[1], c.point[2]), force(c.force[0], c.force[1], c.force[2]);
+    scene.forces.push_back({flat(point), flat(sign * force)});
+  }
+}
+
+double size_of(const std::vector<Vec2>& outline) {
+  double size = 0;
+  for (const Vec2& p : outline) size = std::max(size, (p - outline.front()).norm());
+  return size;
+}
+
+void add_ghosts(const Header& header, const Frame& start, const std::vector<bool>& left, Scene& scene) {
+  constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    if (scene.bodies[i].role != BodyRole::free || left[i]) continue;
+    const std::vector<Vec2> outline = outline_of(header, header.bodies[i], start);
+    double moved = 0;
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      moved = std::max(moved, (scene.bodies[i].outline[k] - outline[k]).norm());
+    if (moved > least_share * size_of(outline)) scene.ghosts.push_back(outline);
+  }
+}
+
+void require_time(const ResultsReader& reader, double time, const results::TimeOrigin& origin) {
+  const std::vector<double>& times = reader.frame_times();
+  if (times.empty())
+    throw results::ResultsError(fmt::format("results file '{}': there is no frame to draw", reader.path().string()));
+  const double spacing = (times.back() - times.front()) / static_cast<double>(times.size());
+  if (!(time >= times.front() - 0.5 * spacing && time <= times.back() + 0.5 * spacing))
+    throw InputError(fmt::format("time {:g} s{} is outside the frames of '{}', {:g} s to {:g} s", time - origin.zero,
+                                 origin.text(), reader.path().string(), times.front() - origin.zero,
+                                 times.back() - origin.zero));
+}
+
+/// Where one stage ends and the next begins there are two frames of one time: the later one counts.
+Frame frame_for(const ResultsReader& reader, double time, bool whole) {
+  const std::vector<double>& times = reader.frame_times();
+  std::size_t nearest = reader.nearest_frame(time);
+  if (!whole && times[nearest] != time) return reader.frame_at(time);
+  while (nearest + 1 < times.size() && times[nearest + 1] == times[nearest]) ++nearest;
+  return reader.frame(nearest);
+}
+
+/// The title is the stage's name; the caption has one time, counted as was asked for.
+void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
+  const std::vector<results::StageRow> stages = reader.stages();
+  if (frame.stage < 0 || frame.stage >= static_cast<int>(stages.size())) return;
+  const results::StageRow& stage = stages[static_cast<std::size_t>(frame.stage)];
+  scene.title = stage.name;
+}
+
+/// Bodies that had left the bounds, were removed or not there yet are not drawn, so that the picture is of what is
+/// there; but not all.
+std::vector<bool> left_bodies(const ResultsReader& reader, double time) {
+  std::vector<bool> left(reader.header().bodies.size());
+  const results::Presence presence(reader.events(), left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] = !presence.is_followed(i, time);
+  if (std::find(left.begin(), left.end(), false) == left.end()) left.assign(left.size(), false);
+  return left;
+}
+
+void drop_left(const std::vector<bool>& left, Scene& scene) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (!left[i]) std::swap(scene.bodies[kept++], scene.bodies[i]);
+  scene.bodies.resize(kept);
+}
+
+/// The latest event of note, where it is recent: an old one would be told under every later picture.
+std::string event_before(const ResultsReader& reader, double time, double zero) {
+  constexpr double recent = 1;  // [s]
+  std::string out;
+  for (const results::EventRow& e : events_of_note(reader)) {
+    if (e.time > time) break;
+    if (e.type == "stage.begun" || e.time < time - recent)
+      out.clear();
+    else
+      out = fmt::format("{:.2f} s: {}", e.time - zero, e.text);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<results::EventRow> events_of_note(const ResultsReader& reader) {
+  std::vector<results::EventRow> out;
+  for (results::EventRow& e : reader.events()) {
+    const auto info = std::find_if(event_type_info.begin(), event_type_info.end(),
+                                   [&](const EventTypeInfo& known) { return known.name == e.type; });
+    const auto type = static_cast<EventType>(info - event_type_info.begin());
+    const bool slow = type == EventType::impact && e.first.value < slow_impact;
+    if (info != event_type_info.end() && !has_trait(type, is_minor) && type != EventType::stage_ended && !slow)
+      out.push_back(std::move(e));
+  }
+  return out;
+}
+
+BodyRole role_of(const std::string& support) {
+  if (support.find("free") != std::string::npos || support.empty()) return BodyRole::free;
+  return support.find("moved") != std::string::npos ? BodyRole::moved_ground : BodyRole::fixed_ground;
+}
+
+const std::vector<std::string>& colour_names() {
+  static const std::vector<std::string> names{"group", "displacement", "speed"};
+  return names;
+}
+
+namespace {
+
+/// What is asked for, where it can be had.
+void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
+  if (choice.magnify != 1 && (choice.forces || !choice.thrust.empty()))
+    throw InputError("forces and the line of thrust have no place among magnified displacements; leave one out");
+  if (!choice.stress.empty() && !choice.colour.empty() && choice.colour != "group")
+    throw InputError(fmt::format("bodies cannot be coloured by their stress and by {} at once", choice.colour));
+  const bool plane = reader.header().dim == 2;
+  if (plane && choice.cut)
+    throw InputError(fmt::format("'{}' is of a model in the plane, which cannot be cut", reader.path().string()));
+  if (!plane && (!choice.stress.empty() || !choice.thrust.empty()))
+    throw InputError(
+        fmt::format("'{}' is of a model in space; stress and the line of thrust are drawn of models in the plane only",
+                    reader.path().string()));
+}
+
+/// What is drawn of models in the plane alone, over their bodies.
+void add_findings(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left,
+                  Scene& scene) {
+  if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
+  if (choice.cracks) add_cracks(header, frame, left, scene);
+  if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
+}
+
+/// A moment to be drawn: the run then, and the bodies that are left out.
+struct Moment {
+  Frame frame;
+  std::vector<bool> left;
+};
+
+Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
+  require_time(reader, time, choice.origin);
+  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
+  Frame frame = frame_for(reader, time, whole);
+  if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
+  std::vector<bool> left = left_bodies(reader, frame.time);
+  return {std::move(frame), std::move(left)};
+}
+
+/// Time and title, and what there is to say.
+void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoice& choice, Scene& scene) {
+  scene.time = frame.time - choice.origin.zero;
+  scene.since = choice.origin.text();
+  add_stage(reader, frame, scene);
+  scene.event = event_before(reader, frame.time, choice.origin.zero);
+  const Verdict verdict = results::results_verdict(reader.events());
+  if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.origin.zero);
+  if (choice.magnify != 1)
+    scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);
+  if (choice.ghost)
+    scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
+}
+
+/// What pictures of one figure share, of a model in space.
+struct SharedSpace {
+  std::optional<SpaceBox> around;  ///< the box of what is free in all of them
+  std::vector<SolidJoint> joints;
+};
+
+PairBonds bonds_at(const ResultsReader& reader, const Frame& frame) {
+  PairBonds bonds;
+  for (const results::EventRow& e : reader.events())
+    if (e.type.starts_with("bond.") && e.time <= frame.time) bonds.lost.insert(std::minmax(e.body_a, e.body_b));
+  for (const results::ContactForce& c : frame.contacts)
+    if (c.state == results::ContactState::bonded) bonds.held.insert(std::minmax(c.body_a, c.body_b));
+  return bonds;
+}
+
+void add_solids_at(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
+                   const SharedSpace& shared, Scene& scene) {
+  const Header& header = reader.header();
+  SolidsView shown{choice.from, choice.cut, shared.around};
+  if (!shared.joints.empty())
+    shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame), bonds_at(reader, moment.frame),
+                                moment.left);
+  add_solids(header, moment.frame, shown, moment.left, scene);
+  if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
+}
+
+Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
+               const SharedSpace& shared) {
+  const Header& header = reader.header();
+  const Frame& frame = moment.frame;
+  const Flatten flat = flatten_for(header, ViewAxes(choice.from));
+  Scene scene;
+  add_words(reader, frame, choice, scene);
+  add_bodies(header, frame, scene);
+  if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
+  if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
+  if (choice.forces) add_forces(header, frame, flat, scene);
+  if (header.dim == 3) {
+    add_solids_at(reader, moment, choice, shared, scene);
+    return scene;
+  }
+  add_findings(header, frame, choice, moment.left, scene);
+  const Frame start = reader.frame(0);
+  if (choice.ghost) add_ghosts(header, start, moment.left, scene);
+  for (std::size_t i = 0; i < header.bodies.size(); ++i)
+    scene.bodies[i].start = outline_of(header, header.bodies[i], start);
+  drop_left(moment.left, scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene plain_scene(const Header& header, const Frame& frame) {
+  Scene scene;
+  add_bodies(header, frame, scene);
+  return scene;
+}
+
+Scene results_scene(const ResultsReader& reader, double time, const SceneChoice& choice) {
+  return results_scenes(reader, {time}, choice)[0];
+}
+
+std::vector<Scene> results_scenes(const ResultsReader& reader, const std::vector<double>& times,
+                                  const SceneChoice& choice) {
+  check_choice(reader, choice);
+  std::vector<Moment> moments;
+  const Header& header = reader.header();
+  SharedSpace shared;
+  if (header.dim == 3 && choice.cracks) shared.joints = solid_joints(header);
+  for (const double time : times) {
+    moments.push_back(moment_at(reader, time, choice));
+    if (header.dim < 3) continue;
+    const results::Placement at(header, moments.back().frame);
+    shared.around = joined(shared.around, box_of_free(header, at, moments.back().left));
+  }
+  std::vector<Scene> scenes;
+  for (const Moment& moment : moments) scenes.push_back(scene_of(reader, moment, choice, shared));
+  return scenes;
+}
+
+}  // namespace trilith::draw

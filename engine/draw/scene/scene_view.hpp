@@ -1,0 +1,60 @@
+// What all panels of a figure share: the part of the world they show, the scale of the forces, the colours of groups.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "draw/scene/scene_picture.hpp"
+
+namespace trilith::draw {
+
+/// A colour's owner: bodies of one role and group.
+using BodyGroup = std::pair<BodyRole, std::string>;
+
+/// A corner of a panel.
+enum class PanelCorner { lower_left, lower_right, upper_left, upper_right };
+
+struct SceneView {
+  WorldBox world;                              ///< m
+  std::vector<BodyGroup> groups;               ///< in order of first appearance
+  double largest_force = 0;                    ///< N; 0 without forces
+  double longest_arrow = 0;                    ///< m in the world, for `largest_force`
+  bool bars = false;                           ///< forces as bars, not arrows
+  bool has_values = false;                     ///< some body has a value
+  bool has_faces = false;                      ///< of solids: ground is shaded, not hatched
+  PanelCorner axes = PanelCorner::lower_left;  ///< where the axes of the world are, in all panels
+  double low = 0, high = 0;                    ///< range of the values' colours
+  double farthest = 0;  ///< largest size of a value, where values have both signs: 0 is the middle colour
+};
+
+/// Checks all scenes and the style and finds what they share. Throws InputError as scene_canvas says.
+SceneView scene_view(const std::vector<Scene>& scenes, const PictureStyle& style);
+
+/// Text of a group in the legend.
+std::string group_text(const BodyGroup& group);
+
+/// Fill of a body; ground has its own. `group_index` counts the free groups.
+Colour body_fill(const SceneView& view, const SceneBody& body);
+/// Colour of a value at `share` of the range: the stronger, the farther from 0.
+Colour value_colour(const SceneView& view, double share);
+Colour group_fill(const SceneView& view, const BodyGroup& group);
+
+/// Direction of a ground's hatch in degrees; neighbouring ground groups differ.
+double hatch_direction(const SceneView& view, const BodyGroup& group);
+
+/// From the world to a panel on the page, one scale in both directions.
+struct PageView {
+  WorldBox world;
+  PageBox box;
+  double scale = 1;  ///< pt per m
+  PagePoint place(const Vec2& p) const {
+    return {box.x0 + scale * (p.x() - world.x0), box.y1 - scale * (p.y() - world.y0)};
+  }
+};
+
+/// An outline on the page, cut off a little beyond the panel (so that a very large ground stays drawable); empty where
+/// it lies outside.
+std::vector<PagePoint> page_outline(const PageView& page, const std::vector<Vec2>& outline);
+
+}  // namespace trilith::draw

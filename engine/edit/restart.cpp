@@ -1,0 +1,31 @@
+#include "edit/restart.hpp"
+
+#include "assembly/evaluate.hpp"
+#include "events/commit.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+
+namespace trilith {
+
+/// Explicit velocities stand half a step behind those of what was held, and laws take them for the way of that step: a
+/// node that becomes free would have half a step of its acceleration too much, or would have slid where it stood.
+template <int D>
+RestartedRun<D>::RestartedRun(const Model<D>& model, State<D>& state, Work<D>& work)
+    : was_implicit_(state.implicit()), most_energy_(state.most_energy) {
+  commit(model, state, work);
+  events_ = work.events;
+  begin_implicit(model, state, work);
+  begin_explicit(model, state, work);
+  evaluate(model, state, work, 0);
+}
+
+template <int D>
+void RestartedRun<D>::go_on(const Model<D>& model, State<D>& state, const Work<D>& work) const {
+  if (!was_implicit_) return;
+  begin_implicit(model, state, work);
+  state.most_energy = most_energy_;
+}
+
+template class RestartedRun<2>;
+template class RestartedRun<3>;
+
+}  // namespace trilith

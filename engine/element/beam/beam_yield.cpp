@@ -1,0 +1,138 @@
+#include "element/beam/beam_yield.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "element/solid/psd_part.hpp"
+
+namespace trilith {
+namespace {
+
+Eigen::Matrix3d matrix_of(const std::array<double, 3>& bend, double axial) {
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  k(0, 0) = axial;
+  k(1, 1) = bend[0], k(1, 2) = k(2, 1) = bend[1], k(2, 2) = bend[2];
+  return k;
+}
+
+BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
+  const Eigen::Vector3d out = m * Eigen::Vector3d(v[0], v[1], v[2]);
+  return {out[0], out[1], out[2]};
+}
+
+/// What is left of K while ends flow or are lost.
+Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, const EndHingeMemory& after) {
+  std::array<bool, 2> flowing{};
+  for (const int end : {0, 1}) flowing[end] = after.gone[end] != 0 || after.turned[end] != before.turned[end];
+  return matrix_of(bend_beside(beam.stiffness.bend, flowing), beam.stiffness.axial);
+}
+
+/// Of an elastic beam: K, and what the bow's normal force adds.
+/// d stress / d strain = K + EA/L s s' + N d2(L q), s = d(u + L q)/d(u, theta_0, theta_1).
+Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, double normal) {
+  Eigen::Matrix3d out = matrix_of(k.bend, 0);
+  const Eigen::Vector3d stretch(1, 2 * k.bow[0] * d[1] + k.bow[1] * d[2], 2 * k.bow[2] * d[2] + k.bow[1] * d[1]);
+  out += k.axial * stretch * stretch.transpose();
+  out(1, 1) += 2 * normal * k.bow[0], out(2, 2) += 2 * normal * k.bow[2];
+  out(1, 2) += normal * k.bow[1], out(2, 1) += normal * k.bow[1];
+  return out;
+}
+
+/// What a beam that yields does, and how that answers.
+struct Answer {
+  BeamTangent tangent;
+  double stored = 0, dissipated = 0;
+};
+
+Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
+              std::span<double> after) {
+  Answer out;
+  BeamTangent& t = out.tangent;
+  // The first number of the memory is kept apart from those of the fibres.
+  if (beam.yield == BeamYield::in_fibres) {
+    const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
+    const FibreBeamResponse r =
+        respond(row.beam, yields.sections[row.section], now.strain, before.subspan(1), after.subspan(1));
+    after[0] = before[0] != 0 || r.yielding ? 1 : 0;
+    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
+    if (beam.damping > 0) t.by_rate = beam.damping * psd_part(r.tangent);
+  } else {
+    const auto [first, second] = yields.hinged_beams[beam.yield_row];
+    const EndHingeMemory was = hinge_memory(before);
+    const EndHingeResponse r =
+        respond(beam.stiffness, {&yields.hinge_laws[first], &yields.hinge_laws[second]}, now.strain, was);
+    std::ranges::copy(std::bit_cast<std::array<double, EndHingeMemory::size>>(r.memory), after.begin());
+    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
+    if (beam.damping > 0) t.by_rate = beam.damping * left_stiffness(beam, was, r.memory);
+  }
+  if (beam.damping > 0) t.damping = times(t.by_rate, now.rate);
+  return out;
+}
+
+}  // namespace
+
+std::array<double, 3> bend_beside(const std::array<double, 3>& bend, const std::array<bool, 2>& flowing) {
+  std::array<double, 3> left = bend;
+  for (const int end : {0, 1}) {
+    if (!flowing[end]) continue;
+    // Condensed: K_other - K_01^2 / K_own. With both ends let go nothing is left.
+    double &own = left[2 * end], &other = left[2 * (1 - end)];
+    if (own > 0) other -= left[1] * left[1] / own;
+    own = left[1] = 0;
+  }
+  return left;
+}
+
+int memory_size(const BeamYields& yields, const Beam& beam) {
+  switch (beam.yield) {
+    case BeamYield::never:
+      return 0;
+    case BeamYield::in_fibres: {
+      const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
+      return 1 + row.beam.memory_size(yields.sections[row.section]);
+    }
+    case BeamYield::at_hinges:
+      return EndHingeMemory::size;
+  }
+  return 0;
+}
+
+BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
+                     std::span<double> after) {
+  const Answer a = answer(yields, beam, now, before, after);
+  return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
+}
+
+/// One that yields is asked for a trial whose memory is thrown away.
+BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before) {
+  if (beam.yield != BeamYield::never) {
+    std::vector<double> after(before.size());
+    return answer(yields, beam, now, before, after).tangent;
+  }
+  BeamTangent out;
+  out.stress = stress_of(beam.stiffness, now.strain);
+  out.by_strain = elastic_tangent(beam.stiffness, now.strain, out.stress[0]);
+  out.by_rate = beam.damping * matrix_of(beam.stiffness.bend, beam.stiffness.axial);
+  out.damping = times(out.by_rate, now.rate);
+  return out;
+}
+
+/// An end that never yields has a law without bound.
+bool has_hinge(const BeamYields& yields, const Beam& beam, int end) {
+  return std::isfinite(yields.hinge_laws[yields.hinged_beams[beam.yield_row][end]].sagging);
+}
+
+EndHingeMemory hinge_memory(std::span<const double> memory) {
+  std::array<double, EndHingeMemory::size> words;
+  std::copy_n(memory.begin(), words.size(), words.begin());
+  return std::bit_cast<EndHingeMemory>(words);
+}
+
+/// Fibres are one for the beam and told at its end 0.
+HingeStatus yield_status(const Beam& beam, std::span<const double> memory, int end) {
+  if (beam.yield == BeamYield::at_hinges) return status_of(hinge_memory(memory), end);
+  return end == 0 && memory[0] != 0 ? HingeStatus::yielded : HingeStatus::elastic;
+}
+
+}  // namespace trilith

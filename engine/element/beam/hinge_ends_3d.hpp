@@ -1,0 +1,56 @@
+// Both ends of a beam with hinges in space beside a given normal force: which of them flow, and how.
+//
+// Unknown are the length and the way of each end's flow (element/beam/hinge_flow_3d.hpp); sought is that the elastic
+// moments are what the ends carry, K (turn - p) = most, which Newton's method does for both at once. Where it fails,
+// each end in turns as in the plane; where that fails, from surfaces so wide that none flows the ends are followed to
+// their own.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+
+#include "element/beam/beam_element_3d.hpp"
+#include "element/beam/hinge_flow_3d.hpp"
+
+namespace trilith {
+
+/// Rows of four: y and z of end 0, y and z of end 1, in signs where bends and moments are above 0 as the side to z and
+/// the bottom lengthen, and scaled by the hinges' sqrt(s) (element/beam/hinge_flow_3d.hpp).
+using Bends = Eigen::Vector4d;
+using Hinges = std::array<SpaceHinge, 2>;
+
+struct SpaceBeamOfStep {
+  double axial;
+  Eigen::Matrix4d bend = Eigen::Matrix4d::Zero(), bow = Eigen::Matrix4d::Zero();
+  double stretch;      ///< [m]
+  Bends turn, factor;  ///< [rad]; of rotations over those of the beam, with their signs
+
+  SpaceBeamOfStep(const BeamStiffness3& k, const BeamStrain3& d, const std::array<double, 2>& scale)
+      : axial(k.axial), stretch(d[0]), factor(-scale[0], -1, scale[1], 1) {
+    turn = factor.cwiseProduct(Bends(d[1], d[2], d[3], d[4]));
+    for (const int axis : {0, 1}) {
+      const BeamStiffness& plane = k.bend[static_cast<std::size_t>(axis)];
+      const int a = axis, b = 2 + axis;
+      bend(a, a) = plane.bend[0], bend(b, b) = plane.bend[2], bend(a, b) = bend(b, a) = plane.bend[1];
+      bow(a, a) = 2 * plane.bow[0], bow(b, b) = 2 * plane.bow[2], bow(a, b) = bow(b, a) = plane.bow[1];
+    }
+    const Bends per = factor.cwiseInverse();
+    bend = per.asDiagonal() * bend * per.asDiagonal(), bow = per.asDiagonal() * bow * per.asDiagonal();
+  }
+  [[nodiscard]] double bowed(const Bends& p) const { return 0.5 * (turn - p).dot(bow * (turn - p)); }
+};
+
+/// Both ends at a given normal force.
+struct SpaceEnds {
+  std::array<bool, 2> flows{};
+  std::array<SpaceFlow, 2> flow;
+  Bends p = Bends::Zero(), moment = Bends::Zero();
+  double stretch = 0;  ///< plastic stretch by both ends' flow, of this step [m]
+  bool settled = true;
+};
+
+/// `near`: where the search begins, of a normal force nearby; or null.
+SpaceEnds ends_beside(const SpaceBeamOfStep& beam, const Hinges& hinge, double normal, const SpaceEnds* near);
+
+}  // namespace trilith

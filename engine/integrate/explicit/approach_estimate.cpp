@@ -1,0 +1,244 @@
+#include "integrate/explicit/approach_estimate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "broad_phase/moving_piece.hpp"
+#include "contact/space/solid_pressure.hpp"
+#include "geometry/space/separation_3d.hpp"
+#include "integrate/explicit/node_gain.hpp"
+#include "law/contact/list.hpp"
+#include "model/contact/contact_frame.hpp"
+
+namespace trilith {
+namespace {
+
+/// The part of a piece within a little of its outermost, seen along a direction and across it.
+template <int D>
+struct Front {
+  double outermost = -unbounded;                            ///< along the direction [m]
+  double fastest = -unbounded;                              ///< largest velocity of a corner along it now [m/s]
+  double gain = -unbounded;                                 ///< largest acceleration of a corner along it [m/s2]
+  std::array<double, static_cast<std::size_t>(D - 1)> low;  ///< the least and the most across [m]
+  std::array<double, static_cast<std::size_t>(D - 1)> high;
+};
+
+/// The direction and D - 1 lines across it.
+template <int D>
+using Axes = std::array<Vec<D>, static_cast<std::size_t>(D)>;
+
+Axes<2> axes_of(const Vec2& n) {
+  return {n, left_of(n)};
+}
+Axes<3> axes_of(const Vec3& n) {
+  const Vec3 across = line_across(n);
+  return {n, across, cross(n, across)};
+}
+
+/// A piece as it stands and moves; `gain`: accelerations of its corners; `radius`: of a sphere about its one corner,
+/// else 0; `mass`: without end where it does not move.
+template <int D>
+struct Side;
+template <>
+struct Side<2> {
+  const MovingPiece& piece;
+  std::array<Vec2, max_piece_corners> gains;
+  double radius, mass;
+  [[nodiscard]] std::size_t corners() const { return static_cast<std::size_t>(piece.corners); }
+  [[nodiscard]] const Vec2& at(std::size_t i) const { return piece.at[i]; }
+  [[nodiscard]] const Vec2& velocity(std::size_t i) const { return piece.velocity[i]; }
+  [[nodiscard]] const Vec2& gain(std::size_t i) const { return gains[i]; }
+  [[nodiscard]] std::size_t edges() const { return corners(); }
+  [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const { return {e, e + 1 == corners() ? 0 : e + 1}; }
+};
+template <>
+struct Side<3> {
+  const PlacedSolid& placed;
+  BodyMotion motion;
+  NodeGain<3> gains;
+  double radius, mass;
+  [[nodiscard]] std::size_t corners() const { return placed.corners.size(); }
+  [[nodiscard]] const Vec3& at(std::size_t i) const { return placed.corners[i]; }
+  [[nodiscard]] Vec3 velocity(std::size_t i) const { return motion.velocity_at(placed.corners[i]); }
+  [[nodiscard]] Vec3 gain(std::size_t i) const { return gains.at(placed.corners[i] - motion.place); }
+  [[nodiscard]] std::size_t edges() const { return placed.solid->edges.size(); }
+  [[nodiscard]] std::array<std::size_t, 2> edge(std::size_t e) const {
+    const SolidEdge& edge = placed.solid->edges[e];
+    return {static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to)};
+  }
+};
+
+/// What lies within `depth` of the outermost. `along`: 1, or -1 to look the other way. `behind`: half of the step
+/// behind, as velocities are of its middle [s].
+template <int D>
+Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double depth, double behind) {
+  Front<D> front;
+  front.low.fill(unbounded), front.high.fill(-unbounded);
+  const auto reach = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
+  for (std::size_t i = 0; i < side.corners(); ++i) front.outermost = std::max(front.outermost, reach(i));
+  // Of the cap that is cut off so deep, at most the equator of its sphere.
+  const double half = std::sqrt(2 * side.radius * std::min(depth, side.radius)), level = front.outermost - depth;
+  const auto add = [&](const Vec<D>& x) {
+    for (std::size_t k = 0; k < front.low.size(); ++k) {
+      const double across = axes[k + 1].dot(x);
+      front.low[k] = std::min(front.low[k], across - half), front.high[k] = std::max(front.high[k], across + half);
+    }
+  };
+  for (std::size_t i = 0; i < side.corners(); ++i) {
+    if (reach(i) < level) continue;
+    const double gain = along * axes[0].dot(side.gain(i));
+    front.fastest = std::max(front.fastest, along * axes[0].dot(side.velocity(i)) + behind * gain);
+    front.gain = std::max(front.gain, gain);
+    add(side.at(i));
+  }
+  // Where edges go below.
+  for (std::size_t e = 0; e < side.edges(); ++e) {
+    const auto [i, j] = side.edge(e);
+    const double from = reach(i) - level, to = reach(j) - level;
+    if ((from < 0) == (to < 0)) continue;
+    add(side.at(i) + from / (from - to) * (side.at(j) - side.at(i)));
+  }
+  return front;
+}
+
+/// Length in the plane, area in space that two fronts share, or at least that of a dent as wide as it is deep.
+template <int D>
+double shared(const Front<D>& a, const Front<D>& b, double depth) {
+  double measure = 1;
+  for (std::size_t k = 0; k < a.low.size(); ++k)
+    measure *= std::max(depth, std::min(a.high[k], b.high[k]) - std::max(a.low[k], b.low[k]));
+  return measure;
+}
+
+/// `kn`: stiffness by length or area. `behind`: see front_of. How deep the two will get is not known before the area
+/// is, nor the area before the depth: first with all that they have, then with what lies within a depth that is drawn
+/// near to its own result.
+template <int D>
+ApproachEstimate meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn, double behind, double dt) {
+  constexpr int looks = 4;
+  const Axes<D> axes = axes_of(normal);
+  ApproachEstimate m;
+  m.mass = 1 / (1 / a.mass + 1 / b.mass);
+  double depth = unbounded;
+  for (int look = 0; look < looks; ++look) {
+    const Front<D> of_a = front_of(a, axes, 1, depth, behind), of_b = front_of(b, axes, -1, depth, behind);
+    const double now = of_a.fastest + of_b.fastest, gain = of_a.gain + of_b.gain;
+    m.gap = -of_b.outermost - of_a.outermost;
+    m.speed = now;
+    // Less of them goes no faster.
+    m.apart = m.gap > 0 && !(m.gap < farthest(now, gain, dt));
+    if (m.apart) break;
+    if (m.gap > 0) m.speed = speed_at_touch(m.gap, now, gain), m.touches = time_to_touch(m.gap, now, gain);
+    m.stiffness = kn * shared(of_a, of_b, look == 0 ? 0 : depth);
+    if (!(m.stiffness > 0)) break;
+    // Elastic: v sqrt(m/k), beside what they overlap by already.
+    const double found = std::max(-m.gap, 0.0) + std::abs(m.speed) * std::sqrt(m.mass / m.stiffness);
+    depth = look == 0 ? found : std::sqrt(depth * found);
+  }
+  return m;
+}
+
+template <int D>
+double closing_stiffness(const Model<D>& model, int p, int q) {
+  const auto surface = [&](int piece) { return model.bodies[model.piece_body[piece]].surface; };
+  const int law = model.law_of[surface(p) * model.surfaces + surface(q)];
+  return with_kernel({model.laws[law], model.thickness, 0},
+                     [](const auto& kernel) { return kernel.tangent(0).normal; });
+}
+
+/// Of a rigid body all of it, of one that deforms what the corners of the piece carry.
+double piece_mass(const Model<2>& model, int piece) {
+  const Body& body = model.bodies[model.piece_body[piece]];
+  if (!model.body_moves(model.piece_body[piece])) return unbounded;
+  if (body.is_rigid()) return model.mass[body.first_node];
+  double sum = 0;
+  for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
+    sum += model.mass[model.skin_node[model.corner_skin[c]]];
+  return sum;
+}
+double piece_mass(const Model<3>& model, int piece) {
+  if (!model.body_moves(model.piece_body[piece])) return unbounded;
+  if (!model.is_fitted(piece)) return model.mass[model.node_of_piece(piece)];
+  const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
+  double sum = 0;
+  for (int i = 0; i < whole.nodes; ++i) sum += model.mass[whole.node[static_cast<std::size_t>(i)]];
+  return sum;
+}
+
+/// Accelerations of the corners of a piece.
+std::array<Vec2, max_piece_corners> gains_of(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                             int piece, const MovingPiece& now, double dt) {
+  std::array<Vec2, max_piece_corners> out;
+  int known = -1;
+  NodeGain<2> gain;
+  for (int c = 0; c < now.corners; ++c) {
+    const int skin = model.corner_skin[model.piece_first[piece] + c], n = model.skin_node[skin];
+    if (n != known) gain = gain_of(model, state, work, n, dt), known = n;
+    out[c] = gain.at(now.at[c] - state.position[n]);
+  }
+  return out;
+}
+/// Acceleration of a piece with the node or the mean of the nodes that it goes with.
+NodeGain<3> gain_of_piece(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece, double dt) {
+  if (!model.is_fitted(piece)) return gain_of(model, state, work, model.node_of_piece(piece), dt);
+  const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
+  NodeGain<3> mean;
+  for (int i = 0; i < whole.nodes; ++i)
+    mean.along += gain_of(model, state, work, whole.node[static_cast<std::size_t>(i)], dt).along / whole.nodes;
+  return mean;
+}
+
+/// Keeps the outward normal along which `b` lies farthest from the faces of `a`.
+void look_along_edges(const MovingPiece& a, const MovingPiece& b, double turned, double& most, Vec2& normal) {
+  for (int i = 0; i < a.corners; ++i) {
+    const Vec2 n = -left_of(Vec2(a.at[(i + 1) % a.corners] - a.at[i])).normalized();
+    double least = unbounded;
+    for (int j = 0; j < b.corners; ++j) least = std::min(least, n.dot(b.at[j] - a.at[i]));
+    if (least > most) most = least, normal = turned * n;
+  }
+}
+
+/// From a towards b. Of spheres the line of their centres, or the face that a centre is farthest from.
+Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
+  if (a.solid->is_sphere() && b.solid->is_sphere()) {
+    const Vec3 way = b.corners[0] - a.corners[0];
+    return way.squaredNorm() > 0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
+  }
+  if (!a.solid->is_sphere() && !b.solid->is_sphere()) return separation(a, b).axis;
+  const PlacedSolid &sphere = a.solid->is_sphere() ? a : b, &other = a.solid->is_sphere() ? b : a;
+  double most = -unbounded;
+  Vec3 normal = Vec3::UnitZ();
+  for (int f = 0; f < other.solid->shape.faces.count(); ++f) {
+    const double height = -depth_below(other, f, sphere.corners[0]);
+    if (height > most) most = height, normal = other.normals[static_cast<std::size_t>(f)];
+  }
+  return a.solid->is_sphere() ? Vec3(-normal) : normal;
+}
+
+}  // namespace
+
+ApproachEstimate approach_estimate(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q,
+                                   double dt) {
+  const MovingPiece a = moving_piece(model, state, p), b = moving_piece(model, state, q);
+  double most = -unbounded;
+  Vec2 normal = Vec2::UnitX();
+  look_along_edges(a, b, 1, most, normal);
+  look_along_edges(b, a, -1, most, normal);
+  const auto side = [&](const MovingPiece& moving, int piece) {
+    return Side<2>{moving, gains_of(model, state, work, piece, moving, dt), 0, piece_mass(model, piece)};
+  };
+  return meet<2>(side(a, p), side(b, q), normal, closing_stiffness(model, p, q), 0.5 * state.last_dt, dt);
+}
+
+ApproachEstimate approach_estimate(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q,
+                                   double dt) {
+  const PlacedSolid &a = work.solids.placed[p], &b = work.solids.placed[q];
+  const auto side = [&](const PlacedSolid& placed, int piece) {
+    return Side<3>{placed, motion_of(model, state, model.carrier_of(piece)),
+                   gain_of_piece(model, state, work, piece, dt), placed.solid->radius, piece_mass(model, piece)};
+  };
+  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q), 0.5 * state.last_dt, dt);
+}
+
+}  // namespace trilith

@@ -1,0 +1,74 @@
+// The places of bonds in the plane: both ends of each half of two faces in tension, its middle in shear.
+#pragma once
+
+#include "assembly/contact/contact_rows.hpp"
+#include "integrate/explicit/bond_places.hpp"
+#include "law/contact/face_motion.hpp"
+#include "law/contact/list.hpp"
+
+namespace trilith {
+
+/// The rates of two faces; after an implicit step the mean rates over it.
+inline FaceRates<double> bond_rates(const Work<2>& work, const NearPair& p, const FaceOverlap<double>& overlap) {
+  FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
+  if (!work.skin_mean.empty()) {
+    const auto over_step = [&](int from, int to, FaceEnds<double>& ends) {
+      const Vec2 &u = work.skin_mean[from], &v = work.skin_mean[to];
+      ends.u0 = u.x(), ends.v0 = u.y(), ends.u1 = v.x(), ends.v1 = v.y();
+    };
+    over_step(p.a0, p.a1, a), over_step(p.b0, p.b1, b);
+  }
+  return {overlap, a, b};
+}
+
+/// The places of one half, of `length` [m]; `rate`: of the gap at both of its ends; `slip`: rate at its middle [m/s].
+template <class K, class F>
+void bonds_of_half(const K& law, const HalfGaps& gaps, double strength, double elastic, double length,
+                   const std::array<double, 2>& rate, double slip, double dt_behind, PlacedBond bond, F&& f) {
+  const double end[2] = {gaps.g0 - gaps.filling.end0, gaps.g1 - gaps.filling.end1};
+  bond.curve = tension_curve(law, strength);
+  // Damage goes by the wider end.
+  const int wider = end[1] + dt_behind * rate[1] > end[0] + dt_behind * rate[0] ? 1 : 0;
+  bond.at = end[wider], bond.rate = rate[wider], f(bond);
+  if (dt_behind == 0 && rate[1 - wider] > rate[wider]) bond.at = end[1 - wider], bond.rate = rate[1 - wider], f(bond);
+  const double mean = 0.5 * (end[0] + end[1]);
+  bond.curve = shear_curve(law, strength, std::max(-mean, 0.0), std::max(mean, 0.0));
+  if (!(bond.curve.top > 0) || !(length > 0)) return;
+  const double u = elastic / (law.ks * length);
+  bond.at = u * slip < 0 ? -std::abs(u) : std::abs(u), bond.rate = std::abs(slip);
+  f(bond);
+}
+
+template <class F>
+void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work, bool after, double dt, F&& f) {
+  const ContactHistory& history = after ? work.contacts : contacts_before(state, work);
+  for (std::size_t row = 0; row < work.pairs.size(); ++row) {
+    const ContactMemory& memory = history.memory[row];
+    if (memory.bonds == 0) continue;
+    const NearPair& p = work.pairs[row];
+    const FaceOverlap<double> overlap = face_overlap(work, p);
+    if (!(overlap.shared > 0)) continue;
+    const FaceRates<double> r = bond_rates(work, p, overlap);
+    PlacedBond bond;
+    bond.size = overlap.shared, bond.body_a = model.piece_body[p.piece_a], bond.body_b = model.piece_body[p.piece_b];
+    with_kernel(law_in_use(model, p.law, dt), [&]<class K>(const K& law) {
+      if constexpr (K::bonds) {
+        const auto own = law_memory<K>(history.law_numbers(row));
+        const std::array<HalfGaps, 2> gaps = law.gaps(overlap, memory, own);
+        const double middle = 0.5 * (r.gap_lo + r.gap_hi), back = after ? 0 : dt;
+        for (const int h : {0, 1}) {
+          if (!memory.bonded(h)) continue;
+          const std::array<double, 2> rate = {h == 0 ? r.gap_lo : middle, h == 0 ? middle : r.gap_hi};
+          HalfGaps then = gaps[h];
+          then.g0 -= back * rate[0], then.g1 -= back * rate[1];
+          double strength = 1;
+          if constexpr (K::softens) strength = 1 - own.damage[h];
+          const double slip = (h == 0 ? 0.75 : 0.25) * r.slip_lo + (h == 0 ? 0.25 : 0.75) * r.slip_hi;
+          bonds_of_half(law, then, strength, memory.shear_elastic[h], 0.5 * overlap.shared, rate, slip, back, bond, f);
+        }
+      }
+    });
+  }
+}
+
+}  // namespace trilith

@@ -1,0 +1,130 @@
+#include "integrate/explicit/bond_step.hpp"
+
+#include "integrate/explicit/node_gain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "integrate/explicit/bond_places.hpp"
+#include "integrate/explicit/stable_step.hpp"
+
+namespace trilith {
+namespace {
+
+/// Shares of the displacement over which a bond is lost: of a step along the softening line; and by which a step may
+/// go past the peak, of softening and of brittle bonds.
+constexpr double softening_share = 1.0 / 32, past_peak = 1.0 / 256, past_brittle_peak = 1.0 / 64;
+/// What an explicit step that is shortened may gain or lose, as a share of the fracture energy.
+constexpr double shortened_share = 0.004;
+/// Steps before its peak at which a bond is noticed: shortened while it carries little, they gain or lose little.
+constexpr double steps_ahead = 4;
+/// What an implicit step may miss, as a share of the fracture energy.
+constexpr double missed_share = 0.01;
+/// ... and any step, as a share of the kinetic energy of two bodies against each other.
+constexpr double kinetic_share = 1e-4;
+/// No step is cut below this share for bonds.
+constexpr double shortest_share = 1e-4;
+/// An angular acceleration adds to the acceleration of a point by up to this many times that of the mass centre.
+constexpr double turning_gain = 4;
+
+/// At most of any point of a body that is rigid; of others 0: their steps are short against what accelerates them.
+template <int D>
+double acceleration_of(const Model<D>& model, const Work<D>& work, int body) {
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() || !model.body_moves(body)) return 0;
+  const int n = b.first_node;
+  return work.force[n].norm() / model.mass[n] +
+         angular_acceleration(work.moment[n], model.inertia[n]) * model.body_radius[body];
+}
+
+/// The allowed miss as a share of the energy of the bond, where it goes with that speed [m/s].
+template <int D>
+double allowed_share(const Work<D>& work, const PlacedBond& bond, double speed, double share) {
+  const double mass = mass_of_both(work, bond), energy = bond.curve.energy * bond.size;
+  return energy > 0 ? std::max(share, kinetic_share * 0.5 * mass * speed * speed / energy) : share;
+}
+
+/// How far a bond may go in one step at that speed [m]. On its way to the peak the step is bounded too: where it is
+/// then shortened, leapfrog steps gain or lose up to a quarter of (way/peak)^2 of the elastic energy.
+template <int D>
+double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
+  const BondCurve& c = bond.curve;
+  const bool brittle = !(c.last > c.peak);
+  const double share = allowed_share(work, bond, speed, brittle ? past_brittle_peak : past_peak);
+  const double past = share * c.whole, elastic = 0.5 * c.top * c.peak;
+  if (!brittle && bond.at >= c.peak - past) return std::max(share, softening_share) * c.whole;
+  const double up = c.peak * std::sqrt(4 * allowed_share(work, bond, speed, shortened_share) * c.energy / elastic);
+  return std::max(past, std::min(c.peak - bond.at, up));
+}
+
+/// The longest time up to dt that leads no farther than the peak, or along the softening line by its share.
+template <int D>
+double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double dt) {
+  const double gain = acceleration_of(model, work, bond.body_a) + acceleration_of(model, work, bond.body_b);
+  const double speed = bond.rate + 0.5 * (state.last_dt + dt) * gain;
+  if (!(speed > 0) || bond.at + steps_ahead * speed * dt <= bond.curve.peak) return dt;
+  return std::min(dt, std::max(way_of(work, bond, speed) / speed, shortest_share * dt));
+}
+
+template <int D>
+bool has_bonds(const Model<D>& model) {
+  return std::any_of(model.laws.begin(), model.laws.end(), [](const ContactLaw& law) { return may_bond(law); });
+}
+
+/// An upper bound of what a bond's rate gains by the end of the step ahead [m/s].
+template <int D>
+double largest_gain(const State<D>& state, const Work<D>& work, double dt) {
+  const double mass = work.impacts.lightest;
+  if (!(mass > 0) || !(mass < std::numeric_limits<double>::max())) return 0;
+  return 2 * turning_gain * work.unbalanced / mass * 0.5 * (state.last_dt + dt);
+}
+
+/// Bounds the motion of all bonds since the last look: false where one can be cut for by now.
+template <int D>
+bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
+  room.speed += largest_gain(state, work, dt);
+  room.room -= room.speed * dt;
+  return room.room > steps_ahead * room.speed * dt || room.speed * dt < room.way;
+}
+
+}  // namespace
+
+template <int D>
+double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
+  if (room.none || is_far(state, work, dt, room)) return dt;
+  constexpr double far = std::numeric_limits<double>::max();
+  room = {far, 0, far, !has_bonds(model)};
+  if (room.none) return dt;
+  const double gain = largest_gain(state, work, dt);
+  double time = dt;
+  each_bond(model, state, work, true, 0, [&](const PlacedBond& bond) {
+    const BondCurve& c = bond.curve;
+    if (!(c.top > 0)) return;
+    room.room = std::min(room.room, c.peak - bond.at);
+    room.speed = std::max(room.speed, std::abs(bond.rate));
+    room.way = std::min(room.way, (c.last > c.peak ? past_peak : past_brittle_peak) * c.whole);
+    if (bond.at + steps_ahead * (std::abs(bond.rate) + gain) * dt > c.peak)
+      time = std::min(time, time_of(model, state, work, bond, dt));
+  });
+  return time < dt ? settled_step(time, 1) : dt;
+}
+
+template <int D>
+double bond_miss(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt) {
+  if (!has_bonds(model)) return 0;
+  double most = 0;
+  each_bond(model, state, work, false, dt, [&](const PlacedBond& bond) {
+    const double missed = bond.curve.missed(bond.at, bond.at + bond.rate * dt);
+    if (!(missed > 0) || !(bond.curve.energy > 0)) return;
+    const double allowed = allowed_share(work, bond, bond.rate, missed_share);
+    most = std::max(most, missed / (bond.curve.energy * allowed));
+  });
+  return most;
+}
+
+template double bond_step(const Model<2>&, const State<2>&, const Work<2>&, double, BondRoom&);
+template double bond_step(const Model<3>&, const State<3>&, const Work<3>&, double, BondRoom&);
+template double bond_miss(const Model<2>&, const State<2>&, const Work<2>&, double);
+template double bond_miss(const Model<3>&, const State<3>&, const Work<3>&, double);
+
+}  // namespace trilith

@@ -1,0 +1,301 @@
+#include "integrate/explicit/central_difference.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "assembly/element/rotary_inertia.hpp"
+#include "assembly/node_forces.hpp"
+#include "assembly/stored_energy.hpp"
+#include "base/team.hpp"
+#include "element/rigid/rigid_turn_lanes.hpp"
+#include "integrate/explicit/mass_scaling.hpp"
+#include "integrate/implicit/implicit_step.hpp"
+
+namespace trilith {
+namespace {
+
+/// Of the leapfrog scheme: half of m v(-) v(+), which together with the potential is kept exactly; m v^2 / 2 at the
+/// very start, where there is no step behind. Of turns in space: half of w(-) L(+), both of the body as it is turned
+/// now.
+template <int D>
+double kinetic_energy(const Model<D>& model, const State<D>& state, int n, const Dofs<D>& v, const Dofs<D>& ahead) {
+  const Dofs<D>& next = state.last_dt > 0 ? ahead : v;
+  const auto& support = model.support[n];
+  double sum = 0;
+  for (int k = 0; k < Space<D>::translations; ++k)
+    if (support[k] == Support::free) sum += 0.5 * model.mass[n] * v[k] * next[k];
+  if constexpr (D == 2) {
+    if (support[2] == Support::free) sum += 0.5 * model.inertia[n] * v[2] * next[2];
+  } else {
+    const Vec3 momentum = momentum_of(model.inertia[n], state.rotation[n], about_of(next));
+    for (int k = 3; k < 6; ++k)
+      if (support[k] == Support::free) sum += 0.5 * v[k] * momentum[k - 3];
+  }
+  return sum;
+}
+
+/// Lengths of time that a step has to do with [s].
+struct StepSpan {
+  double last, next;  ///< the step behind and the one ahead
+  double between;     ///< from the middle of the one to that of the other
+};
+
+/// Turns a node for a time dt with the spin that its step begins with. A free body keeps its angular momentum and not
+/// its spin; one that is held about some axis of the world keeps its spin.
+void turn_node(const Model<2>& /*model*/, State<2>& state, int n, double spin, double dt) {
+  state.spin[n] = spin;
+  state.rotation[n] += dt * spin;
+}
+void turn_node(const Model<3>& model, State<3>& state, int n, const Vec3& spin, double dt) {
+  const auto [x, y, z] = free_turns(model, n);
+  UnitQuaternion& rotation = state.rotation[n];
+  if (x && y && z) {
+    const Vec3& inertia = model.inertia[n];
+    const Vec3 momentum = momentum_of(inertia, rotation, spin);
+    rotation = turned_freely(inertia, rotation, momentum, dt);
+    state.spin[n] = spin_of(inertia, rotation, momentum);
+  } else {
+    rotation = renormalised(rotation_by(dt * spin) * rotation);
+    state.spin[n] = spin;
+  }
+}
+
+/// One step of any node. Returns what works on it from outside and its dampings do along its path.
+template <int D>
+[[gnu::noinline]] NodeWork advance_node(const Model<D>& model, State<D>& state, const Work<D>& work,
+                                        const Outside<D>& outside, const StepOptions& options, const StepSpan& span,
+                                        int n) {
+  const Dofs<D> v = velocity_of(state, n);
+  const NodeForces<D> f = node_forces(model, state, work, n, v, outside, options.rest);
+  const Dofs<D> next = speed_ahead(model, state, n, v, f, span.between, span.next);
+  Dofs<D> path;
+  for (std::size_t k = 0; k < path.size(); ++k) path[k] = 0.5 * (span.last * v[k] + span.next * next[k]);
+  state.velocity[n] = along_of(next);
+  state.position[n] += span.next * state.velocity[n];
+  turn_node(model, state, n, about_of(next), span.next);
+  return work_of(f, path);
+}
+
+/// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no load curve.
+template <int D>
+bool goes_plainly(const Model<D>& model, const Outside<D>& outside, const StepOptions& options) {
+  return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr &&
+         outside.correction == nullptr;
+}
+
+/// Free to move; and to turn where it `turns`, else fixed against that and not turning.
+template <bool turns>
+[[gnu::always_inline]] inline bool is_free(const Model<2>& model, const State<2>& state, int n) {
+  const auto& s = model.support[n];
+  if (s[0] != Support::free || s[1] != Support::free) return false;
+  return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
+}
+
+/// advance_node for a run of free nodes before `last` that go plainly: the same sums without the terms that are 0, kept
+/// in registers, as are the works. Returns the first node after the run.
+template <bool turns>
+int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
+                 const StepSpan& steps, int n, int last, NodeWork& sums) {
+  // Copies of its own: nothing that the loop writes can change them.
+  const StepSpan span = steps;
+  const Vec2 field = outside.field, *const load = outside.load, *const on = work.force.data();
+  const double *const masses = model.mass.data(), *const inertias = model.inertia.data();
+  const double* const moment = work.moment.data();
+  const Vec2* damping = work.element_damping.empty() ? nullptr : work.element_damping.data();
+  const Vec2* added = work.added_inertia.empty() ? nullptr : work.added_inertia.data();
+  const double* couple = work.element_damping_moment.empty() ? nullptr : work.element_damping_moment.data();
+  Vec2 *const velocity = state.velocity.data(), *const position = state.position.data();
+  double *const spins = state.spin.data(), *const rotations = state.rotation.data();
+  double weight = sums.weight, from_load = sums.load, damped = sums.element_damping;
+  for (; n < last && is_free<turns>(model, state, n); ++n) {
+    const double mass = masses[n];
+    const Vec2 force = added == nullptr ? on[n] : Vec2(on[n] + added[n]), &steady = load[n];
+    Vec2 &v = velocity[n], &place = position[n];
+    const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
+    const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
+    weight += mass * field.x() * x + mass * field.y() * y;
+    from_load += steady.x() * x + steady.y() * y;
+    if (damping != nullptr) damped += damping[n].x() * x + damping[n].y() * y;
+    v = {u, w};
+    place = {place.x() + span.next * u, place.y() + span.next * w};
+    if constexpr (turns) {
+      double& spin = spins[n];
+      const double before = spin;
+      spin += moment[n] / inertias[n] * span.between;
+      if (couple != nullptr) damped += couple[n] * 0.5 * (span.last * before + span.next * spin);
+      rotations[n] += span.next * spin;
+    }
+  }
+  sums.weight = weight, sums.load = from_load, sums.element_damping = damped;
+  return n;
+}
+
+/// Free in all its ways.
+bool is_free(const Model<3>& model, int n) {
+  const auto& support = model.support[n];
+  return std::all_of(support.begin(), support.end(), [](Support s) { return s == Support::free; });
+}
+
+/// Free nodes in space that go plainly, four at a time: the turns of four at once, the rest as advance_node has it.
+struct FreeNodes {
+  const Model<3>& model;
+  State<3>& state;
+  const Work<3>& work;
+  const Outside<3>& outside;
+  StepSpan span;
+  NodeWork& sums;
+  std::array<int, lane_count> node{};
+  int count = 0;
+
+  void add(int n) {
+    node[static_cast<std::size_t>(count++)] = n;
+    if (count == lane_count) advance_four();
+  }
+  /// Those that are left.
+  void end() {
+    if (count > 0) advance_four();
+  }
+
+ private:
+  void advance_four() {
+    for (int i = count; i < lane_count; ++i) node[static_cast<std::size_t>(i)] = node[0];
+    const auto four = [&](const std::vector<Vec3>& of) {
+      return four_of(of[node[0]], of[node[1]], of[node[2]], of[node[3]]);
+    };
+    TurningInLanes turning;
+    const auto& q = state.rotation;
+    for (int i = 0; i < lane_count; ++i) {
+      const UnitQuaternion& of = q[node[static_cast<std::size_t>(i)]];
+      turning.rotation.w[i] = of.w, turning.rotation.x[i] = of.x;
+      turning.rotation.y[i] = of.y, turning.rotation.z[i] = of.z;
+    }
+    turning.spin = four(state.spin), turning.moment = four(work.moment), turning.inertia = four(model.inertia);
+    turn_four(turning, span.between, span.next);
+    for (int i = 0; i < count; ++i) {
+      const int n = node[static_cast<std::size_t>(i)];
+      advance_one(n);
+      state.spin[n] = lane_of(turning.spin, i);
+      state.rotation[n] = {turning.rotation.w[i], turning.rotation.x[i], turning.rotation.y[i], turning.rotation.z[i]};
+    }
+    count = 0;
+  }
+  void advance_one(int n) {
+    const double mass = model.mass[n];
+    Vec3 &v = state.velocity[n], &place = state.position[n];
+    const Vec3 next = v + work.force[n] / mass * span.between, path = 0.5 * (span.last * v + span.next * next);
+    v = next, place += span.next * next;
+    sums.weight += mass * outside.field.dot(path), sums.load += outside.load[n].dot(path);
+  }
+};
+
+/// Nodes from `first` to before `last` in space. Returns what works on them.
+NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
+                       const StepSpan& span, const Outside<3>& outside, int first, int last) {
+  NodeWork sums;
+  const bool plain = goes_plainly(model, outside, options) && work.element_damping.empty();
+  FreeNodes free{model, state, work, outside, span, sums};
+  for (int n = first; n < last; ++n) {
+    if (plain && is_free(model, n))
+      free.add(n);
+    else
+      sums += advance_node(model, state, work, outside, options, span, n);
+  }
+  free.end();
+  return sums;
+}
+
+/// Nodes from `first` to before `last` in the plane. Returns what works on them.
+NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+                       const StepSpan& span, const Outside<2>& outside, int first, int last) {
+  const bool plain = goes_plainly(model, outside, options);
+  NodeWork sums;
+  for (int n = first; n < last;) {
+    if (plain && is_free<true>(model, state, n)) {
+      n = advance_free<true>(model, state, work, outside, span, n, last, sums);
+    } else if (plain && is_free<false>(model, state, n)) {
+      n = advance_free<false>(model, state, work, outside, span, n, last, sums);
+    } else {
+      sums += advance_node(model, state, work, outside, options, span, n);
+      ++n;
+    }
+  }
+  return sums;
+}
+
+/// Nodes whose works are summed up by themselves, and that a thread takes at a time: some ten microseconds.
+template <int D>
+constexpr int node_stretch = D == 2 ? 128 : 64;
+
+/// Nodes do not ask each other. Their works are summed by stretches, and the stretches in their order, whoever took
+/// them: the same bits with any number of threads.
+template <int D>
+void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
+                   const StepSpan& span) {
+  const Outside outside(model, state, work);
+  constexpr int stretch = node_stretch<D>;
+  const int stretches = (model.nodes() + stretch - 1) / stretch;
+  work.node_work.resize(static_cast<std::size_t>(stretches));
+  share(work.threads, stretches, 1, [&](int first, int last, int /*thread*/) {
+    for (int s = first; s < last; ++s) {
+      const int from = s * stretch, to = std::min(model.nodes(), from + stretch);
+      work.node_work[static_cast<std::size_t>(s)] = advance_range(model, state, work, options, span, outside, from, to);
+    }
+  });
+  for (const NodeWork& w : work.node_work) add(w, state.given);
+}
+
+/// Elastic energies that are found from the state [J].
+void add_stored(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& energy) {
+  energy[EnergyTerm::strain] = work.element_stored;
+  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
+  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
+}
+void add_stored(const Model<3>& model, const State<3>& state, const Work<3>& work, Energy& energy) {
+  energy[EnergyTerm::strain] = work.element_stored;
+  energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
+  energy[EnergyTerm::bearing_elastic] = work.bearing_stored;
+}
+
+}  // namespace
+
+template <int D>
+Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options) {
+  if (state.implicit()) return implicit_energy(model, state, work);
+  Energy energy = work.given;
+  // Half of v(-) M v(+) as if the step to come were as long as the one behind: v^2 - (a dt / 2)^2 of the speed v of
+  // now. One of another length would add v a (dt' - dt) / 2, which no force has done.
+  const double span = state.last_dt;
+  const Outside outside(model, state, work);
+  double kinetic = 0;
+  for (int n = 0; n < model.nodes(); ++n) {
+    const Dofs<D> v = velocity_of(state, n);
+    const NodeForces<D> f = node_forces(model, state, work, n, v, outside, options.rest);
+    Dofs<D> path = v;
+    for (double& p : path) p *= 0.5 * state.last_dt;
+    add_work(f, path, energy);
+    kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
+  }
+  if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, options, state.last_dt > 0 ? span : 0);
+  kinetic += rotary_kinetic(model, state, work, options);
+  energy[EnergyTerm::kinetic] = kinetic;
+  add_stored(model, state, work, energy);
+  return energy;
+}
+
+template <int D>
+void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, StepTimes* times) {
+  StepClock clock(times);
+  const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
+  advance_nodes(model, state, work, options, {last, dt, span});
+  state.time += dt;
+  state.last_dt = dt;
+  ++state.step;
+  clock.mark(StepPart::advance);
+}
+
+template Energy energy_now(const Model<2>&, const State<2>&, const Work<2>&, const StepOptions&);
+template Energy energy_now(const Model<3>&, const State<3>&, const Work<3>&, const StepOptions&);
+template void advance(const Model<2>&, State<2>&, Work<2>&, const StepOptions&, StepTimes*);
+template void advance(const Model<3>&, State<3>&, Work<3>&, const StepOptions&, StepTimes*);
+
+}  // namespace trilith

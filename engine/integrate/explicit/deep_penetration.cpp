@@ -1,0 +1,264 @@
+#include "integrate/explicit/deep_penetration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable.hpp"
+#include "base/team.hpp"
+#include "broad_phase/broad_phase_update.hpp"
+#include "broad_phase/moving_piece.hpp"
+#include "broad_phase/pairs.hpp"
+#include "broad_phase/swept_pairs.hpp"
+#include "integrate/explicit/tunnelling_limit.hpp"
+#include "model/pose.hpp"
+
+namespace trilith {
+namespace {
+
+double deepest_allowed(const Model<2>& model, int p, int q) {
+  return deep_penetration_share * std::min(model.piece_thickness[p], model.piece_thickness[q]);
+}
+
+ContactKey bodies_of(const Model<2>& model, int p, int q) {
+  const int a = model.piece_body[p], b = model.piece_body[q];
+  return contact_key(std::min(a, b), std::max(a, b));
+}
+
+bool is_told(const Model<2>& model, const State<2>& state, int p, int q) {
+  return std::binary_search(state.passed.begin(), state.passed.end(), bodies_of(model, p, q));
+}
+
+/// Two pieces as they are at one instant.
+struct Two {
+  MovingPiece a, b;
+  PieceOverlap overlap;
+
+  Two(const Model<2>& model, const State<2>& state, int p, int q, double later = 0)
+      : a(moving_piece(model, state, p, later)), b(moving_piece(model, state, q, later)), overlap(overlap_of(a, b)) {}
+
+  /// How much deeper they may get, where `allowed` is deep enough to be told [m]. Pieces of one body that meet another
+  /// at the end of an inner cut share next to nothing there, and are far from any surface: so what they share must be
+  /// half as wide too, as it is in one of two pieces whatever lies across their cut.
+  [[nodiscard]] double room(double allowed) const {
+    return std::max(allowed - overlap.depth, 0.5 * allowed - overlap.whole);
+  }
+  /// Along the faces [m].
+  [[nodiscard]] double shared_length() const {
+    const Vec2 along = left_of(overlap.normal);
+    double from = -unbounded, to = unbounded;
+    for (const MovingPiece* piece : {&a, &b}) {
+      double low = unbounded, high = -unbounded;
+      for (int c = 0; c < piece->corners; ++c)
+        low = std::min(low, along.dot(piece->at[c])), high = std::max(high, along.dot(piece->at[c]));
+      from = std::max(from, low), to = std::min(to, high);
+    }
+    return to - from;
+  }
+  /// Of the fastest corners against each other, along the normal [m/s].
+  [[nodiscard]] double closing_speed() const {
+    double low[2] = {unbounded, unbounded}, high[2] = {-unbounded, -unbounded};
+    for (const int side : {0, 1}) {
+      const MovingPiece& piece = side == 0 ? a : b;
+      for (int c = 0; c < piece.corners; ++c) {
+        const double speed = overlap.normal.dot(piece.velocity[c]);
+        low[side] = std::min(low[side], speed), high[side] = std::max(high[side], speed);
+      }
+    }
+    return std::max(high[0] - low[1], high[1] - low[0]);
+  }
+};
+
+double speed_of(const Model<2>& model, const State<2>& state, int body) {
+  return state.velocity[model.bodies[body].first_node].norm();
+}
+
+/// 1 / mass of what may move, 0 of what may not [1/kg].
+double mobility(const Model<2>& model, int piece) {
+  const int body = model.piece_body[piece];
+  return model.body_moves(body) ? 1 / body_mass(model, body) : 0;
+}
+
+/// The stiffness that would keep two pieces half as deep as is told [Pa/m]: the elastic energy there is the energy of
+/// their motion, what the contact holds now and what their weight has still to give.
+/// kn l d^2 / 2 = m (v^2 / 2 + g d) + kn_now l depth^2 / 2 at d = `most`, m the mass that two free bodies have against
+/// each other, 1 / (1/m_a + 1/m_b).
+double holding_stiffness(const Model<2>& model, const State<2>& state, int p, int q, const Two& two) {
+  const double most = 0.5 * deepest_allowed(model, p, q), length = two.shared_length() * model.thickness,
+               speed = two.closing_speed(), depth = two.overlap.depth;
+  const double mass = 1 / (mobility(model, p) + mobility(model, q));
+  const int law = contact_law(model, model.piece_body[p], model.piece_body[q]);
+  const double kn = std::visit([](const auto& l) { return l.kn; }, model.laws[law]);
+  const double twice =
+      mass * (speed * speed + 2 * model.gravity.at(state.time).norm() * most) + kn * length * depth * depth;
+  return twice / (length * most * most);
+}
+
+/// The faster body is named first, as the one that passed.
+void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, std::vector<Event>& told) {
+  const PieceOverlap& overlap = two.overlap;
+  const ContactKey key = bodies_of(model, p, q);
+  state.passed.insert(std::lower_bound(state.passed.begin(), state.passed.end(), key), key);
+  Event e;
+  e.type = EventType::body_passed;
+  e.time = state.time, e.step = state.step;
+  const bool turned = speed_of(model, state, second_piece(key)) > speed_of(model, state, first_piece(key));
+  e.body_a = turned ? second_piece(key) : first_piece(key), e.body_b = turned ? first_piece(key) : second_piece(key);
+  e.value = overlap.depth;
+  e.x = overlap.at.x(), e.y = overlap.at.y();
+  e.text =
+      fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", two.closing_speed(),
+                  deepest_allowed(model, p, q) / deep_penetration_share, holding_stiffness(model, state, p, q, two));
+  told.push_back(e);
+}
+
+/// Overlap along the normal of the first of two faces that look at each other, no less than that of the pieces [m].
+/// One direction bounds the overlap of both: a cheap question before the exact one of all normals.
+double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
+  const SkinMotion<2>&from = work.skin[pair.a0], &to = work.skin[pair.a1];
+  const double x = to.x - from.x, y = to.y - from.y;
+  double deepest = 0;
+  for (int c = model.piece_first[pair.piece_b]; c < model.piece_first[pair.piece_b + 1]; ++c) {
+    const SkinMotion<2>& corner = work.skin[model.corner_skin[c]];
+    deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
+  }
+  return deepest / portable::hypot(x, y);
+}
+
+/// True where one of the owner's surface edges shows that the other is no deeper in it than `most` [m]; see overlap_of.
+bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other, double most) {
+  const int first = model.piece_first[owner], count = model.corners_of(owner);
+  for (int e = 0; e < count; ++e) {
+    if (model.edge_is_face[first + e] == 0) continue;
+    const SkinMotion<2>&from = work.skin[model.corner_skin[first + e]],
+          &to = work.skin[model.corner_skin[first + (e + 1) % count]];
+    const double x = to.x - from.x, y = to.y - from.y, length = std::sqrt(x * x + y * y);
+    double deepest = 0;
+    for (int c = model.piece_first[other]; c < model.piece_first[other + 1]; ++c) {
+      const SkinMotion<2>& corner = work.skin[model.corner_skin[c]];
+      deepest = std::max(deepest, x * (corner.y - from.y) - y * (corner.x - from.x));
+    }
+    if (deepest <= most * length) return true;
+  }
+  return false;
+}
+
+/// How much deeper the pieces of a row may get [m]; below 0: they are too deep, and that was not told yet. Of those
+/// that are not half as deep as that, at least half; of those that do not touch any depth: as they begin to, they are
+/// looked at.
+double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
+  const NearPair& pair = work.pairs[row];
+  const int p = pair.piece_a, q = pair.piece_b;
+  const double allowed = deepest_allowed(model, p, q), half = 0.5 * allowed;
+  if ((work.contacts.memory[row].state & contact_touching) == 0) return unbounded;
+  if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
+  if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
+  if (is_told(model, state, p, q)) return half;
+  const double left = Two(model, state, p, q).room(allowed);
+  return left == 0 ? half : left;
+}
+
+/// Until which path a look at a row will do that has so much room: for as long as neither piece is looked up again
+/// where what both may move by until then makes them no deeper than is told, else up to the path that may. Two corners
+/// come nearer to each other by twice the path of the fastest at most.
+double clear_until(const Work<2>& work, int row, double room) {
+  const NearPair& pair = work.pairs[row];
+  const double nearer = reach_of(work.search, pair.piece_a) + reach_of(work.search, pair.piece_b);
+  return room > nearer ? unbounded : work.travel + 0.5 * (1 - 1e-9) * room;
+}
+
+/// Of rows that are found to be too deep, until that is told.
+constexpr double too_deep = -1;
+
+/// Looks at a row. Returns the path until which that will do; `too_deep` where it is.
+double look_at_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
+  const double room = room_of(model, state, work, row);
+  return work.clear_until[row] = room < 0 ? too_deep : clear_until(work, row, room);
+}
+
+/// Looks at those rows from `first` to before `last` that are to be looked at by now. Returns the shortest path until
+/// which all of them will do, `too_deep` where some is.
+double look_at_rows(const Model<2>& model, const State<2>& state, Work<2>& work, int first, int last) {
+  double least = unbounded;
+  for (int row = first; row < last; ++row) {
+    const double clear = work.clear_until[row];
+    least = std::min(least, work.travel < clear ? clear : look_at_row(model, state, work, row));
+  }
+  return least;
+}
+
+/// Tells of the rows that are too deep, in their order, once for each two bodies.
+void tell_deep(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  work.clear_path = unbounded;
+  for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
+    if (work.clear_until[row] == too_deep) {
+      const int p = work.pairs[row].piece_a, q = work.pairs[row].piece_b;
+      if (!is_told(model, state, p, q)) tell(model, state, p, q, Two(model, state, p, q), told);
+      work.clear_until[row] = clear_until(work, row, 0.5 * deepest_allowed(model, p, q));
+    }
+    work.clear_path = std::min(work.clear_path, work.clear_until[row]);
+  }
+}
+
+/// Rows that threads look at at a time: some microseconds.
+constexpr int looked_stretch = 512;
+
+/// Looks at all rows that are to be looked at by now.
+void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
+  struct alignas(64) Path {
+    double least = unbounded;
+  };
+  std::array<Path, most_threads> by{};
+  share(work.threads, static_cast<int>(work.pairs.size()), looked_stretch, [&](int first, int last, int thread) {
+    double& least = by[static_cast<std::size_t>(thread)].least;
+    least = std::min(least, look_at_rows(model, state, work, first, last));
+  });
+  work.clear_path = unbounded;
+  for (const Path& path : by) work.clear_path = std::min(work.clear_path, path.least);
+  if (work.clear_path == too_deep) tell_deep(model, state, work, told);
+}
+
+/// Looks at rows that began or ceased to touch just now, and at no others: where a bearing held a contact off, it may
+/// begin deep.
+void look_at_new(const Model<2>& model, const State<2>& state, Work<2>& work) {
+  for (const int row : work.changed_rows)
+    work.clear_path = std::min(work.clear_path, look_at_row(model, state, work, row));
+}
+
+/// What turns so fast that more looks are needed is no motion that a step could follow: the watch on speeds tells of
+/// it.
+constexpr int most_looks = 10000;
+
+/// Follows two pieces through the last step.
+void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector<Event>& told) {
+  const double allowed = deepest_allowed(model, p, q), growth = allowed * depth_per_step / deep_penetration_share;
+  double left = state.last_dt;
+  for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
+    const Two two(model, state, p, q, -left);
+    if (two.room(allowed) < 0) return tell(model, state, p, q, two, told);
+    // From the step's begin on, with the velocities of its end: exactly the way that a leapfrog step has gone, turning
+    // too.
+    const double time = time_to_depth(two.a, two.b, left, growth);
+    if (!(time > 0)) return;  // what moves is no number any more
+    left -= time;
+  }
+}
+
+}  // namespace
+
+/// Two ways to be too deep: through and out again within the last step, which is followed back, and deeper step by
+/// step, for which pairs are looked at only once the path of the fastest point may have made one so deep.
+std::vector<Event> report_deep_penetration(const Model<2>& model, State<2>& state, Work<2>& work) {
+  std::vector<Event> told;
+  // Through the whole of a piece and out again within a step: only what goes farther than it is thick.
+  if (!goes_slowly(model, work, state.last_dt, 1))
+    for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
+      if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);
+  look_at_new(model, state, work);
+  if (!(work.travel < work.clear_path)) look_now(model, state, work, told);
+  return told;
+}
+
+}  // namespace trilith

@@ -1,0 +1,213 @@
+// Mortar that cracks by and by: cohesion and tension soften with their fracture energies, friction remains.
+//
+// Peak strengths are those of the bonded Coulomb law. A half keeps a share chi of both, 1 to 0 (isotropic softening of
+// cohesion and tension: Lourenco and Rots, "Multisurface interface model for analysis of masonry structures", J. Eng.
+// Mech. 123(7), 1997; softening here linear, as in the bilinear law of Camanho and Davila, NASA/TM-2002-211737).
+// Opening takes chi down along tension chi = kn hold g, sliding by its slip over `last_slip`; each alone gives off its
+// fracture energy. Between, an open bond unloads to the origin, with the share `hold` of its stiffness, and shear
+// unloads with ks. Each half of a face softens for itself.
+//
+// Dilation (off unless given): sliding opens the joint by tan(angle) times the slip, up to a slip from which on the
+// asperities are worn (limit as in Lourenco and Rots 1997); it ends where the faces part.
+//
+// Crushing (off unless given), an elastic, perfectly plastic cap: each half keeps the depth z it is crushed by; its
+// stresses come from the gap g + z. While the mean stress over the part of the half that is pressed would exceed the
+// compressive strength, z grows until it does not: where all of the half is pressed, until the mean overlap is
+// strength / kn; where it is pressed from one end on, its stress is a triangle, and the overlap of that end stays at
+// twice that. Mortar is thin: beyond a greatest depth it is crushed no more. Unloading and loading again up to there
+// are elastic (the cap of Lourenco and Rots without their hardening and softening; each half counts as one point of
+// integration). The damping acts on the elastic part of the motion only. The depth crushed stays while the two bodies
+// are near each other.
+#pragma once
+
+#include <array>
+
+#include "base/schema.hpp"
+#include "law/contact/mortar.hpp"
+
+namespace trilith {
+
+struct Cohesive {
+  double kn = 0;                 ///< [Pa/m]
+  double ks = 0;                 ///< [Pa/m]
+  double mu = 0;                 ///< tan of the friction angle
+  double beta = 0;               ///< [s]
+  double cohesion = 0;           ///< [Pa]
+  double tension = 0;            ///< [Pa]
+  double energy_tension = 0;     ///< fracture energy of mode I [J/m2]
+  double energy_shear = 0;       ///< fracture energy of mode II, beside friction [J/m2]
+  double dilation = 0;           ///< tan of the dilatancy angle
+  double dilation_slip = 0;      ///< [m]
+  double compression = 0;        ///< [Pa]; 0: it does not crush
+  double crushing_depth = 2e-3;  ///< [m]
+
+  static constexpr std::string_view name = "cohesive";
+  static constexpr std::string_view sentence = "mortar that softens in tension and shear by its fracture energies";
+  static constexpr auto parameters() {
+    using P = Parameter<Cohesive>;
+    return std::array{
+        P{&Cohesive::kn, "kn", "Pa/m", no_default, 0, unbounded, false, "normal stiffness, stress per overlap"},
+        P{&Cohesive::ks, "ks", "Pa/m", no_default, 0, unbounded, false, "shear stiffness, stress per elastic slip"},
+        P{&Cohesive::mu, "mu", "1", no_default, 0, 100, true, "friction coefficient, tan of the friction angle"},
+        P{&Cohesive::beta, "beta", "s", 0, 0, 1, true, "damping stress per stiffness and velocity"},
+        P{&Cohesive::cohesion, "cohesion", "Pa", no_default, 0, unbounded, false, "shear strength at no normal stress"},
+        P{&Cohesive::tension, "tension", "Pa", no_default, 0, unbounded, false, "tensile strength of the bond"},
+        P{&Cohesive::energy_tension, "energy_tension", "J/m2", no_default, 0, unbounded, false,
+          "fracture energy in tension (mode I)"},
+        P{&Cohesive::energy_shear, "energy_shear", "J/m2", no_default, 0, unbounded, false,
+          "fracture energy in shear (mode II), without frictional work"},
+        P{&Cohesive::dilation, "dilation", "1", 0, 0, 10, true, "opening per slip, tan of the dilatancy angle"},
+        P{&Cohesive::dilation_slip, "dilation_slip", "m", 0, 0, unbounded, true, "slip up to which the joint dilates"},
+        P{&Cohesive::compression, "compression", "Pa", 0, 0, unbounded, true,
+          "compressive strength of the mortar; 0: no crushing"},
+        P{&Cohesive::crushing_depth, "crushing_depth", "m", 2e-3, 0, unbounded, false,
+          "largest crushing depth, as a share of the joint thickness"}};
+  }
+
+  /// What the ranges above leave: an energy that the elastic energy at the peak already exceeds cannot soften.
+  /// Throws InputError.
+  void check() const {
+    const auto require = [](double energy, double strength, double stiffness, const char* of, const char* strength_name,
+                            const char* k) {
+      const double least = 0.5 * strength / stiffness * strength;
+      if (energy > least) return;
+      throw InputError(fmt::format(
+          "cohesive: energy_{0} is {1:g} J/m2, must be above {4}^2/(2 {2}) = {3:g}, what the joint stores at its "
+          "strength; give more energy, or a stiffer joint, or use the bonded law",
+          of, energy, k, least, strength_name));
+    };
+    require(energy_tension, tension, kn, "tension", "tension", "kn");
+    require(energy_shear, cohesion, ks, "shear", "cohesion", "ks");
+  }
+
+  struct Kernel;
+};
+
+/// The numbers that softening, dilation and crushing go by, and their equations.
+struct Cohesive::Kernel : Mortar {
+  double last_opening;    ///< at which no tension is left [m]
+  double last_slip;       ///< at which no cohesion is left [m]
+  double dilation;        ///< tan of the dilatancy angle
+  double dilation_slip;   ///< up to which sliding opens the joint [m]
+  double crushing;        ///< mean overlap at which a pressed joint crushes [m]; 0: never
+  double crushing_depth;  ///< by which it can crush [m]
+
+  Kernel(const Cohesive& law, double thickness, double step)
+      : Mortar(law, thickness, step),
+        last_opening(2 * law.energy_tension / law.tension),
+        last_slip(2 * law.energy_shear / law.cohesion),
+        dilation(law.dilation),
+        dilation_slip(law.dilation_slip),
+        crushing(law.compression / law.kn),
+        crushing_depth(law.crushing_depth) {}
+
+  using FrictionRemains = Kernel;  ///< see law/contact/law_forms.hpp
+  using JointForm = Kernel;
+
+  static constexpr bool crushes = true;
+  static constexpr bool softens = true;
+
+  template <class T>
+  struct Memory {
+    T set[2]{};          ///< gaps at both ends of the shared length as the mortar set [m]
+    T damage[2]{};       ///< of a half that is bonded: share of its strength that is lost
+    T crushed[2]{};      ///< depth by which the mortar of each half is crushed [m]
+    T worn{};            ///< 1: has been of general shape since it began to touch, and dilates no more
+    T crushing_force{};  ///< of general shape: the force that crushes its mortar, 0 where that is sound [N]
+    template <class F>
+    TRILITH_INLINE void fields(F&& two) {
+      two(set[0], set[1]), two(damage[0], damage[1]), two(crushed[0], crushed[1]), two(worn, crushing_force);
+    }
+  };
+
+  template <class T>
+  TRILITH_INLINE T begin(FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
+                         Memory<T>& after) const;
+  template <class T>
+  TRILITH_INLINE void press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const;
+  template <class T>
+  TRILITH_INLINE T slide(HalfState<T>& half, T active, const ShearBefore<T>& before, HalfResponse<T>& out) const;
+  template <class T>
+  TRILITH_INLINE T end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
+                       FaceMemory<T>& memory, Memory<T>& after) const;
+  template <class T>
+  TRILITH_INLINE T lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory, const Memory<T>& own,
+                           const HalfResponse<T>* s) const;
+  template <class T>
+  TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& before, const Memory<T>& own, const FaceMemory<T>& memory,
+                                        const Memory<T>& after);
+  template <class T>
+  TRILITH_INLINE static Mask<T> keeps(const Memory<T>& own) {
+    return larger(own.crushed[0], own.crushed[1]) > T{};
+  }
+
+  /// In a contact of any shape: the depth by which its mortar, up to now crushed by `before`, is crushed once
+  /// `excess(depth)` [m], the mean overlap above that at which it crushes, is none.
+  template <class Excess>
+  [[nodiscard]] double crush(double before, Excess&& excess) const;
+  /// ... and what that takes [J]. `touched`: some stress was carried before; `general`: as a contact of any shape;
+  /// `force`: that crushes now [N].
+  [[nodiscard]] static double crushed_by(const Memory<double>& own, double depth, double force, bool touched,
+                                         bool general, Memory<double>& after);
+
+  [[nodiscard]] std::array<HalfGaps, 2> gaps(const FaceOverlap<double>& o, const ContactMemory& m,
+                                             const Memory<double>& own) const;
+  [[nodiscard]] double hold(const ContactMemory& m, const Memory<double>& own, int half) const {
+    return m.bonded(half) ? held(1 - own.damage[half]) : 0;
+  }
+  [[nodiscard]] ShapeLoss leave_faces(const FaceOverlap<double>& o, const ContactMemory& m,
+                                      const Memory<double>& own) const;
+
+  /// What stays of a contact whose faces part: how far its mortar is crushed.
+  [[nodiscard]] static Memory<double> parted(const Memory<double>& own) {
+    Memory<double> left;
+    for (const int h : {0, 1}) left.crushed[h] = own.crushed[h];
+    return left;
+  }
+  [[nodiscard]] static double crushed(const Memory<double>& own) { return std::max(own.crushed[0], own.crushed[1]); }
+  [[nodiscard]] static double damage(const Memory<double>& own, int half) { return own.damage[half]; }
+  [[nodiscard]] static JointChange change(const ContactMemory& before, const Memory<double>& own,
+                                          const ContactMemory& now, const Memory<double>& after);
+  static void set_bond(Memory<double>& own, double lo, double hi) {
+    lift_bond(own);
+    own.set[0] = lo + own.crushed[0], own.set[1] = hi + own.crushed[1];
+  }
+  static void lift_bond(Memory<double>& own) { own.damage[0] = own.damage[1] = 0; }
+  /// Its faces have been of general shape.
+  void wear(Memory<double>& own) const { own.worn = dilation > 0 ? 1 : own.worn; }
+
+  /// Share of its strength that an opening [m] leaves a bond which had the share `before`.
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T strength_left(T opening, T before) const {
+    const double range = last_opening - first_opening();
+    const T left = (last_opening - opening) * (1.0 / range);
+    return larger(T{}, smaller(before, left));
+  }
+  /// Share of its stiffness that an open bond holds with the share `strength` of its strength.
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T held(T strength) const {
+    const double range = last_opening - first_opening();
+    return tension * strength / (kn * (last_opening - strength * range));
+  }
+  /// Opening of a joint by the sliding it has behind it [m].
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T dilated(T slip, T worn) const {
+    return select(worn > T{}, T{}, dilation * smaller(slip, dilation_slip + T{}));
+  }
+
+ private:
+  template <class T>
+  TRILITH_INLINE T crush_half(HalfState<T>& h, T before) const;
+  template <class T>
+  TRILITH_INLINE void soften_by_opening(HalfState<T>& h, T damage) const;
+  template <class T>
+  TRILITH_INLINE T opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const;
+  template <class T>
+  TRILITH_INLINE T crushing_loss(const HalfState<T>& h, T deeper, T hold) const;
+  [[nodiscard]] double stored_in_both(const FaceOverlap<double>& o, const ContactMemory& m,
+                                      const Memory<double>& own) const;
+};
+
+}  // namespace trilith
+
+#include "law/contact/cohesive_kernel.hpp"  // what is declared above

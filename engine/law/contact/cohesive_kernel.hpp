@@ -1,0 +1,258 @@
+// The equations of softening mortar, see law/contact/cohesive.hpp: opening, crushing, the step of two faces, readings.
+#pragma once
+
+#include "law/contact/cohesive.hpp"
+
+namespace trilith {
+
+// Opening.
+
+/// Takes the strength that the widest opening of a half leaves it, and what it holds with that. `damage`: before.
+template <class T>
+TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damage) const {
+  const T zero{}, one = zero + 1.0;
+  h.strength = strength_left(h.widest(), one - damage);
+  h.bonded = h.bonded & (h.strength > zero);
+  h.strength = select(h.bonded, h.strength, zero);
+  h.hold = held(h.strength);
+}
+
+/// Energy an open half gives off as it holds less: exact for the mean of the forces at both ends of the step [J].
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const {
+  const T zero{}, one = zero + 1.0;
+  const T before = select(was_bonded, held(one - damage), zero);
+  const T fall = before - held(strength);
+  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.m0, h.g1 - dt * h.m1);
+}
+
+// Crushing.
+
+/// Crushes a half as far as its gaps ask, and lets its gaps and their rates be those of what is left of the mortar.
+/// Returns the depth; `before`: up to now [m].
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
+  // Mortar that fills a half is pressed there as well.
+  const T c0 = select(h.bonded, -h.bond0(), -h.g0), c1 = select(h.bonded, -h.bond1(), -h.g1);
+  const T pressed_whole = 0.5 * (c0 + c1) - crushing, pressed_at_end = larger(c0, c1) - 2.0 * crushing;
+  const T most = T{} + crushing_depth;
+  const T depth = larger(before, smaller(larger(pressed_whole, pressed_at_end), most));
+  const T rate = (depth - before) * (dt > 0 ? 1.0 / dt : 0.0);
+  h.g0 += depth, h.g1 += depth;
+  h.r0 += rate, h.r1 += rate;
+  h.m0 += rate, h.m1 += rate;
+  return depth;
+}
+
+/// Mean elastic pressure over kn of a half with the gaps g0 and g1 at its ends, of which the bond holds the share
+/// `hold` all along [m].
+template <class T>
+TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
+  const PositivePart<T> part(-g0, -g1);
+  const T rise = g0 - g1;
+  const LinearStress<T> closed(rise * part.from - g0, rise * part.to - g0, part.from, part.to);
+  return closed.sum + hold * (filling.stress().sum - 0.5 * (g0 + g1) - closed.sum);
+}
+
+/// Energy that a crushed half takes in as its depth grows by `deeper` [m], with the mean of its pressure at both ends
+/// of the step; `hold`: of its bond before the step [J].
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold) const {
+  const T before = mean_overlap(h.g0 - dt * h.m0, h.g1 - dt * h.m1, hold, h.filling);
+  const T now = mean_overlap(h.g0, h.g1, h.hold, h.filling);
+  return 0.5 * kn * h.length * deeper * (before + now);
+}
+
+template <class Excess>
+double Cohesive::Kernel::crush(double before, Excess&& excess) const {
+  if (!(crushing > 0)) return before;
+  double depth = before, over = excess(depth), fall = 1;
+  for (int i = 0; i < 20 && over > 1e-9 * crushing; ++i) {
+    // The mean overlap falls by as much as the depth grows where faces are parallel, by half of it at corners.
+    const double deeper = over / fall, left = excess(depth + deeper);
+    fall = std::clamp((over - left) / deeper, 0.3, 1.0);
+    depth += deeper, over = left;
+  }
+  return std::max(before, std::min(depth, crushing_depth));
+}
+
+/// With the mean of the force before and now that the energy of the overlap gives way to crushing by.
+inline double Cohesive::Kernel::crushed_by(const Memory<double>& own, double depth, double force, bool touched,
+                                           bool general, Memory<double>& after) {
+  const bool known = general && own.crushing_force > 0;  // else it is taken to be as now
+  const double last = !touched ? 0.0 : known ? own.crushing_force : force;
+  const double deeper = depth - crushed(own);
+  after.crushing_force = force;
+  for (double& half : after.crushed) half = depth;
+  return 0.5 * (last + force) * deeper;
+}
+
+// The step of two faces.
+
+/// Softening mortar before its stresses: opened by dilation, crushed, and with the strength its opening leaves it.
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::begin(FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
+                                         Memory<T>& after) const {
+  fill(halves, own.set);
+  for (const int end : {0, 1}) after.set[end] = own.set[end];
+  after.worn = own.worn;
+  if (dilation > 0) halves.open_by(dilated(before.slip, own.worn));
+  for (const int h : {0, 1}) {
+    if (crushing > 0) after.crushed[h] = crush_half(halves.half[h], own.crushed[h]);
+    soften_by_opening(halves.half[h], own.damage[h]);
+  }
+  return T{};
+}
+
+/// What the bond holds all along, the rest where closed only.
+template <class T>
+TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
+  const T zero{}, one = zero + 1.0;
+  PressedHalves<T> parts(halves, beta);
+  if (crushing > 0) parts.apart(halves, beta);
+  for (const int h : {0, 1}) {
+    const HalfState<T>& half = halves[h];
+    const T from = parts.from(h), to = parts.to(h);
+    HalfStress<T> stress(half, beta, parts.closed.from[h], parts.closed.to[h], from, to);
+    const LinearStress<T> mortar = half.filling.stress();
+    LinearStress<T> bond(-half.g0, -half.g1, zero, one);
+    LinearStress<T> bond_total(-half.g0 - beta * half.r0, -half.g1 - beta * half.r1, zero, one);
+    add(bond, mortar, half.bonded), add(bond_total, mortar, half.bonded);
+    mix(stress.elastic, bond, half.hold);
+    mix(stress.total, bond_total, half.hold);
+    active[h] = select(half.bonded, one, parts.closed.to[h] - parts.closed.from[h]);
+    stress.write(half, kn, out[h]);
+  }
+}
+
+/// The shear slider of a half, bonded or not: the most it holds, and where that leaves spring and strength.
+template <class T>
+struct SofteningSlider {
+  T limit;     ///< before it slides [N]
+  T held;      ///< size of the force where it slides [N]
+  T elastic;   ///< elastic part of that [N]
+  T strength;  ///< share of the strength left
+  T cohesive;  ///< energy the cohesion takes [J]
+
+  /// `kept`, `move`: elastic force [N] and slip [m] of the step, both counted along the trial force.
+  TRILITH_INLINE SofteningSlider(const HalfState<T>& h, const Cohesive::Kernel& law, T normal, T compliance, T kept,
+                                 T move) {
+    const T zero{};
+    const T friction = law.mu * larger(normal, zero) - law.tension_slope() * larger(-normal, zero);
+    const T full = law.cohesion * h.length;
+    limit = larger(zero, friction + full * h.strength);
+    const double lag = law.dt + law.beta, rate = 1.0 / law.last_slip;
+    const double loss = law.ks > 0 ? law.cohesion * rate / law.ks : 0.0;  // below 1: no snap-back
+    const T drive = friction + full * (h.strength - rate * move) - kept;
+    elastic = kept + drive * (law.dt > 0 ? law.dt / (lag - law.dt * loss) : 0.0);
+    T slip = move - (elastic - kept) * compliance;
+    strength = h.strength - rate * slip;
+    held = friction + full * strength;
+    // Where cohesion is used up in this step, or tension leaves no strength: what friction holds.
+    const Mask<T> spent = flip(h.bonded) | (strength <= zero) | (held <= zero);
+    held = select(spent, larger(zero, friction), held);
+    elastic = select(spent, kept + (held - kept) * (law.dt > 0 ? law.dt / lag : 0.0), elastic);
+    slip = larger(zero, move - (elastic - kept) * compliance);
+    strength = select(h.bonded, smaller(h.strength, larger(zero, h.strength - rate * slip)), zero);
+    cohesive = larger(zero, 0.5 * full * (h.strength + strength) + smaller(zero, friction)) * slip;
+  }
+};
+
+/// The shear of a half whose bond softens; takes its strength down. Returns the energy its cohesion took [J].
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearBefore<T>& before,
+                                         HalfResponse<T>& out) const {
+  const T zero{}, one = zero + 1.0;
+  const ShearTrial<T> trial(h, ks, beta, dt, active, before);
+  const T sign = select(trial.total < zero, -one, one);
+  const SofteningSlider<T> slider(h, *this, out.normal, trial.compliance.now, sign * trial.kept, sign * trial.move);
+  const Mask<T> slides = magnitude(trial.total) > slider.limit;
+  end_shear(trial, active, before, slides, sign * slider.held, sign * slider.elastic, out);
+  h.strength = select(slides, slider.strength, h.strength);
+  const T cohesive = select(slides, slider.cohesive, zero);
+  out.lost_friction -= cohesive;
+  return cohesive;
+}
+
+/// Bonds after the stresses: what is left of them, and the energy that they and the crushing gave off [J].
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
+                                       FaceMemory<T>& memory, Memory<T>& after) const {
+  const T zero{}, one = zero + 1.0;
+  T lost = zero;
+  for (const int k : {0, 1}) {
+    const HalfState<T>& h = halves.half[k];
+    const T deeper = after.crushed[k] - own.crushed[k];
+    if (crushing > 0 && any(deeper > zero))
+      lost += crushing_loss(h, deeper, select(before.bonds[k], held(one - own.damage[k]), zero));
+    lost += opening_loss(h, own.damage[k], h.strength, before.bonds[k]);
+    memory.bonds[k] = h.bonded & (h.strength > zero);
+    after.damage[k] = select(memory.bonds[k], one - h.strength, zero);
+  }
+  return lost;
+}
+
+/// The work sliding does against the pressure as it opens the joint comes out of what friction would take.
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory,
+                                           const Memory<T>& own, const HalfResponse<T>* s) const {
+  if (!(dilation > 0)) return T{};
+  const T opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
+  const T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
+  return (pressure + 0.5 * kn * opened * (s[0].active + s[1].active)) * opened;
+}
+
+/// A bond lost, a bond's first damage, the first crushing.
+template <class T>
+TRILITH_INLINE Mask<T> Cohesive::Kernel::changes(const FaceMemory<T>& before, const Memory<T>& own,
+                                                 const FaceMemory<T>& memory, const Memory<T>& after) {
+  const T none{};
+  Mask<T> turns = (before.bonds[0] != memory.bonds[0]) | (before.bonds[1] != memory.bonds[1]);
+  turns |= (larger(own.damage[0], own.damage[1]) <= none) & (larger(after.damage[0], after.damage[1]) > none);
+  turns |= (larger(own.crushed[0], own.crushed[1]) <= none) & (larger(after.crushed[0], after.crushed[1]) > none);
+  return turns;
+}
+
+// Readings.
+
+inline std::array<HalfGaps, 2> Cohesive::Kernel::gaps(const FaceOverlap<double>& o, const ContactMemory& m,
+                                                      const Memory<double>& own) const {
+  const double opened = dilated(m.slip, own.worn), lo = o.gap_lo - opened, hi = o.gap_hi - opened,
+               mid = 0.5 * (lo + hi);
+  const JointFilling<double> mortar(own.set[0], own.set[1]);
+  const double z0 = own.crushed[0], z1 = own.crushed[1];
+  return {{{lo + z0, mid + z0, mortar.half[0]}, {mid + z1, hi + z1, mortar.half[1]}}};
+}
+
+inline double Cohesive::Kernel::stored_in_both(const FaceOverlap<double>& o, const ContactMemory& m,
+                                               const Memory<double>& own) const {
+  if (!o.sane) return 0;
+  const std::array<HalfGaps, 2> g = gaps(o, m, own);
+  return stored(g[0], 0.5 * o.shared, hold(m, own, 0)) + stored(g[1], 0.5 * o.shared, hold(m, own, 1));
+}
+
+/// What two faces held that their contact does not as one of general shape: by dilation, and by a half that is crushed
+/// less than the other.
+inline ShapeLoss Cohesive::Kernel::leave_faces(const FaceOverlap<double>& o, const ContactMemory& m,
+                                               const Memory<double>& own) const {
+  Memory<double> worn = own;
+  worn.worn = 1;
+  Memory<double> even = worn;
+  for (double& half : even.crushed) half = crushed(own);
+  ShapeLoss lost;
+  if (dilation > 0) lost.friction = stored_in_both(o, m, own) - stored_in_both(o, m, worn);
+  if (crushing > 0) lost.fracture = stored_in_both(o, m, worn) - stored_in_both(o, m, even);
+  return lost;
+}
+
+inline JointChange Cohesive::Kernel::change(const ContactMemory& before, const Memory<double>& own,
+                                            const ContactMemory& now, const Memory<double>& after) {
+  const auto damaged = [](const Memory<double>& m) { return m.damage[0] > 0 || m.damage[1] > 0; };
+  JointChange change;
+  change.broken = before.bonds != now.bonds;
+  change.cracked = !change.broken && before.bonds != 0 && !damaged(own) && damaged(after);
+  change.crushed = !(crushed(own) > 0) && crushed(after) > 0;
+  return change;
+}
+
+}  // namespace trilith

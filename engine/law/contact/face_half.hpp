@@ -1,0 +1,150 @@
+// One half of the length two faces share: what a law is asked with, what it answers, and integrals over it.
+//
+// Letters, here and in the laws: s runs along the half, in shares of it; g the gap, negative where the faces overlap
+// (c = -g the overlap); r its rate; q = c - beta r the overlap with its damping. g and r are linear over a half, so
+// their values at its ends, 0 and 1, say all:
+//
+//          B  ______g0 .                        g(s) = g0 + (g1 - g0) s
+//                       ` - . _                 closed where g < 0, from `from` to `to`
+//      0 ----------------------` - ._______ 1   p = stress over the stiffness; sum and moment are its
+//          A                           g1       integrals with 1 and with s
+//
+// A rate is that of this instant, which dampings go by; a mean rate times the step is the change since the step began,
+// which slip and losses go by. In a leapfrog step, whose velocities are those of half a step before, they are the same.
+//
+// Written over T = double or Lanes.
+#pragma once
+
+#include "base/simd/lanes.hpp"
+
+namespace trilith {
+
+/// Linear stress p over [l0, l1] of a half, in shares of the half: its integral and first moment.
+template <class T>
+struct LinearStress {
+  T sum, moment;
+  TRILITH_INLINE LinearStress(T p0, T p1, T l0, T l1) {
+    const T width = l1 - l0;
+    sum = 0.5 * width * (p0 + p1);
+    moment = width * (p0 * (2.0 * l0 + l1) + p1 * (l0 + 2.0 * l1)) * (1.0 / 6.0);
+  }
+};
+
+/// The part of [0, 1] where a linear function from f0 to f1 is positive; empty as from == to.
+template <class T>
+struct PositivePart {
+  T from, to;
+  TRILITH_INLINE PositivePart(T f0, T f1) {
+    const T zero{}, one = zero + 1.0;
+    const T fall = f0 - f1;
+    const T root_at = smaller(larger(f0 / select(fall == zero, one, fall), zero), one);
+    from = select(f0 > zero, zero, root_at);
+    to = select(f1 > zero, one, root_at);
+    to = larger(from, to);
+    const Mask<T> none = (f0 <= zero) & (f1 <= zero);
+    to = select(none, from, to);
+  }
+};
+
+/// What one half of the shared length carries.
+template <class T>
+struct HalfResponse {
+  T normal, normal_moment;    ///< N, and its first moment about the half's start [N], [N m]
+  T damping, damping_moment;  ///< the damping part of both
+  T shear_elastic, shear_total, slip, active;
+  T lost_damping, lost_friction;
+};
+
+/// Mortar that fills a half where the faces stood apart as it set: its thickness is linear over [from, to], in shares
+/// of the half, and 0 elsewhere. While the half is bonded, its stresses come from the gap less that thickness, so that
+/// the bond begins without changing any stress.
+template <class T>
+struct Filling {
+  T from{}, to{}, w0{}, w1{};  ///< thickness at `from` and `to` [m]
+  T end0{}, end1{};            ///< ... and at the ends of the half [m]
+
+  [[nodiscard]] TRILITH_INLINE LinearStress<T> stress() const { return {w0, w1, from, to}; }
+  /// Mean over the half of the thickness times a function that is linear from q0 to q1.
+  [[nodiscard]] TRILITH_INLINE T times(T q0, T q1) const {
+    const T a = q0 + (q1 - q0) * from, b = q0 + (q1 - q0) * to;
+    return (to - from) * (2.0 * (w0 * a + w1 * b) + w0 * b + w1 * a) * (1.0 / 6.0);
+  }
+  /// Mean over the half of (g - w)(p - w) - g p, for gaps linear from g0 to g1 and from p0 to p1 [m2].
+  [[nodiscard]] TRILITH_INLINE T product(T g0, T g1, T p0, T p1) const {
+    return (to - from) * (w0 * w0 + w0 * w1 + w1 * w1) * (1.0 / 3.0) - times(g0 + p0, g1 + p1);
+  }
+};
+
+/// The mortar of both halves of a joint whose gaps at the ends, as it set, were `lo` and `hi` [m].
+template <class T>
+struct JointFilling {
+  Filling<T> half[2];
+  TRILITH_INLINE JointFilling(T lo, T hi) {
+    const T zero{}, mid = 0.5 * (lo + hi), end[3] = {lo, mid, hi};
+    for (const int h : {0, 1}) {
+      const T rise = end[h + 1] - end[h];
+      const PositivePart<T> open(end[h], end[h + 1]);
+      half[h] = {open.from,
+                 open.to,
+                 larger(end[h] + rise * open.from, zero),
+                 larger(end[h] + rise * open.to, zero),
+                 larger(end[h], zero),
+                 larger(end[h + 1], zero)};
+    }
+  }
+};
+
+template <class T>
+struct HalfState {
+  T g0, g1;     ///< gap at both ends [m], negative where overlapping
+  T r0, r1;     ///< gap rate at both ends [m/s]
+  T slip_rate;  ///< of B along d, at the middle [m/s]
+  T m0, m1;     ///< mean over the step of the gap rates ...
+  T slip_mean;  ///< ... and of the slip rate [m/s]
+  T length;     ///< [m]
+  Mask<T> bonded;
+  T strength{};  ///< softening bond: share of its strength left
+  T hold{};      ///< ... and of its stiffness where open
+  Filling<T> filling{};
+
+  /// The gaps a bond feels at both ends of the half, and the wider of them [m].
+  [[nodiscard]] TRILITH_INLINE T bond0() const { return g0 - filling.end0; }
+  [[nodiscard]] TRILITH_INLINE T bond1() const { return g1 - filling.end1; }
+  [[nodiscard]] TRILITH_INLINE T widest() const { return larger(bond0(), bond1()); }
+};
+
+/// The part of the shared length where a function is positive, as shares of both halves.
+template <class T>
+struct PositiveHalves {
+  T from[2], to[2];
+  /// Linear over both from f_lo to f_hi: one division.
+  TRILITH_INLINE PositiveHalves(T f_lo, T f_hi) {
+    const T zero{}, one = zero + 1.0;
+    const PositivePart<T> whole(f_lo, f_hi);
+    const T from2 = whole.from + whole.from, to2 = whole.to + whole.to;
+    from[0] = smaller(from2, one), to[0] = smaller(to2, one);
+    from[1] = larger(from2 - one, zero), to[1] = larger(to2 - one, zero);
+  }
+  /// Linear over each half.
+  TRILITH_INLINE PositiveHalves(T first0, T first1, T second0, T second1) {
+    const PositivePart<T> first(first0, first1), second(second0, second1);
+    from[0] = first.from, to[0] = first.to;
+    from[1] = second.from, to[1] = second.to;
+  }
+};
+
+/// A softening bond: its share holds all along, `full`, the rest where closed only.
+template <class T>
+TRILITH_INLINE void mix(LinearStress<T>& closed, const LinearStress<T>& full, T share) {
+  closed.sum += share * (full.sum - closed.sum);
+  closed.moment += share * (full.moment - closed.moment);
+}
+
+template <class T>
+TRILITH_INLINE void add(LinearStress<T>& stress, const LinearStress<T>& more, Mask<T> where) {
+  const T zero{};
+  stress.sum += select(where, more.sum, zero);
+  stress.moment += select(where, more.moment, zero);
+}
+
+}  // namespace trilith

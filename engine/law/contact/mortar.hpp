@@ -1,0 +1,74 @@
+// Bonded faces: what brittle and softening bonds have in common. Mortar that fills a joint where its faces stood apart
+// as it set, and integrals of what a bond feels of the gaps of a half.
+#pragma once
+
+#include "law/contact/coulomb.hpp"
+
+namespace trilith {
+
+/// A kernel with cohesion and tension. Its memory has at least `set`: the gaps at both ends as the mortar set [m].
+struct Mortar : Coulomb {
+  double cohesion, tension;  ///< [N per m of length]
+
+  template <class L>
+  Mortar(const L& law, double thickness, double step)
+      : Coulomb(law, thickness, step), cohesion(law.cohesion * thickness), tension(law.tension * thickness) {}
+
+  static constexpr bool bonds = true;
+  static constexpr bool softens = false;  ///< loses its strength by and by
+
+  /// Loss of shear strength per tension [1]: that of the Coulomb line, but such that cohesion and tension are both
+  /// reached where tension is beyond the line's apex.
+  [[nodiscard]] double tension_slope() const { return mu * tension > cohesion ? cohesion / tension : mu; }
+  /// Opening at which the tension of an undamaged bond is reached [m].
+  [[nodiscard]] double first_opening() const { return tension / kn; }
+  // The law at one place of a bond, of a half of two faces in the plane and of a patch of two in space alike.
+
+  /// Shear strength under the mean overlap of the part that is closed and the mean opening of the rest [m].
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T shear_strength(T closed, T open) const {
+    return cohesion + kn * (mu * closed - tension_slope() * open);
+  }
+  /// True where a brittle bond of that size is lost: by its widest opening [m] or by its shear [N].
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE Mask<T> exceeded(T widest, T shear, T strength, T size) const {
+    return (kn * widest > tension + T{}) | (shear > strength * size);
+  }
+
+  /// True where the opening of a half is beyond that: it failed in tension and not in shear.
+  [[nodiscard]] bool pulled(const std::array<HalfGaps, 2>& gaps) const {
+    return std::any_of(gaps.begin(), gaps.end(), [&](const HalfGaps& half) {
+      return std::max(half.g0 - half.filling.end0, half.g1 - half.filling.end1) > first_opening();
+    });
+  }
+
+  template <class T>
+  TRILITH_INLINE static void fill(FaceHalves<T>& halves, const T* set) {
+    if (any((set[0] > T{}) | (set[1] > T{}))) halves.fill(set);
+  }
+};
+
+/// Integral over a half of the products of two linear gaps as a bond feels them, less that where both press [m3]: the
+/// gap of now and the one with the ends `p0`, `p1` [m].
+template <class T>
+TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1) {
+  const T zero{}, one = zero + 1.0;
+  const T o0 = larger(h.g0, zero), o1 = larger(h.g1, zero), span = magnitude(h.g1 - h.g0);
+  const Mask<T> crosses = ((h.g0 < zero) | (h.g1 < zero)) & (o0 + o1 > zero);
+  const T share = select(crosses, (o0 + o1) / select(crosses, span, one), one);
+  const T mortar = h.filling.product(h.g0, h.g1, p0, p1);
+  p0 = larger(p0, zero), p1 = larger(p1, zero);
+  return h.length * (share * (2.0 * (p0 * o0 + p1 * o1) + p0 * o1 + p1 * o0) * (1.0 / 6.0) + mortar);
+}
+
+/// Mean over a half of its opening where open, 0 elsewhere [m].
+template <class T>
+TRILITH_INLINE T mean_opening(const HalfState<T>& h) {
+  const T zero{}, one = zero + 1.0;
+  const T b0 = h.bond0(), b1 = h.bond1();
+  const T o0 = larger(b0, zero), o1 = larger(b1, zero), sum = o0 + o1, span = magnitude(b1 - b0);
+  const Mask<T> crosses = (smaller(b0, b1) < zero) & (sum > zero);
+  return 0.5 * sum * select(crosses, sum / select(crosses, span, one), one);
+}
+
+}  // namespace trilith

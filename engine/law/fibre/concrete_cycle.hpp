@@ -1,0 +1,89 @@
+// What concrete fibres have in common: cycles within an envelope of compression, cracks in tension.
+//
+// Compression follows the envelope of the law. It unloads and loads again along one line from the envelope at the
+// greatest compression e_c to the plastic strain e_p, where it closes and opens:
+//   e_p / e_0 = .145 r^2 + .13 r up to r = e_c / e_0 = 2,  beyond .84 + .707 (r - 2),  at most (e_c - s_c / E) / e_0
+// Karsan and Jirsa, "Behavior of concrete under compressive loadings", J. Struct. Div. ASCE 95(12), 1969 (.834 there,
+// which would jump at r = 2). From e_p on it carries tension with the modulus of that line, E_u, up to the strain
+// tension/E, so that concrete once crushed has lost its strength in tension as well; the crack then opens along a line
+// down to nothing at `tension_end` (at once where that is not beyond), and closes along a line to e_p.
+// Left out: strain rate; the rough faces of a crack that touch before it is closed; wear by many cycles below e_c.
+// Memory: strain, stress, e_c, greatest opening of the crack beyond e_p.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "base/portable.hpp"
+#include "base/schema.hpp"
+#include "law/fibre/point.hpp"
+
+namespace trilith {
+
+/// Stress and slope of an envelope, compression above 0 [Pa].
+struct EnvelopePoint {
+  double stress, slope;
+};
+
+inline constexpr int concrete_memory = 4;
+
+/// `L` has initial() [Pa] (slope of its envelope at 0, the stiffest), peak_strain() [1], envelope(strain) for strains
+/// from 0 on.
+template <class L>
+struct ConcreteCycle {
+  using Memory = std::array<double, concrete_memory>;
+  static constexpr int squeezed = 2, opened = 3;  ///< places in the memory
+
+  /// Plastic strain that the greatest compression `most` leaves, where the envelope has `stress` [Pa].
+  static double plastic(const L& law, double most, double stress) {
+    const double r = most / law.peak_strain();
+    const double share = r < 2 ? (0.145 * r + 0.13) * r : 0.84 + 0.707 * (r - 2);
+    return std::min(share * law.peak_strain(), most - stress / law.initial());
+  }
+  /// The line of unloading gives back what is stored. `left`: plastic strain.
+  static double stored_on_line(const Memory& m, double left) { return 0.5 * m[last_stress] * (m[last_strain] + left); }
+  static double stored(const L& law, const Memory& m) {
+    return stored_on_line(m, plastic(law, m[squeezed], law.envelope(m[squeezed]).stress));
+  }
+
+  /// The envelope, which may be dear, is asked once where it has been, and once where it is.
+  static UniaxialResponse<concrete_memory> respond(const L& law, double strain, const Memory& before) {
+    UniaxialResponse<concrete_memory> out;
+    Memory& m = out.memory = before;
+    m[last_strain] = strain;
+    const double most = before[squeezed], on_envelope = law.envelope(most).stress;
+    const double left_before = plastic(law, most, on_envelope);
+    double left = left_before;
+    if (-strain > most) {
+      const EnvelopePoint p = law.envelope(-strain);
+      m[squeezed] = -strain, m[last_stress] = -p.stress, out.tangent = p.slope;
+      out.yielding = -strain > law.peak_strain();
+      left = plastic(law, -strain, p.stress);
+    } else {
+      const double open = strain + left, modulus = most > 0 ? on_envelope / (most - left) : law.initial();
+      out.tangent = modulus, m[last_stress] = modulus * open;
+      if (open > 0) pull(law, open, modulus, out);
+    }
+    out.stored = stored_on_line(m, left);
+    book_work(before, stored_on_line(before, left_before), out);
+    return out;
+  }
+
+ private:
+  /// Tension at `open` beyond e_p.
+  static void pull(const L& law, double open, double modulus, UniaxialResponse<concrete_memory>& out) {
+    const double first = law.tension / law.initial(), end = law.tension_end, share = modulus / law.initial();
+    const auto line = [&](double e) { return e < end ? law.tension * share * (end - e) / (end - first) : 0.0; };
+    double& most = out.memory[opened];
+    if (open > std::max(most, first)) {
+      most = open;
+      out.memory[last_stress] = line(open);
+      out.tangent = open < end ? -law.tension * share / (end - first) : 0;
+    } else if (most > first) {
+      out.tangent = line(most) / most;
+      out.memory[last_stress] = out.tangent * open;
+    }
+  }
+};
+
+}  // namespace trilith

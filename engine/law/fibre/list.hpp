@@ -1,0 +1,40 @@
+// The laws of a fibre: a new one is its own file and a row here.
+#pragma once
+
+#include <concepts>
+#include <variant>
+
+#include "law/fibre/bilinear_steel.hpp"
+#include "law/fibre/elastic.hpp"
+#include "law/fibre/kent_park.hpp"
+#include "law/fibre/mander.hpp"
+#include "law/fibre/menegotto_pinto.hpp"
+
+namespace trilith {
+
+using UniaxialLaws = TypeList<UniaxialElastic, BilinearSteel, MenegottoPinto, KentPark, Mander>;
+using UniaxialLaw = UniaxialLaws::Variant;
+
+/// `tangent` is the stiffest a law can be [Pa]; `stored` is the energy of a memory [J/m3]; `loses_at_every_step` is
+/// true where no step of any size gives back more than was stored. Memory of nothing but 0 is that of a new fibre.
+template <class L>
+concept UniaxialLawType = Declared<L> && requires(const L& law, double strain, const typename L::Memory& before) {
+  requires std::same_as<typename L::Memory, std::array<double, L::memory_size>>;
+  requires L::memory_size >= 2;
+  { L::loses_at_every_step } -> std::convertible_to<bool>;
+  { law.tangent() } -> std::same_as<double>;
+  { law.stored(before) } -> std::same_as<double>;
+  { law.respond(strain, before) } -> std::same_as<UniaxialResponse<L::memory_size>>;
+};
+static_assert(UniaxialLaws::all([]<class L>() { return UniaxialLawType<L>; }));
+
+/// Numbers that a fibre of `law` remembers.
+inline int memory_size(const UniaxialLaw& law) {
+  return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::memory_size; }, law);
+}
+/// The stiffest it can be [Pa].
+inline double stiffest(const UniaxialLaw& law) {
+  return std::visit([](const auto& l) { return l.tangent(); }, law);
+}
+
+}  // namespace trilith

@@ -1,0 +1,73 @@
+// Concrete after Mander, Priestley and Park: one smooth curve over the peak, crushed at the ultimate strain.
+//
+// s = f x r / (r - 1 + x^r),  x = e / e_c,  r = E / (E - f / e_c),  f = K fc,  e_c = e_0 (1 + 5 (K - 1)).
+// "Theoretical stress-strain model for confined concrete", J. Struct. Eng. ASCE 114(8), 1988, eqs. 1 to 6, after
+// Popovics, Cement and Concrete Research 3, 1973. K is f'cc/f'co there, from the hoops. Beyond `ultimate`, where hoops
+// break or the cover falls off, `residual` f is left; never less before. Cycles and tension: concrete_cycle.hpp.
+#pragma once
+
+#include "law/fibre/concrete_cycle.hpp"
+
+namespace trilith {
+
+struct Mander {
+  double strength = 0;     ///< fc [Pa]
+  double young = 0;        ///< E [Pa]
+  double strain = 0;       ///< e_0 [1]
+  double ultimate = 0;     ///< [1]
+  double residual = 0;     ///< [1]
+  double confinement = 0;  ///< K [1]
+  double tension = 0;      ///< [Pa]
+  double tension_end = 0;  ///< [1]
+
+  static constexpr std::string_view name = "mander";
+  static constexpr std::string_view sentence = "concrete fibre: one smooth curve over the peak; cracks in tension";
+  static constexpr auto parameters() {
+    using P = Parameter<Mander>;
+    return std::array{
+        P{&Mander::strength, "strength", "Pa", no_default, 0, unbounded, false, "compressive strength, unconfined"},
+        P{&Mander::young, "E", "Pa", no_default, 0, unbounded, false, "modulus at first"},
+        P{&Mander::strain, "strain", "1", 0.002, 0, 0.1, false, "strain at that strength"},
+        P{&Mander::ultimate, "ultimate", "1", 0.006, 0, 1, false, "crushing strain"},
+        P{&Mander::residual, "residual", "1", 0, 0, 1, true, "residual stress over the confined strength"},
+        P{&Mander::confinement, "confinement", "1", 1, 1, 10, true,
+          "K: confined strength over strength; strain at the peak grows by 1 + 5 (K - 1)"},
+        P{&Mander::tension, "tension", "Pa", 0, 0, unbounded, true, "strength in tension"},
+        P{&Mander::tension_end, "tension_end", "1", 0, 0, 1, true,
+          "opening strain at which a crack carries no more stress; 0: at once"}};
+  }
+  static Mander sample() { return {30e6, 27e9, 0.002, 0.015, 0.1, 1.2, 2e6, 4e-4}; }
+  void check() const {
+    if (!(ultimate > peak_strain()))
+      throw InputError(
+          fmt::format("mander: ultimate is {:g}, must be above the strain at the peak, {:g}", ultimate, peak_strain()));
+    if (young < 1.01 * confinement * strength / peak_strain())
+      throw InputError(fmt::format("mander: E is {:g} Pa, must be above the confined strength over its strain, {:g} Pa",
+                                   young, confinement * strength / peak_strain()));
+    if (tension > strength)
+      throw InputError(fmt::format("mander: tension is {:g} Pa, above the strength of {:g} Pa", tension, strength));
+  }
+  using Cycle = ConcreteCycle<Mander>;
+  static constexpr int memory_size = concrete_memory;
+  using Memory = Cycle::Memory;
+  static constexpr bool loses_at_every_step = false;  // a step over the kink of a closed crack: its square
+
+  [[nodiscard]] double initial() const { return young; }
+  [[nodiscard]] double peak_strain() const { return strain * (1 + 5 * (confinement - 1)); }
+  [[nodiscard]] double tangent() const { return young; }
+  [[nodiscard]] double stored(const Memory& m) const { return Cycle::stored(*this, m); }
+
+  [[nodiscard]] EnvelopePoint envelope(double e) const {
+    const double top = confinement * strength, rest = residual * top;
+    if (e > ultimate) return {rest, 0};
+    const double x = e / peak_strain(), r = young / (young - top / peak_strain());
+    const double power = portable::pow(x, r), under = r - 1 + power, stress = top * x * r / under;
+    if (x > 1 && stress < rest) return {rest, 0};
+    return {stress, top / peak_strain() * r * (r - 1) * (1 - power) / (under * under)};
+  }
+  [[nodiscard]] UniaxialResponse<memory_size> respond(double e, const Memory& before) const {
+    return Cycle::respond(*this, e, before);
+  }
+};
+
+}  // namespace trilith

@@ -1,0 +1,107 @@
+#include "model/check/check_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+[[noreturn]] void fail(const std::string& owner, std::string_view what) {
+  throw InputError(damaged_state(owner, what));
+}
+
+/// Both pieces are there, the lower number first.
+template <int D>
+bool is_contact_of(const Model<D>& model, ContactKey key) {
+  return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
+}
+
+bool in_known_state(const ContactMemory& m) {
+  return !m.empty() && m.bonds <= 3 && m.state <= contact_states;
+}
+bool in_known_state(const SolidMemory& m) {
+  return !m.empty() && m.state <= contact_states && m.crushed >= 0;
+}
+
+/// Rows are found by halving, so their keys must rise.
+template <int D>
+void check_contacts(const std::string& owner, const Model<D>& model, const State<D>& s) {
+  const Contacts<D>& c = s.contacts;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
+      fail(owner, "has a contact of pieces that are not there, or out of order");
+    if (!in_known_state(c.memory[i])) fail(owner, "has a contact in no known state");
+  }
+  for (const Parted& p : s.parted)
+    if (!is_contact_of(model, p.contact)) fail(owner, "has a parted contact of pieces that are not there");
+}
+
+template <int D>
+void check_passed(const std::string& owner, const Model<D>& model, const State<D>& s) {
+  const int bodies = static_cast<int>(model.bodies.size());
+  for (std::size_t i = 0; i < s.passed.size(); ++i) {
+    const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
+    if (a < 0 || a >= b || b >= bodies || (i > 0 && s.passed[i - 1] >= s.passed[i]))
+      fail(owner, "has bodies that passed that are not there, or out of order");
+  }
+}
+
+template <int D>
+void check_accelerations(const std::string& owner, const State<D>& s) {
+  if (s.implicit() && s.acceleration.size() != s.position.size())
+    fail(owner, "has accelerations for other numbers of nodes than the model");
+}
+
+/// A matrix in compressed columns, square, its rows in order.
+template <int D>
+void check_tangent(const std::string& owner, const State<D>& s) {
+  if (!s.tangent) return;
+  const KeptTangent& t = *s.tangent;
+  bool sound = !t.column.empty() && t.column.front() == 0 && t.row.size() == t.value.size() &&
+               t.column.back() == static_cast<int>(t.row.size()) && std::is_sorted(t.column.begin(), t.column.end());
+  for (int c = 0; sound && c < t.size(); ++c)
+    for (int i = t.column[c]; i < t.column[c + 1]; ++i)
+      sound = sound && t.row[i] < t.size() && (i == t.column[c] || t.row[i - 1] < t.row[i]);
+  if (!sound) fail(owner, "has a tangent that is no matrix");
+}
+
+template <int D>
+void check_bearings(const std::string& owner, const State<D>& s) {
+  constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
+  for (const BearingMemory<D>& m : s.bearing)
+    if (m.status > BearingStatus::removed || m.failed_direction > last || !(m.stood_for >= 0))
+      fail(owner, "has a bearing in no known state");
+}
+
+/// A body is removed where it is held out and has a time that is not negative.
+template <int D>
+void check_removed(const std::string& owner, const State<D>& s) {
+  if (!s.removed_at.empty() && s.removed_at.size() != s.left.size())
+    fail(owner, "has times of removal for other numbers of bodies than the model");
+  for (std::size_t b = 0; b < s.removed_at.size(); ++b)
+    if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) fail(owner, "has a body removed that is there");
+}
+
+}  // namespace
+
+std::string damaged_state(const std::string& owner, std::string_view what) {
+  return fmt::format("{} {}; it is damaged, take an earlier one", owner, what);
+}
+
+template <int D>
+void check_state(const Model<D>& model, const State<D>& state, const std::string& owner) {
+  check_accelerations(owner, state);
+  check_tangent(owner, state);
+  check_contacts(owner, model, state);
+  check_passed(owner, model, state);
+  check_bearings(owner, state);
+  check_removed(owner, state);
+}
+
+template void check_state(const Model<2>&, const State<2>&, const std::string&);
+template void check_state(const Model<3>&, const State<3>&, const std::string&);
+
+}  // namespace trilith

@@ -1,0 +1,16 @@
+// Numbers of frames that are allowed but not usual: of their sections, fibres and hinges.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/builder/frame.hpp"
+#include "model/space_builder/space_frame.hpp"
+
+namespace trilith {
+
+/// Adds a note for each kind of number, of the first member that has it.
+void add_frame_doubts(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
+void add_frame_doubts(const SpaceFrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
+
+}  // namespace trilith

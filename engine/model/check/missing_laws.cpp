@@ -1,0 +1,129 @@
+#include "model/check/missing_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+
+namespace trilith {
+namespace {
+
+/// Pairs that are listed one by one.
+constexpr std::size_t most_listed = 5;
+
+/// Bodies of one surface: all are alike to every statement.
+struct SurfaceBodies {
+  int moving[2] = {-1, -1}, held[2] = {-1, -1};  ///< up to two bodies of each kind, -1: none
+
+  void add(int body, bool moves) {
+    int* const of = moves ? moving : held;
+    if (of[0] < 0)
+      of[0] = body;
+    else if (of[1] < 0)
+      of[1] = body;
+  }
+  [[nodiscard]] int any() const { return moving[0] >= 0 ? moving[0] : held[0]; }
+};
+
+/// Two bodies of these surfaces, at least one of which moves, the moving one first; -1: there are none.
+std::pair<int, int> may_meet(const SurfaceBodies& a, const SurfaceBodies& b) {
+  if (a.moving[0] >= 0) return {a.moving[0], b.any()};
+  return {b.moving[0], a.moving[0] < 0 && b.moving[0] < 0 ? -1 : a.any()};
+}
+std::pair<int, int> may_meet(const SurfaceBodies& a) {
+  return {a.moving[0], a.moving[1] >= 0 ? a.moving[1] : a.held[0]};
+}
+
+/// What has no pieces touches nothing.
+template <int D>
+std::vector<SurfaceBodies> bodies_by_surface(const Model<D>& model) {
+  std::vector<SurfaceBodies> out(static_cast<std::size_t>(model.surfaces));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.bodies[b].pieces > 0)
+      out[static_cast<std::size_t>(model.bodies[b].surface)].add(static_cast<int>(b),
+                                                                 model.body_moves(static_cast<int>(b)));
+  return out;
+}
+
+/// Its material in a statement, or its name where it has none.
+const std::string& side_of(const Body& body) {
+  return body.material.empty() ? body.name : body.material;
+}
+
+std::string line_of(const Body& a, const Body& b, const std::string& left, const std::string& right, bool special) {
+  const auto described = [](const Body& body) {
+    return body.material.empty() ? fmt::format("'{}'", body.name) : fmt::format("'{}' ({})", body.name, body.material);
+  };
+  return fmt::format(
+      "{} and {} have no contact law and would pass through each other; add m:contact {{ between = {{ \"{}\", \"{}\" "
+      "}}, "
+      "law = trilith.frictional {{ kn = , ks = , mu = }} }}, or law = \"none\" where that is meant{}",
+      described(a), described(b), left, right,
+      special ? ", before the statements about groups and bodies: of those that fit a pair the last one holds" : "");
+}
+
+using Sides = std::pair<std::string, std::string>;
+
+Sides sides_of(const Body& a, const Body& b) {
+  return std::minmax(side_of(a), side_of(b));
+}
+
+/// Pairs of surfaces of which two bodies may meet, by what a statement would call them.
+struct MeetingSurfaces {
+  std::map<Sides, std::pair<int, int>> missing;  ///< an example of the bodies
+  std::set<Sides> declared;                      ///< where some bodies of these materials have a statement
+
+  template <int D>
+  explicit MeetingSurfaces(const Model<D>& model) {
+    const std::vector<SurfaceBodies> surface = bodies_by_surface(model);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      for (std::size_t j = i; j < surface.size(); ++j) {
+        const auto [a, b] = i == j ? may_meet(surface[i]) : may_meet(surface[i], surface[j]);
+        if (a < 0 || b < 0) continue;
+        const Sides sides = sides_of(model.bodies[a], model.bodies[b]);
+        if (model.law_of[i * surface.size() + j] == undeclared_law)
+          missing.try_emplace(sides, std::pair{a, b});
+        else
+          declared.insert(sides);
+      }
+  }
+};
+
+}  // namespace
+
+/// One pass over the bodies, then over pairs of surfaces, of which there are as many as statements tell apart. Where no
+/// pair has a statement, one about all bodies is the remedy.
+template <int D>
+std::vector<std::string> missing_laws(const Model<D>& model) {
+  const MeetingSurfaces found(model);
+  const bool none = found.declared.empty() && found.missing.size() > 1;
+  std::vector<std::string> lines;
+  for (const auto& [sides, pair] : found.missing) {
+    if (lines.size() == (none ? 1 : most_listed)) {
+      lines.push_back(
+          fmt::format("and {} more pairs of materials without a contact law", found.missing.size() - lines.size()));
+      break;
+    }
+    const Body &a = model.bodies[pair.first], &b = model.bodies[pair.second];
+    lines.push_back(
+        line_of(a, b, none ? "*" : sides.first, none ? "*" : sides.second, found.declared.count(sides) > 0));
+  }
+  return lines;
+}
+
+template <int D>
+void require_laws(const Model<D>& model) {
+  std::string all;
+  for (const std::string& line : missing_laws(model)) all += (all.empty() ? "" : "\n  ") + line;
+  if (!all.empty()) throw InputError(all);
+}
+
+template std::vector<std::string> missing_laws(const Model<2>&);
+template std::vector<std::string> missing_laws(const Model<3>&);
+template void require_laws(const Model<2>&);
+template void require_laws(const Model<3>&);
+
+}  // namespace trilith

@@ -1,0 +1,65 @@
+#include "model/check/sphere_laws.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace trilith {
+namespace {
+
+bool has_sphere(const Model<3>& model, const Body& body) {
+  const auto first = model.piece_solid.begin() + body.first_piece;
+  return std::any_of(first, first + body.pieces, [](const ConvexSolid& piece) { return piece.is_sphere(); });
+}
+
+/// Keys of a law, with a value other than 0, that contact of spheres has no use for: all but those of pressure and
+/// friction.
+std::vector<std::string> idle_keys(const ContactLaw& law) {
+  std::vector<std::string> keys;
+  if (!may_bond(law)) return keys;
+  std::visit(
+      [&](const auto& l) {
+        for (const auto& p : l.parameters()) {
+          const std::string_view key = p.name;
+          if (key == "kn" || key == "ks" || key == "mu" || key == "beta") continue;
+          if (l.*(p.member) != 0 && l.*(p.member) != p.preset) keys.emplace_back(key);
+        }
+      },
+      law);
+  return keys;
+}
+
+/// Names of at most three, and how many more there are.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> quoted;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) quoted.push_back(fmt::format("'{}'", names[i]));
+  const std::string shown = fmt::format("{}", fmt::join(quoted, ", "));
+  return names.size() <= most ? shown : fmt::format("{} and {} more", shown, names.size() - most);
+}
+
+}  // namespace
+
+void note_sphere_laws(const Model<3>& model, int first, std::vector<std::string>& notes) {
+  const auto holds = [&](const Body& body, int law) {
+    for (int s = 0; s < model.surfaces; ++s)
+      if (model.law_of[body.surface * model.surfaces + s] == law) return true;
+    return false;
+  };
+  for (std::size_t law = 0; law < model.laws.size(); ++law) {
+    const std::vector<std::string> keys = idle_keys(model.laws[law]);
+    if (keys.empty()) continue;
+    std::vector<std::string> bodies;
+    for (std::size_t b = static_cast<std::size_t>(first); b < model.bodies.size(); ++b)
+      if (const Body& body = model.bodies[b]; has_sphere(model, body) && holds(body, static_cast<int>(law)))
+        bodies.push_back(body.name);
+    if (bodies.empty()) continue;
+    notes.push_back(fmt::format(
+        "contact law '{}': spheres are pressed and rub by kn, ks, mu and beta alone, so {} {} not act on {}; "
+        "give their contacts trilith.frictional, or make them of polyhedra where the bond is to hold",
+        model.law_names[law], fmt::join(keys, ", "), keys.size() == 1 ? "does" : "do", listed(bodies)));
+  }
+}
+
+}  // namespace trilith

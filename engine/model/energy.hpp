@@ -1,0 +1,105 @@
+// The energy ledger: every term, and what is left over.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace trilith {
+
+/// Terms of the ledger [J]. Elastic and kinetic terms are found from the state; the others are summed step by step,
+/// each from its own law, so that the residual is a check and not an identity.
+enum class EnergyTerm : int {
+  kinetic,
+  gravity,  ///< work against the weight
+  contact_elastic,
+  bearing_elastic,
+  strain,  ///< elastic energy of deformable bodies
+  contact_damping,
+  contact_friction,
+  contact_fracture,  ///< elastic energy of a bond at its loss, less that at its setting; crushing of mortar
+  bearing_damping,
+  bearing_inner,    ///< plastic and frictional
+  bearing_failure,  ///< elastic energy of a bearing at its failure
+  plastic,          ///< plastic work in deformable bodies
+  element_damping,  ///< of the strain rate in deformable bodies
+  mass_damping,
+  rest_damping,  ///< the damping of consolidation
+  support,       ///< put in by moving supports
+  load,          ///< put in by steady forces
+  left_bounds,   ///< what bodies held when they left the bounds
+  numerical,     ///< taken by the dissipation of an implicit scheme
+  added,         ///< put in with bodies and bearings that came later, and by changed laws
+  removed,       ///< what bodies and bearings held when they were taken away
+};
+inline constexpr int energy_terms = 21;
+/// The first so many are in every digest of a run. Those after them are of models that change, and are in it where they
+/// are not 0, so that all other runs keep the hash they have.
+inline constexpr std::size_t plain_energy_terms = 19;
+
+struct EnergyTermInfo {
+  std::string_view name, sentence;
+  int sign;                 ///< +1: has taken energy up, -1: has put it in
+  bool dissipated = false;  ///< does not come back: friction, damping, fracture, yielding
+};
+
+inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
+    {"kinetic", "kinetic energy", +1},
+    {"gravity", "work against the weight: potential energy, from the start", +1},
+    {"contact_elastic", "elastic energy in contacts", +1},
+    {"bearing_elastic", "elastic energy in bearings", +1},
+    {"strain", "elastic energy of deformable bodies", +1},
+    {"contact_damping", "given off by contact damping", +1, true},
+    {"contact_friction", "given off by sliding friction, and by faces that let go of each other while rubbing", +1,
+     true},
+    {"contact_fracture", "given off by bonds at their loss, less what they began with, and by crushing mortar", +1,
+     true},
+    {"bearing_damping", "given off by the dashpots of bearings", +1, true},
+    {"bearing_inner", "given off by yielding or sliding bearings", +1, true},
+    {"bearing_failure", "given off by bearings at their failure", +1, true},
+    {"plastic", "given off by plastic strain of deformable bodies", +1, true},
+    {"element_damping", "given off by the damping of deformable bodies", +1, true},
+    {"mass_damping", "given off by mass-proportional damping", +1, true},
+    {"rest_damping", "given off by the damping of consolidation", +1, true},
+    {"support", "put in by moving supports", -1},
+    {"load", "put in by steady forces", -1},
+    {"left_bounds", "given off by bodies that left the bounds, which took it along", +1, true},
+    {"numerical", "given off by the numerical damping of implicit steps, less what their errors bring", +1, true},
+    {"added", "put in with bodies and bearings that came later, and by laws that were changed", -1},
+    {"removed", "held by bodies and bearings that were taken away, which took it along", +1, true},
+}};
+
+struct Energy {
+  std::array<double, energy_terms> value{};
+  [[nodiscard]] double& operator[](EnergyTerm t) { return value[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] double operator[](EnergyTerm t) const { return value[static_cast<std::size_t>(t)]; }
+  /// Sum of what was taken up less what was put in: 0 but for the errors of the scheme.
+  [[nodiscard]] double balance() const {
+    double sum = 0;
+    for (int i = 0; i < energy_terms; ++i) sum += energy_term_info[i].sign * value[i];
+    return sum;
+  }
+};
+
+/// Work done on one node, or on several together, along a path [J].
+struct NodeWork {
+  double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
+
+  NodeWork& operator+=(const NodeWork& w) {
+    weight += w.weight, load += w.load, support += w.support;
+    element_damping += w.element_damping, rest += w.rest, mass += w.mass;
+    return *this;
+  }
+};
+
+/// Adds it to the ledger's sums.
+inline void add(const NodeWork& w, Energy& given) {
+  given[EnergyTerm::gravity] -= w.weight;
+  given[EnergyTerm::load] += w.load;
+  given[EnergyTerm::support] -= w.support;
+  given[EnergyTerm::element_damping] -= w.element_damping;
+  given[EnergyTerm::rest_damping] -= w.rest;
+  given[EnergyTerm::mass_damping] -= w.mass;
+}
+
+}  // namespace trilith

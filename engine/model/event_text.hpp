@@ -1,0 +1,24 @@
+// Events in plain words, for the terminal, the results file and pictures alike.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/event.hpp"
+#include "model/model.hpp"
+
+namespace trilith {
+
+/// "bearing S3.left failed at 50.8 mm", "S3 lost its seat on P3 (S3.right)", "S3 hit P3 at 4.2 m/s", "shaking ended
+/// (rest)".
+template <int D>
+std::string event_text(const Event& event, const Model<D>& model);
+
+/// The type that scripts and results call `name`; nothing where there is none.
+std::optional<EventType> event_type_called(std::string_view name);
+
+/// Impacts slower than this are left out as well where there is a choice [m/s].
+inline constexpr double slow_impact = 2;
+
+}  // namespace trilith

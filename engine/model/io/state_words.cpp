@@ -1,0 +1,400 @@
+#include "model/io/state_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <climits>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+#include "contact/joint/joint_plan.hpp"
+#include "model/check/check_state.hpp"
+
+namespace trilith {
+namespace {
+
+constexpr std::uint64_t pack(std::uint32_t high, std::uint32_t low) {
+  return std::uint64_t{high} << 32 | low;
+}
+constexpr std::uint32_t high_of(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word >> 32);
+}
+constexpr std::uint32_t low_of(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word);
+}
+
+/// Puts a state's parts into words.
+class Writer {
+ public:
+  std::vector<std::uint64_t> words;
+
+  void number(const double& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
+  void whole(const std::int64_t& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
+  void key(const ContactKey& v) { words.push_back(v); }
+  void flag(const std::uint8_t& v) { words.push_back(v); }
+  void index(const int& v) { words.push_back(static_cast<std::uint64_t>(v)); }
+  template <class T, class U>
+  void pair(const T& high, const U& low) {
+    words.push_back(pack(static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(low)));
+  }
+  template <class Rows>
+  std::size_t count(const Rows& rows) {
+    words.push_back(rows.size());
+    return rows.size();
+  }
+  template <class Rows>
+  std::size_t open_count(const Rows& rows, std::size_t /*least*/) {
+    return count(rows);
+  }
+  void contacts(const ContactHistory& s);
+  void contacts(const SolidHistory& s);
+  void tangent(const std::shared_ptr<const KeptTangent>& kept);
+  /// Whether masses are scaled, whose shares then follow.
+  template <int D>
+  [[nodiscard]] bool scaled(const State<D>& s) const {
+    return !s.added_share.empty();
+  }
+  /// Whether there is anything that only models that change have or stages that scale masses, which then follows.
+  template <int D>
+  [[nodiscard]] bool changed(const State<D>& s) const {
+    const auto later = std::span(s.given.value).subspan(plain_energy_terms);
+    return !s.removed_at.empty() || !s.added_share.empty() ||
+           std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
+  }
+};
+
+/// Takes them out again; says what is wrong where they cannot be.
+class Reader {
+ public:
+  Reader(std::span<const std::uint64_t> words, std::string owner) : words_(words), owner_(std::move(owner)) {}
+
+  void number(double& v) {
+    v = std::bit_cast<double>(next());
+    if (!std::isfinite(v)) fail("holds a number that is not finite");
+  }
+  void whole(std::int64_t& v) {
+    v = std::bit_cast<std::int64_t>(next());
+    if (v < 0) fail("holds a negative number of steps");
+  }
+  void key(ContactKey& v) { v = next(); }
+  void flag(std::uint8_t& v) {
+    const std::uint64_t word = next();
+    if (word > 1) fail("holds a mark that is neither 0 nor 1");
+    v = static_cast<std::uint8_t>(word);
+  }
+  void index(int& v) {
+    const std::uint64_t word = next();
+    if (word > INT_MAX) fail("holds a place in a table that cannot be");
+    v = static_cast<int>(word);
+  }
+  template <class T, class U>
+  void pair(T& high, U& low) {
+    const std::uint64_t word = next();
+    high = static_cast<T>(high_of(word));
+    low = static_cast<U>(low_of(word));
+  }
+  /// Reads a count that must be that of `rows`.
+  template <class Rows>
+  std::size_t count(const Rows& rows) {
+    if (next() != rows.size()) fail("has other numbers of rows than the model");
+    return rows.size();
+  }
+  /// Reads a count of rows of at least `least` words each, and makes room for them.
+  template <class Rows>
+  std::size_t open_count(Rows& rows, std::size_t least) {
+    const std::uint64_t n = next();
+    if (n > words_.size() / least) fail("is too short for what it announces");
+    rows.resize(static_cast<std::size_t>(n));
+    return rows.size();
+  }
+  void contacts(ContactHistory& s);
+  void contacts(SolidHistory& s);
+  void joint(JointMemory& s, std::uint32_t patches);
+  void tangent(std::shared_ptr<const KeptTangent>& kept);
+  /// See Writer: it follows where there is more.
+  template <int D>
+  [[nodiscard]] bool changed(const State<D>& /*s*/) const {
+    return at_ < words_.size();
+  }
+  template <int D>
+  [[nodiscard]] bool scaled(const State<D>& s) const {
+    return changed(s);
+  }
+  void done() const {
+    if (at_ != words_.size()) fail("is longer than its contents");
+  }
+  [[noreturn]] void fail(std::string_view what) const { throw InputError(damaged_state(owner_, what)); }
+
+ private:
+  std::uint64_t next() {
+    if (at_ >= words_.size()) fail("is too short for what it announces");
+    return words_[at_++];
+  }
+  std::span<const std::uint64_t> words_;
+  std::size_t at_ = 0;
+  std::string owner_;
+};
+
+/// One contact: its key, what every contact remembers, whose law it is and what that remembers.
+template <class File, class Memory>
+void walk_memory(File& file, Memory& m) {
+  ContactMemory::fields(
+      m, [&](auto& v) { file.number(v); }, [&](auto& bonds, auto& state) { file.pair(bonds, state); });
+}
+
+void Writer::contacts(const ContactHistory& s) {
+  std::size_t kept = 0;
+  for (const ContactMemory& m : s.memory) kept += m.empty() ? 0 : 1;
+  words.push_back(kept);
+  for (std::size_t row = 0; row < s.memory.size(); ++row) {
+    if (s.memory[row].empty()) continue;
+    key(s.key[row]);
+    walk_memory(*this, s.memory[row]);
+    const std::uint32_t place = s.law_row[row].place, numbers = law_number_counts[place];
+    pair(place, numbers);
+    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+  }
+}
+
+/// A joint: how it was laid, which the rest of its plan follows from, and what its patches remember.
+template <class File, class Plan>
+void walk_plan(File& file, Plan& plan) {
+  const auto number = [&](auto& v) { file.number(v); };
+  JointSeat::fields(plan.in_a, number), JointSeat::fields(plan.in_b, number);
+  number(plan.standing.at), number(plan.standing.slope[0]), number(plan.standing.slope[1]);
+  for (std::size_t i = 0, n = file.open_count(plan.outline, 2); i < n; ++i)
+    number(plan.outline[i][0]), number(plan.outline[i][1]);
+}
+template <class File, class Joint>
+void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
+  const auto number = [&](auto& v) { file.number(v); };
+  number(joint.moved.at), number(joint.moved.slope[0]), number(joint.moved.slope[1]);
+  for (auto* shear : {&joint.elastic, &joint.total})
+    if (joint.sound)
+      for (const int k : {0, 1, 2}) number((*shear)[k]);
+  for (std::uint32_t k = 0; k < patches && !joint.sound; ++k) PatchMemory::fields(joint.patch[k], number);
+}
+/// The depths by which its patches are crushed, where some are.
+template <class File, class Joint>
+void walk_crushed(File& file, Joint& joint, std::uint32_t patches) {
+  for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.crushed[k]);
+}
+constexpr std::uint32_t crushed_mark = 1U << 15U;
+
+/// One contact of solids, for the writer and for the reader alike. `patches`: of its joint, 0 where it has none.
+template <class File, class Memory>
+void walk_solid_memory(File& file, Memory& m, std::uint32_t& patches) {
+  SolidMemory::fields(
+      m, [&](auto& v) { file.number(v); }, [&](auto& state) { file.pair(patches, state); });
+}
+
+void Writer::contacts(const SolidHistory& s) {
+  std::size_t kept = 0;
+  for (const SolidMemory& m : s.memory) kept += m.empty() ? 0 : 1;
+  words.push_back(kept);
+  for (std::size_t row = 0; row < s.memory.size(); ++row) {
+    if (s.memory[row].empty()) continue;
+    const JointMemory* joint = s.joint_at(row);
+    const bool has = joint != nullptr && !joint->empty();
+    auto patches = has ? static_cast<std::uint32_t>(joint->plan->patch.size()) : 0U;
+    key(s.key[row]);
+    walk_solid_memory(*this, s.memory[row], patches);
+    if (!has) continue;
+    walk_plan(*this, *joint->plan);
+    const auto face = [](int f) { return static_cast<std::uint32_t>(f + 1); };
+    const bool crushed = joint->most_crushed() > 0;
+    pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8 |
+             (crushed ? crushed_mark : 0U),
+         joint->bonds);
+    walk_patches(*this, *joint, patches);
+    if (crushed) walk_crushed(*this, *joint, patches);
+  }
+}
+
+/// The rest of a plan is found again from the outline.
+void Reader::joint(JointMemory& s, std::uint32_t patches) {
+  const auto plan = std::make_shared<JointPlan>();
+  walk_plan(*this, *plan);
+  if (plan->outline.size() < 3) fail("has a joint without an area");
+  divide_joint(*plan);
+  // Bit 0: it is sound; seven bits each for the faces that its seats go with, from 1 on; whether some patch is crushed.
+  std::uint32_t marks = 0;
+  pair(marks, s.bonds);
+  plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 16 != 0)
+    fail("has a joint that does not fit its faces");
+  s.plan = plan, s.sound = (marks & 1U) == 1;
+  walk_patches(*this, s, patches);
+  if ((marks & crushed_mark) != 0) walk_crushed(*this, s, patches);
+}
+
+void Reader::contacts(SolidHistory& s) {
+  const std::size_t count = open_count(s.key, 19);
+  s.memory.resize(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    std::uint32_t patches = 0;
+    key(s.key[row]);
+    walk_solid_memory(*this, s.memory[row], patches);
+    if (patches > most_patches) fail("has a joint of too many patches");
+    if (patches > 0) joint(s.add_joint(row), patches);
+  }
+}
+
+void Reader::contacts(ContactHistory& s) {
+  const std::size_t count = open_count(s.key, 13);
+  s.memory.resize(count), s.law_row.resize(count);
+  for (std::size_t row = 0; row < count; ++row) {
+    key(s.key[row]);
+    walk_memory(*this, s.memory[row]);
+    std::uint32_t numbers = 0;
+    pair(s.law_row[row].place, numbers);
+    if (s.law_row[row].place >= law_number_counts.size() || numbers != law_number_counts[s.law_row[row].place])
+      fail("has a contact of a law that is not there");
+    s.law_row[row].first = static_cast<std::uint32_t>(s.law_memory.size());
+    s.law_memory.resize(s.law_memory.size() + numbers);
+    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+  }
+}
+
+/// Every number of a tangent, for the writer and for the reader alike.
+template <class File, class T>
+void walk_tangent(File& file, T& t) {
+  for (auto* v : {&t.dt, &t.rate, &t.force, &t.inertia}) file.number(*v);
+  for (std::size_t i = 0, n = file.open_count(t.column, 1); i < n; ++i) file.index(t.column[i]);
+  for (std::size_t i = 0, n = file.open_count(t.row, 1); i < n; ++i) file.index(t.row[i]);
+  for (std::size_t i = 0, n = file.open_count(t.value, 1); i < n; ++i) file.number(t.value[i]);
+}
+
+void Writer::tangent(const std::shared_ptr<const KeptTangent>& kept) {
+  flag(kept ? 1 : 0);
+  if (kept) walk_tangent(*this, *kept);
+}
+
+void Reader::tangent(std::shared_ptr<const KeptTangent>& kept) {
+  std::uint8_t has = 0;
+  flag(has);
+  if (has == 0) return;
+  const auto read = std::make_shared<KeptTangent>();
+  walk_tangent(*this, *read);
+  kept = read;
+}
+
+/// For what an implicit scheme keeps of the nodes, as many as accelerations were announced.
+template <int D>
+void make_room(State<D>& s) {
+  s.position_before.resize(s.acceleration.size());
+  s.rotation_before.resize(s.acceleration.size());
+  s.spin_rate.resize(s.acceleration.size());
+}
+
+/// The numbers of a place, a turn, a velocity or a spin.
+template <class File, class V>
+void walk_numbers(File& file, V& v) {
+  for_each_number(v, [&](auto& number) { file.number(number); });
+}
+
+/// The way in which a bearing failed, with a mark where the depth of a contact that it stands for follows, and with one
+/// where the displacement does that it counts from.
+constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
+template <int D>
+void walk_status(Writer& file, const BearingMemory<D>& m) {
+  const bool stands = m.stood_for > 0, begun = m.begun_at != decltype(m.begun_at){};
+  file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U) | (begun ? begun_mark : 0U));
+  if (stands) file.number(m.stood_for);
+  for (std::size_t k = 0; begun && k < m.begun_at.size(); ++k) file.number(m.begun_at[k]);
+}
+template <int D>
+void walk_status(Reader& file, BearingMemory<D>& m) {
+  file.pair(m.status, m.failed_direction);
+  if ((m.failed_direction & stands_mark) != 0) file.number(m.stood_for);
+  if ((m.failed_direction & begun_mark) != 0)
+    for (double& at : m.begun_at) file.number(at);
+  m.failed_direction &= ~(stands_mark | begun_mark);
+}
+
+/// What bearings remember, one after the other.
+template <class File, class S>
+void walk_bearings(File& file, S& s) {
+  for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
+    walk_status(file, s.bearing[i]);
+    for (auto& d : s.bearing[i].direction)
+      for (auto* v : {&d.inner, &d.force, &d.damping, &d.travelled, &d.compression}) file.number(*v);
+    if constexpr (requires { s.bearing[i].turned; }) {
+      for (auto& v : s.bearing[i].turned) file.number(v);
+      for (auto& v : s.bearing[i].horizontal) file.number(v);
+    }
+  }
+}
+
+/// Plastic strains of the points of elements.
+template <class File, class S>
+void walk_plastic(File& file, S& s) {
+  for (std::size_t i = 0, n = file.count(s.plastic); i < n; ++i) {
+    auto& p = s.plastic[i];
+    for (auto* v : {&p.xx, &p.yy, &p.zz, &p.xy}) file.number(*v);
+    if constexpr (requires { p.yz; }) file.number(p.yz), file.number(p.zx);
+    file.number(p.measure);
+  }
+}
+
+/// Every field of a state, in order, for the writer and for the reader alike. `S`: State<D>, const or not.
+template <class File, class S>
+void walk(File& file, S& s) {
+  file.number(s.time), file.whole(s.step), file.number(s.dt), file.number(s.safety), file.number(s.last_dt);
+  for (std::size_t n = 0, nodes = file.count(s.position); n < nodes; ++n) {
+    walk_numbers(file, s.position[n]), walk_numbers(file, s.rotation[n]);
+    walk_numbers(file, s.velocity[n]), walk_numbers(file, s.spin[n]);
+  }
+  for (std::size_t n = 0, nodes = file.open_count(s.acceleration, 6); n < nodes; ++n) {
+    if constexpr (!std::is_const_v<S>) make_room(s);
+    walk_numbers(file, s.position_before[n]), walk_numbers(file, s.rotation_before[n]);
+    walk_numbers(file, s.acceleration[n]), walk_numbers(file, s.spin_rate[n]);
+  }
+  file.number(s.most_energy), file.tangent(s.tangent);
+  file.contacts(s.contacts);
+  for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
+    file.key(s.parted[i].contact), file.number(s.parted[i].time);
+  for (std::size_t i = 0, n = file.open_count(s.passed, 1); i < n; ++i) file.key(s.passed[i]);
+  walk_bearings(file, s), walk_plastic(file, s);
+  for (std::size_t i = 0, n = file.count(s.beam_memory); i < n; ++i) file.number(s.beam_memory[i]);
+  for (std::size_t i = 0, n = file.count(s.seat_lost); i < n; ++i) file.flag(s.seat_lost[i]);
+  for (std::size_t i = 0, n = file.count(s.moved_at); i < n; ++i) file.number(s.moved_at[i]), file.flag(s.resting[i]);
+  for (std::size_t i = 0, n = file.count(s.left); i < n; ++i) file.flag(s.left[i]);
+  for (std::size_t i = 0, n = file.count(std::span(s.given.value).first(plain_energy_terms)); i < n; ++i)
+    file.number(s.given.value[i]);
+  if (!file.changed(s)) return;
+  for (std::size_t k = plain_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
+  for (std::size_t i = 0, n = file.open_count(s.removed_at, 1); i < n; ++i) file.number(s.removed_at[i]);
+  if (!file.scaled(s)) return;
+  for (std::size_t i = 0, n = file.open_count(s.added_share, 1); i < n; ++i) file.number(s.added_share[i]);
+}
+
+}  // namespace
+
+template <int D>
+std::vector<std::uint64_t> state_words(const State<D>& state) {
+  Writer file;
+  walk(file, state);
+  return std::move(file.words);
+}
+
+template <int D>
+State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner) {
+  State<D> state = initial_state(model);  // for the number of rows
+  Reader file(words, owner);
+  walk(file, state);
+  file.done();
+  check_state(model, state, owner);
+  return state;
+}
+
+template std::vector<std::uint64_t> state_words(const State<2>&);
+template std::vector<std::uint64_t> state_words(const State<3>&);
+template State<2> state_from_words(const Model<2>&, std::span<const std::uint64_t>, const std::string&);
+template State<3> state_from_words(const Model<3>&, std::span<const std::uint64_t>, const std::string&);
+
+}  // namespace trilith

@@ -1,0 +1,163 @@
+#include "model/loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "model/builder/bearing_spec.hpp"
+#include "model/contact/skin_places.hpp"
+#include "model/pose.hpp"
+
+namespace trilith {
+namespace {
+
+std::string owner_of(const char* kind, const std::string& name, const Model<2>& model, int body) {
+  return fmt::format("{} '{}' on '{}'", kind, name, model.bodies[body].name);
+}
+
+void check_finite(const Vec2& v, const std::string& what) {
+  require_finite(v.x(), what + " along x");
+  require_finite(v.y(), what + " along y");
+}
+
+/// On a body that deforms, by mass, as weight is.
+std::vector<PointLoad<2>> spread_load(const Model<2>& model, int body, const PointLoad<2>& whole) {
+  const Body& b = model.bodies[body];
+  const double mass = body_mass(model, body);
+  std::vector<PointLoad<2>> loads;
+  for (int n = b.first_node; n < b.first_node + b.nodes; ++n) {
+    loads.push_back(whole);
+    loads.back().at = Attachment<2>::to_node(n, Vec2::Zero());
+    loads.back().force *= model.mass[n] / mass;
+  }
+  return loads;
+}
+
+}  // namespace
+
+/// At a point: one load, tied there. On the whole of a body that deforms: shares at all its nodes.
+std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
+  const std::string owner = owner_of("load", spec.name, model, body);
+  check_finite(spec.force, owner + ": force");
+  require_finite(spec.moment, owner + ": moment");
+  check_load_curve(spec.curve, owner);
+  const Body& b = model.bodies[body];
+  PointLoad<2> load;
+  load.name = spec.name, load.body = body, load.curve = spec.curve;
+  load.force = spec.force, load.moment = spec.moment, load.follows = spec.follows;
+  if (spec.at) {
+    check_finite(*spec.at, owner + ": place");
+    if (b.is_rigid()) {
+      const double size = 2 * model.body_radius[body];
+      require_near<2>(*spec.at, (*spec.at - body_start(model, body)).norm() - 0.5 * size, size, b.name, owner);
+    }
+    load.at = tie_point(model, body, *spec.at, owner);
+    return {load};
+  }
+  load.at = Attachment<2>::to_node(b.first_node, Vec2::Zero());
+  if (b.is_rigid()) return {load};
+  if (spec.moment != 0 || spec.follows)
+    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
+                                 spec.moment != 0 ? "moment" : "force that follows"));
+  return spread_load(model, body, load);
+}
+
+std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
+                                       const PressureSpec& spec) {
+  const std::string owner = owner_of("pressure", spec.name, model, body);
+  require_finite(spec.value, owner + ": value");
+  check_load_curve(spec.curve, owner);
+  if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
+    throw InputError(
+        fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+  // A body that deforms may be of another depth.
+  double depth = model.thickness;  // as contacts have it
+  for (const Element& e : model.elements)
+    if (e.body == body) depth = e.thickness;
+  std::vector<FaceLoad<2>> loads;
+  for (const FacePart& face : faces) {
+    FaceLoad<2> load;
+    load.name = spec.name, load.body = body, load.curve = spec.curve;
+    load.skin_a = face.skin_a, load.skin_b = face.skin_b;
+    // Over the part from s = from to s = to of a face, shape functions 1 - s and s: integral of s is (to^2 - from^2)/2.
+    load.share[1] = 0.5 * (face.to * face.to - face.from * face.from);
+    load.share[0] = face.to - face.from - load.share[1];
+    load.pressure = spec.value, load.depth = depth, load.follows = spec.follows;
+    const Vec2 along = skin_start(model, face.skin_b) - skin_start(model, face.skin_a);
+    const Vec2 way = spec.direction ? Vec2(along.norm() * spec.direction->normalized()) : left_of(along);
+    // Pressure that does not follow acts for ever as it does at the start.
+    if (!spec.follows) load.dead = spec.value * depth * way;
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+/// Loads without a name are those that stand for something released.
+template <int D>
+void drop_faded(Model<D>& model, double now) {
+  std::erase_if(model.point_loads, [now](const PointLoad<D>& l) { return l.name.empty() && l.curve.spent(now); });
+}
+
+template <int D>
+int drop_loads(Model<D>& model, const std::string& name) {
+  const auto called = [&](const auto& load) { return load.name == name; };
+  return static_cast<int>(std::erase_if(model.point_loads, called) + std::erase_if(model.face_loads, called));
+}
+
+template <int D>
+int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration) {
+  int count = 0;
+  const auto change = [&](auto& loads) {
+    for (auto& load : loads) {
+      if (load.name != name) continue;
+      // From what acts now, smoothly.
+      load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
+      ++count;
+    }
+  };
+  change(model.point_loads);
+  change(model.face_loads);
+  return count;
+}
+
+template <int D>
+int scale_loads(Model<D>& model, const std::string& name, double factor) {
+  int count = 0;
+  for (PointLoad<D>& p : model.point_loads) {
+    if (!name.empty() && p.name != name) continue;
+    p.force *= factor, p.moment *= factor, ++count;
+  }
+  for (FaceLoad<D>& f : model.face_loads) {
+    if (!name.empty() && f.name != name) continue;
+    f.pressure *= factor, f.dead *= factor, ++count;
+  }
+  return count;
+}
+
+template <int D>
+std::vector<std::string> load_names(const Model<D>& model) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& list) {
+    for (const auto& l : list)
+      if (!l.name.empty() && std::find(names.begin(), names.end(), l.name) == names.end()) names.push_back(l.name);
+  };
+  add(model.point_loads);
+  add(model.face_loads);
+  add(model.pushes);
+  return names;
+}
+
+template void drop_faded(Model<2>&, double);
+template void drop_faded(Model<3>&, double);
+template int drop_loads(Model<2>&, const std::string&);
+template int drop_loads(Model<3>&, const std::string&);
+template int scale_loads(Model<2>&, const std::string&, double);
+template int scale_loads(Model<3>&, const std::string&, double);
+template int change_loads(Model<2>&, const std::string&, double, double, double);
+template int change_loads(Model<3>&, const std::string&, double, double, double);
+template std::vector<std::string> load_names(const Model<2>&);
+template std::vector<std::string> load_names(const Model<3>&);
+
+}  // namespace trilith

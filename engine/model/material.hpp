@@ -1,0 +1,25 @@
+// What bodies are made of, by name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "element/band_damping.hpp"
+#include "law/material/list.hpp"
+
+namespace trilith {
+
+struct Material {
+  std::string name;
+  double density = 0;                              ///< [kg/m3], above 0
+  std::optional<Solid> solid = std::nullopt;       ///< what deformable bodies need
+  std::optional<BandDamping> band = std::nullopt;  ///< of members of frames
+};
+
+/// Throws InputError for a name that `others` have, and a density that is not above 0; adds to `notes` what is unusual.
+void check_material(const Material& material, const std::vector<Material>& others, std::vector<std::string>& notes);
+/// Throws InputError, begun with `owner`, where `materials` has none called `name`.
+void require_material(const std::vector<Material>& materials, const std::string& name, const std::string& owner);
+
+}  // namespace trilith

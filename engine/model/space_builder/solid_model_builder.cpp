@@ -1,0 +1,304 @@
+#include "model/space_builder/solid_model_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+#include "model/bounds.hpp"
+#include "model/builder/extend.hpp"
+#include "model/check/check.hpp"
+#include "model/check/frame_plausibility.hpp"
+#include "model/check/piece_overlaps.hpp"
+#include "model/check/small_gaps.hpp"
+#include "model/check/sphere_laws.hpp"
+#include "model/names.hpp"
+#include "model/plausible_ranges.hpp"
+#include "model/space_builder/space_builder.hpp"
+
+namespace trilith {
+
+void SolidModelBuilder::add_material(const Material& material) {
+  check_material(material, materials_, notes_);
+  materials_.push_back(material);
+}
+
+void SolidModelBuilder::add_law(const std::string& name, const ContactLaw& law) {
+  rules_.add_law(name, law, notes_);
+}
+
+void SolidModelBuilder::take_contacts(const ContactRules& rules) {
+  rules_ = rules;
+}
+
+double SolidModelBuilder::density_of(const SolidSpec& spec) const {
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
+  if (spec.density) return require_positive(*spec.density, owner + ": density", "kg/m3");
+  if (spec.mass)
+    return require_positive(*spec.mass, owner + ": mass", "kg") / (spec.mesh ? volume_of(*spec.mesh)
+                                                                   : spec.moments
+                                                                       ? spec.moments->volume
+                                                                       : mass_of(spec.pieces, 1, spec.spheres).mass);
+  for (const Material& m : materials_)
+    if (m.name == spec.material) return m.density;
+  throw InputError(fmt::format("{}: give a density or mass, or a material that has a density", owner));
+}
+
+namespace {
+
+/// Moments of inertia of a real body: above 0, and none above the sum of the other two.
+void check_inertia(const SolidSpec& spec, const std::string& owner) {
+  if (spec.frame || spec.deforms())
+    throw InputError(owner + ": inertia is of rigid bodies; that of a body that deforms follows from its nodes");
+  const Vec3& i = *spec.inertia;
+  for (const double v : i) require_positive(v, owner + ": inertia", "kg m2");
+  const double most = i.maxCoeff(), others = i.sum() - most;
+  if (most > others * (1 + 1e-9))
+    throw InputError(fmt::format(
+        "{}: inertia is {{{:g}, {:g}, {:g}}} kg m2, and no body has one above the sum of the other two; give "
+        "moments about x, y and z through its centroid",
+        owner, i.x(), i.y(), i.z()));
+}
+
+/// Of the axis-parallel box around all pieces [m].
+double least_side(const std::vector<Polyhedron>& pieces) {
+  Vec3 low = pieces[0].corners[0], high = low;
+  for (const Polyhedron& piece : pieces)
+    for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return (high - low).minCoeff();
+}
+
+/// What is held does not move, whatever velocity it is given.
+void note_held_solid(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  constexpr std::array names{"a velocity along x", "a velocity along y", "a velocity along z",
+                             "a spin about x",     "a spin about y",     "a spin about z"};
+  const auto known = [](const std::string& note) { return note.find("and is held there") != std::string::npos; };
+  if (std::any_of(notes.begin(), notes.end(), known)) return;
+  for (int k = 0; k < 6; ++k)
+    if ((k < 3 ? spec.velocity[k] : spec.spin[k - 3]) != 0 &&
+        spec.support[static_cast<std::size_t>(k)] != Support::free)
+      notes.push_back(
+          fmt::format("{}: it is given {}, and is held there, so that it does not move; free that direction "
+                      "or leave it out",
+                      owner, names[static_cast<std::size_t>(k)]));
+}
+
+struct PieceBox {
+  Vec3 low, high;
+};
+
+PieceBox piece_box(const Polyhedron& piece) {
+  PieceBox box{piece.corners[0], piece.corners[0]};
+  for (const Vec3& x : piece.corners) box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
+  return box;
+}
+
+/// A piece that stands apart from all others by more than its own size, by the boxes around them, was meant for another
+/// place, or is a body of its own: nothing that can be seen holds it to the rest.
+void note_lone_piece(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  if (spec.frame || spec.mesh || spec.pieces.size() < 2 || !spec.spheres.empty()) return;
+  std::vector<PieceBox> boxes;
+  for (const Polyhedron& piece : spec.pieces) boxes.push_back(piece_box(piece));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    double nearest = unbounded;
+    for (std::size_t j = 0; j < boxes.size(); ++j)
+      if (j != i)
+        nearest = std::min(
+            nearest,
+            (boxes[i].low - boxes[j].high).cwiseMax(boxes[j].low - boxes[i].high).cwiseMax(Vec3::Zero()).norm());
+    const double size = (boxes[i].high - boxes[i].low).norm();
+    if (!(nearest > size)) continue;
+    notes.push_back(
+        fmt::format("{}: its piece {} of {:.3g} m stands {:.3g} m away from all others, and moves with them "
+                    "as if it were fast to them; move it, or make it a body of its own",
+                    owner, i + 1, size, nearest));
+    return;
+  }
+}
+
+}  // namespace
+
+void SolidModelBuilder::add_body(SolidSpec spec) {
+  require_name(spec.name, "body");
+  body_names_known_.require_new(bodies_, spec.name, "body");
+  const std::string owner = fmt::format("body '{}'", spec.name);
+  if (spec.frame) check_frame(spec, owner);
+  if (spec.frame && spec.deforms())
+    throw InputError(owner + ": the members of a frame deform by themselves; leave out body");
+  if (!spec.supports.empty() && !spec.deforms() && !spec.frame)
+    throw InputError(owner + ": hold is of nodes of bodies that deform; say support, or body = \"brick\"");
+  if (spec.deforms()) check_mesh_body(spec, owner);
+  if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
+  for (std::size_t s = 0; s < spec.spheres.size(); ++s)
+    check_sphere(spec.spheres[s], spec.spheres.size() == 1 ? owner : fmt::format("{}, sphere {}", owner, s + 1));
+  for (std::size_t p = 0; p < spec.pieces.size() && !spec.frame && !spec.mesh; ++p)
+    check_convex(spec.pieces[p], spec.pieces.size() == 1 ? owner : fmt::format("{}, piece {}", owner, p + 1));
+  if (!spec.frame && !spec.mesh) refuse_overlapping_pieces(spec.pieces, overlap_allowed, owner);
+  for (const Vec3* v : {&spec.velocity, &spec.spin, &spec.load})
+    if (!v->allFinite()) throw InputError(owner + ": velocity, spin or load is not finite");
+  if (!spec.material.empty()) require_material(materials_, spec.material, owner);
+  (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
+  if (spec.density) add_plausibility_note_once(notes_, owner, "density", "kg/m3", *spec.density);
+  if (!spec.pieces.empty() && !spec.frame)
+    add_plausibility_note_once(notes_, owner, "least side", "m", least_side(spec.pieces));
+  for (const Sphere& sphere : spec.spheres)
+    add_plausibility_note_once(notes_, owner, "least side", "m", 2 * sphere.radius);
+  if (spec.frame) add_frame_doubts(*spec.frame, owner, notes_);
+  if (spec.inertia) check_inertia(spec, owner);
+  note_held_solid(spec, owner, notes_);
+  note_lone_piece(spec, owner, notes_);
+  bodies_.push_back(std::move(spec));
+}
+
+namespace {
+
+/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes,
+/// which have their supports.
+void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
+  if (body.is_rigid()) {
+    model.support[body.first_node] = spec.support, model.load[body.first_node] = spec.load;
+    return;
+  }
+  double mass = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) mass += model.mass[n];
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    model.load[n] = spec.load * (model.mass[n] / mass);
+}
+
+}  // namespace
+
+/// Faults come in the order in which a model is made, so that the first one is the cause of others.
+Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
+  SpaceBuilder space;
+  space.gravity(gravity);
+  if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
+  for (const SolidSpec& spec : bodies_)
+    attempt(faults, [&] {
+      if (spec.frame)
+        space.add(frame_body(spec));
+      else if (spec.mesh)
+        space.add(mesh_body(spec));
+      else
+        space.add(SolidBody{spec.name, spec.pieces, density_of(spec), false, spec.velocity, spec.spin, 0, spec.spheres,
+                            spec.moments, spec.inertia});
+    });
+  rules_.check(bodies_, materials_, faults);
+  if (!faults.empty()) return {};
+  Model<3> model = space.build();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    model.bodies[b].material = bodies_[b].material, model.bodies[b].groups = bodies_[b].groups;
+    set_up(bodies_[b], model, model.bodies[b]);
+  }
+  attempt(faults, [&] { rules_.fill(model); });
+  complete_space(model);
+  attempt(faults, [&] { model.mass_damping = require_not_negative(mass_damping, "model: mass_damping", "1/s"); });
+  model.impact_speed = impact_speed, model.apart_time = apart_time;
+  model.still_speed = still_speed, model.still_time = still_time;
+  return model;
+}
+
+Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
+  Model<3> model = assemble_bodies(faults);
+  if (model.bodies.empty()) return model;  // some body is at fault
+  for (const BearingSpecOf<3>& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
+  for (std::size_t i = 0; model.bearings.size() == bearings_.size() && i < bearings_.size(); ++i)
+    attempt(faults, [&] { check_successor(model.bearings, i); });
+  for (const SeatSpecOf<3>& spec : seats_) attempt(faults, [&] { append_seat(spec, model); });
+  check_overlaps(model, overlap_allowed, faults, notes);
+  std::vector<std::string> unjudged;
+  check_held_up_and_gaps(model, floating_bodies(bodies_), judge_standing ? faults : unjudged, notes);
+  note_sphere_laws(model, 0, notes);
+  attempt(faults, [&] { set_bounds(model, bounds); });
+  return model;
+}
+
+Model<3> SolidModelBuilder::extended(const Model<3>& model, const State<3>& state) {
+  std::vector<std::string> faults, notes;
+  Model<3> grown = assemble_bodies(faults);
+  if (!faults.empty()) throw InputError(faults.front());
+  carry_conditions(model, grown);
+  append_links(model, state, grown);
+  const Model<3> standing = as_it_stands(grown, state);
+  note_sphere_laws(grown, static_cast<int>(model.bodies.size()), notes);
+  check_newcomers(standing, state, overlap_allowed, floating_bodies(bodies_, judge_standing), faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  widen_bounds(standing, bounds, grown);
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  return grown;
+}
+
+void SolidModelBuilder::shorten(std::size_t bodies, std::size_t bearings, std::size_t seats) {
+  bodies_.resize(std::min(bodies, bodies_.size()));
+  bearings_.resize(std::min(bearings, bearings_.size()));
+  seats_.resize(std::min(seats, seats_.size()));
+}
+
+Model<3> SolidModelBuilder::build() {
+  std::vector<std::string> faults, notes;
+  Model<3> model = assemble(faults, notes);
+  if (!faults.empty()) throw InputError(faults.front());
+  notes_.insert(notes_.end(), notes.begin(), notes.end());
+  for (const Material& m : materials_) {
+    const auto is_idle = [&](const SolidSpec& b) { return b.material == m.name && !b.frame; };
+    if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
+      notes_.push_back(fmt::format(
+          "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
+  }
+  return model;
+}
+
+std::vector<std::string> SolidModelBuilder::faults() const {
+  std::vector<std::string> faults, notes;
+  assemble(faults, notes);
+  return faults;
+}
+
+/// Of a frame, and of elements, all nodes.
+void set_support(Model<3>& model, int body, int dof, Support support) {
+  const Body& b = model.bodies[body];
+  if (!b.nodes_turn() && dof >= 3) {
+    if (support == Support::fixed) return;  // as its nodes' are
+    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x, y and z", b.name));
+  }
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    model.support[node][dof] = support;
+    if (support != Support::driven) model.drive_of[node][dof] = -1;
+  }
+}
+
+/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it;
+/// of elements those that are, or where none is all of them.
+void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
+               double origin, const State<3>* state) {
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() && dof >= Space<3>::translations)
+    throw InputError(
+        fmt::format("body '{}' deforms and has no rotation to drive; drive x, y and z, or make it rigid", b.name));
+  const std::vector<Vec3>& place = state != nullptr ? state->position : model.start_position;
+  const auto is_held = [&](int node) { return model.support[node][dof] != Support::free; };
+  bool all = b.is_rigid();
+  if (!b.nodes_turn()) {
+    all = true;
+    for (int node = b.first_node; node < b.first_node + b.nodes; ++node) all = all && !is_held(node);
+  }
+  const auto held = [&](int node) { return all || is_held(node); };
+  const double from = origin - motion->displacement(0);
+  bool follows = false;
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    if (!held(node)) continue;
+    const double beside = node == b.first_node ? 0 : place[node][dof] - place[b.first_node][dof];
+    model.support[node][dof] = Support::driven;
+    model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+    model.drives.push_back({node, dof, from + beside, start, motion});
+    follows = true;
+  }
+  if (!follows)
+    throw InputError(fmt::format(
+        "body '{}' is a frame and none of its joints is held along {}, so nothing follows the motion; give a joint "
+        "support = \"fixed\"",
+        b.name, "xyz"[dof]));
+}
+
+}  // namespace trilith

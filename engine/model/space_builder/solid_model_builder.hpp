@@ -1,0 +1,119 @@
+// Makes a Model in space of bodies, materials, laws and motions, and checks it once: what ModelBuilder is in the plane.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/space/polyhedron.hpp"
+#include "model/builder/bearing_spec.hpp"
+#include "model/contact/contact_rules.hpp"
+#include "model/material.hpp"
+#include "model/model.hpp"
+#include "model/names.hpp"
+#include "model/space_builder/space_frame.hpp"
+#include "model/space_builder/space_solid.hpp"
+#include "model/state.hpp"
+
+namespace trilith {
+
+/// A body in space to be: rigid, a frame, or of finite elements. Give at most one of density and mass; without any, the
+/// material's density counts.
+struct SolidSpec {
+  std::string name;                ///< unique
+  std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
+  std::string material;
+  std::vector<std::string> groups;
+  std::optional<double> density;                ///< [kg/m3]
+  std::optional<double> mass;                   ///< [kg]
+  std::array<Support, 6> support{};             ///< x, y, z, and turns about them
+  Vec3 velocity = Vec3::Zero();                 ///< of the centroid at the start [m/s]
+  Vec3 spin = Vec3::Zero();                     ///< at the start [rad/s]
+  Vec3 load = Vec3::Zero();                     ///< steady force at the centroid [N]
+  bool floating = false;                        ///< may start with nothing that holds it up
+  std::vector<Sphere> spheres = {};             ///< beside the pieces, where they stand; they may overlap each other
+  std::optional<SpaceFrameSpec> frame = {};     ///< instead of both: `pieces` become its skin where it stands
+  SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
+  std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
+  std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms, or of a frame
+  std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of those of its pieces
+  std::optional<Vec3> inertia = {};  ///< of a rigid body about x, y, z through its centroid, as it stands [kg m2]
+
+  [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
+  [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
+};
+
+class SolidModelBuilder {
+ public:
+  Vec3 gravity{0, 0, -standard_gravity};  ///< [m/s2]
+  double mass_damping = 0;                ///< [1/s]
+  double impact_speed = 0.5;              ///< [m/s]
+  double apart_time = 0.02;               ///< [s]
+  double still_speed = 2.54e-7;           ///< [m/s]
+  double still_time = 0.5;                ///< [s]
+  double overlap_allowed = 1e-6;          ///< deepest overlap at the start, share of the smaller body's size
+  /// What stands on nothing is a fault as it is built or added; false: not before who runs it asks (standing_faults).
+  bool judge_standing = true;
+  Bounds<3> bounds;  ///< sides that are infinite are those of default_bounds
+
+  // Each throws InputError, and leaves the builder as it was.
+  void add_material(const Material& material);
+  void add_body(SolidSpec spec);
+  /// See ContactRules.
+  void add_law(const std::string& name, const ContactLaw& law);
+  void set_contact(const std::string& a, const std::string& b, const std::string& law) {
+    rules_.set_contact(a, b, law);
+  }
+  /// Laws and statements of another model instead of those given so far.
+  void take_contacts(const ContactRules& rules);
+  void add_bearing(const BearingSpecOf<3>& spec);
+  void add_seat(const SeatSpecOf<3>& spec);
+  /// Adds a line to notes(): what was repaired or chosen before bodies came here.
+  void note(const std::string& line) { notes_.push_back(line); }
+
+  /// Checks everything and makes the model. Throws InputError with the first of faults().
+  Model<3> build();
+  /// As ModelBuilder::extended and ModelBuilder::shorten.
+  Model<3> extended(const Model<3>& model, const State<3>& state);
+  void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
+  /// All that keeps build() from making the model, a line for each. Empty where nothing does.
+  [[nodiscard]] std::vector<std::string> faults() const;
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const std::vector<SolidSpec>& bodies() const { return bodies_; }
+  [[nodiscard]] const std::vector<BearingSpecOf<3>>& bearings() const { return bearings_; }
+  [[nodiscard]] std::vector<std::string> law_names() const { return rules_.law_names(); }
+
+ private:
+  Model<3> assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const;
+  Model<3> assemble_bodies(std::vector<std::string>& faults) const;
+  [[nodiscard]] double density_of(const SolidSpec& spec) const;
+  void check_frame(SolidSpec& spec, const std::string& owner) const;
+  void check_mesh_body(SolidSpec& spec, const std::string& owner);
+  [[nodiscard]] SpaceMeshBody mesh_body(const SolidSpec& spec) const;
+  [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
+  [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
+  /// `arm`: of a bearing, see BearingSpecOf; below 0: of others.
+  void require_near(const std::string& body, const Vec3& point, const std::string& owner, double arm = -1) const;
+  void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
+  void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
+  void append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const;
+
+  std::vector<Material> materials_;
+  std::vector<SolidSpec> bodies_;
+  RowNames body_names_known_;
+  std::vector<BearingSpecOf<3>> bearings_;
+  std::vector<SeatSpecOf<3>> seats_;
+  ContactRules rules_;
+  std::vector<std::string> notes_;
+};
+
+/// Fixes or frees one degree of freedom of a body (0 to 2 along x, y, z, 3 to 5 about them), for the next stage.
+void set_support(Model<3>& model, int body, int dof, Support support);
+
+/// Lets one degree of freedom of a body along x, y or z follow `motion` from time `start` [s] and position `origin` on;
+/// of a frame that of the nodes that are held along it, `origin` being its first node's, from where `state` has them.
+void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
+               double origin, const State<3>* state = nullptr);
+
+}  // namespace trilith

@@ -1,0 +1,52 @@
+// What holds the nodes of a body, or moves them, from one stage to the next.
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "model/builder/builder.hpp"
+
+namespace trilith {
+
+/// All nodes of a body along one direction; what is no longer driven loses its drive.
+void set_support(Model<2>& model, int body, int dof, Support support) {
+  const Body& b = model.bodies[body];
+  if (!b.nodes_turn() && dof == 2) {
+    if (support == Support::fixed) return;  // as its nodes' are
+    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x and y", b.name));
+  }
+  for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
+    model.support[node][dof] = support;
+    if (support != Support::driven) model.drive_of[node][dof] = -1;
+  }
+}
+
+/// The body's first node goes by the motion from `origin` on, the others keep their distances to it. Of a frame those
+/// joints are driven that are held.
+void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
+               double origin, const State<2>* state) {
+  const Body& b = model.bodies[body];
+  if (!b.is_rigid() && dof == 2)
+    throw InputError(
+        fmt::format("body '{}' deforms and has no rotation to drive; drive x and y, or make it rigid", b.name));
+  // The motion's own start displacement is not a jump of the ground.
+  const double from = origin - motion->displacement(0);
+  const auto place = [&](int node) { return (state != nullptr ? state->position : model.start_position)[node][dof]; };
+  const bool frame = b.skin_is_sections();
+  const auto is_held = [&](int node) { return model.support[node][dof] != Support::free; };
+  const int end = b.first_node + b.nodes;
+  int first = b.first_node;
+  while (frame && first < end && !is_held(first)) ++first;
+  if (first == end)
+    throw InputError(fmt::format(
+        "body '{}' is a frame and none of its joints is held along {}, so nothing follows the motion; give a joint "
+        "support = \"fixed\"",
+        b.name, dof == 0 ? "x" : "y"));
+  for (int node = first; node < end; ++node) {
+    if (frame && !is_held(node)) continue;
+    const double beside = node == b.first_node ? 0 : place(node) - place(b.first_node);
+    model.support[node][dof] = Support::driven;
+    model.drive_of[node][dof] = static_cast<int>(model.drives.size());
+    model.drives.push_back({node, dof, from + beside, start, motion});
+  }
+}
+
+}  // namespace trilith

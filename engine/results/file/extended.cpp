@@ -1,0 +1,138 @@
+#include "results/file/extended.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "results/reading/reader.hpp"
+
+namespace trilith::results {
+namespace {
+
+/// `values` with what they lack of `whole`, from there.
+void fill_up(std::vector<double>& values, const std::vector<double>& whole) {
+  if (values.size() < whole.size())
+    values.insert(values.end(), whole.begin() + static_cast<std::ptrdiff_t>(values.size()), whole.end());
+}
+
+/// The fields of a frame in the order of `header`, by their names.
+std::vector<std::vector<double>> fields_in(const Header& header, const Header& before, const Frame& frame) {
+  std::vector<std::vector<double>> fields;
+  for (const Field& field : header.fields) {
+    const auto known = std::find_if(before.fields.begin(), before.fields.end(),
+                                    [&](const Field& other) { return other.name == field.name; });
+    std::vector<double> values;
+    if (known != before.fields.end()) values = frame.fields[static_cast<std::size_t>(known - before.fields.begin())];
+    values.resize(field.rows * static_cast<std::size_t>(field.width));
+    fields.push_back(std::move(values));
+  }
+  return fields;
+}
+
+void copy_frame(Frame frame, const Header& before, const Header& header, ResultsWriter& to) {
+  const std::size_t nodes = header.node_count(), bearings = header.bearings.size();
+  const auto dim = static_cast<std::size_t>(header.dim);
+  fill_up(frame.position, header.node_position);
+  fill_up(frame.rotation, header.node_rotation);
+  if (header.with_velocity) {
+    frame.velocity.resize(nodes * dim);
+    frame.spin.resize(nodes * static_cast<std::size_t>(spin_width(header.dim)));
+  }
+  frame.stress.resize(3 * header.element_count());
+  frame.plastic.resize(header.element_count());
+  frame.bearing_state.resize(bearings, BearingState::absent);
+  frame.bearing_force.resize(bearings * dim);
+  frame.bearing_displacement.resize(bearings * dim);
+  const std::vector<std::vector<double>> fields = fields_in(header, before, frame);
+  FrameRow row;
+  row.time = frame.time, row.step = frame.step, row.stage = frame.stage;
+  row.position = frame.position, row.rotation = frame.rotation;
+  row.velocity = frame.velocity, row.spin = frame.spin;
+  row.contacts = frame.contacts;
+  row.bearing_state = frame.bearing_state;
+  row.bearing_force = frame.bearing_force, row.bearing_displacement = frame.bearing_displacement;
+  row.stress = frame.stress, row.plastic = frame.plastic, row.fields = fields;
+  to.append_frame(row);
+}
+
+void copy_histories(const ResultsReader& from, const Header& header, ResultsWriter& to) {
+  const std::vector<double> times = from.history_times();
+  std::vector<std::vector<double>> columns;
+  for (const Quantity& q : header.histories) {
+    const auto& known = from.header().histories;
+    const bool followed = std::any_of(known.begin(), known.end(), [&](const Quantity& k) { return k.name == q.name; });
+    columns.push_back(followed ? from.history(q.name)
+                               : std::vector<double>(times.size(), std::numeric_limits<double>::quiet_NaN()));
+  }
+  std::vector<double> row(columns.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k) row[k] = columns[k][i];
+    to.append_history(times[i], row);
+  }
+}
+
+void copy_tables(const ResultsReader& from, ResultsWriter& to) {
+  for (EventRow& event : from.events()) to.append_event(std::move(event));
+  const EnergyTable energy = from.energy();
+  std::vector<double> terms(energy.terms.size());
+  for (std::size_t i = 0; i < energy.time.size(); ++i) {
+    for (std::size_t k = 0; k < terms.size(); ++k) terms[k] = energy.terms[k][i];
+    to.append_energy(energy.time[i], terms, energy.residual[i]);
+  }
+  for (const Note& note : from.notes()) to.append_note(note.time, note.text);
+}
+
+void copy_modes(const ResultsReader& from, const Header& header, ResultsWriter& to) {
+  for (ModeRow& mode : from.modes()) {
+    fit_mode(header, mode);
+    to.append_mode(mode);
+  }
+}
+
+void copy_all(const ResultsReader& from, const Header& header, ResultsWriter& to) {
+  for (const StageRow& stage : from.stages()) {
+    to.begin_stage(stage.name, stage.kind, stage.begin);
+    if (stage.ended) to.end_stage(stage.end, stage.why);
+  }
+  for (std::size_t i = 0; i < from.frame_count(); ++i) copy_frame(from.frame(i), from.header(), header, to);
+  copy_histories(from, header, to);
+  copy_tables(from, to);
+  copy_modes(from, header, to);
+  for (MotionRow& motion : from.motions()) to.append_motion(std::move(motion));
+}
+
+}  // namespace
+
+void fit_mode(const Header& header, ModeRow& mode) {
+  fill_up(mode.position, header.node_position);
+  fill_up(mode.rotation, header.node_rotation);
+  mode.displacement.resize(header.node_position.size());
+  mode.turn.resize(header.node_inertia.size());
+}
+
+ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options) {
+  const std::filesystem::path path = before.path(), part = before.part();
+  std::filesystem::path kept = part;
+  kept += ".before";
+  before.flush();
+  { const ResultsWriter closed = std::move(before); }
+  std::error_code error;
+  std::filesystem::rename(part, kept, error);
+  if (error)
+    throw ResultsError(fmt::format("results file '{}': cannot be renamed: {}", part.string(), error.message()));
+  try {
+    ResultsWriter to(path, header, options);
+    copy_all(ResultsReader(kept), header, to);
+    to.flush();
+    std::filesystem::remove(kept, error);
+    return to;
+  } catch (const std::runtime_error& failure) {
+    throw ResultsError(fmt::format("{}; what was written before lies in '{}'", failure.what(), kept.string()));
+  }
+}
+
+}  // namespace trilith::results

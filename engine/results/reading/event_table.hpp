@@ -1,0 +1,17 @@
+// The events of a run as a table in plain text, each below the one that led to it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/file/results.hpp"
+#include "results/file/time_origin.hpp"
+
+namespace trilith::results {
+
+/// One line for each event, '\n' ended: time [s] since `origin`, type, and its text indented below its cause; the
+/// effects of one cause stand in order of time. An event whose cause is not among `events` stands at the left. No
+/// events: a line that says so.
+std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& origin = {});
+
+}  // namespace trilith::results

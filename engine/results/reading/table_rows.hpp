@@ -1,0 +1,210 @@
+// Private to results/: the columns of every table, each named once. `a` is an archive of table_columns.hpp.
+#pragma once
+
+#include "results/file/results.hpp"
+#include "results/reading/table_columns.hpp"
+
+namespace trilith::results {
+
+/// A note made while the run goes.
+struct NoteRow {
+  double time = 0;
+  std::string text;
+};
+
+/// A contact force with the frame it belongs to.
+struct ContactRow {
+  std::int32_t frame = 0;
+  ContactForce contact;
+};
+
+/// How many rows of each growing table are safe to read. Written last at each flush.
+struct Committed {
+  std::int64_t frames = 0, contacts = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0, modes = 0;
+  std::int64_t motions = 0, motion_samples = 0;
+};
+
+template <class A>
+void describe(A& a, typename A::template Of<Committed>& row) {
+  a.number("frames", row.frames, "1", "rows of every data set in /frames but contacts");
+  a.number("contacts", row.contacts, "1", "rows of /frames/contacts");
+  a.number("histories", row.histories, "1", "rows of every data set in /histories");
+  a.number("events", row.events, "1", "rows of /events");
+  a.number("energy", row.energy, "1", "rows of every data set in /energy");
+  a.number("stages", row.stages, "1", "rows of /stages");
+  a.number("notes", row.notes, "1", "rows of /provenance/notes");
+  a.number("modes", row.modes, "1", "rows of every data set in /modes");
+  a.number("motions", row.motions, "1", "rows of /motions/list");
+  a.number("motion_samples", row.motion_samples, "1", "rows of /motions/acceleration");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<ParameterRow>& row) {
+  a.text("name", row.name, 1, "name in the script");
+  a.text("value", row.value, 1, "value in this run");
+  a.text("unit", row.unit, 1, "unit");
+  a.text("default", row.fallback, 1, "declared default");
+  a.text("text", row.text, 1, "what it is");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<BodyRow>& row) {
+  a.text("name", row.name, 1, "name");
+  a.text("kind", row.kind, 1, "kind of body");
+  a.text("material", row.material, 1, "material");
+  a.text("groups", row.groups, 1, "groups, separated by blanks");
+  a.text("support", row.support, 1, "free, fixed or moved");
+  a.number("first_node", row.first_node, "1", "first of its nodes");
+  a.number("node_count", row.node_count, "1", "number of its nodes");
+  a.number("first_vertex", row.first_vertex, "1", "first of its outline points");
+  a.number("vertex_count", row.vertex_count, "1", "number of its outline points");
+  if (a.dim != 3) return;
+  a.number("first_face", row.first_face, "1", "first of its faces");
+  a.number("face_count", row.face_count, "1", "number of its faces");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<LawRow>& row) {
+  a.text("name", row.name, 1, "name");
+  a.text("role", row.role, 1, "material or contact");
+  a.text("first", row.first, 1, "contact: material or group on one side");
+  a.text("second", row.second, 1, "contact: material or group on the other side");
+  a.text("text", row.text, 1, "parameters with units");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<BearingRow>& row) {
+  a.text("name", row.name, 1, "name");
+  a.number("body_a", row.body_a, "1", "row of /model/bodies");
+  a.number("body_b", row.body_b, "1", "row of /model/bodies");
+  a.vector("point_a_", row.point_a, "m", "point on body a, in its axes");
+  a.vector("point_b_", row.point_b, "m", "point on body b, in its axes");
+  a.text("law", row.law, 1, "law with parameters");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<JointRow>& row) {
+  a.number("body_a", row.body_a, "1", "row of /model/bodies");
+  a.number("body_b", row.body_b, "1", "row of /model/bodies");
+  a.number("storey", row.storey, "1", "storey, 0: none");
+  a.number("bonded", row.bonded, "1", "1: with a bond at the start");
+  a.vector("end_0_", row.end_0, "m", "one end at the start, world axes");
+  a.vector("end_1_", row.end_1, "m", "the other end at the start, world axes");
+  if (a.dim != 3) return;
+  a.number("area", row.area, "m^2", "area that the faces share");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<Figure>& row, const char* name, const char* unit, const char* value) {
+  a.text(name, row.name, 24, "what the figure is; empty where unused");
+  a.text(unit, row.unit, 8, "its unit");
+  a.number(value, row.value, "", "the figure, in the unit beside it");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<EventRow>& row) {
+  a.number("id", row.id, "1", "number of the event");
+  a.number("time", row.time, "s", "time");
+  a.number("step", row.step, "1", "steps done");
+  a.number("stage", row.stage, "1", "row of /stages");
+  a.text("type", row.type, 32, "type");
+  a.number("body_a", row.body_a, "1", "row of /model/bodies, -1: none");
+  a.number("body_b", row.body_b, "1", "row of /model/bodies, -1: none");
+  a.number("bearing", row.bearing, "1", "row of /model/bearings, -1: none");
+  a.text("body_a_name", row.body_a_name, 1, "its name");
+  a.text("body_b_name", row.body_b_name, 1, "its name");
+  a.text("bearing_name", row.bearing_name, 1, "its name");
+  a.code("has_place", row.has_place, "1 where x, y are the place of the event");
+  a.vector("", row.place, "m", "place, world axes");
+  describe<A>(a, row.first, "figure_1", "unit_1", "value_1");
+  describe<A>(a, row.second, "figure_2", "unit_2", "value_2");
+  a.number("cause", row.cause, "1", "id of the event that led to this one, -1: none");
+  a.text("text", row.text, 160, "in words");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<StageRow>& row) {
+  a.text("name", row.name, 64, "name");
+  a.text("kind", row.kind, 32, "kind");
+  a.number("begin", row.begin, "s", "time of its begin");
+  a.number("end", row.end, "s", "time of its end; its begin while it runs");
+  a.code("ended", row.ended, "1 once it has ended");
+  a.text("why", row.why, 160, "why it ended");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<ModeRow>& row) {
+  a.number("analysis", row.analysis, "1", "modes found at once have the same");
+  a.number("number", row.number, "1", "by rising frequency, from 1");
+  a.number("time", row.time, "s", "time at which it was found");
+  a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not swing");
+  a.number("damping", row.damping, "1", "ratio to critical damping");
+  a.vector("mass_", row.mass, "kg", "effective mass along each axis");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<MotionRow>& row) {
+  a.number("body", row.body, "1", "row of /model/bodies");
+  a.number("node", row.node, "1", "node of the body that follows it; the others keep their distance");
+  a.text("direction", row.direction, 8, "along which it moves the body: x, y, z or rotation");
+  a.number("begin", row.begin, "s", "time of the run at which its clock is 0");
+  a.number("origin", row.origin, "m", "where the node is along that direction when the displacement is 0");
+  a.number("step", row.step, "s", "between samples");
+  a.number("start_time", row.start_time, "s", "of the first sample, on its clock");
+  a.number("start_velocity", row.start_velocity, "m/s", "at the first sample");
+  a.number("start_displacement", row.start_displacement, "m", "at the first sample");
+  a.number("first_sample", row.first_sample, "1", "first of its rows in /motions/acceleration");
+  a.number("sample_count", row.sample_count, "1", "how many");
+  a.text("record", row.record, 120, "file it was read from");
+  a.text("title", row.title, 120, "event and station");
+  a.text("text", row.text, 240, "record and what was done to it");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<NoteRow>& row) {
+  a.number("time", row.time, "s", "time");
+  a.text("text", row.text, 240, "note or warning");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<ContactRow>& row) {
+  a.number("frame", row.frame, "1", "row of /frames/time");
+  a.vector("", row.contact.point, "m", "point of the resultant, world axes");
+  a.vector("f", row.contact.force, "N", "force on body a, world axes; body b feels the opposite");
+  a.number("body_a", row.contact.body_a, "1", "row of /model/bodies");
+  a.number("body_b", row.contact.body_b, "1", "row of /model/bodies");
+  a.code("state", row.contact.state, "0 bonded, 1 sticking, 2 sliding");
+  if (a.dim != 3) return;
+  a.number("area", row.contact.area, "m^2", "area over which it acts");
+  a.vector("n", row.contact.normal, "1", "unit normal from body a to body b, world axes; 0 where unknown");
+}
+
+/// The type of a table of `Row`, wide enough for every row of `rows`.
+template <class Row>
+TableType table_type(const std::vector<Row>& rows, int dim) {
+  ColumnCollector columns(dim);
+  describe<ColumnCollector>(columns, Row{});
+  for (const Row& row : rows) {
+    columns.start_row();
+    describe<ColumnCollector>(columns, row);
+  }
+  return std::move(columns).finish();
+}
+
+/// Writes `row` to `out`, which holds type.size bytes.
+template <class Row>
+void pack(const TableType& type, int dim, const Row& row, std::byte* out) {
+  Packer packer(type, dim, out);
+  describe<Packer>(packer, row);
+}
+
+/// The row stored at `in`.
+template <class Row>
+Row unpack(const TableType& type, int dim, const std::byte* in) {
+  Row row{};
+  Unpacker unpacker(type, dim, in);
+  describe<Unpacker>(unpacker, row);
+  return row;
+}
+
+}  // namespace trilith::results

@@ -1,0 +1,218 @@
+#include "run/record/body_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/evaluate.hpp"
+#include "base/portable.hpp"
+#include "model/pose.hpp"
+
+namespace trilith {
+namespace {
+
+/// Sum of x f^T over the forces on a body, x from its centroid.
+struct Virial {
+  double xx = 0, xy = 0, yx = 0, yy = 0;
+  void add(const Vec2& x, const Vec2& f) {
+    xx += x.x() * f.x(), xy += x.x() * f.y();
+    yx += x.y() * f.x(), yy += x.y() * f.y();
+  }
+};
+
+/// Centroid: mass-weighted mean of the nodes.
+Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
+  Vec2 sum = Vec2::Zero();
+  double mass = 0;
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+    sum += model.mass[n] * state.position[n];
+    mass += model.mass[n];
+  }
+  return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
+}
+
+/// Loads act at their places as they are now; a pressure at both ends of its face by shares.
+void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
+               std::vector<Virial>& virial) {
+  for (const PointLoad<2>& p : model.point_loads) {
+    const Pose at = pose_at(model, state, p.at);
+    const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
+    virial[p.body].add(at.place - centre[p.body], p.curve.at(state.time) * force);
+  }
+  for (const FaceLoad<2>& f : model.face_loads) {
+    const SkinMotion<2>&a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
+    const Vec2 force = f.curve.at(state.time) * face_force(f, a, b);
+    virial[f.body].add(Vec2(a.x, a.y) - centre[f.body], f.share[0] * force);
+    virial[f.body].add(Vec2(b.x, b.y) - centre[f.body], f.share[1] * force);
+  }
+}
+
+bool is_free(const Model<2>& model, const Body& body) {
+  for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
+    for (const int k : {0, 1})
+      if (model.support[n][k] != Support::free) return false;
+  return true;
+}
+
+bool is_one_of(std::span<const int> bodies, int body) {
+  return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+}
+
+template <int D>
+void add_bearings(const Model<D>& model, const Work<D>& work, std::span<const int> bodies, Vec<D>& force) {
+  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
+    if (is_one_of(bodies, model.bearings[i].body_b)) force += work.bearing_force[i];
+    if (is_one_of(bodies, model.bearings[i].body_a)) force -= work.bearing_force[i];
+  }
+}
+
+}  // namespace
+
+/// Contacts, by the skin points that they push, and bearings; weight and loads are not counted.
+Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> bodies) {
+  Vec2 force = Vec2::Zero();
+  for (const int i : bodies) {
+    const Body& body = model.bodies[static_cast<std::size_t>(i)];
+    for (int s = body.first_skin; s < body.first_skin + body.skins; ++s) force += work.skin_force[s];
+  }
+  add_bearings(model, work, bodies, force);
+  return force;
+}
+
+Vec3 force_on(const Model<3>& model, const Work<3>& work, std::span<const int> bodies) {
+  Vec3 force = Vec3::Zero();
+  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
+    const SolidResultant contact = solid_resultant(model, work, i);
+    if (is_one_of(bodies, contact.body_b)) force += contact.force;
+    if (is_one_of(bodies, contact.body_a)) force -= contact.force;
+  }
+  add_bearings(model, work, bodies, force);
+  return force;
+}
+
+double MeanStress::major() const {
+  return 0.5 * (xx + yy) + portable::hypot(0.5 * (xx - yy), xy);
+}
+double MeanStress::minor() const {
+  return 0.5 * (xx + yy) - portable::hypot(0.5 * (xx - yy), xy);
+}
+
+/// Mean stress = sum over the forces on the body of x f' / volume, x from its centroid (the virial); of a body at rest
+/// that is symmetric, of one that turns its symmetric part is taken. Of held bodies the forces of the supports are not
+/// known, so they have none.
+std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                                    std::span<const TouchingContact> touching) {
+  std::vector<Virial> virial(model.bodies.size());
+  std::vector<Vec2> centre;
+  for (const Body& body : model.bodies) centre.push_back(centre_of(model, state, body));
+  for (const TouchingContact& c : touching) {
+    virial[c.body_b].add(c.resultant.point - centre[c.body_b], c.resultant.force);
+    virial[c.body_a].add(c.resultant.point - centre[c.body_a], -c.resultant.force);
+  }
+  for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
+    const Bearing<2>& b = model.bearings[i];
+    // Each body is pulled where its own end is: what is between the ends belongs to neither. The couple that goes with
+    // it is skew and strains nothing.
+    const Vec2 end_a = pose_at(model, state, b.end_a).place, end_b = pose_at(model, state, b.end_b).place;
+    virial[b.body_a].add(end_a - centre[b.body_a], -work.bearing_force[i]);
+    virial[b.body_b].add(end_b - centre[b.body_b], work.bearing_force[i]);
+  }
+  add_loads(model, state, work, centre, virial);
+  std::vector<MeanStress> stress(model.bodies.size());
+  for (std::size_t i = 0; i < stress.size(); ++i) {
+    const Body& body = model.bodies[i];
+    const double volume = body.area * model.thickness;
+    if (!(volume > 0) || !is_free(model, body)) continue;
+    stress[i] = {virial[i].xx / volume, virial[i].yy / volume, 0.5 * (virial[i].xy + virial[i].yx) / volume};
+  }
+  return stress;
+}
+
+namespace {
+
+/// Of the fastest point of a body.
+double speed_of(const Body& body, const Work<2>& work) {
+  double most = 0;
+  for (int s = body.first_skin; s < body.first_skin + body.skins; ++s)
+    most = std::max(most, portable::hypot(work.skin[s].u, work.skin[s].v));
+  return most;
+}
+double speed_of(const Body& body, const Work<3>& work) {
+  double most = 0;
+  for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p)
+    most = std::max(most, work.solids.speed2[static_cast<std::size_t>(p)]);
+  return std::sqrt(most);
+}
+
+}  // namespace
+
+/// The body with the largest force left over along what it is free in, and the one with the fastest point.
+template <int D>
+WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
+  WorstBodies worst;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
+    if (!model.body_moves(b)) continue;
+    const Body& body = model.bodies[b];
+    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
+      if (!model.moves(n)) continue;
+      Vec<D> left = work.force[n];
+      for (int k = 0; k < D; ++k)
+        if (model.support[n][k] != Support::free) left[k] = 0;
+      if (worst.unbalanced < 0 || left.norm() > worst.force) worst.unbalanced = b, worst.force = left.norm();
+    }
+    const double speed = speed_of(body, work);
+    if (worst.fastest < 0 || speed > worst.speed) worst.fastest = b, worst.speed = speed;
+  }
+  return worst;
+}
+
+template WorstBodies worst_bodies(const Model<2>&, const Work<2>&);
+template WorstBodies worst_bodies(const Model<3>&, const Work<3>&);
+
+namespace {
+
+double pressing(const TouchingContact& c) {
+  return std::abs(c.resultant.normal);
+}
+const ContactResultant& resultant_of(const TouchingContact& c) {
+  return c.resultant;
+}
+double pressing(const SolidResultant& c) {
+  return std::abs(c.normal.dot(c.force));
+}
+const SolidResultant& resultant_of(const SolidResultant& c) {
+  return c;
+}
+
+/// Where the force from one body of the chain to the next passes: several contacts between two are one, at the mean of
+/// their points, weighed by their normal forces.
+template <int D, class Contact>
+std::vector<ThrustPoint<D>> line_through(std::span<const int> chain, std::span<const Contact> touching) {
+  std::vector<ThrustPoint<D>> line;
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    ThrustPoint<D> p{chain[i], chain[i + 1], Vec<D>::Zero(), Vec<D>::Zero()};
+    double weight = 0;
+    for (const Contact& c : touching) {
+      const bool forward = c.body_a == p.body_a && c.body_b == p.body_b;
+      if (!forward && !(c.body_a == p.body_b && c.body_b == p.body_a)) continue;
+      const double size = pressing(c);
+      p.point += size * resultant_of(c).point;
+      p.force += (forward ? 1.0 : -1.0) * resultant_of(c).force;
+      weight += size;
+    }
+    if (!(weight > 0)) continue;
+    p.point /= weight;
+    line.push_back(p);
+  }
+  return line;
+}
+
+}  // namespace
+
+std::vector<ThrustPoint<2>> thrust_line(std::span<const int> chain, std::span<const TouchingContact> touching) {
+  return line_through<2>(chain, touching);
+}
+std::vector<ThrustPoint<3>> thrust_line(std::span<const int> chain, std::span<const SolidResultant> touching) {
+  return line_through<3>(chain, touching);
+}
+
+}  // namespace trilith

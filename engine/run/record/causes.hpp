@@ -1,0 +1,30 @@
+// Which event led to which: ids, and the last thing that befell each body.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/event.hpp"
+
+namespace trilith {
+
+/// Numbers events and names their causes: the latest event that loaded or loosened one of the bodies concerned (failure
+/// or change of a bearing, lost seat, impact, broken bond), else the stage. Contacts made and lost, and rest, cause
+/// nothing.
+class Causes {
+ public:
+  explicit Causes(int bodies) : last_(static_cast<std::size_t>(bodies), -1) {}
+
+  /// There are so many bodies from now on, not fewer than before.
+  void grow(std::size_t bodies) { last_.resize(bodies, -1); }
+  /// Sets `id` and `cause` of `event`.
+  void name(Event& event);
+
+ private:
+  std::vector<std::int64_t> last_;  // [body] id of the last event that can be a cause, or -1
+  std::int64_t stage_ = -1;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace trilith

@@ -1,0 +1,258 @@
+#include "statics/load_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "assembly/evaluate.hpp"
+#include "assembly/node_forces.hpp"
+#include "base/error.hpp"
+#include "model/loads.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/load_path_walk.hpp"
+
+namespace trilith {
+namespace {
+
+/// A step that fails is cut to this share.
+constexpr double cut_of_path = 0.5;
+/// Beside the stiffest frequency squared: keeps the tangent regular where something is free to move, and no more.
+constexpr double hold_of_loose = 1e-13;
+/// Failed arcs in a row before dissipation control is tried.
+constexpr int arcs_before_detour = 2;
+/// Loads below this share of the largest one are carried by nothing but the hold of what is loose.
+constexpr double nothing_carried = 1e-9;
+template <int D>
+Model<D> scaled(const Model<D>& model, const std::string& name, double factor) {
+  Model<D> out = model;
+  scale_loads(out, name, factor);
+  return out;
+}
+
+/// The loads that are scaled, alone and full.
+template <int D>
+Model<D> reference_of(const Model<D>& model, const std::string& name) {
+  Model<D> out = model;
+  std::fill(out.load.begin(), out.load.end(), Vec<D>::Zero());
+  const auto is_other = [&](const auto& load) { return !name.empty() && load.name != name; };
+  std::erase_if(out.point_loads, is_other);
+  std::erase_if(out.face_loads, is_other);
+  if (!out.loaded()) throw InputError("load path: no point or face load is called '" + name + "'");
+  return out;
+}
+
+}  // namespace
+
+template <int D>
+LoadPathWalk<D>::LoadPathWalk(const Model<D>& model, const State<D>& state, const LoadPathOptions<D>& options,
+                              LoadPath& out)
+    : options_(options),
+      out_(out),
+      loaded_(scaled(model, options.loads, options.begin)),
+      full_(model),
+      reference_(reference_of(model, options.loads)),
+      trial_(loaded_, state),
+      factor_(options.begin),
+      last_factor_(options.begin),
+      control_(options.control) {
+  const DofGraph<D>& coupling = trial_.coupling();
+  // S: masses and inertias over the sum of the masses along x and y.
+  share_.resize(coupling.size());
+  double sum = 0;
+  for (int i = 0; i < coupling.size(); ++i) {
+    share_[i] = trial_.mass_at(i);
+    if (!is_turn<D>(coupling.freedom[i])) sum += share_[i];
+  }
+  share_ /= sum;
+  // One row of weights: the followed displacement is their product with the way.
+  followed_ = Eigen::VectorXd::Zero(coupling.size());
+  for (const FollowedFreedom& f : options.followed) {
+    const int i = coupling.unknown[f.freedom.node][f.freedom.k];
+    if (i < 0) throw InputError("load path: a followed degree of freedom is not free");
+    followed_[i] += f.weight;
+  }
+  origin_ = followed_place();
+  trial_.find_tangent(1);  // tells how stiff it is
+}
+
+template <int D>
+double LoadPathWalk<D>::followed_place() const {
+  double sum = 0;
+  const State<D>& s = trial_.state();
+  for (const auto& [f, weight] : options_.followed) sum += weight * place_along(s, f.node, f.k);
+  return sum - origin_;
+}
+
+template <int D>
+void LoadPathWalk<D>::set_factor(double factor) {
+  factor_ = factor;
+  loaded_.point_loads = full_.point_loads, loaded_.face_loads = full_.face_loads;
+  scale_loads(loaded_, options_.loads, factor);
+}
+
+template <int D>
+void LoadPathWalk<D>::move(const Eigen::VectorXd& by, double factor) {
+  trial_.move(by, 1);
+  set_factor(factor_ + factor);
+  trial_.evaluate_here();
+}
+
+/// The scaled loads at the factor 1 on the unknowns, where the bodies are now.
+/// The loads of `reference_` are written to Work for this alone, and those of `loaded_` put back.
+template <int D>
+void LoadPathWalk<D>::find_loads() {
+  Work<D>& work = trial_.work();
+  apply_loads(reference_, trial_.state(), work);
+  const DofGraph<D>& coupling = trial_.coupling();
+  loads_.resize(coupling.size());
+  for (int i = 0; i < coupling.size(); ++i) {
+    const auto [n, k] = coupling.freedom[i];
+    loads_[i] = dofs_of(work.load[n], work.load_moment[n])[k];
+  }
+  apply_loads(loaded_, trial_.state(), work);
+}
+
+/// The tangent at the present place, and what the loads move by it.
+template <int D>
+bool LoadPathWalk<D>::solve_loads() {
+  if (!trial_.find_tangent(hold_of_loose * trial_.highest_square())) return false;
+  find_loads();
+  per_factor_ = trial_.solve(loads_);
+  return per_factor_.allFinite();
+}
+
+/// True where the path is to go on from it.
+template <int D>
+bool LoadPathWalk<D>::add_point(int iterations) {
+  // Of the path by arcs, whatever it is controlled by: limit points are looked for over it.
+  const double length = last_way_.size() == 0 ? 0 : std::sqrt(inner(last_way_, last_way_));
+  const double before = out_.points.empty() ? 0 : out_.points.back().length;
+  out_.points.push_back(
+      {factor_, followed_place(), before + length, iterations, out_.events.size() + trial_.events().size()});
+  look_for_limit();
+  return !options_.goes_on || options_.goes_on(out_.points.back(), trial_.state());
+}
+
+/// A limit point lies about the last but one point where the factor rises before it and falls after it, or the other
+/// way round: the end of the parabola over the length of the path.
+template <int D>
+void LoadPathWalk<D>::look_for_limit() {
+  if (out_.points.size() < 3) return;
+  const PathPoint* p = &out_.points[out_.points.size() - 3];
+  const double before = p[1].factor - p[0].factor, after = p[2].factor - p[1].factor;
+  if (!(before * after < 0)) return;
+  const double s0 = p[0].length - p[1].length, s2 = p[2].length - p[1].length;
+  const auto parabola = [&](double y0, double y1, double y2) {  // slope and half the bend at the middle point
+    const double to0 = (y0 - y1) / s0, to2 = (y2 - y1) / s2;
+    const double bend = (to2 - to0) / (s2 - s0);
+    return std::pair(to2 - bend * s2, bend);
+  };
+  const auto [slope, bend] = parabola(p[0].factor, p[1].factor, p[2].factor);
+  const auto [rate, turn] = parabola(p[0].displacement, p[1].displacement, p[2].displacement);
+  const double at = -0.5 * slope / bend;
+  out_.limits.push_back(
+      {p[1].factor + at * (slope + bend * at), p[1].displacement + at * (rate + turn * at), before > 0});
+}
+
+/// The step is cut short where it would go beyond the end; 0 there.
+template <int D>
+double LoadPathWalk<D>::size_to_go(double size) const {
+  if (options_.control == PathControl::arc) return size;
+  const double now = options_.control == PathControl::load ? factor_ : followed_place(), left = options_.to - now;
+  if (size * left <= 0 || std::abs(left) <= condition_share * std::abs(size)) return 0;
+  return std::abs(left) < std::abs(size) ? left : size;
+}
+
+/// False where the last point carries next to nothing of the largest load: the parts have come apart.
+template <int D>
+bool LoadPathWalk<D>::resists() const {
+  if (last_way_.size() == 0 || out_.points.size() < 3 || options_.control != PathControl::arc) return true;
+  double most = 0;
+  for (const PathPoint& p : out_.points) most = std::max(most, std::abs(p.factor));
+  const double limit = nothing_carried * most;
+  return std::abs(out_.points.back().factor) > limit;
+}
+
+template <int D>
+void LoadPathWalk<D>::follow() {
+  const double first = std::abs(options_.first);
+  const double longest = options_.longest > 0 ? options_.longest : 10 * first;
+  const double shortest = options_.shortest > 0 ? options_.shortest : 1e-5 * first;
+  double size = options_.first;
+  longest_ = longest;
+  int failed = 0;
+  bool on = add_point(0);
+  while (on) {
+    const double now = size_to_go(size);
+    out_.end = now == 0                                                       ? PathEnd::arrived
+               : static_cast<int>(out_.points.size()) >= options_.most_points ? PathEnd::most_points
+                                                                              : PathEnd::stuck;
+    if (out_.end != PathEnd::stuck || std::abs(size) < shortest) return;
+    const bool by_arc = options_.control == PathControl::arc;
+    const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
+    if (!goes_on_softening && !arc(now)) {
+      size = cut_of_path * now, ++out_.cuts;
+      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || jump() || leap(now))) continue;
+      size = std::min(first, std::max(length_of(last_way_), shortest));
+    }
+    failed = 0;
+    on = add_point(taken_);
+    if (on && !resists()) {
+      out_.end = PathEnd::no_resistance;
+      return;
+    }
+    if (energy_ > 0) continue;
+    // Few iterations: a longer step; the root keeps it from swinging.
+    size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_path_change,
+                       most_path_change);
+    size = std::copysign(std::min(std::abs(size), longest), size);
+  }
+  out_.end = PathEnd::arrived;
+}
+
+namespace {
+
+template <int D>
+void check_path(const LoadPathOptions<D>& o) {
+  require_finite(o.begin, "load path: factor at the begin");
+  require_finite(o.first, "load path: first step");
+  require_positive(std::abs(o.first), "load path: size of the first step", "");
+  require_positive(o.tolerance, "load path: tolerance", "");
+  require_not_negative(o.longest, "load path: longest step", "");
+  require_not_negative(o.shortest, "load path: shortest step", "");
+  if (o.most_points < 1 || o.most_iterations < 1 || o.wanted_iterations < 1)
+    throw InputError("load path: most points, most iterations and wanted iterations must be at least 1");
+  if (o.control == PathControl::displacement && o.followed.empty())
+    throw InputError("load path: displacement control needs a degree of freedom to follow");
+}
+
+}  // namespace
+
+template <int D>
+LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOptions<D>& options) {
+  check_path(options);
+  LoadPath out;
+  State<D> resting = state;
+  EquilibriumOptions rest;
+  rest.tolerance = options.tolerance;
+  Equilibrium e = find_equilibrium(scaled(model, options.loads, options.begin), resting, rest);
+  out.left = e.left, out.worst = e.worst, out.iterations = e.iterations, out.events = std::move(e.events);
+  if (!e.converged) return out;
+  LoadPathWalk<D> path(model, resting, options, out);
+  path.follow();
+  state = path.finish();
+  return out;
+}
+
+template void LoadPathWalk<2>::set_factor(double);
+template void LoadPathWalk<3>::set_factor(double);
+template void LoadPathWalk<2>::move(const Eigen::VectorXd&, double);
+template void LoadPathWalk<3>::move(const Eigen::VectorXd&, double);
+template bool LoadPathWalk<2>::solve_loads();
+template bool LoadPathWalk<3>::solve_loads();
+template double LoadPathWalk<2>::followed_place() const;
+template double LoadPathWalk<3>::followed_place() const;
+template LoadPath follow_loads(const Model<2>&, State<2>&, const LoadPathOptions<2>&);
+template LoadPath follow_loads(const Model<3>&, State<3>&, const LoadPathOptions<3>&);
+
+}  // namespace trilith

@@ -1,0 +1,295 @@
+// The steps of a load path: by its control, and under dissipation and displacement control where joints break.
+#include <algorithm>
+#include <limits>
+
+#include "statics/load_path_walk.hpp"
+
+namespace trilith {
+namespace {
+
+/// Dissipation control that fails is cut to this share, so many times; it begins with this share of the energy that
+/// going on would give off.
+constexpr int most_detour_cuts = 10;
+constexpr double cut_of_detour = 0.25, share_of_overshoot = 0.1;
+/// A step without dissipation gives off less than this share of the last step's energy per length.
+constexpr double idle_share = 1e-3;
+/// Energy differences are taken over this share of the step.
+constexpr double share_of_step = 1e-4;
+
+}  // namespace
+
+/// What the condition of a step of this size is off by: of the factor, the displacement, or the arc's square.
+template <int D>
+double LoadPathWalk<D>::condition(double size) const {
+  const Eigen::VectorXd way = trial_.way();
+  switch (control_) {
+    case PathControl::load:
+      return factor_ - last_factor_ - size;
+    case PathControl::displacement:
+      return followed_.dot(way) - size;
+    case PathControl::dissipation:
+      return trial_.dissipated() - size;
+    case PathControl::arc:
+      break;
+  }
+  return inner(way, way) - size * size;
+}
+
+/// How the condition changes with a move of all unknowns, the factor kept.
+template <int D>
+double LoadPathWalk<D>::change(const Eigen::VectorXd& by) {
+  switch (control_) {
+    case PathControl::load:
+      return 0;
+    case PathControl::displacement:
+      return followed_.dot(by);
+    case PathControl::dissipation:
+      return dissipation_along(by);
+    case PathControl::arc:
+      break;
+  }
+  return 2 * inner(trial_.way(), by);
+}
+
+/// The directional derivative of the energy that the trial has given off, by central differences: so it holds for
+/// every law. The trial ends where it was.
+template <int D>
+double LoadPathWalk<D>::dissipation_along(const Eigen::VectorXd& by) {
+  const double size = length_of(by);
+  if (!(size > 0)) return 0;
+  const double share = share_of_step * length_of(trial_.way()) / size;
+  const auto at = [&](double moved) {
+    trial_.move(by, moved);
+    trial_.evaluate_here();
+    return trial_.dissipated();
+  };
+  const double more = at(share), less = at(-2 * share);
+  at(share);
+  return (more - less) / (2 * share);
+}
+
+/// The trial at a share of a move from the step's begin.
+template <int D>
+void LoadPathWalk<D>::try_at(const Eigen::VectorXd& direction, double factor, double share) {
+  trial_.go_back();
+  set_factor(last_factor_);
+  move(share * direction, share * factor);
+}
+
+/// The share of a move at which the trial has given off this energy; unbounded where it does not within twice the
+/// longest arc.
+template <int D>
+double LoadPathWalk<D>::reach(const Eigen::VectorXd& direction, double factor, double energy) {
+  const double most = 2 * longest_ / length_of(direction);
+  const auto dissipated = [&](double share) {
+    try_at(direction, factor, share);
+    return trial_.dissipated();
+  };
+  double low = 0, high = 1e-6 * most;
+  while (!(dissipated(high) >= energy)) {
+    low = high, high *= 4;
+    if (high > most) return std::numeric_limits<double>::infinity();
+  }
+  for (int i = 0; i < 30 && high - low > 1e-6 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (dissipated(middle) >= energy ? high : low) = middle;
+  }
+  return high;
+}
+
+/// A step under dissipation control begins on the loading branch of every softening point: on along the last step, or
+/// along the tangent either way, whichever gives the energy off over the shortest way. At a sharp snap-back the tangent
+/// at the last equilibrium is of neither branch, and Newton's method would change between the two.
+template <int D>
+bool LoadPathWalk<D>::predict_dissipation(double energy) {
+  std::vector<std::pair<Eigen::VectorXd, double>> directions;
+  if (last_way_.size() > 0) directions.emplace_back(last_way_, last_rise_);
+  if (solve_loads()) {
+    directions.emplace_back(per_factor_, 1.0);
+    directions.emplace_back(-per_factor_, -1.0);
+  }
+  const std::pair<Eigen::VectorXd, double>* best = nullptr;
+  double shortest = std::numeric_limits<double>::infinity(), best_share = 0;
+  for (const auto& direction : directions) {
+    const double share = reach(direction.first, direction.second, energy);
+    const double length = share * length_of(direction.first);
+    if (length < shortest) shortest = length, best_share = share, best = &direction;
+  }
+  if (best == nullptr) return false;
+  try_at(best->first, best->second, best_share);
+  return true;
+}
+
+/// The first move of a step, along the tangent; an arc goes on the way the last one went, or the other way.
+template <int D>
+bool LoadPathWalk<D>::predict(double size, bool reversed) {
+  if (control_ == PathControl::dissipation) return predict_dissipation(size);
+  if (!solve_loads()) return false;
+  double factor = size;
+  if (control_ == PathControl::displacement) factor = size / followed_.dot(per_factor_);
+  if (control_ == PathControl::arc) {
+    factor = size / std::sqrt(inner(per_factor_, per_factor_));
+    if (last_way_.size() > 0 && inner(last_way_, per_factor_) < 0)
+      factor = -std::abs(factor);
+    else if (last_way_.size() > 0)
+      factor = std::abs(factor);
+    if (reversed) factor = -factor;
+  }
+  if (!std::isfinite(factor)) return false;
+  move(factor * per_factor_, factor);
+  return true;
+}
+
+/// Newton's iterations for equilibrium and condition at once: the tangent is solved for what is left over and for the
+/// loads, and the factor is what the condition asks for (bordering).
+template <int D>
+bool LoadPathWalk<D>::correct(double size) {
+  for (int i = 0;; ++i) {
+    trial_.measure(0);
+    out_.left = trial_.share(), out_.worst = trial_.worst();
+    const double off = condition(size), unit = control_ == PathControl::arc ? size * size
+                                               : size != 0                  ? std::abs(size)
+                                                                            : longest_;
+    if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
+    if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
+    if (i == options_.most_iterations) return false;
+    ++out_.iterations;
+    if (!solve_loads()) return false;
+    const Eigen::VectorXd rest = trial_.solve(trial_.left());
+    // g + g_x (dx_r + dfactor dx_q) + g_factor dfactor = 0, solved for dfactor.
+    const double by_factor = change(per_factor_) + (control_ == PathControl::load ? 1 : 0);
+    const double factor = -(off + change(rest)) / by_factor;
+    if (!std::isfinite(factor)) return false;
+    move(rest + factor * per_factor_, factor);
+  }
+}
+
+/// Cosine between this step and the last one; 1 where there is none.
+template <int D>
+double LoadPathWalk<D>::turned() const {
+  if (last_way_.size() == 0 || control_ != PathControl::arc) return 1;
+  const Eigen::VectorXd way = trial_.way();
+  return inner(way, last_way_) / std::sqrt(inner(way, way) * inner(last_way_, last_way_));
+}
+
+/// An arc that follows a step with dissipation, gives off none and lowers the load: softening points unload, and it
+/// goes back towards the unloaded structure.
+template <int D>
+bool LoadPathWalk<D>::unloads() const {
+  if (control_ != PathControl::arc || last_way_.size() == 0 || !(last_energy_ > 0)) return false;
+  const double expected = last_energy_ * length_of(trial_.way()) / length_of(last_way_);
+  return trial_.dissipated() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
+}
+
+/// An arc over fracture may leap from one branch to another, whatever that costs in energy: such a step is left to
+/// dissipation control, as long as that finds one.
+template <int D>
+bool LoadPathWalk<D>::fractures() const {
+  return control_ == PathControl::arc && !may_leap_ && last_way_.size() > 0 && trial_.fractured() > least_energy();
+}
+
+/// Tries a step of this size. Where it fails all is as it was.
+template <int D>
+bool LoadPathWalk<D>::step(double size, bool reversed) {
+  const int before = out_.iterations;
+  // An arc that has turned by more than a right angle would go back on the path it came by.
+  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures()) {
+    last_way_ = trial_.way();
+    last_rise_ = factor_ - last_factor_;
+    last_factor_ = factor_;
+    last_energy_ = trial_.dissipated() > least_energy() ? trial_.dissipated() : 0;
+    trial_.keep_carried();
+    trial_.accept();
+    taken_ = out_.iterations - before;
+    return true;
+  }
+  set_factor(last_factor_);
+  trial_.go_back();
+  return false;
+}
+
+/// A step under dissipation control: where softening turns the path sharply. The energy is that of the last such step,
+/// or what going on by `size` would give off.
+template <int D>
+bool LoadPathWalk<D>::dissipate(double size) {
+  if (last_way_.size() == 0) return false;
+  if (!(energy_ > 0)) {
+    const double length = length_of(last_way_);
+    for (double share = size / length; share * length < 2 * longest_ && !(energy_ > 0); share *= 2) {
+      try_at(last_way_, last_rise_, share);
+      energy_ = share_of_overshoot * trial_.dissipated();
+    }
+    set_factor(last_factor_), trial_.go_back();
+  }
+  if (!(energy_ > least_energy())) {
+    energy_ = 0;
+    return false;
+  }
+  control_ = PathControl::dissipation;
+  double energy = energy_;
+  bool found = false;
+  for (int i = 0; i < most_detour_cuts && !found && energy > least_energy(); ++i) {
+    found = step(energy);
+    if (!found) energy *= cut_of_detour, ++out_.cuts;
+  }
+  control_ = options_.control;
+  if (!found) {
+    energy_ = 0;
+    return false;
+  }
+  const double faster = std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_));
+  energy_ = energy * std::min(std::clamp(faster, least_path_change, most_path_change), longest_ / length_of(last_way_));
+  return true;
+}
+
+/// Over the loss of a brittle bond, where the path itself jumps: the first bond to go along the path is broken alone,
+/// and equilibrium is found again at the same displacement. More bonds go there only as that equilibrium asks for it.
+template <int D>
+bool LoadPathWalk<D>::jump() {
+  if (last_way_.size() == 0 || options_.followed.empty()) return false;
+  const Eigen::VectorXd way = last_way_;
+  const double rise = last_rise_;
+  if (!predict_dissipation(least_energy())) {
+    set_factor(last_factor_), trial_.go_back();
+    return false;
+  }
+  trial_.accept();
+  last_factor_ = factor_;
+  control_ = PathControl::displacement;
+  const bool found = step(0);
+  control_ = options_.control;
+  // The path goes on as it went before the bond was lost.
+  last_way_ = way, last_rise_ = rise, last_energy_ = 0;
+  if (found) ++out_.jumps;
+  return found;
+}
+
+/// The last resort: an arc that may go over fracture.
+template <int D>
+bool LoadPathWalk<D>::leap(double size) {
+  may_leap_ = true;
+  const bool found = step(size);
+  may_leap_ = false;
+  return found;
+}
+
+/// One step of an arc, and its other way where the first one unloads.
+template <int D>
+bool LoadPathWalk<D>::arc(double size) {
+  may_leap_ = options_.control != PathControl::arc;
+  if (step(size)) return true;
+  return options_.control == PathControl::arc && last_energy_ > 0 && step(size, true);
+}
+
+template bool LoadPathWalk<2>::step(double, bool);
+template bool LoadPathWalk<3>::step(double, bool);
+template bool LoadPathWalk<2>::arc(double);
+template bool LoadPathWalk<3>::arc(double);
+template bool LoadPathWalk<2>::dissipate(double);
+template bool LoadPathWalk<3>::dissipate(double);
+template bool LoadPathWalk<2>::jump();
+template bool LoadPathWalk<3>::jump();
+template bool LoadPathWalk<2>::leap(double);
+template bool LoadPathWalk<3>::leap(double);
+
+}  // namespace trilith

@@ -1,0 +1,92 @@
+// One path of equilibria, as statics/load_path.hpp describes it: its steps (load_path_steps.cpp), and how they follow
+// each other (load_path.cpp).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "statics/load_path.hpp"
+#include "statics/static_trial.hpp"
+
+namespace trilith {
+
+/// From one step to the next sizes change by these factors at most.
+inline constexpr double least_path_change = 0.5, most_path_change = 2;
+/// The condition of a step is met to this share of it.
+inline constexpr double condition_share = 1e-7;
+
+/// One path.
+/// Unknowns x and factor; one step from the last equilibrium:
+///
+///     factor |        _.-o  correct: dx = dx_r + dfactor dx_q, until F = 0 and the condition hold at once
+///            |     .'  /    predict: along the tangent, dx_q = A^-1 q
+///            |   o'---x
+///            +------------ x
+///
+/// All states on the way are the trial's; the factor is set by scaling the loads of `loaded_`, which it evaluates.
+template <int D>
+class LoadPathWalk {
+ public:
+  LoadPathWalk(const Model<D>& model, const State<D>& state, const LoadPathOptions<D>& options, LoadPath& out);
+
+  void follow();
+  State<D> finish() {
+    out_.events.insert(out_.events.end(), trial_.events().begin(), trial_.events().end());
+    return trial_.finish();
+  }
+
+ private:
+  bool step(double size, bool reversed = false);
+  bool arc(double size);
+  bool dissipate(double size);
+  bool jump();
+  bool leap(double size);
+  [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
+  [[nodiscard]] bool resists() const;
+  [[nodiscard]] bool fractures() const;
+  bool predict(double size, bool reversed);
+  bool predict_dissipation(double energy);
+  double reach(const Eigen::VectorXd& direction, double factor, double energy);
+  void try_at(const Eigen::VectorXd& direction, double factor, double share);
+  double dissipation_along(const Eigen::VectorXd& by);
+  bool correct(double size);
+  void move(const Eigen::VectorXd& by, double factor);
+  void set_factor(double factor);
+  void find_loads();
+  bool solve_loads();
+  [[nodiscard]] double condition(double size) const;
+  [[nodiscard]] double change(const Eigen::VectorXd& by);
+  [[nodiscard]] double turned() const;
+  [[nodiscard]] bool unloads() const;
+  [[nodiscard]] double length_of(const Eigen::VectorXd& way) const { return std::sqrt(inner(way, way)); }
+  [[nodiscard]] double inner(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+    return (a.array() * share_ * b.array()).sum();
+  }
+  bool add_point(int iterations);
+  void look_for_limit();
+  [[nodiscard]] double followed_place() const;
+  [[nodiscard]] double size_to_go(double size) const;
+
+  const LoadPathOptions<D>& options_;
+  LoadPath& out_;
+  Model<D> loaded_;           // as it is
+  const Model<D> full_;       // ... with its loads at the factor 1
+  const Model<D> reference_;  // with the scaled loads alone
+  StaticTrial<D> trial_;
+  double factor_, last_factor_;
+  PathControl control_;  // of the present step
+  double origin_ = 0, longest_ = 0;
+  double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
+  bool may_leap_ = false;                   // see fractures()
+  double energy_ = 0;                       // next step under dissipation control [J]; 0: none yet
+  int taken_ = 0;                           // iterations of the last step
+  Eigen::ArrayXd share_;                    // of the mass, by unknown
+  Eigen::VectorXd followed_;                // weights, by unknown
+  Eigen::VectorXd loads_, per_factor_;      // by unknown: of the factor 1; what they move at the present tangent
+  Eigen::VectorXd last_way_;                // of the last step
+};
+
+}  // namespace trilith

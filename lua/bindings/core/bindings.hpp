@@ -1,0 +1,70 @@
+// What each file of bindings adds to the module table, in one list.
+#pragma once
+
+#include "bindings/core/handles.hpp"
+
+namespace trilith::script {
+
+Host& host(lua_State* L);
+
+// Each adds its functions to the table on top of the stack.
+void open_units(lua_State* L);         ///< units, params
+void open_math(lua_State* L);          ///< math.sin, math.exp, ...
+void open_laws(lua_State* L);          ///< frictional, bonded, linear, ...
+void open_sections(lua_State* L);      ///< rectangle_section, i_section, ...
+void open_yields(lua_State* L);        ///< fibre_section, kent_park, end_hinge, ...
+void open_motions(lua_State* L);       ///< motion
+void open_build(lua_State* L);         ///< build.block, build.arch, ...
+void open_study(lua_State* L);         ///< study
+void open_core(lua_State* L);          ///< for the library only: model, wake, fail, ...
+void open_declarations(lua_State* L);  ///< for the library only: what is declared of kinds and laws
+
+// Methods of a model, file by file.
+std::span<const Method> parts_methods();     ///< material, contact, body, add, pier, span, ...
+std::span<const Method> bearing_methods();   ///< bearing, seat
+std::span<const Method> bridge_methods();    ///< bearing_type, span
+std::span<const Method> frame_methods();     ///< beam, frame
+std::span<const Method> stage_methods();     ///< run, consolidate, shake, drive, tilt, stop
+std::span<const Method> load_methods();      ///< point_load
+std::span<const Method> pressure_methods();  ///< pressure
+std::span<const Method> release_methods();   ///< fix, free, set_load, release
+std::span<const Method> pushover_methods();  ///< pushover
+std::span<const Method> finding_methods();   ///< joints, thrust_line
+std::span<const Method> modes_methods();     ///< modes
+std::span<const Method> debug_methods();     ///< step, rewind, checkpoints
+std::span<const Method> change_methods();    ///< change
+std::span<const Method> reading_methods();   ///< bodies, contacts, history, results, explain_dt
+
+/// body:forces and body:hinges, of beams and frames.
+int push_member_forces(lua_State* L);
+int push_member_hinges(lua_State* L);
+int push_member_fibres(lua_State* L);
+
+/// Highest number of a storey ("storey 3") among the groups of the bodies so far.
+int storey_count(const ScriptModel& model);
+/// Of the model, over all: base shear, drift, damage, openings; InputError where there is nothing to build.
+std::span<const Property<ModelBox>> finding_properties();
+/// Of the model: force and displacement of its pushes.
+std::span<const Property<ModelBox>> pushover_properties();
+
+/// Of the model: worst.
+std::span<const Property<ModelBox>> debug_properties();
+/// For the library: pause, resume, compare, laws of a model.
+void open_debug(lua_State* L);
+void open_compare(lua_State* L);
+void open_change(lua_State* L);
+void open_modes(lua_State* L);
+void open_bridge(lua_State* L);  ///< for the library: bearing types, laid at the ends of spans
+void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping of contacts, what is usual
+
+/// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
+void push_event(lua_State* L, int model_index, const Event& event);
+
+/// A note on what is done to `model` now: told at once while a stage runs, else with the others as one begins.
+void tell_note(lua_State* L, ScriptModel& model, const std::string& text);
+
+/// Name in `model` of a contact law: `name`, its own, that of a law with the same numbers, or a new one; the builder
+/// knows it from now on. Throws InputError where another law has that name.
+std::string require_law(ScriptModel& model, const ContactLawValue& law, const std::string& name);
+
+}  // namespace trilith::script

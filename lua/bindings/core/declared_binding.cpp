@@ -1,0 +1,226 @@
+// What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
+// scripts.
+#include <filesystem>
+
+#include "bindings/core/bindings.hpp"
+#include "bindings/core/open.hpp"
+#include "bindings/core/table_fields.hpp"
+#include "build/plane/list.hpp"
+#include "model/plausible_ranges.hpp"
+
+namespace trilith::script {
+namespace {
+
+template <class H>
+void push_properties(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const Property<H>& p : Kind<H>::properties()) {
+    lua_newtable(L);
+    set_text(L, "name", p.name);
+    set_text(L, "unit", p.unit);
+    set_text(L, "doc", p.doc);
+    lua_pushboolean(L, p.number != nullptr ? 1 : 0);
+    lua_setfield(L, -2, "number");
+    lua_pushboolean(L, p.set != nullptr ? 1 : 0);
+    lua_setfield(L, -2, "settable");
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+template <class H>
+bool push_kind(lua_State* L, std::string_view name) {
+  if (name != Kind<H>::name) return false;
+  push_properties<H>(L);
+  return true;
+}
+
+template <class... Hs>
+bool push_any_kind(lua_State* L, std::string_view name) {
+  return (push_kind<Hs>(L, name) || ...);
+}
+
+/// core.properties(kind): list of { name, unit, doc, number, settable }; nil where there is no such kind.
+int properties(lua_State* L) {
+  const std::string name = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
+  return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
+                       MotionValue, ContactLawValue, DirectionLawValue, SolidLawValue, FibreLawValue, HingeLawValue,
+                       SectionValue>(L, name)
+             ? 1
+             : 0;
+}
+
+struct PushLaw {
+  lua_State* L;
+  template <class T>
+  void operator()() const {
+    if constexpr (Declared<T>) {
+      lua_newtable(L);
+      set_text(L, "doc", T::sentence);
+      lua_newtable(L);
+      lua_Integer i = 0;
+      for (const Parameter<T>& p : T::parameters()) {
+        lua_newtable(L);
+        set_text(L, "name", p.name);
+        set_text(L, "unit", p.unit);
+        set_text(L, "doc", p.sentence);
+        const std::string usual = plausible_range_text(p.name, p.unit);
+        set_text(L, "range", p.range() + (usual.empty() ? "" : ", ") + usual);
+        if (!p.required()) {
+          lua_pushnumber(L, p.preset);
+          lua_setfield(L, -2, "preset");
+        }
+        lua_rawseti(L, -2, ++i);
+      }
+      lua_setfield(L, -2, "parameters");
+      lua_setfield(L, -2, std::string(T::name).c_str());
+    }
+  }
+};
+
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in six tables: laws of
+/// contacts, of a bearing's directions, of solids, of fibres, of hinges; shapes of sections.
+int laws(lua_State* L) {
+  lua_newtable(L);
+  ContactLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  DirectionLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  SolidLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  UniaxialLaws::for_each(PushLaw{L});
+  lua_newtable(L);
+  TypeList<HingeLaw>::for_each(PushLaw{L});
+  lua_newtable(L);
+  SectionShapes::for_each(PushLaw{L});
+  return 6;
+}
+
+/// A builder's keys as pages of the manual say them: a line each of name, kind and sentence.
+template <DeclaredBuilder B>
+std::string builder_keys() {
+  const std::string name = B{}.name;
+  std::string text = name.empty() ? "name  text?  its name" : fmt::format("name  text = \"{}\"  its name", name);
+  for (const Parameter<B>& p : B::parameters())
+    text += fmt::format("\n{}  number{}{}{}  {}", p.name, p.unit == "1" ? "" : " ", p.unit == "1" ? "" : p.unit,
+                        p.required() ? "" : fmt::format(" = {:g}", p.preset), p.sentence);
+  return text;
+}
+
+/// core.builders(): rows of the manual's `makers` for the builders that declared numbers describe.
+int builders(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer row = 0;
+  DeclaredBuilders::for_each([&]<class B>() {
+    lua_newtable(L);
+    set_text(L, "name", B::kind);
+    set_text(L, "doc", B::sentence);
+    set_text(L, "keys", builder_keys<B>());
+    lua_rawseti(L, -2, ++row);
+  });
+  return 1;
+}
+
+/// core.manual_pages(): the pages of the manual, each a function that gives its table.
+int manual_pages(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const LibraryFile* file = library_files(); file->name != nullptr; ++file) {
+    if (!std::string_view(file->name).starts_with("manual/")) continue;
+    load_library_file(L, file->name);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.files_in(folder): what is in it, folders with a slash behind; nothing where it cannot be read.
+int files_in(lua_State* L) {
+  std::error_code error;
+  lua_newtable(L);
+  lua_Integer count = 0;
+  for (std::filesystem::directory_iterator at(text_at(L, 1), error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    const std::string name = at->path().filename().string() + (at->is_directory(ignored) ? "/" : "");
+    lua_pushlstring(L, name.data(), name.size());
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
+}
+
+/// core.event_names(): names of all kinds of events.
+int event_names(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const EventTypeInfo& e : event_type_info) {
+    lua_pushlstring(L, e.name.data(), e.name.size());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.event_types(): of each kind of event its name, what its value is, the unit, and whether it has a place and the
+/// mode of a joint.
+int event_types(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  const auto text = [&](const char* key, std::string_view value) {
+    lua_pushlstring(L, value.data(), value.size());
+    lua_setfield(L, -2, key);
+  };
+  const auto flag = [&](const char* key, bool value) {
+    lua_pushboolean(L, value ? 1 : 0);
+    lua_setfield(L, -2, key);
+  };
+  for (const EventTypeInfo& e : event_type_info) {
+    lua_newtable(L);
+    text("name", e.name);
+    text("value", e.value_name);
+    text("unit", e.value_unit);
+    flag("place", (e.traits & has_place) != 0);
+    flag("mode", (e.traits & of_joint) != 0);
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.history_names(model)
+int history_names(lua_State* L) {
+  lua_newtable(L);
+  lua_Integer i = 0;
+  for (const History& h : handle<ModelBox>(L, 1).get().histories) {
+    lua_pushlstring(L, h.name.data(), h.name.size());
+    lua_rawseti(L, -2, ++i);
+  }
+  return 1;
+}
+
+/// core.kind_of(value): the kind of a handle, nil for anything else.
+int kind_of(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TUSERDATA || luaL_getmetafield(L, 1, "__metatable") != LUA_TSTRING) return 0;
+  return 1;
+}
+
+/// core.is_built(handle): whether the model it belongs to has been built.
+int is_built(lua_State* L) {
+  push_model_of(L, 1);
+  const auto* box = test_handle<ModelBox>(L, -1);
+  lua_pushboolean(L, box != nullptr && box->open() && box->model->built() ? 1 : 0);
+  return 1;
+}
+
+}  // namespace
+
+void open_declarations(lua_State* L) {
+  set_function(L, "properties", guarded<properties>);
+  set_function(L, "laws", guarded<laws>);
+  set_function(L, "builders", guarded<builders>);
+  set_function(L, "kind_of", guarded<kind_of>);
+  set_function(L, "manual_pages", guarded<manual_pages>);
+  set_function(L, "event_names", guarded<event_names>);
+  set_function(L, "files_in", guarded<files_in>);
+  set_function(L, "event_types", guarded<event_types>);
+  set_function(L, "history_names", guarded<history_names>);
+  set_function(L, "is_built", guarded<is_built>);
+}
+
+}  // namespace trilith::script

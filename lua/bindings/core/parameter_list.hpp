@@ -1,0 +1,14 @@
+// The parameters of a script as `--params` lists them.
+#pragma once
+
+#include <string>
+
+#include "bindings/core/host.hpp"
+
+namespace trilith::script {
+
+/// A line for each parameter that the script has declared: name, value, unit, sentence. `title` is what to call the
+/// script where it has declared none.
+std::string parameter_lines(const Host& host, const std::string& title);
+
+}  // namespace trilith::script

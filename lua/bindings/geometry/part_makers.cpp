@@ -1,0 +1,157 @@
+#include "bindings/geometry/part_makers.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "bindings/geometry/masonry_makers.hpp"
+#include "bindings/geometry/part_reading.hpp"
+#include "build/plane/block.hpp"
+#include "build/plane/bridge.hpp"
+#include "build/plane/ground.hpp"
+
+namespace trilith::script {
+namespace {
+
+MakeParts read_block(Keys& k) {
+  Block b;
+  b.name = read_name(k, "");
+  k.refuse("size", "'size' is of blocks in space, of models with dim = 3; in the plane give width and height");
+  b.width = k.number("width", "m");
+  b.height = k.number("height", "m");
+  b.at = k.point("at", b.at);
+  b.anchor = k.choice("anchor", {"lower_left", "centre"}, 0) == 0 ? BlockAnchor::lower_left : BlockAnchor::centre;
+  b.angle = k.number("angle", "rad", b.angle);
+  return [b] { return MadeParts{{build_block(b)}}; };
+}
+
+MakeParts read_polygon(Keys& k) {
+  const std::string name = read_name(k, "");
+  const Polygon outline = k.points("outline");
+  return [name, outline] {
+    PolygonPart made = build_polygon(name, outline);
+    return MadeParts{{std::move(made.part)}, std::move(made.notes)};
+  };
+}
+
+MakeParts read_ground(Keys& k) {
+  GroundProfile g;
+  g.name = read_name(k, g.name);
+  std::vector<GroundStep> steps;
+  read_list(k, "steps", "step", [&](Keys& own) {
+    steps.push_back({own.number("from", "m"), own.number("level", "m")});
+  });
+  double end = 0;
+  if (k.has("steps")) {
+    end = k.number("to", "m");
+    if (k.has("surface")) k.problem("both surface and steps are given; keep one");
+  } else {
+    g.surface = k.points("surface");
+  }
+  g.base_level = k.number("base_level", "m");
+  return [g, steps, end]() mutable {
+    if (!steps.empty()) g.surface = stepped_surface(steps, end);
+    PolygonPart made = build_ground_profile(g);
+    return MadeParts{{std::move(made.part)}, std::move(made.notes)};
+  };
+}
+
+MakeParts read_pier(Keys& k) {
+  Pier p;
+  p.name = read_name(k, p.name);
+  p.x = k.number("x", "m");
+  p.ground_level = k.number("ground_level", "m", p.ground_level);
+  p.height = k.number("height", "m");
+  p.stem_width = k.has("seat") ? k.number("stem_width", "m", 0) : k.number("stem_width", "m");
+  p.top_width = k.number("top_width", "m", p.top_width);
+  p.cap_thickness = k.number("cap_thickness", "m", p.cap_thickness);
+  p.footing_width = k.number("footing_width", "m", p.footing_width);
+  p.footing_thickness = k.number("footing_thickness", "m", p.footing_thickness);
+  p.seat = k.number("seat", "m", p.seat);
+  p.gap = k.maybe_number("gap", "m");
+  return [p] { return MadeParts{.parts = {build_pier(p)}, .tops = {top_of(p)}}; };
+}
+
+MakeParts read_abutment(Keys& k) {
+  Abutment a;
+  a.name = read_name(k, a.name);
+  a.side = k.choice("side", {"left", "right"}, 0) == 0 ? AbutmentSide::left : AbutmentSide::right;
+  a.axis = k.maybe_number("axis", "m");
+  if (a.axis && k.has("x")) k.problem("both x and axis are given; keep one");
+  a.x = a.axis ? 0 : k.number("x", "m");
+  a.ground_level = k.number("ground_level", "m", a.ground_level);
+  a.height = k.number("height", "m");
+  a.width = k.number("width", "m");
+  a.back_wall_height = k.number("back_wall_height", "m", a.back_wall_height);
+  a.back_wall_width = k.number("back_wall_width", "m", a.back_wall_width);
+  a.seat = k.number("seat", "m", a.seat);
+  a.gap = k.maybe_number("gap", "m");
+  return [a] { return MadeParts{.parts = {build_abutment(a)}, .tops = {top_of(a)}}; };
+}
+
+/// Of a builder that its declared numbers and a name describe.
+template <DeclaredBuilder B>
+MakeParts read_declared(Keys& k) {
+  B builder;
+  builder.name = read_name(k, builder.name);
+  k.declared(builder);
+  return [builder] { return MadeParts{builder.parts()}; };
+}
+
+constexpr std::array read_by_hand{
+    PartMaker{"block", true, read_block, "a rectangle in any pose"},
+    PartMaker{"polygon", true, read_polygon, "a polygon of given points"},
+    PartMaker{"stack", false, read_stack, "blocks on top of each other"},
+    PartMaker{"harmonic_stack", false, read_harmonic_stack, "equal blocks that reach out over an edge"},
+    PartMaker{"arch", false, read_arch, "an arch of voussoirs: semicircular, segmental or pointed"},
+    PartMaker{"flying_buttress", false, read_flying_buttress, "half an arch that leans from a pier against a wall"},
+    PartMaker{"wall", false, read_wall, "a masonry wall of storeys, with openings, lintels and slabs"},
+    PartMaker{"rubble", false, read_rubble, "irregular stones that fill a polygon"},
+    PartMaker{"running_bond", false, read_running_bond, "a plain panel on a grid of half units, for limit loads"},
+    PartMaker{"bench_wall", false, read_bench_wall, "the wall that run times are measured on"},
+    PartMaker{"ground", true, read_ground, "ground under a surface line"},
+    PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},
+    PartMaker{"abutment", true, read_abutment, "a stub abutment"},
+};
+
+/// All rows, in the order of their functions.
+constexpr auto all_part_makers = [] {
+  std::array<PartMaker, part_maker_count> all{};
+  auto* next = std::copy(read_by_hand.begin(), read_by_hand.end(), all.begin());
+  DeclaredBuilders::for_each([&]<class B>() {
+    *next++ = PartMaker{B::kind, B::is_single, read_declared<B>, B::sentence};
+  });
+  return all;
+}();
+static_assert(read_by_hand.size() + DeclaredBuilders::size == part_maker_count);
+
+}  // namespace
+
+std::span<const PartMaker, part_maker_count> part_makers() {
+  return all_part_makers;
+}
+
+void push_part(lua_State* L, const Part& part) {
+  lua_createtable(L, 0, 3);
+  lua_pushstring(L, part.name.c_str());
+  lua_setfield(L, -2, "name");
+  lua_createtable(L, static_cast<int>(part.outline.size()), 0);
+  lua_Integer i = 0;
+  for (const Vec2& p : part.outline) {
+    lua_createtable(L, 2, 0);
+    lua_pushnumber(L, p.x());
+    lua_rawseti(L, -2, 1);
+    lua_pushnumber(L, p.y());
+    lua_rawseti(L, -2, 2);
+    lua_rawseti(L, -2, ++i);
+  }
+  lua_setfield(L, -2, "outline");
+  lua_newtable(L);
+  i = 0;
+  for (const std::string& g : part.groups) {
+    lua_pushstring(L, g.c_str());
+    lua_rawseti(L, -2, ++i);
+  }
+  lua_setfield(L, -2, "groups");
+}
+
+}  // namespace trilith::script

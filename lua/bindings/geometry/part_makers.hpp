@@ -1,0 +1,42 @@
+// The geometry builders of engine/build as scripts call them: one row each, read from one table.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bindings/core/handles.hpp"
+#include "build/plane/bridge_layout.hpp"
+#include "build/plane/list.hpp"
+#include "build/plane/part.hpp"
+
+namespace trilith::script {
+
+/// Parts, what had to be repaired, and what of them carries spans.
+struct MadeParts {
+  std::vector<Part> parts;
+  std::vector<std::string> notes = {};
+  std::vector<SupportTop> tops = {};
+};
+
+/// Makes the parts; to be called after Keys::finish.
+using MakeParts = std::function<MadeParts()>;
+
+struct PartMaker {
+  std::string_view name;  ///< in trilith.build
+  bool single;            ///< one part, always
+  MakeParts (*read)(Keys&);
+  std::string_view doc;
+};
+
+/// Those with a reader of their own come first, then the rows of build/plane/list.hpp.
+inline constexpr std::size_t part_maker_count = 13 + DeclaredBuilders::size;
+std::span<const PartMaker, part_maker_count> part_makers();
+/// m:span takes more than the part; bridge_binding.cpp adds it.
+inline constexpr std::string_view span_maker = "span";
+
+/// Pushes a part as {name =, outline =, groups =}.
+void push_part(lua_State* L, const Part& part);
+
+}  // namespace trilith::script

@@ -1,0 +1,381 @@
+// Ground motions as values.
+#include <algorithm>
+#include <cmath>
+
+#include "bindings/core/bindings.hpp"
+#include "bindings/core/table_fields.hpp"
+#include "load/motion_check.hpp"
+#include "load/motion_measures.hpp"
+#include "load/motion_plain.hpp"
+#include "load/motion_process.hpp"
+#include "load/motion_read.hpp"
+#include "load/ramp.hpp"
+#include "load/relative_motion.hpp"
+#include "load/response_spectrum.hpp"
+
+namespace trilith::script {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> files_in(const std::vector<fs::path>& folders) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::path& folder : folders)
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (entry.path().extension() == ".csv" || entry.path().extension() == ".at2" ||
+          entry.path().extension() == ".AT2")
+        names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path find_record(const Host& host, const std::string& name) {
+  if (fs::path(name).is_absolute()) return name;
+  std::vector<fs::path> folders{host.folder(), host.folder() / "records"};
+  folders.insert(folders.end(), host.records.begin(), host.records.end());
+  for (const fs::path& folder : folders)
+    if (std::error_code ignored; fs::is_regular_file(folder / name, ignored)) return folder / name;
+  std::string places;
+  for (const fs::path& folder : folders) places += fmt::format("{}{}", places.empty() ? "" : ", ", folder.string());
+  throw InputError(
+      fmt::format("motion: there is no file '{}' in {}{}", name, places, name_hint(name, files_in(folders))));
+}
+
+void push_motion(lua_State* L, GroundMotion motion, bool steady) {
+  push_handle(L, MotionValue{std::make_shared<const GroundMotion>(std::move(motion)), steady});
+}
+
+std::vector<double> read_samples(Keys& keys) {
+  lua_State* L = keys.lua();
+  std::vector<double> samples;
+  const int type = keys.push("acceleration");
+  if (type != LUA_TNIL && type != LUA_TTABLE) keys.wrong("acceleration", "a list of numbers in m/s2");
+  if (type == LUA_TTABLE) {
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+      if (lua_rawgeti(L, -1, i) != LUA_TNUMBER)
+        keys.problem(fmt::format("sample {} of 'acceleration' is {}, must be a number in m/s2", i, what_is(L, -1)));
+      samples.push_back(lua_tonumber(L, -1));
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 1);
+  return samples;
+}
+
+/// What is of another way to make a motion, and would be left unread.
+void refuse_other_ways(Keys& keys, const char* way, std::initializer_list<std::pair<const char*, const char*>> others) {
+  for (const auto& [key, why] : others) keys.refuse(key, fmt::format("'{}' does not go with '{}': {}", key, way, why));
+}
+
+constexpr const char* of_records = "it is of records; a steady motion takes velocity and duration alone";
+
+/// motion{ velocity =, duration = }: the ground moves on steadily, then stands.
+void make_steady(lua_State* L, Keys& keys) {
+  refuse_other_ways(keys, "velocity",
+                    {{"acceleration", "velocity is a steady motion instead of samples, which begin with v0"},
+                     {"file", "velocity is a steady motion instead of a file; motion:start_velocity is for that"},
+                     {"dt", of_records},
+                     {"v0", of_records},
+                     {"u0", of_records},
+                     {"unit", of_records},
+                     {"column", of_records},
+                     {"skip", of_records},
+                     {"decimal", of_records},
+                     {"allow_drift", of_records}});
+  const double velocity = keys.number("velocity", "m/s"), duration = keys.number("duration", "s");
+  if (!(duration > 0)) keys.problem(fmt::format("'duration' is {:g} s, must be above 0", duration));
+  keys.finish();
+  const std::array<double, 2> still{0, 0};
+  MotionSource source;
+  source.title = fmt::format("steady {:g} m/s for {:g} s", velocity, duration);
+  push_motion(L, GroundMotion(still, duration, {velocity, 0}, source), true);
+}
+
+/// `column` is a number or a name.
+std::string column_of(Keys& keys) {
+  const int type = keys.push("column");
+  lua_pop(keys.lua(), 1);
+  if (type == LUA_TNIL) return "";
+  return type == LUA_TNUMBER ? fmt::format("{}", keys.count("column", 1)) : keys.text("column");
+}
+
+std::optional<int> skipped_lines(Keys& keys) {
+  const auto skip = keys.maybe_number("skip", "1");
+  if (!skip) return std::nullopt;
+  if (*skip >= 0 && *skip <= 1e6 && *skip == std::floor(*skip)) return static_cast<int>(*skip);
+  keys.problem(fmt::format("'skip' is {:g}, must be a whole number of lines, 0 or above", *skip));
+  return std::nullopt;
+}
+
+constexpr std::array form_keys{"unit", "dt", "column", "skip", "decimal"};
+
+/// How to read a file of plain columns; none where the table says nothing of it.
+std::optional<PlainForm> read_form(Keys& keys) {
+  bool any = false;
+  for (const char* const key : form_keys) any = keys.has(key) || any;
+  if (!any) return std::nullopt;
+  PlainForm form{keys.text("unit"), keys.maybe_number("dt", "s"), column_of(keys), skipped_lines(keys)};
+  const std::string decimal = keys.text("decimal", "");
+  if (!decimal.empty() && decimal != "," && decimal != ".")
+    keys.problem(fmt::format("'decimal' is \"{}\", must be \".\" or \",\"", decimal));
+  form.decimal = decimal.empty() ? '\0' : decimal[0];
+  return form;
+}
+
+int make_motion(lua_State* L) {
+  if (lua_type(L, 1) == LUA_TSTRING) {
+    push_motion(L, read_motion(find_record(host(L), lua_tostring(L, 1))), false);
+    return 1;
+  }
+  Keys keys(L, 1, "motion");
+  if (keys.has("velocity")) {
+    make_steady(L, keys);
+    return 1;
+  }
+  std::string file = keys.text("file", "");
+  const bool allow_drift = keys.flag("allow_drift", false);
+  if (!file.empty())
+    refuse_other_ways(keys, "file",
+                      {{"acceleration", "keep one, the samples of the file or those of the script"},
+                       {"v0", "a file begins as its header says, or with motion:start_velocity"},
+                       {"u0", "a file begins as its header says"},
+                       {"duration", "a file lasts as long as its samples"}});
+  if (!file.empty()) {
+    const std::optional<PlainForm> form = read_form(keys);
+    keys.finish();
+    const fs::path record = find_record(host(L), file);
+    push_motion(L, form ? read_plain_motion(record, *form) : read_motion(record), allow_drift);
+    return 1;
+  }
+  const std::vector<double> samples = read_samples(keys);
+  if (!keys.has("acceleration"))
+    keys.missing("acceleration", "a list of numbers in m/s2, or a file, or a velocity and a duration");
+  refuse_other_ways(keys, "acceleration", {{"duration", "samples last as long as their number times dt"}});
+  const double dt = keys.number("dt", "s");
+  const MotionStart start{keys.number("v0", "m/s", 0), keys.number("u0", "m", 0)};
+  MotionSource source;
+  source.title = keys.text("name", "samples of the script");
+  keys.finish();
+  push_motion(L, GroundMotion(samples, dt, start, source), allow_drift);
+  return 1;
+}
+
+/// ramp{ by =, duration = }: from rest to rest.
+int make_ramp(lua_State* L) {
+  Keys keys(L, 1, "ramp");
+  const double by = keys.number("by", "m or rad"), duration = keys.number("duration", "s");
+  keys.finish();
+  push_motion(L, ramp_motion(by, duration), true);
+  return 1;
+}
+
+const MotionValue& this_motion(lua_State* L) {
+  return handle<MotionValue>(L, 1);
+}
+
+double number_argument(lua_State* L, int index, const char* what) {
+  if (lua_type(L, index) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, index)))
+    throw InputError(fmt::format("{}: takes one finite number; this is {}", what, what_is(L, index)));
+  return lua_tonumber(L, index);
+}
+
+int scale(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "scale");
+  const auto pga = keys.maybe_number("pga", "m/s2"), factor = keys.maybe_number("factor", "1"),
+             sa = keys.maybe_number("sa", "m/s2");
+  if (pga.has_value() + factor.has_value() + sa.has_value() != 1)
+    keys.problem("give either pga (in m/s2), factor, or sa (in m/s2) with its period");
+  const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping", "1", 0.05);
+  if (!sa && (keys.has("period") || keys.has("damping"))) keys.problem("'period' and 'damping' go with sa");
+  keys.finish();
+  if (sa && *sa != 0)
+    push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, {period, *sa}, damping)), m.steady);
+  else
+    push_motion(L, pga ? m.motion->scaled_to_peak(*pga) : m.motion->scaled(factor.value_or(0)), m.steady);
+  return 1;
+}
+
+/// { {T, Sa}, ... }
+std::vector<SpectrumPoint> read_spectrum(Keys& keys) {
+  lua_State* L = keys.lua();
+  std::vector<SpectrumPoint> points;
+  if (keys.push("spectrum") != LUA_TTABLE) keys.wrong("spectrum", "a list of points { period, acceleration }");
+  const auto count = lua_istable(L, -1) ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const bool pair =
+        lua_type(L, -1) == LUA_TTABLE && lua_rawgeti(L, -1, 1) == LUA_TNUMBER && lua_rawgeti(L, -2, 2) == LUA_TNUMBER;
+    if (!pair)
+      throw InputError(fmt::format("match: point {} of 'spectrum' must be two numbers, period and acceleration", i));
+    points.push_back({lua_tonumber(L, -2), lua_tonumber(L, -1)});
+    lua_pop(L, 3);
+  }
+  lua_pop(L, 1);
+  return points;
+}
+
+/// motion:match{ spectrum =, from =, to =, damping = }
+int match(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "match");
+  std::vector<SpectrumPoint> points = read_spectrum(keys);
+  const double from = keys.number("from", "s", 0), to = keys.number("to", "s", 1e9),
+               damping = keys.number("damping", "1", 0.05);
+  keys.finish();
+  std::erase_if(points, [&](const SpectrumPoint& p) { return p.period < from || p.period > to; });
+  if (points.empty()) throw InputError("match: no point of the spectrum lies between 'from' and 'to'");
+  push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, points, damping)), m.steady);
+  return 1;
+}
+int baseline(lua_State* L) {
+  const double degree = number_argument(L, 2, "baseline");
+  if (degree != std::floor(degree)) throw InputError(fmt::format("baseline: degree is {:g}, must be whole", degree));
+  push_motion(L, baseline_corrected(*this_motion(L).motion, static_cast<int>(std::clamp(degree, -1.0, 99.0))),
+              this_motion(L).steady);
+  return 1;
+}
+int filter(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "filter");
+  const FilterBand band{keys.number("low", "Hz", 0), keys.number("high", "Hz", 0), keys.count("order", 4),
+                        keys.number("pad", "s", 0)};
+  keys.finish();
+  push_motion(L, filtered(*m.motion, band), m.steady);
+  return 1;
+}
+int resample(lua_State* L) {
+  push_motion(L, resampled(*this_motion(L).motion, number_argument(L, 2, "resample")), this_motion(L).steady);
+  return 1;
+}
+/// motion:rotate(other, angle): both components, turned.
+int rotate(lua_State* L) {
+  const MotionValue &a = this_motion(L), &b = handle<MotionValue>(L, 2);
+  const bool steady = a.steady || b.steady;
+  auto [first, second] = rotated(*a.motion, *b.motion, number_argument(L, 3, "rotate"));
+  push_motion(L, std::move(first), steady);
+  push_motion(L, std::move(second), steady);
+  return 2;
+}
+/// motion:passage{ distance =, velocity = }: later by the time a wave takes.
+int passage(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  Keys keys(L, 2, "passage");
+  const double distance = keys.number("distance", "m"), velocity = keys.number("velocity", "m/s");
+  if (!(velocity > 0)) keys.problem(fmt::format("'velocity' is {:g} m/s, must be above 0", velocity));
+  keys.finish();
+  push_motion(L, m.motion->delayed(distance / velocity), m.steady);
+  return 1;
+}
+/// motion:difference(other): how far and how fast it moves against another one, at most.
+int difference(lua_State* L) {
+  const RelativePeaks peaks = relative_peaks(*this_motion(L).motion, *handle<MotionValue>(L, 2).motion);
+  lua_createtable(L, 0, 4);
+  set_number(L, "displacement", peaks.displacement.value);
+  set_number(L, "displacement_time", peaks.displacement.time);
+  set_number(L, "velocity", peaks.velocity.value);
+  set_number(L, "velocity_time", peaks.velocity.time);
+  return 1;
+}
+/// motion:sa(period, damping)
+int sa(lua_State* L) {
+  const double period = number_argument(L, 2, "sa");
+  const double damping = lua_isnoneornil(L, 3) ? 0.05 : number_argument(L, 3, "sa: damping");
+  lua_pushnumber(L, oscillator_peak(*this_motion(L).motion, period, damping).pseudo_acceleration);
+  return 1;
+}
+int scale_as(lua_State* L) {
+  const MotionValue& m = this_motion(L);
+  push_motion(L, m.motion->scaled_as(*handle<MotionValue>(L, 2).motion), m.steady);
+  return 1;
+}
+int time_scale(lua_State* L) {
+  push_motion(L, this_motion(L).motion->time_scaled(number_argument(L, 2, "time_scale")), this_motion(L).steady);
+  return 1;
+}
+int delay(lua_State* L) {
+  push_motion(L, this_motion(L).motion->delayed(number_argument(L, 2, "delay")), this_motion(L).steady);
+  return 1;
+}
+int reverse(lua_State* L) {
+  push_motion(L, this_motion(L).motion->reversed(), this_motion(L).steady);
+  return 1;
+}
+int start_velocity(lua_State* L) {
+  push_motion(L, this_motion(L).motion->with_start_velocity(number_argument(L, 2, "start_velocity")),
+              this_motion(L).steady);
+  return 1;
+}
+/// motion:at(t): acceleration, velocity, displacement.
+int motion_at(lua_State* L) {
+  const MotionAt at = this_motion(L).motion->at(number_argument(L, 2, "at"));
+  lua_pushnumber(L, at.acceleration);
+  lua_pushnumber(L, at.velocity);
+  lua_pushnumber(L, at.displacement);
+  return 3;
+}
+
+using MotionProperty = Property<MotionValue>;
+const std::array motion_properties{
+    MotionProperty{"pga", "m/s2", "largest acceleration",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).acceleration.value); }},
+    MotionProperty{"pgv", "m/s", "largest velocity",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).velocity.value); }},
+    MotionProperty{"pgd", "m", "largest displacement",
+                   [](const MotionValue& m) { return std::abs(motion_peaks(*m.motion).displacement.value); }},
+    MotionProperty{"duration", "s", "from the first sample to the last",
+                   [](const MotionValue& m) { return m.motion->duration(); }},
+    MotionProperty{"end_time", "s", "time of the last sample, delay included",
+                   [](const MotionValue& m) { return m.motion->end_time(); }},
+    MotionProperty{"dt", "s", "step of the samples", [](const MotionValue& m) { return m.motion->step(); }},
+    MotionProperty{"npts", "1", "number of samples",
+                   [](const MotionValue& m) { return static_cast<double>(m.motion->samples().size()); }},
+    MotionProperty{"description", "", "description in one line", nullptr,
+                   [](lua_State* L, const MotionValue& m) { lua_pushstring(L, m.motion->description().c_str()); }},
+};
+
+const std::array motion_methods{
+    Method{"scale", guarded<scale>, "scale{pga=}, scale{factor=} or scale{sa=, period=}"},
+    Method{"match", guarded<match>, "match{spectrum={{T, Sa}, ...}}: scaled to come nearest to a spectrum"},
+    Method{"baseline", guarded<baseline>, "baseline(degree): without the polynomial that fits it best"},
+    Method{"filter", guarded<filter>, "filter{low=, high=, order=, pad=}: Butterworth, without a shift of phase"},
+    Method{"resample", guarded<resample>, "resample(dt): samples at another step"},
+    Method{"rotate", guarded<rotate>, "rotate(other, angle): two components along axes turned by it; gives both"},
+    Method{"passage", guarded<passage>, "passage{distance=, velocity=}: later by the time a wave takes"},
+    Method{"difference", guarded<difference>, "difference(other): largest displacement and velocity against another"},
+    Method{"sa", guarded<sa>, "sa(period, damping): pseudo-acceleration of an oscillator"},
+    Method{"scale_as", guarded<scale_as>, "scale_as(other): by the factor the other was scaled by"},
+    Method{"time_scale", guarded<time_scale>, "time_scale(factor): time axis times factor, accelerations kept"},
+    Method{"delay", guarded<delay>, "delay(t): the same later"},
+    Method{"reverse", guarded<reverse>, "reverse(): the other way"},
+    Method{"start_velocity", guarded<start_velocity>, "start_velocity(v): the same accelerations from velocity v"},
+    Method{"at", guarded<motion_at>, "at(t): acceleration, velocity, displacement"},
+};
+
+}  // namespace
+
+void open_motions(lua_State* L) {
+  register_kind<MotionValue>(L);
+  set_function(L, "motion", guarded<make_motion>);
+  set_function(L, "ramp", guarded<make_ramp>);
+}
+
+std::span<const Property<MotionValue>> Kind<MotionValue>::properties() {
+  return motion_properties;
+}
+std::span<const Method> Kind<MotionValue>::methods() {
+  return motion_methods;
+}
+std::string Kind<MotionValue>::title(const MotionValue& m) {
+  return fmt::format("motion '{}'", m.motion->description());
+}
+std::span<const std::pair<const char*, lua_CFunction>> Kind<MotionValue>::metamethods() {
+  return {};
+}
+bool Kind<MotionValue>::read_item(lua_State*, const MotionValue&) {
+  return false;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,152 @@
+// A model of a script in D dimensions: it runs, records and goes back in time. No Lua here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/model/script_model.hpp"
+#include "run/findings.hpp"
+#include "run/record/recording.hpp"
+
+namespace trilith::script {
+
+/// Builds without asking what stands on nothing, which the first stage will; where it cannot be built it is asked too.
+template <class Builder>
+auto built_unjudged(Builder& builder) {
+  builder.judge_standing = false;
+  try {
+    return builder.build();
+  } catch (const InputError&) {
+    builder.judge_standing = true;
+    throw;
+  }
+}
+
+/// A push whose force a load path has scaled: the load of that name holds it.
+template <int D>
+struct LoadPush {
+  Push<D> push;            ///< its name, points and direction
+  double first_place = 0;  ///< of its points along it, as the path began [m]
+};
+
+template <int D>
+class SimulatedModel : public ScriptModel {
+ public:
+  using ScriptModel::ScriptModel;
+
+  std::vector<LoadPush<D>> load_pushes;          ///< in the order of their stages
+  std::function<void(const Instant<D>&)> watch;  ///< of the engine's own, after each step; empty: none
+
+  [[nodiscard]] int dim() const override { return D; }
+  [[nodiscard]] bool built() const override { return simulation_ != nullptr; }
+  [[nodiscard]] bool recording() const override { return recording_ != nullptr; }
+  void build() override { simulation(); }
+  /// Builds where that was not done. Throws InputError as the builder does.
+  Simulation<D>& simulation();
+  /// The simulation with its forces up to date, for reading.
+  const Simulation<D>& evaluated();
+  /// Its joints, storeys and base; builds the model.
+  const Findings<D>& findings();
+  [[nodiscard]] const Simulation<D>* if_built() const { return simulation_.get(); }
+  /// It is built, and the body in it: what a handler adds is so from the next step border on.
+  [[nodiscard]] bool has_body(int body) const {
+    return simulation_ && static_cast<std::size_t>(body) < simulation_->model().bodies.size();
+  }
+  /// Does `change` now, or at the next step border where a stage runs.
+  void change(std::function<void(Model<D>&)> what);
+
+  /// Changes laws, now or at the next step border; the ledger has what that puts in. Bearings of `begun` begin anew.
+  void modify(std::function<void(Model<D>&)> what, std::vector<int> begun);
+  /// Changes supports and drives, as `change` does; the ledger has what that puts in or takes out.
+  void change_supports(std::function<void(Model<D>&)> what);
+  void catch_up() override;
+  void follow_more() override;
+  void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) override;
+  void reactivate(const std::vector<int>& which, const std::vector<int>& links, bool from_start,
+                  const std::string& place) override;
+  [[nodiscard]] bool is_out(int body) const override;
+  [[nodiscard]] bool is_bearing_out(int bearing) const override;
+  [[nodiscard]] bool is_seat_out(int seat) const override;
+  [[nodiscard]] bool is_storey_out(int number) override;
+  [[nodiscard]] std::string why_absent(int body) const override;
+  [[nodiscard]] std::optional<double> removed_at(int body) const override;
+
+  [[nodiscard]] double time() const override { return simulation_ ? simulation_->state().time : 0; }
+  [[nodiscard]] StepNumbers step_numbers() override;
+  [[nodiscard]] Energy energy() override { return evaluated().energy(); }
+  [[nodiscard]] double residual() override;
+  [[nodiscard]] std::uint64_t hash() override;
+  [[nodiscard]] std::string step_text() override;
+  [[nodiscard]] std::string text_of(const Event& event) const override;
+  [[nodiscard]] double mass_of(int body) override;
+  [[nodiscard]] std::vector<double> heights() const override;
+  [[nodiscard]] bool is_resting(int body) const override {
+    return has_body(body) && simulation_->state().resting[static_cast<std::size_t>(body)] != 0;
+  }
+  void grow_weight(double end) override;
+  void lift_bonds() override { simulation().lift_bonds(); }
+  void set_bonds() override { simulation().set_bonds(); }
+  void drop_step() override { simulation().drop_step(); }
+  void stop() override {
+    if (simulation_) simulation_->stop();
+  }
+
+  StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
+                  const EquilibriumOptions* statics, AnyLoadWay way) override;
+  void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) override;
+  StageReport resume(const ScriptListener& listener, Host& host) override;
+  double rewind(double time, Host& host) override;
+  void note(const std::string& text) override;
+  /// Modes that were found at once go to the results file, where there is or will be one. What is found before its
+  /// first stage waits for that, and makes a file of its own accord where none comes.
+  void record_modes(std::vector<results::ModeRow> found, Host& host);
+  std::string finish(const std::string& error) override;
+
+ protected:
+  /// Of the builder. What stands on nothing is judged as the first stage begins, for a bearing may still come.
+  [[nodiscard]] virtual Model<D> built_model() = 0;
+  /// What stands on nothing, a line each, of a model that is built; none once that was judged.
+  [[nodiscard]] virtual std::vector<std::string> standing_faults() const = 0;
+  /// From now on what is added is judged at once.
+  virtual void judge_standing() = 0;
+  /// `model` with what was added to the builder since, beside what stands there by `state`.
+  [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
+  /// Deepest overlap of two bodies as they are put, as a share of the smaller one's size.
+  [[nodiscard]] virtual double overlap_allowed() const = 0;
+  /// What is not in `model` any more, or not yet, was not added.
+  virtual void forget_beyond(const Model<D>& model) = 0;
+  /// A model of that body and nothing else.
+  [[nodiscard]] virtual Model<D> lone_body(int body) const = 0;
+
+ private:
+  void begin_recording(Host& host);
+  void keep_until_finish(Host& host);
+  void open_recording(Host& host);
+  void continue_recording(Host& host, double left, const Recording<D>& before);
+  void replay(Recording<D>& recording);
+  StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
+  [[nodiscard]] Checkpoint checkpoint();
+  RunListener<D> listen_with(const ScriptListener& script, RunObserver* observer);
+  void take_histories(double time);
+  bool apply_changes(Model<D>& model);
+  void extend();
+  void forget_added();
+  void extend_recording();
+  void require_unpushed(const std::vector<int>& which) const;
+  [[nodiscard]] std::vector<RecordedHistory<D>> recorded_histories() const;
+
+  std::unique_ptr<Simulation<D>> simulation_;
+  std::optional<Findings<D>> findings_;
+  std::optional<double> balance_at_start_;  // of the ledger, from its first stage on [J]
+  std::unique_ptr<Recording<D>> recording_;
+  std::vector<std::vector<results::ModeRow>> waiting_modes_;
+  Host* modes_host_ = nullptr;                           // of those
+  std::optional<State<D>> recorded_from_;                // where all branches of the results begin
+  std::vector<std::function<void(Model<D>&)>> changes_;  // wait for the step border
+  std::size_t caught_up_ = 0;                            // with so many additions
+};
+
+}  // namespace trilith::script

@@ -1,0 +1,48 @@
+// Beams and frames of models in space as scripts make and read them.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "bindings/core/handles.hpp"
+#include "bindings/core/keys.hpp"
+#include "element/beam/end_hinge.hpp"
+
+namespace trilith::script {
+
+/// m:beam{...} and m:frame{...} on a model in space.
+int add_space_beam(lua_State* L);
+int add_frame_in_space(lua_State* L);
+
+/// body:forces and body:point of a body in space; argument 2 is the member, or the point or joint.
+int push_space_forces(lua_State* L, SpaceModel& m, int body);
+int push_space_fibres(lua_State* L, SpaceModel& m, int body);
+int push_space_hinges(lua_State* L, SpaceModel& m, int body);
+int push_space_point(lua_State* L, SpaceModel& m, int body);
+
+/// Where the joint of that name was at the start, of a body in the plane or in space. Throws InputError where there is
+/// none.
+template <class Spec>
+auto joint_start(const Spec& spec, const std::string& joint) {
+  std::vector<std::string> known;
+  if (spec.frame)
+    for (const auto& j : spec.frame->joints) {
+      if (j.name == joint) return j.place;
+      known.push_back(j.name);
+    }
+  throw InputError(fmt::format("point: body '{}' has no joint '{}'{}", spec.name, joint, name_hint(joint, known)));
+}
+
+/// hinge = for both ends of a member, from_hinge and to_hinge for one; in the plane and in space.
+std::array<std::optional<HingeLaw>, 2> read_hinges(Keys& keys);
+/// mass_matrix: true where it is "consistent".
+bool read_mass_matrix(Keys& keys);
+/// state of body:hinges.
+const char* hinge_state_text(HingeStatus status);
+
+}  // namespace trilith::script

@@ -1,0 +1,223 @@
+// Pushover by arcs: equilibria along a push, told as a stage.
+#include <algorithm>
+#include <cmath>
+
+#include "bindings/core/bindings.hpp"
+#include "bindings/core/interrupt_watch.hpp"
+#include "bindings/stages/pushover_parts.hpp"
+#include "bindings/stages/stage_run.hpp"
+#include "model/loads.hpp"
+#include "model/pose.hpp"
+#include "model/postpone.hpp"
+#include "model/pushes.hpp"
+#include "run/load_way.hpp"
+#include "run/watch.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/load_path.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// The push as loads at its points, 1 N in all; those of a rigid body at a point of it turn it too.
+template <int D>
+std::vector<PointLoad<D>> unit_loads(const Model<D>& model, const std::string& name, const Push<D>& push) {
+  std::vector<PointLoad<D>> out;
+  for (const PushRow<D>& row : push.rows) {
+    PointLoad<D> load;
+    load.name = name, load.body = body_of_node(model, row.node);
+    load.at = Attachment<D>::to_node(row.node, row.place), load.at.turn[0] = row.turn;
+    load.force = row.weight * push.direction;
+    out.push_back(std::move(load));
+  }
+  return out;
+}
+
+/// Equilibria along a push, and when to end.
+template <int D>
+class ArcRecorder {
+ public:
+  ArcRecorder(const Push<D>& push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
+      : push_(push), order_(order), drift_(std::move(drift)) {}
+
+  /// True where the path is to go on. A point that is strained beyond a limit ends it, and is none of the curve's.
+  bool add(const PathPoint& point, const State<D>& state, bool overstrained) {
+    way_.push_back({state, point.factor, point.length, {}});
+    if (overstrained) limit_ = "strain";
+    if (overstrained) return false;
+    const double place = push_place(state, push_), drift = drift_(state);
+    if (curve_.force.empty()) first_place_ = place, first_drift_ = drift;
+    curve_.time.push_back(state.time);  // the path's begin, see finish()
+    curve_.force.push_back(point.factor);
+    curve_.displacement.push_back(place - first_place_);
+    curve_.drift.push_back(drift - first_drift_);
+    const double most = curve_.force[curve_.peak()];
+    if (std::abs(curve_.drift.back()) >= order_.limits.drift) limit_ = "drift";
+    if (order_.limits.drop > 0 && most > 0 && point.factor < order_.limits.drop * most) limit_ = "drop";
+    if (std::abs(curve_.displacement.back()) >= order_.displacement) limit_ = "displacement";
+    return limit_.empty();
+  }
+  [[nodiscard]] const PushCurve& curve() const { return curve_; }
+  [[nodiscard]] const std::string& limit() const { return limit_; }
+  /// The points become those of `way`, each with what had happened by then, and the curve gets their times.
+  void finish(const LoadPath& path, LoadWay<D>& way) {
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < way_.size(); ++i) {
+      const std::size_t until = std::min(path.points[i].events, path.events.size());
+      way_[i].events.assign(path.events.begin() + static_cast<std::ptrdiff_t>(told),
+                            path.events.begin() + static_cast<std::ptrdiff_t>(until));
+      told = until;
+    }
+    way.points = std::move(way_);
+    for (std::size_t i = 0; i < curve_.time.size(); ++i) curve_.time[i] += way.time_of(i);
+  }
+
+ private:
+  const Push<D>& push_;
+  const PushOrder<D>& order_;
+  std::function<double(const State<D>&)> drift_;
+  double first_place_ = 0, first_drift_ = 0;
+  PushCurve curve_;
+  std::vector<Waypoint<D>> way_;
+  std::string limit_;
+};
+
+template <int D>
+std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const PushOrder<D>& o, const Push<D>& push) {
+  if (auto drift = storey_reading(m, o)) {
+    const Model<D>& model = m.simulation().model();
+    return [drift, &model](const State<D>& state) { return drift(model, state); };
+  }
+  return [&push](const State<D>& state) { return push_place(state, push); };
+}
+
+/// Ends of a path that its recorder did not ask for.
+std::string_view arc_limit(PathEnd end) {
+  if (end == PathEnd::no_resistance) return "no resistance";
+  return end == PathEnd::most_points ? "samples" : end == PathEnd::stuck ? "stuck" : "arrived";
+}
+
+/// Where a path ended early and why, and where it jumped.
+template <int D>
+void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path, Host& host) {
+  const PathPoint& last = path.points.back();
+  const auto at = fmt::format("{:g} N and {:g} m", last.factor, last.displacement);
+  if (path.end == PathEnd::stuck) {
+    const int body = path.worst >= 0 ? body_of_node(m.simulation().model(), path.worst) : -1;
+    const std::string where = body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'",
+                                                      m.simulation().model().bodies[body].name)
+                                        : std::string();
+    const std::string event = path.events.empty() ? std::string() : "; last event: " + m.text_of(path.events.back());
+    m.note_at_once(fmt::format("{}: the load path ends at {}, as no equilibrium is found beside it however short the "
+                               "step{}{}; a shorter 'arc' or a finer mesh at softening joints may lead on",
+                               o.stage.name, at, where, event),
+                   host);
+  }
+  if (path.end == PathEnd::no_resistance)
+    m.note_at_once(fmt::format("{}: the load path ends at {}: nothing carries the load any more", o.stage.name, at),
+                   host);
+  if (path.jumps > 0)
+    m.note_at_once(fmt::format("{}: {} times a bond broke and equilibrium was found again at the same displacement and "
+                               "another force",
+                               o.stage.name, path.jumps),
+                   host);
+}
+
+/// { {force =, displacement =, highest =}, ... }: where the force turns.
+void set_limits(lua_State* L, const LoadPath& path) {
+  lua_createtable(L, static_cast<int>(path.limits.size()), 0);
+  for (std::size_t i = 0; i < path.limits.size(); ++i) {
+    lua_createtable(L, 0, 3);
+    lua_pushnumber(L, path.limits[i].factor);
+    lua_setfield(L, -2, "force");
+    lua_pushnumber(L, path.limits[i].displacement);
+    lua_setfield(L, -2, "displacement");
+    lua_pushboolean(L, path.limits[i].is_highest ? 1 : 0);
+    lua_setfield(L, -2, "highest");
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "limits");
+}
+
+/// What broke and yielded on the way, in words.
+void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
+  lua_createtable(L, static_cast<int>(path.events.size()), 0);
+  for (std::size_t i = 0; i < path.events.size(); ++i) {
+    lua_pushstring(L, m.text_of(path.events[i]).c_str());
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, "happened");
+}
+
+/// The path's last equilibrium becomes the model's state, with the loads of there, so that it stands.
+template <int D>
+void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> loads, double factor) {
+  for (PointLoad<D>& load : loads) load.force *= factor;
+  m.change([&](Model<D>& model) {
+    model.point_loads.insert(model.point_loads.end(), std::make_move_iterator(loads.begin()),
+                             std::make_move_iterator(loads.end()));
+  });
+  Simulation<D>& sim = m.simulation();
+  Snapshot<D> there = sim.snapshot();
+  there.state = std::move(state);
+  sim.restore(there);
+}
+
+/// Follows the path, and then tells it as a stage.
+template <int D>
+int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
+  const Simulation<D>& sim = m.evaluated();
+  const std::vector<std::string> names = load_names(sim.model());
+  if (std::find(names.begin(), names.end(), o.stage.name) != names.end())
+    throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
+  Push<D> push = order_push(sim.model(), o);
+  LoadWay<D> way{unit_loads(sim.model(), o.stage.name, push), {}};
+  Model<D> model = sim.model();
+  model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
+  ArcRecorder<D> recorder(push, o, arc_drift<D>(m, o, push));
+  LoadPathOptions<D> how;
+  how.loads = o.stage.name;
+  how.first = o.arc > 0 ? o.arc : 0.01 * o.displacement;
+  how.longest = 5 * how.first, how.most_points = o.samples;
+  for (const PushRow<D>& row : push.rows)
+    for (int k = 0; k < D; ++k)
+      if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
+  const InterruptWatch watch(L, host(L));
+  how.goes_on = [&](const PathPoint& point, const State<D>& state) {
+    const bool on = recorder.add(point, state, is_overstrained(model, state));
+    return on && !watch.pressed();
+  };
+  State<D> state = sim.state();
+  const LoadPath path = follow_loads(model, state, how);
+  if (path.end == PathEnd::no_rest)
+    throw InputError(
+        "pushover: there is no rest to begin from; find it by m:consolidate{ integrator = \"static\" }, "
+        "which tells what fails");
+  recorder.finish(path, way);
+  take_over<D>(m, std::move(state), way.loads, path.points.back().factor);
+  m.load_pushes.push_back({push, push_place(way.points.front().state, push)});
+  if (has_courses_to_come(m.simulation().model(), m.time()))
+    m.note_at_once(fmt::format("{}: motions and loads that are under way wait for the {:g} s of its load path",
+                               o.stage.name, path_duration),
+                   host(L));
+  EquilibriumOptions rest;
+  o.stage.duration = path_duration;
+  push_report(L, settle_stage(L, m, o.stage, rest, &way));
+  note_end(m, o, path, host(L));
+  const PushCurve& curve = recorder.curve();
+  add_curve(L, curve, curve.peak(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());
+  add_statics(L, curve.force.empty() ? 0 : curve.force[curve.peak()], true);
+  set_limits(L, path), set_happened(L, m, path);
+  return 1;
+}
+
+}  // namespace
+
+template <int D>
+int push_by_arc(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
+  return follow_push(L, m, o);
+}
+
+template int push_by_arc(lua_State*, SimulatedModel<2>&, PushOrder<2>&);
+template int push_by_arc(lua_State*, SimulatedModel<3>&, PushOrder<3>&);
+
+}  // namespace trilith::script

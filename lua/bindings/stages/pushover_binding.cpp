@@ -1,0 +1,213 @@
+// Pushover: bodies pushed steadily, as much force as it takes.
+#include <algorithm>
+#include <cmath>
+
+#include "base/quantity_text.hpp"
+#include "bindings/core/bindings.hpp"
+#include "bindings/loads/load_reading.hpp"
+#include "bindings/stages/pushover_parts.hpp"
+#include "bindings/stages/stage_run.hpp"
+#include "load/motion.hpp"
+#include "load/ramp.hpp"
+#include "model/loads.hpp"
+#include "model/pose.hpp"
+#include "model/pushes.hpp"
+#include "run/pushover.hpp"
+#include "statics/push_compliance.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// How far the pushed points are.
+template <int D>
+std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
+  return [name = o.stage.name](const Instant<D>& now) {
+    for (const Push<D>& p : now.model.pushes)
+      if (p.name == name) return push_place(now.state, p) - p.origin;
+    return 0.0;
+  };
+}
+
+/// Without storeys how far the pushed points are.
+template <int D>
+std::function<double(const Instant<D>&)> drift_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  if (auto drift = storey_reading(m, o)) return [drift](const Instant<D>& now) { return drift(now.model, now.state); };
+  return way_reading(o);
+}
+
+/// A push that was ended on its way comes to rest within a hundredth of the time it was meant to last.
+template <int D>
+void stop_push(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  m.change([&](Model<D>& model) {
+    const double now = m.time();
+    for (Push<D>& p : model.pushes) {
+      if (p.name != o.stage.name) continue;
+      const MotionAt at = p.motion->at(now - p.start);
+      if (at.velocity == 0) continue;
+      p.motion = std::make_shared<const GroundMotion>(
+          stopping_motion(at.displacement, at.velocity, 0.01 * o.displacement / o.rate));
+      p.start = now;
+    }
+  });
+}
+
+/// The model's watch, for as long as this lives.
+template <int D>
+struct Watch {
+  SimulatedModel<D>& model;
+  Watch(SimulatedModel<D>& m, std::function<void(const Instant<D>&)> f) : model(m) { model.watch = std::move(f); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  ~Watch() { model.watch = nullptr; }
+};
+
+/// Where no rate is given the push speeds up by no more than this [m/s2], and it takes so many periods of a structure
+/// as stiff along it as this one and with all of its mass, but no longer than this for that [s]. An elastic structure
+/// then swings about the force of statics by about a hundredth of the largest.
+constexpr double gentle_acceleration = 1e-3 * standard_gravity, gentle_periods = 10, longest_gentle = 100;
+
+template <int D>
+GroundMotion gentle_push(const Simulation<D>& sim, const PushOrder<D>& o) {
+  double periods = 0;
+  if (sim.model().pushes.empty()) {
+    double mass = 0;
+    for (int n = 0; n < sim.model().nodes(); ++n) mass += sim.model().moves(n) ? sim.model().mass[n] : 0;
+    const double compliance = push_compliance(sim.model(), sim.state(), order_push(sim.model(), o));
+    periods = gentle_periods * 2 * M_PI * std::sqrt(mass * compliance);
+  }
+  return gentle_motion(o.displacement, gentle_acceleration, std::min(periods, longest_gentle));
+}
+
+/// A peak that inertia and damping have a part in is no capacity.
+void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double rate, double usual,
+                  const PushPeak& peak) {
+  if (peak.is_static()) return;
+  const double slower = std::min(usual, rate * PushPeak::most_of_inertia / peak.share_of_inertia());
+  m.note_at_once(
+      fmt::format("{}: the peak of {} at {} is no capacity: the structure carries {} of it, and inertia and damping "
+                  "take the rest, "
+                  "{:.0f} %; push more slowly, at {:.2g} m/s or less, or leave out rate, or take control = \"arc\"",
+                  name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"),
+                  quantity_text(peak.carried, "N"), 100 * peak.share_of_inertia(), slower),
+      host(L));
+}
+
+/// m:pushover{ control = "time", ... }: steadily in time.
+template <int D, class ModelOfScript>
+int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUntil& until) {
+  const double usual = gentle_speed(gentle_motion(o.displacement, gentle_acceleration, 0));
+  const bool gently = o.rate == 0;
+  const auto motion = std::make_shared<const GroundMotion>(gently ? gentle_push(m.evaluated(), o)
+                                                                  : even_motion(o.displacement, o.rate));
+  if (gently) o.rate = gentle_speed(*motion);
+  o.stage.duration = motion->duration();
+  PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading<D>(m, o));
+  std::vector<PushRow<D>> rows = order_push(m.simulation().model(), o).rows;
+  m.change([&](Model<D>& changed) {
+    add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
+  });
+  const Watch<D> watch(m, [&](const Instant<D>& now) {
+    if (recorder.step(now)) m.stop();
+  });
+  const StageReport report = run_stage(L, m, o.stage, until);
+  recorder.finish();
+  stop_push<D>(m, o);
+  push_report(L, report);
+  const bool met = report.end == StageEnd::stopped && recorder.limit().empty();
+  const PushCurve curve = with_peak(recorder.curve(), recorder.peak());
+  add_curve(L, curve, curve.peak(), met ? "until" : recorder.limit().empty() ? "displacement" : recorder.limit());
+  add_statics(L, recorder.peak().carried, recorder.peak().is_static());
+  note_inertia(L, m, o.stage.name, o.rate, usual, recorder.peak());
+  return 1;
+}
+
+void require_stopped(const ScriptModel& m) {
+  if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
+}
+
+int push_in_space(lua_State* L, SpaceModel& m) {
+  Keys keys(L, 2, "pushover");
+  PushOrder<3> o = read_order<3>(keys, m);
+  const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
+  keys.finish();
+  require_stopped(m);
+  if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
+  return o.by_arc ? push_by_arc<3>(L, m, o) : push_by_time(L, m, o, until);
+}
+
+/// m:pushover{ body =, at =, direction =, pattern =, rate =, displacement =, drift =, storey =, drop =, ... }
+int pushover(lua_State* L) {
+  if (SpaceModel* space = as_space(this_model(L))) return push_in_space(L, *space);
+  PlaneModel& m = this_plane(L);
+  Keys keys(L, 2, "pushover");
+  PushOrder<2> o = read_order<2>(keys, m);
+  const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
+  keys.finish();
+  require_stopped(m);
+  if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
+  return o.by_arc ? push_by_arc<2>(L, m, o) : push_by_time(L, m, o, until);
+}
+
+/// The force that a load path has brought a push to, as it acts now; 0 where its load was taken off.
+template <int D>
+double force_of(const Simulation<D>& sim, const LoadPush<D>& pushed) {
+  double sum = 0;
+  for (const PointLoad<D>& load : sim.model().point_loads)
+    if (load.name == pushed.push.name) sum += load.curve.at(sim.state().time) * load.force.dot(pushed.push.direction);
+  return sum;
+}
+
+template <int D>
+double sum_of(SimulatedModel<D>& m) {
+  const Simulation<D>& sim = m.evaluated();
+  double sum = 0;
+  for (const double force : sim.work().push_force) sum += force;
+  for (const LoadPush<D>& pushed : m.load_pushes) sum += force_of(sim, pushed);
+  return sum;
+}
+double sum_of_pushes(const ModelBox& box) {
+  SpaceModel* space = as_space(box.get());
+  return space != nullptr ? sum_of(*space) : sum_of(box.plane());
+}
+
+template <int D>
+double latest_way(const SimulatedModel<D>& m) {
+  const Simulation<D>* s = m.if_built();
+  if (s == nullptr) return 0;
+  if (!s->model().pushes.empty()) {  // a load path cannot be followed beside one, so that this one is later
+    const Push<D>& p = s->model().pushes.back();
+    return push_place(s->state(), p) - p.origin;
+  }
+  const auto& loads = s->model().point_loads;
+  for (auto p = m.load_pushes.rbegin(); p != m.load_pushes.rend(); ++p)
+    if (std::any_of(loads.begin(), loads.end(), [&](const auto& load) { return load.name == p->push.name; }))
+      return push_place(s->state(), p->push) - p->first_place;
+  return 0;
+}
+double push_displacement(const ModelBox& box) {
+  SpaceModel* space = as_space(box.get());
+  return space != nullptr ? latest_way(*space) : latest_way(box.plane());
+}
+
+const std::array pushover_method_list{
+    Method{"pushover", guarded<pushover>,
+           "pushover{body=, at=, direction=, pattern=, control=, rate=, arc=, displacement=, drift=, storey=, drop=}: "
+           "a stage that pushes steadily, or by equilibria past limit points"},
+};
+
+using PushoverProperty = Property<ModelBox>;
+const std::array pushover_property_list{
+    PushoverProperty{"push_force", "N", "present force of all pushes, along them", sum_of_pushes},
+    PushoverProperty{"push_displacement", "m", "displacement of the latest push", push_displacement},
+};
+
+}  // namespace
+
+std::span<const Method> pushover_methods() {
+  return pushover_method_list;
+}
+std::span<const Property<ModelBox>> pushover_properties() {
+  return pushover_property_list;
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,100 @@
+// What both controls of m:pushover share.
+#include <algorithm>
+#include <cmath>
+
+#include "bindings/core/bindings.hpp"
+#include "bindings/stages/pushover_parts.hpp"
+#include "model/pushes.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// The level part of a push's direction, of length 1; nothing where it is upright.
+template <int D>
+std::optional<Vec<D>> level_direction(Vec<D> direction) {
+  direction[D - 1] = 0;
+  const double size = direction.norm();
+  if (!(size > 1e-9)) return std::nullopt;
+  return Vec<D>(direction / size);
+}
+
+void set_array(lua_State* L, const char* key, const std::vector<double>& values) {
+  lua_createtable(L, static_cast<int>(values.size()), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    lua_pushnumber(L, values[i]);
+    lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_setfield(L, -2, key);
+}
+
+}  // namespace
+
+template <int D>
+Push<D> order_push(const Model<D>& model, const PushOrder<D>& o) {
+  Push<D> push;
+  push.name = o.stage.name, push.direction = o.direction;
+  push.rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
+  return push;
+}
+
+template <int D>
+std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  const Findings<D>& f = m.findings();
+  if (f.storeys.empty()) {
+    if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
+    return {};
+  }
+  const std::optional<Vec<D>> along = D == 2 ? Vec<D>(Vec<D>::UnitX()) : level_direction<D>(o.direction);
+  if (!along) {
+    if (o.storey != 0) throw InputError("pushover: an upright push has no drift; leave 'storey' out");
+    return {};
+  }
+  if (o.storey == 0)
+    return [&f, e = *along](const Model<D>& model, const State<D>& state) {
+      return e.dot(top_drift(model, state, f.storeys, f.base));
+    };
+  for (std::size_t i = 0; i < f.storeys.size(); ++i)
+    if (f.storeys[i].number == o.storey)
+      return [&f, i, e = *along](const Model<D>& model, const State<D>& state) {
+        return e.dot(storey_drift(model, state, f.storeys, f.base, i));
+      };
+  throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
+}
+
+void add_curve(lua_State* L, const PushCurve& curve, std::size_t peak, std::string_view limit) {
+  const auto number = [&](const char* key, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+  };
+  lua_createtable(L, 0, 4);
+  set_array(L, "t", curve.time);
+  set_array(L, "displacement", curve.displacement);
+  set_array(L, "force", curve.force);
+  set_array(L, "drift", curve.drift);
+  lua_setfield(L, -2, "curve");
+  const bool any = !curve.force.empty();
+  number("peak_force", any ? curve.force[peak] : 0);
+  number("displacement_at_peak", any ? curve.displacement[peak] : 0);
+  number("drift_at_peak", any ? curve.drift[peak] : 0);
+  number("force", any ? curve.force.back() : 0);
+  number("displacement", any ? curve.displacement.back() : 0);
+  number("drift", any ? curve.drift.back() : 0);
+  lua_pushlstring(L, limit.data(), limit.size());
+  lua_setfield(L, -2, "limit");
+}
+
+void add_statics(lua_State* L, double carried, bool is_static) {
+  lua_pushnumber(L, carried);
+  lua_setfield(L, -2, "carried_at_peak");
+  lua_pushboolean(L, is_static ? 1 : 0);
+  lua_setfield(L, -2, "quasi_static");
+}
+
+template Push<2> order_push(const Model<2>&, const PushOrder<2>&);
+template Push<3> order_push(const Model<3>&, const PushOrder<3>&);
+template std::function<double(const Model<2>&, const State<2>&)> storey_reading(SimulatedModel<2>&,
+                                                                                const PushOrder<2>&);
+template std::function<double(const Model<3>&, const State<3>&)> storey_reading(SimulatedModel<3>&,
+                                                                                const PushOrder<3>&);
+
+}  // namespace trilith::script

@@ -1,0 +1,380 @@
+// Stages, and what changes between them: drives, gravity, bounds.
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable.hpp"
+#include "bindings/core/bindings.hpp"
+#include "bindings/loads/drive_reading.hpp"
+#include "bindings/stages/mass_scaling_stage.hpp"
+#include "bindings/stages/stage_run.hpp"
+#include "model/bounds.hpp"
+#include "model/plausible_ranges.hpp"
+#include "statics/equilibrium.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// An optional table of the rest criterion: { speed =, ratio =, hold =, from = }. True where it is there.
+void read_rest(Keys& keys, StageOptions& o) {
+  o.still_speed = keys.number("speed", "m/s", o.still_speed);
+  o.still_ratio = keys.number("ratio", "1", o.still_ratio);
+  o.still_hold = keys.number("hold", "s", o.still_hold);
+}
+
+bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push(key);
+  bool wanted = type == LUA_TBOOLEAN && lua_toboolean(L, -1) != 0;
+  if (type == LUA_TTABLE) {
+    wanted = true;
+    Keys own(L, -1, std::string(key));
+    read_rest(own, o);
+    o.still_from = own.number("from", "s", o.still_from);
+    try {
+      own.finish();
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  } else if (type != LUA_TNIL && type != LUA_TBOOLEAN) {
+    keys.wrong(key, "true, false or a table { speed = , ratio = , hold = , from = }");
+  }
+  lua_pop(L, 1);
+  return wanted;
+}
+
+/// Share of the longest stable step where blows find their own, by `accuracy`, and nothing is braked to rest: what is
+/// left is stability. Room for contacts that grow half as stiff again until the step is looked at anew.
+constexpr double safety_beside_accuracy = 0.8;
+/// Of explicit steps where none is given: a blow that counts keeps its energy to 1 % as it closes, and as it opens.
+constexpr double usual_blow_accuracy = 0.02;
+/// Less than this takes steps without end: they shorten in proportion.
+constexpr double least_accuracy = 1e-9;
+
+void read_step(Keys& keys, StageOptions& o) {
+  o.dt = keys.number("dt", "s", 0);
+  o.safety = keys.number("safety", "1", o.safety);
+  o.watched = keys.flag("watch", true);
+}
+
+/// Keys that mean nothing where the stage's integrator is not `of`.
+void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_view of) {
+  for (const char* const key : names)
+    if (keys.has(key))
+      keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
+}
+
+/// Which of the given keys say how explicit steps come to rest, "'damping', 'grow'"; "": none.
+std::string explicit_keys(Keys& keys) {
+  std::string out;
+  for (const char* const key :
+       {"damping", "grow", "hold", "ratio", "speed", "duration", "dt", "safety", "until_collapse", "until_true"})
+    if (keys.has(key)) out += fmt::format("{}'{}'", out.empty() ? "" : ", ", key);
+  return out;
+}
+
+/// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
+void read_integrator(Keys& keys, StageOptions& o) {
+  const std::string name = keys.text("integrator", "explicit");
+  o.impact_accuracy = usual_blow_accuracy;
+  double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
+  accuracy = keys.number("accuracy", "1", accuracy);
+  if (!(accuracy >= 0 && accuracy <= 1))
+    keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
+  if (accuracy > 0 && accuracy < least_accuracy)
+    keys.problem(fmt::format("'accuracy' is {:g}, must be 0, for any, or at least {:g}, or its steps would hardly end",
+                             accuracy, least_accuracy));
+  const bool alone = keys.has("accuracy") && !keys.has("safety");
+  if (name == "explicit" && accuracy > 0 && alone && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
+  if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");
+  if (name != "implicit" && name != "auto")
+    keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
+  o.may_change = name == "auto";
+  const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
+  o.tolerance = keys.number("tolerance", "1", o.tolerance);
+  if (keys.has("alpha") && keys.has("spectral_radius"))
+    keys.problem("both 'alpha' and 'spectral_radius' are given; keep one: each says by itself how much is damped");
+  if (!(alpha >= -1.0 / 3 && alpha <= 0))
+    keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0, where nothing is damped", alpha));
+  if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))
+    keys.problem(fmt::format("'spectral_radius' is {:g}, must be from 0 to 1, where nothing is damped", radius));
+  if (!(o.tolerance > 0 && o.tolerance <= 1e-2))
+    keys.problem(fmt::format("'tolerance' is {:g}, must be above 0 and at most 0.01", o.tolerance));
+  o.implicit = std::isfinite(radius) ? AlphaScheme::from_radius(radius) : AlphaScheme::hht(alpha);
+}
+
+int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {
+  const StageReport report = run_stage(L, m, o, until);
+  tell_scaling(L, m, report);
+  if (report.end != StageEnd::diverged && report.end != StageEnd::unstable && !report.found.empty())
+    tell_note(L, m, fmt::format("{}: {}", o.name, report.found));
+  if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
+  push_report(L, report);
+  return 1;
+}
+
+/// Where the model pauses: its stage goes on up to `limit`.
+int run_paused(lua_State* L, ScriptModel& m, const RunLimit& limit) {
+  run_on(L, m, limit);
+  return 0;
+}
+
+void read_nothing_for_nil(lua_State* L) {
+  lua_settop(L, 2);
+  if (!lua_isnil(L, 2)) return;
+  lua_newtable(L);
+  lua_replace(L, 2);
+}
+
+int run(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "run");
+  StageOptions o;
+  o.name = keys.text("name", "run");
+  const double to = keys.number("to", "s", unbounded);
+  o.duration = std::isfinite(to) ? to - m.time() : keys.number("duration", "s");
+  if (std::isfinite(to) && keys.has("duration"))
+    keys.problem("both 'to' and 'duration' are given; keep one: the time at which it ends, or how long it lasts");
+  if (std::isfinite(to)) o.end_time = to, keys.know({"duration"});
+  if (std::isfinite(to) && !(to > m.time()))
+    keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
+  o.rest_share = keys.number("damping", "1", 0);
+  read_step(keys, o);
+  read_scaling(keys, m, o);
+  read_integrator(keys, o);
+  o.until_rest = read_rest_table(keys, "until_rest", o);
+  const StageUntil until = read_until(keys, m);
+  keys.finish();
+  if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
+  return finish_stage(L, m, o, until);
+}
+
+int consolidate(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  read_nothing_for_nil(L);
+  Keys keys(L, 2, "consolidate");
+  StageOptions o;
+  o.still_ratio = 1e-5;
+  o.name = keys.text("name", "consolidation");
+  o.duration = keys.number("duration", "s", 60);
+  o.rest_share = keys.number("damping", "1", 0.8);
+  o.until_rest = true;
+  read_rest(keys, o);
+  read_step(keys, o);
+  read_scaling(keys, m, o);
+  const double grow = keys.number("grow", "s", 0.5);
+  if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
+  const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
+  const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
+  const double within = keys.number("within", "1", usual_travel);
+  if (!(within > 0))
+    keys.problem(fmt::format("'within' is {:g}, must be above 0: a share of each body's size", within));
+  o.within = static_cast<float>(within);
+  EquilibriumOptions how;
+  how.within = within;
+  how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
+  if (!by_statics) refuse(keys, {"shares", "tolerance"}, "static");
+  if (by_statics && o.mass_scaling)
+    keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
+  if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
+  o.must_rest = !or_go_on;
+  const std::string unused = by_statics ? explicit_keys(keys) : "";
+  const StageUntil until = read_until(keys, m);
+  keys.finish();
+  if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
+  m.build();
+  if (!by_statics && m.time() == 0) {
+    o.still_from = std::max(o.still_from, grow);
+    m.grow_weight(grow);
+  }
+  if (fresh) m.lift_bonds();
+  const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
+  tell_scaling(L, m, report);
+  if (report.end == StageEnd::not_at_rest && !or_go_on)
+    throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
+                                 by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
+  if (by_statics && report.end == StageEnd::unstable && !or_go_on)
+    throw InputError(fmt::format(
+        "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true goes on "
+        "all the same",
+        o.name, report.reason));
+  // What explicit steps bring beyond strain_limit moves, and its verdict says so; statics was asked for rest.
+  if (by_statics && report.end == StageEnd::diverged && !or_go_on)
+    throw InputError(fmt::format("{} did not come to rest: {}", o.name, report.reason));
+  const auto note = [&](const std::string& said) {
+    m.note(said);
+    if (host(L).observer != nullptr) host(L).observer->note(said);
+  };
+  if (!unused.empty()) note(fmt::format("{}: {} told explicit steps what to do; statics takes none", o.name, unused));
+  if (report.end == StageEnd::not_at_rest)
+    note(fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason));
+  if (report.end == StageEnd::unstable) {
+    const std::string said = fmt::format("{}: {}", o.name, report.reason);
+    m.note(said), tell_note(L, m, said);  // in the file, and in m.notes
+  }
+  if (fresh && report.end != StageEnd::diverged) m.set_bonds();
+  push_report(L, report);
+  return 1;
+}
+
+int shake(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "shake");
+  StageOptions o;
+  o.name = keys.text("name", "shake");
+  const std::vector<DriveOrder> orders = read_drives(keys, m);
+  const double end = last_end(orders);
+  o.still_from = end;
+  o.until_rest = read_rest_table(keys, "still", o);
+  o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
+  read_step(keys, o);
+  read_scaling(keys, m, o);
+  read_integrator(keys, o);
+  const StageUntil until = read_until(keys, m);
+  keys.finish();
+  if (m.running()) throw InputError("shake: a stage runs already; use m:drive to move a body while it runs");
+  m.build();
+  for (const DriveOrder& order : orders) apply_drive(m, order);
+  tell_abrupt_ends(m, "shake", orders, host(L));
+  tell_motions(m, orders, host(L).observer);
+  return finish_stage(L, m, o, until);
+}
+
+int drive(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "drive");
+  const std::vector<DriveOrder> orders = read_drives(keys, m);
+  keys.finish();
+  m.build();
+  for (const DriveOrder& order : orders) apply_drive(m, order);
+  tell_abrupt_ends(m, "drive", orders, host(L));
+  return 0;
+}
+
+/// A number that is allowed but not usual gets a note.
+void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name, std::string_view unit,
+                double value) {
+  std::vector<std::string> plausibility_notes;
+  add_plausibility_note(plausibility_notes, owner, name, unit, value);
+  for (const std::string& text : plausibility_notes) tell_note(L, m, text);
+}
+
+/// Whether gravity turns now.
+bool is_tilting(const ScriptModel& m) {
+  const auto turns = [now = m.time()]<int D>(const SimulatedModel<D>& model) {
+    if (model.if_built() == nullptr) return false;
+    const Gravity<D>& g = model.if_built()->model().gravity;
+    return g.tilt_rate != nothing<Spin<D>>() && now < g.tilt_end;
+  };
+  if (const PlaneModel* plane = as_plane(m)) return turns(*plane);
+  return turns(static_cast<const SpaceModel&>(m));
+}
+
+/// From now on gravity turns at `rate`, for as long as it takes to turn by `by`.
+template <int D>
+void begin_tilt(SimulatedModel<D>& m, const Spin<D>& rate, double duration) {
+  const SimulatedModel<D>* const self_model = &m;
+  m.change([rate, duration, self_model](Model<D>& model) {
+    const double now = self_model->if_built()->state().time;
+    Gravity<D>& g = model.gravity;
+    g.field = g.grown(now);
+    g.tilt_rate = rate;
+    g.tilt_start = now;
+    g.tilt_end = now + duration;
+  });
+}
+
+/// m:tilt{ rate =, by =, towards = }: from now on gravity turns; `by` is where it stops. In space it goes towards the
+/// azimuth `towards`, counted from x to y.
+int tilt(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "tilt");
+  const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
+  const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
+  if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
+  keys.finish();
+  if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes");
+  tell_doubt(L, m, "tilt", "rate", "rad/s", rate);
+  tell_doubt(L, m, "tilt", "by", "rad", by);
+  const double duration = rate == 0 ? unbounded : by / std::abs(rate);
+  if (SpaceModel* space = as_space(m)) {
+    // About the axis across: what pointed down turns towards (cos, sin, 0).
+    const portable::SineCosine way = portable::sine_cosine(towards);
+    const Vec3 axis(way.sine, -way.cosine, 0);
+    begin_tilt<3>(*space, rate * axis, duration);
+  } else {
+    begin_tilt<2>(require_plane(m, "tilt"), rate, duration);
+  }
+  return 0;
+}
+
+template <int D>
+Bounds<D> read_bounds(Keys& keys) {
+  Bounds<D> chosen;
+  bool any = false;
+  for (int k = 0; k < D; ++k) {
+    const auto [low, high] = bound_names<D>[static_cast<std::size_t>(k)];
+    any = keys.has(low) || any;
+    any = keys.has(high) || any;
+    chosen.low[k] = keys.number(low, "m", -unbounded);
+    chosen.high[k] = keys.number(high, "m", unbounded);
+  }
+  if (!any)
+    keys.problem(D == 2 ? "no side is given; give left, right, bottom or top"
+                        : "no side is given; give left, right, front, back, bottom or top");
+  keys.finish();
+  return chosen;
+}
+
+template <class M, int D>
+void choose_bounds(M& m, const Bounds<D>& chosen) {
+  m.builder.bounds = chosen;  // for what is added later too
+  if (m.built()) m.change([chosen](Model<D>& model) { set_bounds(model, chosen); });
+}
+
+/// m:bounds{ left =, right =, bottom =, top = }, in space front and back too: what leaves them is followed no more.
+int bounds(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  Keys keys(L, 2, "bounds");
+  if (SpaceModel* space = as_space(m))
+    choose_bounds(*space, read_bounds<3>(keys));
+  else
+    choose_bounds(require_plane(m, "bounds"), read_bounds<2>(keys));
+  return 0;
+}
+
+int stop(lua_State* L) {
+  ScriptModel& m = this_model(L);
+  if (!m.running()) throw InputError("stop: no stage runs; call it from a handler or a story while one does");
+  m.stop();
+  return 0;
+}
+
+const std::array stage_method_list{
+    Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
+    Method{"consolidate", guarded<consolidate>,
+           "consolidate{duration=, ratio=, damping=, grow=, fresh=, or_go_on=, integrator=}: to rest under dead "
+           "load; fresh "
+           "mortar sets at its end"},
+    Method{"shake", guarded<shake>,
+           "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
+    Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
+    Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
+    Method{"bounds", guarded<bounds>,
+           "bounds{left=, right=, bottom=, top=}: what leaves them is an event and stands still from then on"},
+    Method{"stop", guarded<stop>, "stop(): ends the running stage at the next step border"},
+};
+
+}  // namespace
+
+void tell_note(lua_State* L, ScriptModel& model, const std::string& text) {
+  if (!model.running())
+    model.add_note(text);
+  else if (host(L).observer != nullptr)
+    host(L).observer->note(text);
+}
+
+std::span<const Method> stage_methods() {
+  return stage_method_list;
+}
+
+}  // namespace trilith::script

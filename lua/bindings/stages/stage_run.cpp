@@ -1,0 +1,373 @@
+#include "bindings/stages/stage_run.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "base/nearest.hpp"
+#include "bindings/core/bindings.hpp"
+#include "bindings/core/interrupt_watch.hpp"
+#include "statics/equilibrium.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// The library's functions in the model's own table, at fixed places of the stack while the stage runs.
+class Handlers {
+ public:
+  Handlers(lua_State* L, ScriptModel& model, Host& h)
+      : L_(L), model_(model), host_(h), watch_(L, h), first_(lua_gettop(L) + 1) {
+    lua_checkstack(L, 40);
+    push_own_table(L, 1);
+    const int own = lua_gettop(L);
+    for (const char* name : {"dispatch", "tick", "wake", "stepped", "sample"}) {
+      lua_pushstring(L, name);
+      lua_rawget(L, own);
+    }
+    lua_remove(L, own);
+  }
+  Handlers(const Handlers&) = delete;
+  Handlers& operator=(const Handlers&) = delete;
+  ~Handlers() { lua_settop(L_, first_ - 1); }
+
+  [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
+  /// After the stage: an interrupt leaves the results unfinished, and goes on as the error it may have been.
+  void end() {
+    if (host_.console == nullptr && interrupted()) model_.break_off("interrupted");
+    if (broken_off_) std::rethrow_exception(broken_off_);
+  }
+
+  void event(const Event& e) {
+    if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
+    if (leaves()) return;
+    begin(dispatch);
+    push_event(L_, 1, e);
+    run(1);
+  }
+
+  void step(double time, double dt) {
+    if (leaves()) return;
+    for (std::size_t i = 0; i < model_.timers.size(); ++i) {
+      if (model_.timers[i].due() > time + 0.5 * dt) continue;
+      model_.timers[i].next =
+          static_cast<std::int64_t>((time + 0.5 * dt - model_.timers[i].start) / model_.timers[i].interval) + 1;
+      begin(tick);
+      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
+      run(1);
+    }
+    if (model_.wake_at <= time + 1e-12) {
+      model_.wake_at = unbounded;
+      begin(wake);
+      run(0);
+    }
+    if (model_.has_step_handler) {
+      begin(stepped);
+      run(0);
+    }
+  }
+
+  /// Opens the console where that was asked for; in a nested run it is open already, so the run only pauses.
+  void border(bool nested) {
+    if (host_.console->was_interrupted()) model_.pause_reason = "interrupted";
+    if (nested || model_.pause_reason.empty()) return;
+    const std::string why = std::exchange(model_.pause_reason, "");
+    model_.pause([&] {
+      lua_pushvalue(L_, 1);
+      host_.console->open(L_, why);
+    });
+  }
+
+  /// All of it as a listener; it refers to this object.
+  ScriptListener listener(bool nested) {
+    ScriptListener l;
+    l.on_event = [this](const Event& e) { event(e); };
+    l.on_step = [this](double time, double dt) { step(time, dt); };
+    l.on_history = [this] { sample_functions(); };
+    if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
+    return l;
+  }
+
+  /// Whether the function at a stack index, given the model, says true.
+  bool holds(int function) {
+    if (leaves()) return false;
+    const int top = lua_gettop(L_);
+    lua_pushvalue(L_, function);
+    lua_pushvalue(L_, 1);
+    const bool is = run(1, 1) && lua_toboolean(L_, -1) != 0;
+    lua_settop(L_, top);
+    return is;
+  }
+
+  /// Values of the histories that Lua functions give; an interrupt leaves some out.
+  void sample_functions() {
+    for (std::size_t i = 0; i < model_.histories.size(); ++i) {
+      History& h = model_.histories[i];
+      if (h.sample) continue;
+      if (leaves()) return;
+      const int top = lua_gettop(L_);
+      begin(sample);
+      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
+      if (run(1, 1)) h.values.push_back(number_of(h));
+      lua_settop(L_, top);
+    }
+  }
+
+ private:
+  enum Function { dispatch, tick, wake, stepped, sample };
+  void begin(Function f) { lua_pushvalue(L_, first_ + f); }
+
+  /// Whether an interrupt or a signal ends the stage: at its next border, as stopped, and without any more Lua code.
+  bool leaves() {
+    if (host_.console != nullptr || !interrupted()) return false;
+    model_.stop();
+    return true;
+  }
+
+  /// Calls what begin() and the arguments put on the stack. False where an interrupt broke it off: it has not failed.
+  bool run(int arguments, int results = 0) {
+    try {
+      call(L_, arguments, results);
+      return true;
+    } catch (const ScriptError& e) {
+      // Somebody is there to look: nothing of the run is lost, which goes on without that call. An interrupt is no
+      // failure, and ends what hangs.
+      if (host_.console != nullptr && !interrupted()) {
+        const std::string said = e.what(), first = said.substr(0, said.find('\n'));
+        model_.pause_reason += fmt::format("{}a handler failed: {}", model_.pause_reason.empty() ? "" : "; ", first);
+        return false;
+      }
+      if (!leaves()) throw;
+      broken_off_ = std::current_exception();
+      return false;
+    }
+  }
+
+  /// The number on top of the stack, what the function of a history gave. Throws InputError for anything else.
+  [[nodiscard]] double number_of(const History& h) const {
+    const double value = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : unbounded;
+    if (std::isfinite(value)) return value;
+    throw InputError(
+        fmt::format("history '{}': its function gave {}, must give a finite number", h.name, what_is(L_, -1)));
+  }
+
+  lua_State* L_;
+  ScriptModel& model_;
+  Host& host_;
+  InterruptWatch watch_;
+  int first_;
+  std::exception_ptr broken_off_;  ///< what an interrupt raised in a handler; it goes on where the stage has ended
+};
+
+/// Calls go(handlers, listener) with the script's handlers listening.
+template <class Go>
+StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
+  struct Running {
+    int& count;
+    explicit Running(int& c) : count(c) { ++count; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running() { --count; }
+  } running(h.running);
+  Handlers handlers(L, model, h);
+  const StageReport report = go(handlers, handlers.listener(false));
+  handlers.end();
+  return report;
+}
+
+/// A stage begins before anything has read the command line: parameters are declared later, or never. Under a stock
+/// interpreter words of another form may be the script's own.
+void refuse_unread_arguments(const Host& h) {
+  if (h.list_parameters && !h.script.empty()) throw InputError(parameters_listed);
+  if (h.given_used) return;
+  if (h.list_parameters) throw InputError("no parameters are declared before the first stage; see trilith.params");
+  for (const std::string& word : h.given)
+    if (word.find('=', 1) != std::string::npos && word.front() != '-')
+      throw InputError(
+          fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
+}
+
+/// Whether bodies have come down since a stage began; looked at now and then.
+class Fallen {
+ public:
+  Fallen(const ScriptModel& model, const StageUntil& until) : model_(model), until_(until), start_(model.heights()) {}
+  [[nodiscard]] bool look() {
+    if (until_.drop <= 0 || ++steps_ % steps_between_looks != 0) return false;
+    const std::vector<double> now = model_.heights();
+    int down = 0;
+    for (std::size_t b = 0; b < start_.size(); ++b) down += start_[b] - now[b] > until_.drop ? 1 : 0;
+    return down >= until_.bodies;
+  }
+
+ private:
+  static constexpr std::int64_t steps_between_looks = 20;
+  const ScriptModel& model_;
+  StageUntil until_;
+  std::vector<double> start_;  // [body] m; no number where it is held or not there
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace
+
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until) {
+  Host& h = host(L);
+  refuse_unread_arguments(h);
+  return listen(L, model, h, [&](Handlers& handlers, ScriptListener listener) {
+    model.build();
+    Fallen fallen(model, until);
+    std::string met;
+    std::int64_t taken = 0;
+    if (until.steps > 0 || until.function != 0 || until.drop > 0)
+      listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
+        inner(time, dt);
+        if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
+        if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
+        if (!met.empty() || (until.steps > 0 && ++taken >= until.steps)) model.stop();
+      };
+    StageReport report = model.run(options, listener, h);
+    if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
+    return report;
+  });
+}
+
+namespace {
+
+/// Loads that have nothing of their course at this instant, and will have some later, each once: "'a', 'b'".
+template <int D>
+std::string loads_to_come(const SimulatedModel<D>& model) {
+  if (model.if_built() == nullptr) return "";
+  const double now = model.if_built()->state().time;
+  std::vector<std::string> names;
+  const auto add = [&](const auto& loads) {
+    for (const auto& load : loads)
+      if (load.curve.at(now) == 0 && !load.curve.spent(now) &&
+          std::find(names.begin(), names.end(), load.name) == names.end())
+        names.push_back(load.name);
+  };
+  add(model.if_built()->model().point_loads), add(model.if_built()->model().face_loads);
+  return names.empty() ? "" : fmt::format("'{}'", fmt::join(names, "', '"));
+}
+
+/// A course goes by time, of which statics takes none.
+void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& stage) {
+  const PlaneModel* plane = as_plane(model);
+  const std::string names = plane != nullptr ? loads_to_come(*plane) : loads_to_come(*as_space(model));
+  if (names.empty()) return;
+  tell_note(L, model,
+            fmt::format("{}: nothing acts of {} at {:g} s of its course, and statics takes no time; for the whole load "
+                        "leave out the course, or let time go by first",
+                        stage, names, model.time()));
+}
+
+}  // namespace
+
+StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
+                         AnyLoadWay way) {
+  Host& h = host(L);
+  refuse_unread_arguments(h);
+  tell_loads_to_come(L, model, options.name);
+  return listen(L, model, h, [&](Handlers& handlers, const ScriptListener& listener) {
+    EquilibriumOptions asked = how;
+    asked.is_stopped = [&handlers] { return handlers.interrupted(); };
+    return model.run(options, listener, h, &asked, way);
+  });
+}
+
+StageReport resume_stage(lua_State* L, ScriptModel& model) {
+  Host& h = host(L);
+  return listen(L, model, h,
+                [&](Handlers& /*handlers*/, const ScriptListener& listener) { return model.resume(listener, h); });
+}
+
+void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
+  Host& h = host(L);
+  limit.leave = [&model] { return !model.pause_reason.empty(); };
+  Handlers handlers(L, model, h);
+  model.run_on(limit, handlers.listener(true), h);
+}
+
+namespace {
+
+/// tostring(report): "shake ended (time) after 12 s in 100740 steps".
+int report_text(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TTABLE) throw InputError("report: no report");
+  const auto raw = [&](const char* key) {
+    lua_pushstring(L, key);
+    lua_rawget(L, 1);
+  };
+  const auto text = [&](const char* key) {
+    raw(key);
+    const std::string value = text_at(L, -1);
+    lua_pop(L, 1);
+    return value;
+  };
+  const auto number = [&](const char* key) {
+    raw(key);
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+  };
+  std::string line = fmt::format("{} ended ({}) after {:.6g} s in {:.0f} steps", text("name"), text("ending"),
+                                 number("ended") - number("begun"), number("steps"));
+  if (const std::string reason = text("reason"); !reason.empty()) line += ": " + reason;
+  lua_pushlstring(L, line.data(), line.size());
+  return 1;
+}
+
+/// Of a report: a field that it does not have. `mass_scaling` is there only where masses were scaled.
+int no_such_field(lua_State* L) {
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
+  if (name == "mass_scaling") return 0;
+  std::vector<std::string> known;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+  throw InputError(fmt::format("report has no '{}'{}", name, name_hint(name, known)));
+}
+
+}  // namespace
+
+void push_report(lua_State* L, const StageReport& r) {
+  const auto number = [&](const char* key, double value) {
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+  };
+  lua_createtable(L, 0, 15);
+  lua_pushstring(L, r.name.c_str());
+  lua_setfield(L, -2, "name");
+  lua_pushstring(L, name_of(r.end));
+  lua_setfield(L, -2, "ending");
+  lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
+  lua_setfield(L, -2, "rests");
+  lua_pushstring(L, r.reason.c_str());
+  lua_setfield(L, -2, "reason");
+  lua_pushinteger(L, r.steps);
+  lua_setfield(L, -2, "steps");
+  number("begun", r.begun);
+  number("ended", r.ended);
+  number("shortest_dt", r.shortest_dt);
+  number("longest_dt", r.longest_dt);
+  number("speed", r.speed);
+  number("ratio", r.ratio);
+  lua_pushinteger(L, r.threads);
+  lua_setfield(L, -2, "threads");
+  number("thread_gain", r.thread_gain);
+  if (r.scaled) {
+    lua_createtable(L, 0, 6);
+    number("bodies", r.scaled->bodies);
+    number("share", r.scaled->share);
+    number("most", r.scaled->most);
+    number("before", r.scaled->before);
+    number("energy", r.scaled->energy);
+    number("kinetic", r.scaled->kinetic);
+    lua_setfield(L, -2, "mass_scaling");
+  }
+  if (luaL_newmetatable(L, "trilith.report") != 0) {
+    set_function(L, "__tostring", guarded<report_text>);
+    set_function(L, "__index", guarded<no_such_field>);
+  }
+  lua_setmetatable(L, -2);
+}
+
+}  // namespace trilith::script

@@ -1,0 +1,17 @@
+// The plan of a study from the table that a script gives.
+#pragma once
+
+#include "bindings/core/keys.hpp"
+#include "run/study/study_figures.hpp"
+#include "run/study/study_plan.hpp"
+
+namespace trilith::script {
+
+/// Reads one of `parameters` (a product), `cases` (a list) and `samples` (with `count` and `seed`). Throws InputError
+/// as the makers of plans do, and for tables that are none of these.
+StudyPlan read_plan(Keys& keys);
+
+/// Reads `histories`: { ["top drift"] = "max", ["base shear"] = { "max", "min" } }. Throws InputError.
+std::vector<StudyHistory> read_histories(Keys& keys);
+
+}  // namespace trilith::script

@@ -1,0 +1,31 @@
+#include "broad_phase/grid.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <vector>
+
+using namespace trilith;
+
+TEST_CASE("boxes that are out of all measure or no numbers meet nothing and leave the others their pairs") {
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Box> boxes;
+  for (int i = 0; i < 20; ++i) boxes.push_back({0.9 * i, 0, 0.9 * i + 1, 1});
+  const auto pairs = meeting_boxes(boxes);
+  CHECK(pairs.size() == 19);
+  for (const double away : {1e101, 1e300, infinite, none}) {
+    std::vector<Box> more = boxes;
+    more.push_back({away, away, away, away});
+    more.push_back({-away, 0, away, 1});
+    more.push_back({0, 0, away, 1});
+    CHECK(meeting_boxes(more) == pairs);
+  }
+}
+
+TEST_CASE("boxes far out are still found where they are within measure") {
+  std::vector<Box> boxes{{0, 0, 1, 1}, {1e60, 0, 1.1e60, 1}, {1.05e60, 0, 1.2e60, 1}, {0.5, 0, 1.5, 1}};
+  const auto pairs = meeting_boxes(boxes);
+  REQUIRE(pairs.size() == 2);
+  CHECK(pairs[0] == std::pair(0, 3));
+  CHECK(pairs[1] == std::pair(1, 2));
+}

@@ -1,0 +1,173 @@
+// Detection by body: no pair that touches is missed however bodies fly, and what stands is not looked up.
+#include "broad_phase/pairs.hpp"
+
+#include <random>
+#include <set>
+
+#include "assembly/evaluate.hpp"
+#include "broad_phase/moving_piece.hpp"
+#include "geometry/plane/random_convex.hpp"
+#include "physics/scene.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+void move_on(const Model<2>& model, State<2>& state, double dt) {
+  for (int n = 0; n < model.nodes(); ++n) {
+    state.position[n] += dt * state.velocity[n];
+    state.rotation[n] += dt * state.spin[n];
+  }
+  state.last_dt = dt;
+}
+
+std::set<ContactKey> keys_of(const Work<2>& work) {
+  std::set<ContactKey> keys;
+  for (const NearPair& p : work.pairs) keys.insert(contact_key(p.piece_a, p.piece_b));
+  return keys;
+}
+
+/// How many bodies have a corner that has less left to where it may go than is said of its body.
+int left_less(const Model<2>& model, const BroadPhaseState<2>& search, const Work<2>& work) {
+  int count = 0;
+  for (int p = 0; p < model.pieces(); ++p) {
+    const LanePair said = search.left[static_cast<std::size_t>(model.piece_body[p])].left - search.shifted;
+    Vec2 left = Vec2::Constant(unbounded);
+    for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
+      const SkinMotion<2>& skin = work.skin[static_cast<std::size_t>(model.corner_skin[c])];
+      const Vec2 gone = Vec2(skin.x, skin.y) - search.together - search.corner[static_cast<std::size_t>(c)];
+      left = left.cwiseMin(gone - search.low[p]).cwiseMin(search.high[p] - gone);
+    }
+    count += said[0] <= left.x() && said[1] <= left.y() ? 0 : 1;
+  }
+  return count;
+}
+
+/// Stones of sizes up to `unlike` times different, with room for all.
+Scene stones(std::mt19937_64& bits, int count, double unlike) {
+  Scene scene(Frictional{1e8, 5e7, 0.6, 0});
+  scene.builder.overlap_allowed = 1;
+  scene.fixed("ground", box(-30, -1, 30, 0));
+  for (int i = 0; i < count; ++i) {
+    RandomConvex wanted;
+    wanted.smallest = std::pow(unlike, -random_between(bits, 0, 1)), wanted.largest = wanted.smallest;
+    wanted.slenderest = 2;
+    BodySpec spec;
+    spec.name = "stone" + std::to_string(i), spec.floating = true;
+    // One after the other: compilers take arguments in the order they like.
+    const Vec2 middle{random_between(bits, -5, 5), random_between(bits, 0, 5)}, direction = random_direction(bits);
+    spec.outline = placed(random_convex(bits, wanted), direction, middle);
+    scene.add(spec);
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a list that is patched gives the bits of one found anew and misses no pair that overlaps") {
+  std::mt19937_64 bits(3);
+  for (const double unlike : {3.0, 100.0}) {
+    Scene scene = stones(bits, 60, unlike);
+    const Model<2> model = scene.builder.build();
+    State<2> state = initial_state(model);
+    Work<2> kept;
+    int missed = 0, differ = 0, overlapping = 0, unsorted = 0, less = 0;
+    for (int step = 0; step < 1500; ++step) {
+      // Each turns off its way now and then; some stand for a while.
+      for (int n = 1; n < model.nodes(); ++n)
+        if (step % 50 == n % 50) {
+          const double speed = bits() % 3 == 0 ? 0 : std::pow(10, random_between(bits, -2, 1));
+          state.velocity[n] = speed * random_direction(bits) - 0.3 * (state.position[n] - Vec2(0, 2));
+          state.spin[n] = random_between(bits, -5, 5);
+        }
+      move_on(model, state, 1e-3);
+      evaluate(model, state, kept, 1e-3);
+      less += left_less(model, kept.search, kept);
+      for (std::size_t row = 1; row < kept.pairs.size(); ++row)
+        unsorted += kept.pairs[row - 1].piece_a < kept.pairs[row].piece_a ||
+                            (kept.pairs[row - 1].piece_a == kept.pairs[row].piece_a &&
+                             kept.pairs[row - 1].piece_b < kept.pairs[row].piece_b)
+                        ? 0
+                        : 1;
+      if (step % 10 != 0) continue;
+      Work<2> fresh;
+      evaluate(model, state, fresh, 1e-3);
+      for (int n = 0; n < model.nodes(); ++n)
+        differ += kept.force[n] == fresh.force[n] && kept.moment[n] == fresh.moment[n] ? 0 : 1;
+      const std::set<ContactKey> keys = keys_of(kept);
+      for (int p = 0; p < model.pieces(); ++p)
+        for (int q = p + 1; q < model.pieces(); ++q) {
+          if (model.piece_body[p] == model.piece_body[q]) continue;
+          if (overlap_of(moving_piece(model, state, p), moving_piece(model, state, q)).depth < 0) continue;
+          ++overlapping;
+          missed += keys.count(contact_key(p, q)) == 1 ? 0 : 1;
+        }
+    }
+    CHECK(missed == 0);
+    CHECK(less == 0);
+    CHECK(differ == 0);
+    CHECK(unsorted == 0);
+    CHECK(overlapping > 500);
+  }
+}
+
+namespace {
+
+/// A row of blocks on the ground, and one in the air.
+Model<2> row_of_blocks() {
+  Scene scene(Frictional{1e8, 5e7, 0.6, 0});
+  scene.fixed("ground", box(-1, -1, 21, 0));
+  for (int i = 0; i < 20; ++i) scene.block("block" + std::to_string(i), box(i, 0, i + 0.9, 1), 1000);
+  BodySpec stone;
+  stone.name = "stone", stone.outline = box(5, 10, 6, 11), stone.mass = 1000, stone.floating = true;
+  scene.add(stone);
+  return scene.builder.build();
+}
+
+}  // namespace
+
+TEST_CASE("what stands is not looked up again while something else flies by and finds its neighbours") {
+  const Model<2> model = row_of_blocks();
+  State<2> state = initial_state(model);
+  const int stone = model.nodes() - 1;
+  state.velocity[stone] = {0, -5};
+  Work<2> work;
+  evaluate(model, state, work, 1e-3);
+  const auto pairs = work.pairs.size();
+  const std::vector<Vec2> corners = work.search.corner;
+  const WayLeft<2> of_block = work.search.left[1];
+  int looked_up = 0;
+  Vec2 last = corners.back();
+  for (int step = 0; step < 1780; ++step) {  // 8.9 m down: into the row's boxes, not into a block
+    move_on(model, state, 1e-3);
+    evaluate(model, state, work, 1e-3);
+    looked_up += work.search.corner.back() != last ? 1 : 0;
+    last = work.search.corner.back();
+  }
+  const auto standing = static_cast<std::ptrdiff_t>(corners.size()) - 4;
+  CHECK(std::equal(corners.begin(), corners.begin() + standing, work.search.corner.begin()));
+  const WayLeft<2>& now = work.search.left[1];
+  CHECK(now.left[0] == of_block.left[0]);
+  CHECK(now.left[1] == of_block.left[1]);
+  CHECK(looked_up > 20);
+  CHECK(looked_up < 200);
+  // 5 mm, a step's way, above the two it falls on: they are to be pairs before they touch.
+  for (int step = 0; step < 19; ++step) move_on(model, state, 1e-3), evaluate(model, state, work, 1e-3);
+  CHECK(work.pairs.size() >= pairs + 2);
+}
+
+TEST_CASE("what all move by together makes nobody be looked up again") {
+  const Model<2> model = row_of_blocks();
+  State<2> state = initial_state(model);
+  Work<2> work;
+  evaluate(model, state, work, 1e-3);
+  const std::vector<Vec2> corners = work.search.corner;
+  for (int step = 0; step < 2000; ++step) {
+    const Vec2 velocity(4 * std::sin(0.05 * step), std::cos(0.03 * step));
+    std::fill(state.velocity.begin(), state.velocity.end(), velocity);
+    move_on(model, state, 1e-3);
+    evaluate(model, state, work, 1e-3);
+  }
+  CHECK(work.search.corner == corners);
+}

@@ -1,0 +1,141 @@
+// Concrete fibres against the equations of their envelopes, and their cycles.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "law/material/uniaxial_led.hpp"
+#include "near.hpp"
+
+namespace trilith {
+namespace {
+
+using testing::LedFibre;
+using testing::near;
+using testing::near_zero;
+
+constexpr double fc = 30e6;
+
+template <class L>
+double plastic_after(LedFibre<L> led) {
+  led.along(0, 4000);
+  double low = -1, high = 0;  // of the strain where it closes: there the stress is 0
+  for (int i = 0; i < 100; ++i) {
+    const double e = 0.5 * (low + high);
+    (led.law.respond(e, led.now.memory).stress() < 0 ? low : high) = e;
+  }
+  return high;
+}
+
+}  // namespace
+
+TEST_CASE("Kent and Park: parabola, straight softening, rest, with and without confinement") {
+  for (const double k : {1.0, 1.3}) {
+    LedFibre<KentPark> led{{fc, 0.002, 0.008, 0.2, k, 0, 0}};
+    for (int i = 1; i <= 100; ++i) {
+      const double e = 1e-4 * i, x = e / (k * 0.002);
+      led.to(-e);
+      const double down = k * fc * (1 - 0.8 * (e - k * 0.002) / (0.008 - k * 0.002));
+      const double expected = x <= 1 ? k * fc * (2 * x - x * x) : e <= 0.008 ? down : 0.2 * k * fc;
+      CHECK(near(-led.now.stress(), expected, 1e-12));
+    }
+  }
+}
+
+TEST_CASE("Mander: the curve of Popovics up to the ultimate strain, the rest beyond") {
+  const double young = 27e9, k = 1.25, e_c = 0.002 * (1 + 5 * (k - 1)), r = young / (young - k * fc / e_c);
+  LedFibre<Mander> led{{fc, young, 0.002, 0.02, 0.1, k, 0, 0}};
+  for (int i = 1; i <= 100; ++i) {
+    const double e = 2.5e-4 * i, x = e / e_c;
+    led.to(-e);
+    const double curve = k * fc * x * r / (r - 1 + std::pow(x, r));
+    CHECK(near(-led.now.stress(), e <= 0.02 * (1 + 1e-12) ? curve : 0.1 * k * fc, 1e-12));
+  }
+  led.along(0);
+  LedFibre<Mander> peak{led.law};
+  peak.to(-e_c);
+  CHECK(near(-peak.now.stress(), k * fc, 1e-12));
+  CHECK(near_zero(peak.now.tangent, 1e-9 * young));
+}
+
+TEST_CASE("concrete unloads along one line to the plastic strain of Karsan and Jirsa, and loads along it again") {
+  for (const double ratio : {0.8, 1.5, 2.5}) {
+    LedFibre<KentPark> led{{fc, 0.002, 0.01, 0.2, 1, 0, 0}};
+    led.along(-ratio * 0.002);
+    const double share = ratio < 2 ? 0.145 * ratio * ratio + 0.13 * ratio : 0.84 + 0.707 * (ratio - 2);
+    CHECK(near(plastic_after(led), -share * 0.002, 1e-9));
+    const double top = led.now.stress(), at = led.at, lost = led.lost;
+    led.along(0.5 * (at - share * 0.002));
+    CHECK(near(led.now.stress(), 0.5 * top, 1e-9));
+    led.along(at);
+    CHECK(near(led.now.stress(), top, 1e-12));
+    CHECK(near_zero(led.lost - lost, 1e-12 * lost));
+  }
+}
+
+TEST_CASE("a little compression is given back along the first slope") {
+  LedFibre<KentPark> led{{fc, 0.002, 0.01, 0.2, 1, 0, 0}};
+  led.along(-0.2 * 0.002);
+  led.along(-0.19 * 0.002, 1);
+  CHECK(near(led.now.tangent, 2 * fc / 0.002, 1e-12));
+}
+
+TEST_CASE("a crack opens along its line, closes to where it began, and has cost its energy") {
+  const double tension = 3e6, end = 5e-4, young = 2 * fc / 0.002, first = tension / young;
+  LedFibre<KentPark> led{{fc, 0.002, 0.006, 0.2, 1, tension, end}};
+  led.along(first, 10);
+  CHECK(near(led.now.stress(), tension, 1e-12));
+  led.along(0.5 * (first + end));
+  CHECK(near(led.now.stress(), 0.5 * tension, 1e-12));
+  led.along(0.25 * (first + end));
+  CHECK(near(led.now.stress(), 0.25 * tension, 1e-12));
+  led.along(0);
+  CHECK(near_zero(led.now.stress(), 1e-12 * tension));
+  led.along(2 * end, 4000);
+  CHECK(led.now.stress() == 0);
+  MESSAGE("crack " << led.lost << " J/m3, closed form " << 0.5 * tension * end);
+  CHECK(near(led.lost, 0.5 * tension * end, 1e-3));
+  led.along(-1e-4);  // closed: as if there were no crack
+  CHECK(near(-led.now.stress(), fc * (0.1 - 0.0025), 1e-12));
+}
+
+TEST_CASE("concrete without tension has none, and without an end of tension it cracks at once") {
+  LedFibre<KentPark> none{{fc, 0.002, 0.006, 0.2, 1, 0, 0}}, brittle{{fc, 0.002, 0.006, 0.2, 1, 3e6, 0}};
+  none.along(1e-3), brittle.along(0.99 * 3e6 * 0.002 / (2 * fc));
+  CHECK(none.now.stress() == 0);
+  CHECK(near(brittle.now.stress(), 0.99 * 3e6, 1e-12));
+  brittle.along(1.02 * 1e-4);
+  CHECK(brittle.now.stress() == 0);
+  brittle.along(0.5e-4);
+  CHECK(brittle.now.stress() == 0);
+}
+
+TEST_CASE("what a step over the kink of a closed crack gives back falls with the square of the step") {
+  double before = 0;
+  for (const int steps : {10, 20, 40, 80}) {
+    LedFibre<KentPark> led{{fc, 0.002, 0.006, 0.2, 1, 3e6, 1e-3}};
+    led.along(3e-4, 3000), led.along(-1.003e-4, 3000);
+    led.least_loss = 0;
+    led.along(2.997e-4, steps);
+    const double back = -led.least_loss;
+    CHECK(back > 0);
+    if (before > 0) CHECK(back < 0.6 * before);
+    before = back;
+  }
+  CHECK(before < 2.0);  // of 30 J/m3 stored in the crack
+}
+
+TEST_CASE("crushed concrete has lost its tension too") {
+  LedFibre<KentPark> led{{fc, 0.002, 0.006, 0, 1, 3e6, 1e-3}};
+  led.along(-0.007), led.along(0.001, 1000);
+  CHECK(led.now.stress() == 0);
+}
+
+TEST_CASE("concrete that does not fit is refused") {
+  CHECK_THROWS_AS((KentPark{fc, 0.002, 0.0021, 0.2, 1.1, 0, 0}.check()), InputError);
+  CHECK_THROWS_AS((KentPark{fc, 0.002, 0.006, 0.2, 1, 2 * fc, 0}.check()), InputError);
+  CHECK_THROWS_AS((Mander{fc, 10e9, 0.002, 0.006, 0, 1, 0, 0}.check()), InputError);
+  CHECK_NOTHROW(KentPark::sample().check());
+  CHECK_NOTHROW(Mander::sample().check());
+}
+
+}  // namespace trilith
