@@ -248,7 +248,8 @@ template <int D>
 bool LoadPathWalk<D>::jump() {
   if (last_way_.size() == 0 || options_.followed.empty()) return false;
   const Eigen::VectorXd way = last_way_;
-  const double rise = last_rise_;
+  const double rise = last_rise_, factor = last_factor_, energy = last_energy_;
+  typename StaticTrial<D>::Begin before_jump = trial_.begin();
   if (!predict_dissipation(least_energy())) {
     set_factor(last_factor_), trial_.go_back();
     return false;
@@ -258,10 +259,17 @@ bool LoadPathWalk<D>::jump() {
   control_ = PathControl::displacement;
   const bool found = step(0);
   control_ = options_.control;
-  // The path goes on as it went before the bond was lost.
-  last_way_ = way, last_rise_ = rise, last_energy_ = 0;
-  if (found) ++out_.jumps;
-  return found;
+  // The path continues in the direction it had before the loss of the bond. Where no equilibrium is found, the bond is
+  // whole again and the state is that of the last point.
+  last_way_ = way, last_rise_ = rise, last_energy_ = found ? 0 : energy;
+  if (found) {
+    ++out_.jumps;
+    return true;
+  }
+  last_factor_ = factor;
+  set_factor(factor);
+  trial_.return_to(std::move(before_jump));
+  return false;
 }
 
 /// The last resort: an arc that may go over fracture.

@@ -268,6 +268,14 @@ void StaticTrial<D>::accept() {
   begin_here();
 }
 
+template <int D>
+void StaticTrial<D>::return_to(Begin begin) {
+  state_ = std::move(begin.state);
+  events_.resize(begin.events);
+  work_.valid = false;
+  begin_here();
+}
+
 /// What statics cannot say where it went is `rest_damping`: the motion to rest that was left out.
 template <int D>
 State<D> StaticTrial<D>::finish() {

@@ -37,6 +37,15 @@ class StaticTrial {
   /// Makes the place last evaluated the begin of the next step: commits it, books the work of weight, loads and
   /// supports along the way with the mean of their forces at both ends, and evaluates it anew.
   void accept();
+  /// The begin of a step, to return to after later steps have been accepted.
+  struct Begin {
+    State<D> state;
+    std::size_t events;
+  };
+  /// Of the present step; the trial is there (go_back).
+  [[nodiscard]] Begin begin() const { return {state_, events_.size()}; }
+  /// Undoes the steps accepted since.
+  void return_to(Begin begin);
   /// The state at rest at the step's begin, as one that either kind of step goes on from. What the way gave off beyond
   /// what the laws book is the ledger's `rest_damping`. The last call.
   State<D> finish();
