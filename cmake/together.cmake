@@ -25,3 +25,8 @@ function(compile_together target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${batch})
   endforeach()
 endfunction()
+
+# For code that no time step calls.
+function(optimise_less target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()

@@ -1,5 +1,5 @@
-// M a = load + resist(bodies) + respond(contacts) + respond(bearings): one evaluation, shared by every integrator,
-// writes only Work.
+// M a = loads + internal forces + contact forces + bearing forces: one evaluation, shared by every integrator. It
+// writes Work only.
 #pragma once
 
 #include "assembly/step_times.hpp"
@@ -9,9 +9,9 @@
 
 namespace trilith {
 
-/// place -> find -> respond (contacts, bearings) -> resist -> apply loads -> spread -> sum, at the present pose and
-/// velocity, over a step `dt` [s] since the last commit. To evaluate again changes nothing. `times`: where the time
-/// goes is added to it. In space solids stand for skin points: place -> find -> respond -> resist -> sum.
+/// Kinematics, contact pairs, contact and bearing forces, internal forces, loads, and their sum, at the present pose
+/// and velocity, over a step `dt` [s] since the last commit. A second evaluation changes nothing. `times` receives
+/// the time of each stage. In space, polyhedra take the place of surface points.
 template <int D>
 void evaluate(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, StepTimes* times = nullptr);
 

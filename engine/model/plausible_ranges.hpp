@@ -25,7 +25,7 @@ std::string plausibility_note(std::string_view name, std::string_view unit, doub
 /// "usually at most 2", for reference pages; "" where there is no such range.
 std::string plausible_range_text(std::string_view name, std::string_view unit);
 
-/// Adds "owner: doubt" to `list` where there is one.
+/// Adds "owner: note" to `list` where the number is implausible.
 void add_plausibility_note(std::vector<std::string>& list, const std::string& owner, std::string_view name,
                            std::string_view unit, double value);
 

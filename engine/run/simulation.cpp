@@ -71,7 +71,7 @@ template <int D>
 void Simulation<D>::edited() {
   work_.valid = evaluated_ = false;
   tangent_->forget();
-  watch_->plausibility_note();
+  watch_->invalidate();
   kept_model_.reset();
 }
 

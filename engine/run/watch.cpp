@@ -268,7 +268,7 @@ std::optional<Divergence> Watch::look_at_beams(const Instant<D>& now) {
 /// What was strained beyond its limit without a time in which it came to that can come on no more slowly.
 template <int D>
 std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const std::string& under) {
-  plausibility_note();
+  invalidate();
   std::optional<Divergence> found = look_at_elements(now);
   if (!found) found = look_at_beams(now);
   if (!found) return found;

@@ -39,7 +39,7 @@ class Watch {
   /// Forgets all, as for another stage or state: what is there now counts as given.
   void reset();
   /// Looks at everything at the next instant: the model was changed.
-  void plausibility_note() { element_room_ = beam_room_ = bounds_room_ = 0, bonds_.reset(); }
+  void invalidate() { element_room_ = beam_room_ = bounds_room_ = 0, bonds_.reset(); }
   /// To be called at every evaluated instant. What it finds depends on the instant alone for elements, and for the rest
   /// on when it looked before.
   template <int D>

@@ -19,11 +19,11 @@ namespace trilith::program {
 namespace {
 
 /// Says what runs are not to be trusted; true where there are any.
-bool tell_doubts(const script::Host& host) {
-  const std::vector<std::string> plausibility_notes = host.plausibility_notes();
+bool report_untrusted_runs(const script::Host& host) {
+  const std::vector<std::string> untrusted_runs = host.untrusted_runs();
   if (host.observer != nullptr) host.observer->clear();
-  for (const std::string& line : plausibility_notes) fmt::print(stderr, "{}\n", line);
-  return !plausibility_notes.empty();
+  for (const std::string& line : untrusted_runs) fmt::print(stderr, "{}\n", line);
+  return !untrusted_runs.empty();
 }
 
 int report_error(script::Host& host, const std::string& message) {
@@ -31,7 +31,7 @@ int report_error(script::Host& host, const std::string& message) {
   if (host.observer != nullptr) host.observer->clear();
   host.finish(message);
   fmt::print(stderr, "{}\n", terminal_text(message));
-  return tell_doubts(host) ? not_trusted : wrong_input;
+  return report_untrusted_runs(host) ? not_trusted : wrong_input;
 }
 
 /// A hook. No script can catch what ends the program; an interrupt is an error, and so is a signal within a stage,
@@ -87,7 +87,7 @@ int run_script(script::Host& host) {
   if (signal_code() != 0) return close_by_signal(host);
   host.finish("");
   write_figures(host);
-  return tell_doubts(host) ? not_trusted : ended_well;
+  return report_untrusted_runs(host) ? not_trusted : ended_well;
 }
 
 int close_by_signal(script::Host& host) {

@@ -24,9 +24,9 @@ int exit_script(lua_State* L) {
   const int code = good ? ended_well : lua_isinteger(L, 1) != 0 ? static_cast<int>(lua_tointeger(L, 1)) : wrong_input;
   auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
   host.finish(good ? "" : "the script called os.exit");
-  const std::vector<std::string> plausibility_notes = host.plausibility_notes();
-  for (const std::string& line : plausibility_notes) fmt::print(stderr, "{}\n", line);
-  std::exit(good && !plausibility_notes.empty() ? not_trusted : code);
+  const std::vector<std::string> untrusted_runs = host.untrusted_runs();
+  for (const std::string& line : untrusted_runs) fmt::print(stderr, "{}\n", line);
+  std::exit(good && !untrusted_runs.empty() ? not_trusted : code);
 }
 
 /// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.

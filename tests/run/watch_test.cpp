@@ -187,13 +187,13 @@ TEST_CASE("a stage that must come to rest and does not names its worst body and 
     const Told told = run_told(sim, options);
     return std::tuple(told, sim.verdict());
   };
-  const auto [hasty, plausibility_note] = settle_for(0.05, true);
+  const auto [hasty, verdict] = settle_for(0.05, true);
   CHECK(hasty.report.end == StageEnd::not_at_rest);
   const Event* const unsettled = hasty.find(EventType::stage_unsettled);
   REQUIRE(unsettled != nullptr);
   CHECK(unsettled->body_a >= 1);
   CHECK(hasty.report.reason.find("er is worst") != std::string::npos);  // lower or upper
-  CHECK(plausibility_note.has(Fault::not_at_rest));
+  CHECK(verdict.has(Fault::not_at_rest));
   const auto [quiet, accepted] = settle_for(0.05, false);
   CHECK(quiet.report.end == StageEnd::not_at_rest);
   CHECK(accepted.sound());

@@ -25,7 +25,7 @@ void check_direction(const DirectionLaw& law) {
       law);
 }
 
-void doubt_direction(const DirectionLaw& law, const std::string& owner, std::vector<std::string>& notes) {
+void add_direction_notes(const DirectionLaw& law, const std::string& owner, std::vector<std::string>& notes) {
   std::visit(
       [&](const auto& l) {
         if constexpr (Declared<std::decay_t<decltype(l)>>) add_plausibility_notes(notes, owner, l);
@@ -134,8 +134,9 @@ void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner) {
 }
 
 template <int D>
-void add_bearing_doubts(const BearingSpecOf<D>& spec, const std::string& owner, std::vector<std::string>& notes) {
-  for (const DirectionLaw& law : all_laws(spec)) doubt_direction(law, owner, notes);
+void add_bearing_plausibility_notes(const BearingSpecOf<D>& spec, const std::string& owner,
+                                    std::vector<std::string>& notes) {
+  for (const DirectionLaw& law : all_laws(spec)) add_direction_notes(law, owner, notes);
   for (std::size_t k = 0; k < spec.limit.size(); ++k)
     add_plausibility_note_once(notes, owner, "limit", unit_of_direction<D>(static_cast<int>(k)), spec.limit[k]);
   if constexpr (D == 3) add_plausibility_note_once(notes, owner, "limit", "m", spec.horizontal_limit);
@@ -229,8 +230,8 @@ void require_in_reach(const Vec<D>& point, double distance, double size, double 
 
 template void check_bearing(const BearingSpecOf<2>&, const std::string&);
 template void check_bearing(const BearingSpecOf<3>&, const std::string&);
-template void add_bearing_doubts(const BearingSpecOf<2>&, const std::string&, std::vector<std::string>&);
-template void add_bearing_doubts(const BearingSpecOf<3>&, const std::string&, std::vector<std::string>&);
+template void add_bearing_plausibility_notes(const BearingSpecOf<2>&, const std::string&, std::vector<std::string>&);
+template void add_bearing_plausibility_notes(const BearingSpecOf<3>&, const std::string&, std::vector<std::string>&);
 template Bearing<2> bearing_of(const BearingSpecOf<2>&, const std::vector<std::string>&,
                                const std::vector<BearingSpecOf<2>>&);
 template Bearing<3> bearing_of(const BearingSpecOf<3>&, const std::vector<std::string>&,

@@ -50,7 +50,8 @@ void check_bearing(const BearingSpecOf<D>& spec, const std::string& owner);
 void require_compression(std::span<const DirectionLaw> laws, const DirectionLaw& axial, const std::string& owner);
 /// Adds to `notes` what is allowed but not usual.
 template <int D>
-void add_bearing_doubts(const BearingSpecOf<D>& spec, const std::string& owner, std::vector<std::string>& notes);
+void add_bearing_plausibility_notes(const BearingSpecOf<D>& spec, const std::string& owner,
+                                    std::vector<std::string>& notes);
 
 /// All of it that has nothing to do with bodies. Throws InputError where a successor is not there.
 template <int D>

@@ -96,7 +96,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_plausibility_note_once(notes_, owner, "density", "kg/m3", *spec.density);
   if (spec.frame)
-    add_frame_doubts(*spec.frame, owner, notes_);
+    add_frame_plausibility_notes(*spec.frame, owner, notes_);
   else
     add_plausibility_note_once(notes_, owner, "least side", "m", least_side(spec.outline));
   note_held_motion(spec, owner, notes_);

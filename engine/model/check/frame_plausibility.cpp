@@ -8,9 +8,9 @@ namespace trilith {
 namespace {
 
 /// Of one member after the other; a law that many members share is told of once.
-class FrameDoubts {
+class FrameNotes {
  public:
-  FrameDoubts(const std::string& owner, std::vector<std::string>& notes) : owner_(owner), notes_(notes) {}
+  FrameNotes(const std::string& owner, std::vector<std::string>& notes) : owner_(owner), notes_(notes) {}
 
   void section(const std::string& member, double area) {
     add_plausibility_note_once(notes_, of(member), "section area", "m2", area);
@@ -50,22 +50,23 @@ class FrameDoubts {
 
 }  // namespace
 
-void add_frame_doubts(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes) {
-  FrameDoubts plausibility_notes(owner, notes);
+void add_frame_plausibility_notes(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes) {
+  FrameNotes frame_notes(owner, notes);
   for (const FrameMember& member : frame.members) {
-    plausibility_notes.section(member.name, member.section.area);
-    if (const auto* fibres = std::get_if<MemberFibres>(&member.yields)) plausibility_notes.fibres(member.name, *fibres);
+    frame_notes.section(member.name, member.section.area);
+    if (const auto* fibres = std::get_if<MemberFibres>(&member.yields)) frame_notes.fibres(member.name, *fibres);
     if (const auto* hinges = std::get_if<MemberHinges>(&member.yields))
-      for (const auto& hinge : hinges->end) plausibility_notes.hinge(member.name, hinge);
+      for (const auto& hinge : hinges->end) frame_notes.hinge(member.name, hinge);
   }
 }
 
-void add_frame_doubts(const SpaceFrameSpec& frame, const std::string& owner, std::vector<std::string>& notes) {
-  FrameDoubts plausibility_notes(owner, notes);
+void add_frame_plausibility_notes(const SpaceFrameSpec& frame, const std::string& owner,
+                                  std::vector<std::string>& notes) {
+  FrameNotes frame_notes(owner, notes);
   for (const SpaceMember& member : frame.members) {
-    plausibility_notes.section(member.name, member.section.area);
-    if (member.fibres) plausibility_notes.fibres(member.name, *member.fibres);
-    for (const auto& hinge : member.hinge) plausibility_notes.hinge(member.name, hinge);
+    frame_notes.section(member.name, member.section.area);
+    if (member.fibres) frame_notes.fibres(member.name, *member.fibres);
+    for (const auto& hinge : member.hinge) frame_notes.hinge(member.name, hinge);
   }
 }
 

@@ -10,7 +10,8 @@
 namespace trilith {
 
 /// Adds a note for each kind of number, of the first member that has it.
-void add_frame_doubts(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
-void add_frame_doubts(const SpaceFrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
+void add_frame_plausibility_notes(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
+void add_frame_plausibility_notes(const SpaceFrameSpec& frame, const std::string& owner,
+                                  std::vector<std::string>& notes);
 
 }  // namespace trilith

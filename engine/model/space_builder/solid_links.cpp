@@ -76,7 +76,7 @@ void SolidModelBuilder::add_bearing(const BearingSpecOf<3>& spec) {
   check_bearing(spec, owner);
   require_near(spec.body_a, spec.point_a, owner, spec.arm);
   require_near(spec.body_b, spec.point_b, owner, spec.arm);
-  add_bearing_doubts(spec, owner, notes_);
+  add_bearing_plausibility_notes(spec, owner, notes_);
   bearings_.push_back(spec);
 }
 

@@ -145,7 +145,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
     add_plausibility_note_once(notes_, owner, "least side", "m", least_side(spec.pieces));
   for (const Sphere& sphere : spec.spheres)
     add_plausibility_note_once(notes_, owner, "least side", "m", 2 * sphere.radius);
-  if (spec.frame) add_frame_doubts(*spec.frame, owner, notes_);
+  if (spec.frame) add_frame_plausibility_notes(*spec.frame, owner, notes_);
   if (spec.inertia) check_inertia(spec, owner);
   note_held_solid(spec, owner, notes_);
   note_lone_piece(spec, owner, notes_);

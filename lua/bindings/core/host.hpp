@@ -133,7 +133,7 @@ struct Host {
   /// The same; what became of them comes back, a line for each.
   std::vector<std::string> close(const std::string& error);
   /// A line for each model whose run is not to be trusted.
-  [[nodiscard]] std::vector<std::string> plausibility_notes() const;
+  [[nodiscard]] std::vector<std::string> untrusted_runs() const;
 };
 
 /// Where the project's own ground motions are: beside the program or module that runs, where it was to be installed, or

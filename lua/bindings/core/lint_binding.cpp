@@ -34,7 +34,7 @@ int faults(lua_State* L) {
 }
 
 template <class Law>
-void add_doubts_of(std::vector<std::string>& list, const std::string& owner, const Law& law) {
+void add_plausibility_notes_of(std::vector<std::string>& list, const std::string& owner, const Law& law) {
   std::visit(
       [&](const auto& l) {
         if constexpr (Declared<std::decay_t<decltype(l)>>) add_plausibility_notes(list, owner, l);
@@ -43,34 +43,35 @@ void add_doubts_of(std::vector<std::string>& list, const std::string& owner, con
 }
 
 template <int D>
-void add_bearing_doubts_of(std::vector<std::string>& list, const std::vector<BearingSpecOf<D>>& bearings) {
-  for (const BearingSpecOf<D>& b : bearings) add_bearing_doubts(b, fmt::format("bearing '{}'", b.name), list);
+void add_bearing_plausibility_notes_of(std::vector<std::string>& list, const std::vector<BearingSpecOf<D>>& bearings) {
+  for (const BearingSpecOf<D>& b : bearings)
+    add_bearing_plausibility_notes(b, fmt::format("bearing '{}'", b.name), list);
 }
 
 /// Of bodies, bearings and the tilt of models in the plane.
-void add_plane_doubts(std::vector<std::string>& list, const PlaneModel& m) {
+void add_plane_plausibility_notes(std::vector<std::string>& list, const PlaneModel& m) {
   for (const BodySpec& body : m.builder.bodies())
     if (body.density)
       add_plausibility_note(list, fmt::format("body '{}'", body.name), "density", "kg/m3", *body.density);
-  add_bearing_doubts_of(list, m.builder.bearings());
+  add_bearing_plausibility_notes_of(list, m.builder.bearings());
   if (m.if_built() != nullptr)
     add_plausibility_note(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
 }
 
-/// core.doubts(model): numbers that are allowed but not usual, as they are now.
-int plausibility_notes(lua_State* L) {
+/// core.doubts(model): notes on numbers that are allowed but implausible, at present.
+int plausibility_notes_of_model(lua_State* L) {
   const ScriptModel& m = handle<ModelBox>(L, 1).get();
   std::vector<std::string> list;
   for (const Material& material : m.materials) {
     const std::string owner = fmt::format("material '{}'", material.name);
     add_plausibility_note(list, owner, "density", "kg/m3", material.density);
-    if (material.solid) add_doubts_of(list, owner, material.solid->law);
+    if (material.solid) add_plausibility_notes_of(list, owner, material.solid->law);
   }
   if (const PlaneModel* plane = as_plane(m))
-    add_plane_doubts(list, *plane);
+    add_plane_plausibility_notes(list, *plane);
   else
-    add_bearing_doubts_of(list, static_cast<const SpaceModel&>(m).builder.bearings());
-  for (const auto& [name, law] : m.laws) add_doubts_of(list, fmt::format("contact law '{}'", name), law);
+    add_bearing_plausibility_notes_of(list, static_cast<const SpaceModel&>(m).builder.bearings());
+  for (const auto& [name, law] : m.laws) add_plausibility_notes_of(list, fmt::format("contact law '{}'", name), law);
   push_texts(L, list);
   return 1;
 }
@@ -162,7 +163,7 @@ int usual(lua_State* L) {
 
 void open_lint(lua_State* L) {
   set_function(L, "faults", guarded<faults>);
-  set_function(L, "doubts", guarded<plausibility_notes>);
+  set_function(L, "doubts", guarded<plausibility_notes_of_model>);
   set_function(L, "damping", guarded<damping>);
   set_function(L, "usual", guarded<usual>);
   set_function(L, "is_held", guarded<is_held>);

@@ -14,7 +14,7 @@ int end_host(lua_State* L) {
   auto* host = static_cast<Host*>(lua_touserdata(L, 1));
   try {
     host->finish("");
-    for (const std::string& line : host->plausibility_notes()) fmt::print(stderr, "trilith: {}\n", line);
+    for (const std::string& line : host->untrusted_runs()) fmt::print(stderr, "trilith: {}\n", line);
   } catch (const std::exception& e) {  // the state closes: no script is left to be told
     fmt::print(stderr, "trilith: {}\n", e.what());
   }

@@ -56,7 +56,7 @@ std::vector<std::string> Host::close(const std::string& error) {
   return lines;
 }
 
-std::vector<std::string> Host::plausibility_notes() const {
+std::vector<std::string> Host::untrusted_runs() const {
   std::vector<std::string> lines;
   for (const auto& [title, verdict] : verdicts)
     if (!verdict->sound()) lines.push_back(fmt::format("the run of {} is {}", title, verdict->text()));

@@ -251,8 +251,8 @@ int drive(lua_State* L) {
 }
 
 /// A number that is allowed but not usual gets a note.
-void tell_doubt(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name, std::string_view unit,
-                double value) {
+void report_implausible(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name,
+                        std::string_view unit, double value) {
   std::vector<std::string> plausibility_notes;
   add_plausibility_note(plausibility_notes, owner, name, unit, value);
   for (const std::string& text : plausibility_notes) tell_note(L, m, text);
@@ -293,8 +293,8 @@ int tilt(lua_State* L) {
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
   keys.finish();
   if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes");
-  tell_doubt(L, m, "tilt", "rate", "rad/s", rate);
-  tell_doubt(L, m, "tilt", "by", "rad", by);
+  report_implausible(L, m, "tilt", "rate", "rad/s", rate);
+  report_implausible(L, m, "tilt", "by", "rad", by);
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
   if (SpaceModel* space = as_space(m)) {
     // About the axis across: what pointed down turns towards (cos, sin, 0).

@@ -101,12 +101,12 @@ int run_parted_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t in
   } catch (const std::exception& e) {
     h.finish(e.what());
     fmt::print(stderr, "{}\n", e.what());
-    return h.plausibility_notes().empty() ? 1 : 3;
+    return h.untrusted_runs().empty() ? 1 : 3;
   }
   h.finish("");
   write_whole_file(folder / figures_file, figures_text(h.figures));
-  for (const std::string& line : h.plausibility_notes()) fmt::print(stderr, "{}\n", line);
-  return h.plausibility_notes().empty() ? 0 : 3;
+  for (const std::string& line : h.untrusted_runs()) fmt::print(stderr, "{}\n", line);
+  return h.untrusted_runs().empty() ? 0 : 3;
 }
 
 /// Runs one case here: its function, with its parameters.
