@@ -72,6 +72,25 @@ void PushoverRecorder<D>::take_work(const Instant<D>& now, double place, double 
   unbalanced_work_ += unbalanced_power(now.model, now.state, now.work) * now.state.last_dt;
 }
 
+namespace {
+
+/// Force that supports carry across the push, over the weight across it: above 1 while bodies are accelerated upward.
+/// Joints that rub or rock then carry as much more along the push. 1 without gravity across the push.
+template <int D>
+double supported_share(const Model<D>& model, const Work<D>& work, const Vec<D>& direction) {
+  const Vec<D> across = model.gravity.field - direction * model.gravity.field.dot(direction);
+  const double gravity = across.norm();
+  if (!(gravity > 0)) return 1;
+  const Vec<D> down = across / gravity;
+  double weight = 0;
+  for (int n = 0; n < model.nodes(); ++n)
+    if (model.moves(n)) weight += model.mass[n] * gravity;
+  if (!(weight > 0)) return 1;
+  return std::max(0.5, 1 - unsupported_force(model, work, down) / weight);
+}
+
+}  // namespace
+
 /// `one`: of this instant.
 template <int D>
 void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, const PushPeak& one) {
@@ -79,6 +98,8 @@ void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, 
   has_peak_ = peak_in_sample_ = true;
   peak_ = one;
   peak_.carried = one.force - unsupported_force(now.model, now.work, push.direction);
+  const double at_rest = one.force / supported_share(now.model, now.work, push.direction);
+  if (std::abs(one.force - at_rest) > std::abs(one.force - peak_.carried)) peak_.carried = at_rest;
 }
 
 template <int D>

@@ -29,8 +29,9 @@ struct PushCurve {
 /// The step in which a push took most.
 struct PushPeak {
   double time = 0, displacement = 0, force = 0, drift = 0;  ///< as in PushCurve, of one instant
-  double carried = 0;  ///< of that force, how much the structure carries as in statics; inertia and damping take the
-                       ///< rest, by the balance along the push or by its power, whichever is more [N]
+  double carried = 0;  ///< part of this force that the structure carries in statics [N]. Inertia and damping carry the
+                       ///< rest: by the balance along the push, its power, or the weight that supports carry at this
+                       ///< instant, whichever differs most
 
   /// Inertia and damping may have this share of the force where it is to be a capacity.
   static constexpr double most_of_inertia = 0.05;

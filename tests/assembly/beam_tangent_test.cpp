@@ -1,7 +1,7 @@
 // The tangent of beams by hand against central differences of their forces.
 #include "assembly/tangent/beam_tangent.hpp"
 
-#include "physics/yielding.hpp"
+#include "physics/members/yielding.hpp"
 
 namespace trilith::testing {
 namespace {

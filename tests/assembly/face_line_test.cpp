@@ -9,7 +9,7 @@
 #include "assembly/evaluate.hpp"
 #include "energy_watch.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -13,7 +13,7 @@
 #include "geometry/space/convex_hull.hpp"
 #include "integrate/implicit/implicit_step.hpp"
 #include "law/bearing/direction_samples.hpp"
-#include "physics/space_solids.hpp"
+#include "physics/space/space_solids.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -13,8 +13,8 @@
 #include "law/bearing/direction_samples.hpp"
 #include "model/loads.hpp"
 #include "physics/collapses.hpp"
-#include "physics/frames.hpp"
-#include "physics/solids.hpp"
+#include "physics/members/frames.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -12,7 +12,7 @@
 #include "draw/inside_outline.hpp"
 #include "draw/scene/results_solids.hpp"
 #include "near.hpp"
-#include "physics/space_solids.hpp"
+#include "physics/space/space_solids.hpp"
 #include "results/file/placement.hpp"
 #include "run/record/recording_header.hpp"
 

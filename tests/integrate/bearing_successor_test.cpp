@@ -10,7 +10,7 @@
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 #include "run/record/recorded_texts.hpp"
 
 namespace trilith {

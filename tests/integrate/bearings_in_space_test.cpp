@@ -10,7 +10,7 @@
 #include "model/io/state_words.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 
 namespace trilith {
 namespace {

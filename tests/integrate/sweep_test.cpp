@@ -19,7 +19,7 @@
 #include "near.hpp"
 #include "physics/collapses.hpp"
 #include "physics/scene.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -8,7 +8,7 @@
 #include "model/io/fingerprint.hpp"
 #include "model/pushes.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

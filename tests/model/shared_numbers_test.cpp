@@ -8,8 +8,8 @@
 #include "assembly/single_terms.hpp"
 #include "model/element_rows.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
-#include "physics/space_solids.hpp"
+#include "physics/space/solids.hpp"
+#include "physics/space/space_solids.hpp"
 
 namespace trilith::testing {
 namespace {

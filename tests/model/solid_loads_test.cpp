@@ -4,7 +4,7 @@
 #include "base/error.hpp"
 #include "model/loads.hpp"
 #include "near.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -1,7 +1,7 @@
 // Bars of many elements: waves, impacts, spin.
 #include "model/check/energy_check.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -10,7 +10,7 @@
 #include "model/check/energy_check.hpp"
 #include "model/io/checkpoint.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

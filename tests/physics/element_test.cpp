@@ -1,6 +1,6 @@
 // Elements by themselves: rigid turns, patches, bending, rates of convergence.
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 namespace trilith::testing {
 namespace {

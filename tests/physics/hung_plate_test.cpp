@@ -8,13 +8,13 @@
 
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
-#include "physics/space_implicit.hpp"
+#include "physics/space/space_implicit.hpp"
 
 namespace trilith::testing {
 namespace {
 
-constexpr double drop = 2, length = 1, width = 0.6;
-const Vec3 sides(length, width, 0.02);
+constexpr double drop = 2, plate_length = 1, width = 0.6;
+const Vec3 sides(plate_length, width, 0.02);
 
 /// A plate of 1 x 0.6 m at z = 0 on four rods of 2 m at its corners, each on a pin above and below: light, so that they
 /// are cables but for their own swing, which alters a period by 1e-4 of it. `motion`: the velocity of a point of the
@@ -31,7 +31,7 @@ class HungPlate {
     plate.velocity = velocity, plate.spin = Vec3(0, 0, twist);
     builder_.add_body(plate);
     for (const double x : {-0.5, 0.5})
-      for (const double y : {-0.5, 0.5}) add_cable({x * length, y * width, 0}, velocity, twist);
+      for (const double y : {-0.5, 0.5}) add_cable({x * plate_length, y * width, 0}, velocity, twist);
   }
   [[nodiscard]] Model<3> model() { return builder_.build(); }
 
@@ -89,7 +89,7 @@ Swing swing_of(const Vec3& velocity, double twist, const std::function<double(co
 
 TEST_CASE("T34: a plate on four cables sways alike both ways and twists by its radius of gyration") {
   const double g = standard_gravity, sway = 2 * M_PI * std::sqrt(drop / g), angle = radians(1);
-  const double gyration = std::hypot(length, width) / std::sqrt(12), arm = 0.5 * std::hypot(length, width);
+  const double gyration = std::hypot(plate_length, width) / std::sqrt(12), arm = 0.5 * std::hypot(plate_length, width);
   REQUIRE(near(sway, 2.83749, 1e-5));
   REQUIRE(near(sway * gyration / arm, 1.63823, 1e-5));
   const double speed = 2 * M_PI / sway * angle * drop;

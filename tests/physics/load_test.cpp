@@ -11,7 +11,7 @@
 #include "model/loads.hpp"
 #include "model/pushes.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 #include "run/pushover.hpp"
 #include "run/record/body_forces.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "assembly/contact/contact_resultants.hpp"
 #include "near.hpp"
-#include "physics/implicit.hpp"
+#include "physics/members/implicit.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include "assembly/contact/contact_resultants.hpp"
 #include "law/bearing/linear.hpp"
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,6 +1,6 @@
 // Stages that leave the integrator open: implicit steps while those pay, explicit ones else.
 #include "near.hpp"
-#include "physics/implicit.hpp"
+#include "physics/members/implicit.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -2,7 +2,7 @@
 #include "run/load_way.hpp"
 
 #include "near.hpp"
-#include "physics/statics_frames.hpp"
+#include "physics/members/statics_frames.hpp"
 
 namespace trilith::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include "model/pose.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 #include "results/reading/reader.hpp"
 #include "run/record/body_forces.hpp"
 #include "run/record/recording.hpp"

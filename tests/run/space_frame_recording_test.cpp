@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "near.hpp"
-#include "physics/space_frames.hpp"
+#include "physics/space/space_frames.hpp"
 #include "results/file/placement.hpp"
 #include "run/record/recording_header.hpp"
 

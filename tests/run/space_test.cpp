@@ -8,7 +8,7 @@
 #include "integrate/explicit/stable_step.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 #include "results/reading/reader.hpp"
 #include "run/record/recording.hpp"
 #include "run/simulation.hpp"

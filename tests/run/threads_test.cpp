@@ -7,7 +7,7 @@
 
 #include "model/space_builder/solid_model_builder.hpp"
 #include "physics/scene.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/space/solid_bodies.hpp"
 #include "run/simulation.hpp"
 
 namespace trilith::testing {

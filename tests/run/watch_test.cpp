@@ -3,7 +3,7 @@
 #include "run/watch.hpp"
 
 #include "near.hpp"
-#include "physics/solids.hpp"
+#include "physics/space/solids.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -8,8 +8,8 @@
 #include "model/pose.hpp"
 #include "model/pushes.hpp"
 #include "near.hpp"
-#include "physics/frames.hpp"
-#include "physics/solid_bodies.hpp"
+#include "physics/members/frames.hpp"
+#include "physics/space/solid_bodies.hpp"
 
 using namespace trilith;
 using namespace trilith::testing;

@@ -1,0 +1,84 @@
+// trilith [console] [SCRIPT] [NAME=VALUE ...]; trilith -i SCRIPT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "base/terminal_text.hpp"
+#include "console/console_session.hpp"
+#include "program/assignment.hpp"
+#include "program/interrupt.hpp"
+#include "program/live.hpp"
+#include "program/room_options.hpp"
+#include "program/script_run.hpp"
+#include "program/script_state.hpp"
+#include "program/verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct Options {
+  std::string script;
+  std::vector<std::string> given;
+  bool quiet = false;
+  RoomOptions room;
+};
+
+/// Runs the script before the console; what goes wrong is told, and the console opens all the same.
+void run_before(lua_State* L, script::Host& host, ConsoleSession& session) {
+  ConsoleSession::push_handler(L);
+  bool good = load_script(L, host, ConsoleSession::prelude(L)) == LUA_OK;
+  good = good && lua_pcall(L, 0, 0, -2) == LUA_OK;
+  if (host.observer != nullptr) host.observer->clear();
+  if (!good) {
+    session.failure = message_at_top(L);
+    fmt::print(stderr, "{}\n", terminal_text(session.failure));
+  } else if (!host.given_used && !host.given.empty()) {
+    fmt::print(stderr, "{} declares no parameters, so '{}' has no place; see trilith.params\n", host.script,
+               host.given.front());
+  }
+  lua_settop(L, 1);
+}
+
+int run(const Options& options) {
+  Live live(stdout, EventLines(EventShow::important, slow_impact), options.quiet);
+  script::Host host;
+  host.script = options.script;
+  host.given = host.arguments = options.given;
+  host.study.program = program_path();
+  host.records = script::record_folders();
+  host.observer = &live;
+  host.command_line = options.script.empty() ? "trilith" : "trilith -i " + options.script;
+  for (const std::string& g : options.given) host.command_line += " " + g;
+  set_room(host, options.room);
+  if (!host.script.empty()) read_script(host);
+  const ScriptState state = new_script_state(host);
+  lua_State* L = state.get();
+  ConsoleSession session(L, host);
+  host.console = &session;
+  const InterruptScope scope(L, ConsoleSession::on_interrupt, 3);
+  host.interrupted = is_interrupted;
+  if (session.editor.terminal()) fmt::print("Trilith {}. `help` says what there is, Ctrl-D leaves.\n", TRILITH_VERSION);
+  if (!host.script.empty()) run_before(L, host, session);
+  const bool good = session.top(L) && session.failure.empty();
+  if (ending_signal() != 0) return close_by_signal(host);
+  host.finish(session.failure);
+  live.clear();
+  if (!session.editor.terminal() && interrupts() > 0) return interrupted;
+  return good || session.editor.terminal() ? ended_well : wrong_input;
+}
+
+}  // namespace
+
+void add_console(CLI::App& app, int& code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("console", "Talk to a model; this is what trilith alone, and trilith -i, do");
+  verb->add_option("script", options->script, "run this script first, and stay")->type_name("SCRIPT");
+  verb->add_option("parameters", options->given, "parameters that the script declares, as in pga=0.6g")
+      ->type_name("NAME=VALUE")
+      ->check(CLI::Validator(is_assignment, "", ""));
+  verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
+  add_room_options(*verb, options->room);
+  verb->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace trilith::program

@@ -1,0 +1,101 @@
+// trilith run SCRIPT [NAME=VALUE ...]
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "base/team.hpp"
+#include "program/assignment.hpp"
+#include "program/live.hpp"
+#include "program/positive.hpp"
+#include "program/profile_text.hpp"
+#include "program/room_options.hpp"
+#include "program/script_run.hpp"
+#include "program/since_option.hpp"
+#include "program/verbs.hpp"
+
+namespace trilith::program {
+namespace {
+
+struct RunOptions {
+  std::string script, results, folder, since;
+  std::vector<std::string> given;
+  EventShow events = EventShow::important;
+  double least_impact = slow_impact;
+  bool quiet = false, list = false, profile = false;
+  int only = 0, threads = 0;
+  RoomOptions room;
+};
+
+int run_as_asked(const RunOptions& options) {
+  Live live(stdout, EventLines(options.events, options.least_impact, options.since), options.quiet);
+  script::Host host;
+  host.script = options.script;
+  host.given = host.arguments = options.given;
+  host.case_folder = options.folder;
+  host.study.program = program_path();
+  host.study.only = options.only;
+  host.list_parameters = options.list;
+  host.results_file = options.results;
+  host.profile.wanted = options.profile;
+  host.threads = options.threads;
+  host.records = script::record_folders();
+  host.observer = options.list ? nullptr : &live;
+  host.command_line = "trilith run " + options.script;
+  for (const std::string& g : options.given) host.command_line += " " + g;
+  set_room(host, options.room);
+  const int code = run_script(host);
+  live.clear();
+  if (live.waits() && !options.list)
+    fmt::print("note: --since: no stage and no event '{}' has come; times count from the start of the run\n",
+               options.since);
+  if (options.profile) fmt::print("{}", profile_text(host.profile));
+  if (options.only > 0 && options.folder.empty()) fmt::print("{}", figures_text(host.figures));
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* verb = app.add_subcommand("run", "Run a Lua script");
+  verb->add_option("script", options->script, "the script")->required()->type_name("SCRIPT");
+  verb->add_option("parameters", options->given,
+                   "parameters that the script declares, in their declared unit or one given, as in pga=0.6g")
+      ->type_name("NAME=VALUE")
+      ->check(CLI::Validator(is_assignment, "", ""));
+  verb->add_option("--results", options->results, "write the results to FILE instead of the script's own")
+      ->type_name("FILE");
+  static const std::map<std::string, EventShow> shows{
+      {"all", EventShow::all}, {"important", EventShow::important}, {"none", EventShow::none}};
+  verb->add_option(
+          "--events", options->events,
+          "which events to show: all, important (no contacts made and lost, slow impacts or bodies at rest) or none")
+      ->transform(CLI::CheckedTransformer(shows).description(""))
+      ->type_name("all|important|none");
+  verb->add_option("--impacts", options->least_impact,
+                   "leave out impacts slower than this [m/s], unless all events are shown")
+      ->type_name("SPEED")
+      ->capture_default_str();
+  add_since(*verb, options->since);
+  verb->add_flag("--quiet,-q", options->quiet, "show neither events nor status");
+  verb->add_option("--folder", options->folder, "write all results, and the figures that the script returns, into DIR")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  verb->add_option("--case", options->only, "run this case of the script's study alone, here")
+      ->type_name("NUMBER")
+      ->check(CLI::Validator(is_positive, "", ""));
+  verb->add_option(
+          "--threads", options->threads,
+          "threads that share a step, with the same bits; as many as the machine has and as pay, which is timed, "
+          "where neither this, nor the script, nor TRILITH_THREADS says")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, most_threads));
+  verb->add_flag("--profile", options->profile,
+                 "say where the time went: parts of the step, contact laws, Lua callbacks");
+  add_room_options(*verb, options->room);
+  verb->add_flag("--params", options->list, "list the script's parameters and end");
+  verb->callback([options, &code] { code = run_as_asked(*options); });
+}
+
+}  // namespace trilith::program

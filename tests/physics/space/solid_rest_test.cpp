@@ -1,0 +1,233 @@
+// VALIDATION T1, T3, T9, T12 to T14, T16, T22: solids that rest, slide from rest and tip over.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "near.hpp"
+#include "physics/space/solid_bodies.hpp"
+
+using namespace trilith;
+using namespace trilith::testing;
+
+namespace {
+
+Polyhedron floor_slab() {
+  return box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0));
+}
+
+/// A block on the floor, in a world turned by `world`, under gravity tilted by `angle` towards `azimuth` [rad].
+struct Slope {
+  Vec3 sides;
+  double mu, angle, azimuth = 0, kn = 1e9, beta = 2e-4;
+  UnitQuaternion world = {};
+  double grown_at = 0;  // weight comes on until then [s]
+
+  [[nodiscard]] SolidRun run(double dt) const {
+    SpaceBuilder builder;
+    builder.gravity(Turn3(world).apply(tilted_gravity(angle, azimuth)));
+    builder.add(fixed_stone("floor", placed(floor_slab(), world, Vec3::Zero())));
+    const double sunk = grown_at > 0 ? 0 : 2000 * sides.z() * standard_gravity * std::cos(angle) / kn;
+    builder.add(stone("block", placed(box_at(sides, Vec3(0, 0, sides.z() / 2 - sunk)), world, Vec3::Zero())));
+    builder.contact(0, 0, frictional(kn, kn, mu, beta), "joint");
+    Model<3> model = builder.build();
+    model.gravity.grow_end = grown_at;
+    return {model, dt};
+  }
+  [[nodiscard]] Vec3 downhill() const { return Turn3(world).apply(Vec3(std::cos(azimuth), std::sin(azimuth), 0)); }
+};
+
+/// A regular prism lying on one of its sides, its axis along y, low side at z = 0.
+Polyhedron lying_prism(int corners, double radius, double length) {
+  std::vector<Vec3> polygon;
+  const double step = 2 * std::numbers::pi / corners;
+  const double low = radius * std::cos(step / 2);
+  for (int i = 0; i < corners; ++i)
+    polygon.push_back(
+        Vec3(radius * std::sin(step * (i + 0.5)), -length / 2, low - radius * std::cos(step * (i + 0.5))));
+  return extrusion(polygon, Vec3(0, length, 0));
+}
+
+}  // namespace
+
+TEST_CASE("T1: a cube slides down an incline that is turned about any axis") {
+  for (const UnitQuaternion& world : {UnitQuaternion{}, rotation_by({0.3, -1.2, 2.1}), rotation_by({-2, 0.4, 0.1})}) {
+    const Slope slope{Vec3(0.5, 0.5, 0.5), 0.3, radians(25), 0.7, 1e9, 2e-4, world};
+    SolidRun run = slope.run(2e-5);
+    run.run(0.2);
+    const Vec3 early = run.velocity(1);
+    run.run(0.2);
+    const Vec3 gained = (run.velocity(1) - early) / 0.2;
+    CHECK(near(gained.dot(slope.downhill()), standard_gravity * (std::sin(slope.angle) - 0.3 * std::cos(slope.angle)),
+               5e-3));
+    CHECK(near_zero((gained - gained.dot(slope.downhill()) * slope.downhill()).norm(), 5e-3));
+  }
+}
+
+TEST_CASE("T3: a cube dropped flat from 1 m meets the ground in time and comes to rest where its weight is carried") {
+  SpaceBuilder builder;
+  builder.gravity(Vec3(0, 0, -standard_gravity));
+  builder.add(fixed_stone("floor", floor_slab()));
+  builder.add(stone("cube", box_at(Vec3(1, 1, 1), Vec3(0, 0, 1.5)), 1000));
+  builder.contact(0, 0, frictional(1e8, 1e8, 0.5, 5e-4), "joint");
+  SolidRun run(builder.build(), 2e-5);
+  REQUIRE(run.run_until(1, [&] { return !run.work().general_touching.empty(); }));
+  CHECK(near(run.time(), 0.45160, 1e-3));
+  CHECK(near(run.velocity(1).norm(), 4.42869, 1e-3));
+  run.run(6);
+  CHECK(near(-(run.place(1).z() - 0.5), 1000 * standard_gravity / 1e8, 5e-3));
+  CHECK(run.velocity(1).norm() < run.model().still_speed);
+  const Energy energy = run.energy();
+  CHECK(near_zero(energy.balance(), 5e-3 * 1000 * standard_gravity));
+}
+
+TEST_CASE("a cube at rest stays at rest: no rattle, no lean, no turn") {
+  SpaceBuilder builder;
+  builder.gravity(Vec3(0, 0, -standard_gravity));
+  builder.add(fixed_stone("floor", floor_slab()));
+  const double sunk = 1000 * 0.1 * standard_gravity / 1e8;
+  builder.add(stone("cube", box_at(Vec3(0.1, 0.1, 0.1), Vec3(0.013, 0.027, 0.05 - sunk)), 1000));
+  builder.contact(0, 0, frictional(1e8, 1e8, 0.5, 1e-4), "joint");
+  SolidRun run(builder.build(), 1e-4);
+  const Vec3 before = run.place(1);
+  run.run(10);
+  CHECK(run.turned(1).norm() < 1e-9);
+  CHECK((run.place(1) - before).norm() < 1e-9);
+}
+
+TEST_CASE("T9: a table of four feet spreads its load as a rigid plate does") {
+  // A slab with four legs, one body; its weight is off the middle by a block that is part of it.
+  const auto feet = [](double ex, double ey) {
+    SpaceBuilder builder;
+    builder.gravity(Vec3(0, 0, -standard_gravity));
+    builder.add(fixed_stone("floor", floor_slab()));
+    SolidBody table;
+    table.name = "table", table.density = 1e-3;  // next to nothing: the load is the weight
+    table.pieces.push_back(box_solid(Vec3(-0.6, -0.5, 0.5), Vec3(0.6, 0.5, 0.6)));
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.4, 0.4})
+        table.pieces.push_back(box_solid(Vec3(x - 0.02, y - 0.02, 0), Vec3(x + 0.02, y + 0.02, 0.5)));
+    builder.add(table);
+    builder.contact(0, 0, frictional(1e11, 1e11, 0.5, 1e-3), "joint");
+    Model<3> model = builder.build();
+    // A mass of 10 kN / g at (ex, ey, .55) with some inertia: the body's centroid is moved there.
+    const Vec3 shift = Vec3(ex, ey, 0.55) - model.start_position[1];
+    const Vec3 own = Turn3(model.start_rotation[1]).undo(shift);
+    model.start_position[1] += shift;
+    for (int s = model.bodies[1].first_skin; s < model.bodies[1].first_skin + model.bodies[1].skins; ++s)
+      model.skin_place[static_cast<std::size_t>(s)] -= own;
+    for (int p = 1; p < model.pieces(); ++p)
+      for (Vec3& corner : model.piece_solid[static_cast<std::size_t>(p)].shape.corners) corner -= own;
+    model.mass[1] = 10e3 / standard_gravity, model.inertia[1] = Vec3::Constant(200);
+    SolidRun run(model, 1e-4);
+    run.run(3);
+    std::array<double, 4> force{};
+    for (const GeneralContact<3>& g : run.work().general_touching)
+      force[(g.centre.x() > 0 ? 1U : 0U) + (g.centre.y() > 0 ? 2U : 0U)] += g.force.z();
+    return force;
+  };
+  const auto even = feet(0.2, 0.08);
+  CHECK(near(even[3], 4000, 5e-3));
+  CHECK(near(even[1], 3000, 5e-3));
+  CHECK(near(even[2], 2000, 5e-3));
+  CHECK(near(even[0], 1000, 5e-3));
+  const auto lifted = feet(0.375, 0.2);
+  CHECK(near(lifted[3], 6250, 5e-3));
+  CHECK(near(lifted[1], 2500, 5e-3));
+  CHECK(near(lifted[2], 1250, 5e-3));
+  CHECK(lifted[0] == 0);
+}
+
+TEST_CASE("T12: friction is a circle") {
+  for (const double azimuth : {0.0, 22.5, 45.0, 17.0}) {
+    for (const double off : {-0.1, 0.1}) {
+      const Slope slope{Vec3(0.4, 0.4, 0.2), 0.4, radians(21.801 + off), radians(azimuth)};
+      SolidRun run = slope.run(2e-5);
+      run.run(0.6);
+      if (off < 0)
+        CHECK(run.velocity(1).norm() < 1e-4);
+      else
+        CHECK(run.velocity(1).dot(slope.downhill()) > 0.003);  // g (sin - mu cos) .6 s is .011 m/s
+    }
+  }
+}
+
+TEST_CASE("T13: a tall block tips over its edge or its corner" * doctest::test_suite("long")) {
+  for (const auto& [azimuth, limit] :
+       {std::pair(0.0, 18.435), std::pair(15.0, 19.04), std::pair(30.0, 21.05), std::pair(45.0, 25.24)}) {
+    for (const double off : {-0.3, 0.05}) {
+      // The corner carries all on a small triangle: it must be the stiffer.
+      const bool corner = azimuth == 45;
+      const Slope slope{Vec3(0.4, 0.4, 1.2),
+                        0.9,
+                        radians(limit + off),
+                        radians(azimuth),
+                        corner ? 1e14 : 1e12,
+                        corner ? 2e-6 : 3e-5,
+                        {},
+                        0.5};
+      SolidRun run = slope.run(corner ? 2e-6 : 1e-5);
+      const bool fell = run.run_until(3, [&] { return run.turned(1).norm() > 0.1; });
+      CHECK(fell == (off > 0));
+    }
+  }
+}
+
+TEST_CASE("T14: a wedge in a groove feels friction over the sine of half its angle") {
+  for (const auto& [half_angle, expected] :
+       {std::pair(45.0, 2.05398), std::pair(30.0, 0.29373), std::pair(60.0, 2.83380)}) {
+    const double w = radians(half_angle), s = std::sin(w), c = std::cos(w), psi = radians(40), kn = 1e10;
+    SpaceBuilder builder;
+    builder.gravity(standard_gravity * Vec3(0, std::sin(psi), -std::cos(psi)));
+    for (const double side : {-1.0, 1.0}) {
+      const std::vector<Vec3> bank{Vec3(0, -1, 0), Vec3(side * s, -1, c), Vec3(side * (s + 0.5 * c), -1, c - 0.5 * s),
+                                   Vec3(side * 0.5 * c, -1, -0.5 * s)};
+      builder.add(fixed_stone(side < 0 ? "left" : "right", extrusion(bank, Vec3(0, 3, 0))));
+    }
+    const double h = 0.3;
+    const std::vector<Vec3> wedge{Vec3(0, 0, 0), Vec3(h * s / c, 0, h), Vec3(-h * s / c, 0, h)};
+    builder.add(stone("wedge", extrusion(wedge, Vec3(0, 0.4, 0))));
+    builder.contact(0, 0, frictional(kn, kn, 0.4, 1e-4), "joint");
+    SolidRun run(builder.build(), 1e-5);
+    run.run(0.1);
+    const double early = run.velocity(2).y();
+    run.run(0.2);
+    CHECK(near((run.velocity(2).y() - early) / 0.2, expected, 5e-3));
+  }
+}
+
+TEST_CASE("T16: a corbel in two ways stands at .95 of its reach and falls at 1.05" * doctest::test_suite("long")) {
+  for (const double share : {0.95, 1.05}) {
+    SpaceBuilder builder;
+    builder.gravity(Vec3(0, 0, -standard_gravity));
+    const Vec3 sides(0.4, 0.2, 0.1);
+    const int blocks = 5;
+    builder.add(fixed_stone("ground", box_at(sides, Vec3(0, 0, -0.05))));
+    Vec3 at(0, 0, 0.05);
+    for (int k = blocks; k >= 1; --k, at.z() += 0.1) {
+      at += share * Vec3(sides.x() / (2 * k), sides.y() / (2 * k), 0);
+      builder.add(stone("block " + std::to_string(k), box_at(sides, at)));
+    }
+    builder.contact(0, 0, frictional(1e12, 1e12, 0.7, 1e-5), "joint");
+    Model<3> model = builder.build();
+    model.gravity.grow_end = 0.3;
+    SolidRun run(model, 3e-6);
+    const bool fell = run.run_until(1.5, [&] { return run.place(blocks).z() < 0.43; });
+    CHECK(fell == (share > 1));
+  }
+}
+
+TEST_CASE("T22: a prism of many sides begins to roll at half the angle of a side" * doctest::test_suite("long")) {
+  for (const auto& [corners, limit] : {std::pair(6, 30.0), std::pair(8, 22.5), std::pair(12, 15.0)})
+    for (const double off : {-0.15, 0.15}) {
+      SpaceBuilder builder;
+      builder.gravity(tilted_gravity(radians(limit + off), 0));
+      builder.add(fixed_stone("floor", floor_slab()));
+      builder.add(stone("prism", lying_prism(corners, 0.2, 0.5)));
+      builder.contact(0, 0, frictional(1e13, 1e13, 1, 1e-5), "joint");
+      Model<3> model = builder.build();
+      model.gravity.grow_end = 0.5;
+      SolidRun run(model, 5e-6);
+      const bool rolls = run.run_until(2.5, [&] { return run.turned(1).norm() > 0.1; });
+      CHECK(rolls == (off > 0));
+    }
+}
