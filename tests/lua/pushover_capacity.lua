@@ -77,23 +77,23 @@ near("force of a soft post", r.peak_force, 3*2.1e11*0.1^4/12/length^3*2e-3, 0.02
 assert(r.quasi_static and r.ended - r.begun > 5)
 m:close()
 
--- A block that lands while it is pushed slides at friction times more than its weight: the largest force is no capacity,
--- and the part that its weight alone would carry is reported.
+-- A block that lands while it is pushed slides at friction times more than its weight. The largest force is no
+-- capacity, and the part that its weight alone would carry is reported.
 for _, dim in ipairs { 2, 3 } do
-  local m = trilith.model { name = "landing", dim = dim }
-  m:material { name = "stone", density = 2400 }
-  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.4, beta = 1e-5 } }
-  local block
+  local w = trilith.model { name = "landing", dim = dim }
+  w:material { name = "stone", density = 2400 }
+  w:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.4, beta = 1e-5 } }
+  local body
   if dim == 2 then
-    m:block { name = "ground", width = 4, height = 0.5, at = { -2, -0.5 }, material = "stone", support = "fixed" }
-    block = m:block { name = "b", width = 1, height = 0.2, at = { -0.5, 1e-4 }, material = "stone", floating = true }
+    w:block { name = "ground", width = 4, height = 0.5, at = { -2, -0.5 }, material = "stone", support = "fixed" }
+    body = w:block { name = "b", width = 1, height = 0.2, at = { -0.5, 1e-4 }, material = "stone", floating = true }
   else
-    m:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "stone", support = "fixed" }
-    block = m:block { name = "b", size = { 1, 1, 0.2 }, at = { -0.5, -0.5, 1e-4 }, material = "stone", floating = true }
+    w:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "stone", support = "fixed" }
+    body = w:block { name = "b", size = { 1, 1, 0.2 }, at = { -0.5, -0.5, 1e-4 }, material = "stone", floating = true }
   end
-  local r = m:pushover { body = block, rate = 0.01, displacement = 5e-3 }
-  local weight = block.mass*g
-  assert(r.peak_force > 1.3*0.4*weight and not r.quasi_static, r.peak_force/weight)
-  near("friction of the weight alone", r.carried_at_peak, 0.4*weight, 0.1)
-  m:close()
+  local pushed = w:pushover { body = body, rate = 0.01, displacement = 5e-3 }
+  local weight = body.mass*g
+  assert(pushed.peak_force > 1.3*0.4*weight and not pushed.quasi_static, pushed.peak_force/weight)
+  near("friction of the weight alone", pushed.carried_at_peak, 0.4*weight, 0.1)
+  w:close()
 end
