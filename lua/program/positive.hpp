@@ -1,4 +1,4 @@
-// Numbers above 0 on the command line.
+// Numbers from 0 on the command line.
 #pragma once
 
 #include <cmath>
@@ -13,6 +13,14 @@ inline std::string is_positive(const std::string& text) {
   const double value = std::strtod(text.c_str(), &end);
   const bool read = !text.empty() && *end == '\0';
   return read && value > 0 && std::isfinite(value) ? "" : "'" + text + "' is no number above 0";
+}
+
+/// "" or the message for a number that must not be negative.
+inline std::string is_not_negative(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool read = !text.empty() && *end == '\0';
+  return read && value >= 0 && std::isfinite(value) ? "" : "'" + text + "' is no number from 0 up";
 }
 
 /// The same for how many of something.

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "program/positive.hpp"
 
 namespace trilith::program {
 namespace {
@@ -77,7 +78,7 @@ void add_room_options(CLI::App& verb, RoomOptions& options) {
                   "time that the script, or one of its handlers, may run without a call into the engine [s]; 600 where "
                   "not given, 0 for no limit")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(is_not_negative, "", ""));
   verb.add_option("--room", options.folders)
       ->allow_extra_args(false)  // one at a time: the word behind it is a parameter
       ->group("");

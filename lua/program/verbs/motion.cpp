@@ -12,6 +12,7 @@
 #include "load/motion_read.hpp"
 #include "load/motion_summary.hpp"
 #include "program/output_folder.hpp"
+#include "program/positive.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {
@@ -96,7 +97,7 @@ void add_motion(CLI::App& app, int& code) {
   verb->add_option("--column", o->column, "with --unit: of the accelerations, its number or name; rows: line by line")
       ->type_name("COLUMN");
   verb->add_option("--skip", o->skip, "with --unit: lines of head before the numbers")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Validator(is_not_negative, "", ""))
       ->type_name("LINES");
   verb->add_option("--decimal", o->decimal, "with --unit: sign before decimals, . or ,")
       ->check(CLI::IsMember(std::vector<char>{'.', ','}))
