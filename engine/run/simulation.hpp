@@ -94,8 +94,8 @@ class Simulation {
   Model<D>& edit_model();
   /// The same by a function; where it frees a degree of freedom, drop_step. Not of supports and drives in mid-run.
   void edit(const std::function<void(Model<D>&)>& change);
-  /// Bodies and bearings go, come back, or come new, between stages or at the border of a step: see
-  /// edit/deactivate.hpp. What that was is told at the next instant of a stage.
+  /// Deactivates, reactivates or adds bodies and bearings, between stages or at the border of a step: see
+  /// edit/deactivate.hpp. The events of the change are reported at the next instant of a stage.
   void remove(const Parts& parts);
   void reactivate(const Parts& parts);
   void grow(Model<D> grown);

@@ -170,9 +170,9 @@ bool is_damaged(const JointMemory& m) {
 //
 //   sound  --- a limit is passed --->  patch by patch  --- no bond, no touch or slid away --->  ended
 //
-// A sound joint is a stress that is linear over the face, which costs as much as one patch; only once a corner of it
-// comes to a limit is it divided. `step_intact` refuses where that is so, and nothing of the step is then lost, as the
-// step by patches begins from the memory of before.
+// The stress of an intact joint is linear over the face, at the cost of one patch. The joint is divided into patches
+// when the stress at a corner reaches a limit. `step_intact` then returns false, and the step by patches starts from
+// the history variables before the step.
 JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
                             const JointMemory& joint, const LawInUse& use, JointMemory& after) {
   const JointPlan& plan = *joint.plan;

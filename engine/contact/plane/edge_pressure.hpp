@@ -3,8 +3,8 @@
 //
 // Comes in: two solids that may touch, and how they move. Goes out: the same integrals, exact to rounding, of a law
 // whose pressure goes with the depth and that crushes nothing. The shared solid is found from edges
-// (geometry/plane/edge_overlap.hpp); each of its faces is parted where two faces of the other solid are as near as each
-// other, one line after the other, and what is left are triangles over each of which all is linear
+// (geometry/plane/edge_overlap.hpp). Each of its faces is divided along the lines that are equally near to two faces of
+// the other solid. Over each of the resulting triangles the pressure is linear
 // (contact/space/pressed_triangles.hpp).
 #pragma once
 

@@ -44,8 +44,8 @@ template <class K>
   return e;
 }
 
-/// Friction that a contact holds under a normal force [N] over a size [m2, or m times the thickness]. `speed()`: of its
-/// slip [m/s], asked where the law goes by it.
+/// Friction that a contact holds under a normal force [N] over a size [m2, or m times the thickness]. `speed()`: slip
+/// rate [m/s], called only for laws that depend on it.
 template <class K, class Speed>
 [[nodiscard]] TRILITH_INLINE double friction_limit_of(const K& law, double normal, double area, Speed&& speed) {
   if constexpr (has_own_friction<K>)

@@ -1,8 +1,8 @@
-// A solid by its equations in space, from which those of the plane follow.
+// A material law with equations in space. The laws of plane strain and plane stress are derived from it.
 //
 // A law of tensor form has  SpaceResponse respond(const SpaceVector& strain, const SpaceMemory& before) const.
-// Plane strain is that with no strain across; plane stress is that with the strain across e_zz at which the stress
-// across is none, found between bounds that close in by the secant of what is left of that stress.
+// Plane strain has e_zz = 0. Plane stress has the strain e_zz at which the stress s_zz vanishes; it is found by the
+// secant method within a bracket.
 #pragma once
 
 #include <algorithm>
