@@ -14,17 +14,19 @@
 namespace trilith {
 namespace {
 
-/// The part of a piece within a little of its outermost, seen along a direction and across it.
+/// The part of a piece within a depth of its outermost point along a direction, and the extent of that part across it.
 template <int D>
 struct Front {
   double outermost = -unbounded;                            ///< along the direction [m]
-  double fastest = -unbounded;                              ///< largest velocity of a corner along it now [m/s]
-  double gain = -unbounded;                                 ///< largest acceleration of a corner along it [m/s2]
-  std::array<double, static_cast<std::size_t>(D - 1)> low;  ///< the least and the most across [m]
+  double fastest = -unbounded;                              ///< largest velocity of a corner along the direction now
+                                                            ///< [m/s]
+  double gain = -unbounded;                                 ///< largest acceleration of a corner along the direction
+                                                            ///< [m/s2]
+  std::array<double, static_cast<std::size_t>(D - 1)> low;  ///< least and largest coordinate across the direction [m]
   std::array<double, static_cast<std::size_t>(D - 1)> high;
 };
 
-/// The direction and D - 1 lines across it.
+/// Unit vectors: the direction, and D - 1 axes across it.
 template <int D>
 using Axes = std::array<Vec<D>, static_cast<std::size_t>(D)>;
 
@@ -36,8 +38,8 @@ Axes<3> axes_of(const Vec3& n) {
   return {n, across, cross(n, across)};
 }
 
-/// A piece as it stands and moves; `gain`: accelerations of its corners; `radius`: of a sphere about its one corner,
-/// else 0; `mass`: without end where it does not move.
+/// A piece with its present position and motion. `gain`: accelerations of its corners [m/s2]. `radius`: of a sphere
+/// around its single corner, otherwise 0 [m]. `mass`: infinite if the piece does not move [kg].
 template <int D>
 struct Side;
 template <>
@@ -69,15 +71,15 @@ struct Side<3> {
   }
 };
 
-/// What lies within `depth` of the outermost. `along`: 1, or -1 to look the other way. `behind`: half of the step
-/// behind, as velocities are of its middle [s].
+/// The front of a piece: all that lies within `depth` [m] of its outermost point. `along`: 1, or -1 for the opposite
+/// direction. `behind`: half of the last step [s], because velocities refer to its middle.
 template <int D>
 Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double depth, double behind) {
   Front<D> front;
   front.low.fill(unbounded), front.high.fill(-unbounded);
   const auto reach = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
   for (std::size_t i = 0; i < side.corners(); ++i) front.outermost = std::max(front.outermost, reach(i));
-  // Of the cap that is cut off so deep, at most the equator of its sphere.
+  // A sphere: radius of the cap of this depth, at most the radius of its equator.
   const double half = std::sqrt(2 * side.radius * std::min(depth, side.radius)), level = front.outermost - depth;
   const auto add = [&](const Vec<D>& x) {
     for (std::size_t k = 0; k < front.low.size(); ++k) {
@@ -92,7 +94,7 @@ Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double
     front.gain = std::max(front.gain, gain);
     add(side.at(i));
   }
-  // Where edges go below.
+  // Points where edges cross the level.
   for (std::size_t e = 0; e < side.edges(); ++e) {
     const auto [i, j] = side.edge(e);
     const double from = reach(i) - level, to = reach(j) - level;
@@ -102,7 +104,8 @@ Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double
   return front;
 }
 
-/// Length in the plane, area in space that two fronts share, or at least that of a dent as wide as it is deep.
+/// Length (plane) or area (space) that two fronts share [m], [m2]. It is at least the size of a dent as wide as it is
+/// deep.
 template <int D>
 double shared(const Front<D>& a, const Front<D>& b, double depth) {
   double measure = 1;
@@ -111,9 +114,9 @@ double shared(const Front<D>& a, const Front<D>& b, double depth) {
   return measure;
 }
 
-/// `kn`: stiffness by length or area. `behind`: see front_of. How deep the two will get is not known before the area
-/// is, nor the area before the depth: first with all that they have, then with what lies within a depth that is drawn
-/// near to its own result.
+/// Iterates the contact of two convex sides along `normal`. `kn`: stiffness by length or area. `behind`: see front_of.
+/// The depth depends on the shared area, and the area depends on the depth. The first pass takes the whole extent of
+/// both pieces; the next passes take the fronts within a depth that approaches its own result.
 template <int D>
 ApproachEstimate meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, double kn, double behind, double dt) {
   constexpr int looks = 4;
@@ -126,13 +129,13 @@ ApproachEstimate meet(const Side<D>& a, const Side<D>& b, const Vec<D>& normal, 
     const double now = of_a.fastest + of_b.fastest, gain = of_a.gain + of_b.gain;
     m.gap = -of_b.outermost - of_a.outermost;
     m.speed = now;
-    // Less of them goes no faster.
+    // Part of the corners is not faster than all of them.
     m.apart = m.gap > 0 && !(m.gap < farthest(now, gain, dt));
     if (m.apart) break;
     if (m.gap > 0) m.speed = speed_at_touch(m.gap, now, gain), m.touches = time_to_touch(m.gap, now, gain);
     m.stiffness = kn * shared(of_a, of_b, look == 0 ? 0 : depth);
     if (!(m.stiffness > 0)) break;
-    // Elastic: v sqrt(m/k), beside what they overlap by already.
+    // Elastic impact: depth v sqrt(m/k), in addition to the present overlap.
     const double found = std::max(-m.gap, 0.0) + std::abs(m.speed) * std::sqrt(m.mass / m.stiffness);
     depth = look == 0 ? found : std::sqrt(depth * found);
   }
@@ -147,7 +150,7 @@ double closing_stiffness(const Model<D>& model, int p, int q) {
                      [](const auto& kernel) { return kernel.tangent(0).normal; });
 }
 
-/// Of a rigid body all of it, of one that deforms what the corners of the piece carry.
+/// Mass of the whole body if it is rigid; otherwise the masses at the corners of the piece [kg].
 double piece_mass(const Model<2>& model, int piece) {
   const Body& body = model.bodies[model.piece_body[piece]];
   if (!model.body_moves(model.piece_body[piece])) return unbounded;
@@ -166,7 +169,7 @@ double piece_mass(const Model<3>& model, int piece) {
   return sum;
 }
 
-/// Accelerations of the corners of a piece.
+/// Accelerations of the corners of a piece [m/s2].
 std::array<Vec2, max_piece_corners> gains_of(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                              int piece, const MovingPiece& now, double dt) {
   std::array<Vec2, max_piece_corners> out;
@@ -179,7 +182,7 @@ std::array<Vec2, max_piece_corners> gains_of(const Model<2>& model, const State<
   }
   return out;
 }
-/// Acceleration of a piece with the node or the mean of the nodes that it goes with.
+/// Acceleration of the node of a piece, or of the mean of the nodes that its contact frame is fitted to.
 NodeGain<3> gain_of_piece(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece, double dt) {
   if (!model.is_fitted(piece)) return gain_of(model, state, work, model.node_of_piece(piece), dt);
   const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
@@ -189,7 +192,7 @@ NodeGain<3> gain_of_piece(const Model<3>& model, const State<3>& state, const Wo
   return mean;
 }
 
-/// Keeps the outward normal along which `b` lies farthest from the faces of `a`.
+/// Keeps the outward normal of `a` along which `b` lies farthest from the faces of `a`.
 void look_along_edges(const MovingPiece& a, const MovingPiece& b, double turned, double& most, Vec2& normal) {
   for (int i = 0; i < a.corners; ++i) {
     const Vec2 n = -left_of(Vec2(a.at[(i + 1) % a.corners] - a.at[i])).normalized();
@@ -199,7 +202,8 @@ void look_along_edges(const MovingPiece& a, const MovingPiece& b, double turned,
   }
 }
 
-/// From a towards b. Of spheres the line of their centres, or the face that a centre is farthest from.
+/// Unit vector from a to b: the line between the centres of two spheres, or the normal of the face farthest from a
+/// centre.
 Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
   if (a.solid->is_sphere() && b.solid->is_sphere()) {
     const Vec3 way = b.corners[0] - a.corners[0];

@@ -1,4 +1,4 @@
-// Two pieces that may be about to touch, or do: how far apart, how fast, and how stiff the contact between them is.
+// Estimate of a contact between two pieces that touch or may soon touch: gap, closing speed and contact stiffness.
 #pragma once
 
 #include "model/model.hpp"
@@ -7,17 +7,19 @@
 
 namespace trilith {
 
-/// Along the direction that parts two convex pieces best.
+/// Estimate along the direction that separates two convex pieces best.
 struct ApproachEstimate {
-  double gap = 0;        ///< below 0 where they overlap [m]
-  double speed = 0;      ///< at which their nearest parts close as they touch, or now; below 0 where they open [m/s]
-  double touches = 0;    ///< time until they touch, with what forces and motions add to the speed on the way [s]
-  double stiffness = 0;  ///< of the contact over the area that they would share, at least what it will be [N/m]
-  double mass = 0;       ///< m_a m_b / (m_a + m_b), of what does not move without end [kg]
-  bool apart = false;    ///< they stay apart all along the step; the others are then bounds, or not found
+  double gap = 0;        ///< negative if the pieces overlap [m]
+  double speed = 0;      ///< closing speed of the nearest parts at touch, or now if they touch; negative while they
+                         ///< open [m/s]
+  double touches = 0;    ///< time until the pieces touch, with the present accelerations [s]
+  double stiffness = 0;  ///< contact stiffness over the expected shared area, or larger [N/m]
+  double mass = 0;       ///< m_a m_b / (m_a + m_b); the mass of a body that does not move is infinite [kg]
+  bool apart = false;    ///< the pieces do not touch during the step; the other values are then bounds, or not set
 };
 
-/// Of pieces p and q within `dt` [s], between whose bodies a contact law holds. Work must be placed. From State alone.
+/// Estimate for the pieces p and q within `dt` [s]. Their bodies must have a contact law, and update_kinematics must
+/// have run. The result depends on State alone.
 ApproachEstimate approach_estimate(const Model<2>& model, const State<2>& state, const Work<2>& work, int p, int q,
                                    double dt);
 ApproachEstimate approach_estimate(const Model<3>& model, const State<3>& state, const Work<3>& work, int p, int q,

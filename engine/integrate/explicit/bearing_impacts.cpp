@@ -10,8 +10,8 @@
 namespace trilith {
 namespace {
 
-/// What a unit force along `e` at a place gives a node there of itself, 1 / mass; where it turns, with what it turns by
-/// [1/kg].
+/// Acceleration of a node along `e` at a point per unit force along `e` at this point: 1 / mass, with the rotation if
+/// the node turns [1/kg].
 double yielding_of_node(const Model<2>& model, const State<2>& state, int node, const Vec2& at, const Vec2& e) {
   if (!model.moves(node)) return 0;
   const double lever = cross(Vec2(at - state.position[node]), e), inertia = model.inertia[node];
@@ -26,7 +26,7 @@ double yielding_of_node(const Model<3>& model, const State<3>& state, int node, 
   return sum;
 }
 
-/// The same of the end of a bearing, by the weights of its nodes.
+/// Acceleration of the end of a bearing per unit force along `e`, by the weights of its nodes [1/kg].
 double yielding(const Model<2>& model, const State<2>& state, const Attachment<2>& attachment, const Vec2& at,
                 const Vec2& e) {
   double sum = 0;
@@ -44,7 +44,7 @@ double yielding(const Model<3>& model, const State<3>& state, const Attachment<3
   return mass > 0 ? 1 / mass : 0;
 }
 
-/// A unit couple about an axis of the bearing gives a node, 1 / inertia [1/(kg m2)].
+/// Angular acceleration of a node per unit couple about an axis of the bearing: 1 / inertia [1/(kg m2)].
 double yielding_turn(const Model<2>& model, const State<2>& /*state*/, int node, const Vec2& /*axis*/) {
   return model.moves(node) && model.inertia[node] > 0 ? 1 / model.inertia[node] : 0;
 }
@@ -57,7 +57,7 @@ double yielding_turn(const Model<3>& model, const State<3>& state, int node, con
   return sum;
 }
 
-/// Of both ends along direction k: 1 / mass, or for a turn 1 / inertia.
+/// Sum over both ends along direction k: 1 / mass [1/kg], or 1 / inertia [1/(kg m2)] for a rotation.
 template <int D>
 double yielding_along(const Model<D>& model, const State<D>& state, const Bearing<D>& b, const BearingMotion<D>& motion,
                       int k) {
@@ -72,7 +72,7 @@ double yielding_along(const Model<D>& model, const State<D>& state, const Bearin
   return yielding_turn(model, state, b.end_a.turn[0], axis) + yielding_turn(model, state, b.end_b.turn[0], axis);
 }
 
-/// Acceleration along `e` of the end of a bearing at a place, and about `axis` where it turns.
+/// Acceleration of the end of a bearing along `e` at a point [m/s2], and about `axis` if it turns [rad/s2].
 Vec2 gain_at(const Model<2>& model, const State<2>& state, const Work<2>& work, const Attachment<2>& attachment,
              const Vec2& at, double dt) {
   Vec2 sum = Vec2::Zero();
@@ -101,7 +101,7 @@ Spin<3> turning_gain_of(const Model<3>& model, const State<3>& state, const Work
   return attachment.turn[0] < 0 ? Vec3(Vec3::Zero()) : gain_of(model, state, work, attachment.turn[0], dt).about;
 }
 
-/// By which the rate along direction k grows [m/s2] or [rad/s2].
+/// Rate of change of the relative velocity along direction k [m/s2] or [rad/s2].
 template <int D>
 double gain_along(const Model<D>& model, const State<D>& state, const Work<D>& work, const Bearing<D>& b,
                   const BearingMotion<D>& motion, int k, double dt) {
@@ -110,7 +110,7 @@ double gain_along(const Model<D>& model, const State<D>& state, const Work<D>& w
   if (k < Directions<D>::first_turning) {
     const Vec<D> gain =
         gain_at(model, state, work, b.end_b, motion.point, dt) - gain_at(model, state, work, b.end_a, motion.point, dt);
-    return -motion.force(unit).dot(gain);  // which resists displacement
+    return -motion.force(unit).dot(gain);  // the force resists displacement
   }
   const Spin<D> gain =
       turning_gain_of(model, state, work, b.end_b, dt) - turning_gain_of(model, state, work, b.end_a, dt);
@@ -124,13 +124,13 @@ bool may_close(const DirectionLaw& law) {
   return std::visit([](const auto& l) { return ClosesAndOpens<std::decay_t<decltype(l)>>; }, law);
 }
 
-/// One way of a direction: how far from closing, how fast it closes, how stiff it is then.
+/// One sense of a direction of a bearing: distance to closing, closing speed, acceleration, and stiffness when closed.
 struct Closing {
   double gap, speed, gain, stiffness;  ///< [m], [m/s], [m/s2], [N/m]
 };
 
-/// Calls f with both ways of direction k, where its law closes and opens. `rate`, `gain`: speed and acceleration of
-/// now.
+/// Calls f with both senses of direction k, for closing and opening of the law. `rate`, `gain`: present speed and
+/// acceleration.
 template <int D, class F>
 void each_closing(const Bearing<D>& b, const BearingMemory<D>& memory, const BearingMotion<D>& motion, std::size_t k,
                   double rate, double gain, F&& f) {

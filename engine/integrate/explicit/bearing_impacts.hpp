@@ -1,4 +1,4 @@
-// Bearings that close and open (law/bearing/clearance.hpp), as blows: see integrate/explicit/impact_step.hpp.
+// Impacts in bearings that close and open (law/bearing/clearance.hpp); see integrate/explicit/impact_step.hpp.
 #pragma once
 
 #include "model/model.hpp"
@@ -7,8 +7,9 @@
 
 namespace trilith {
 
-/// Adds to work.impacts.blows what each live bearing of a body that counts there asks for, one for each direction and
-/// way that may close within `dt` [s], is closed or opens. Returns the energy that these have stored [J].
+/// Adds the impacts of live bearings to work.impacts.blows: one for each direction and sense that may close within `dt`
+/// [s], is closed, or opens. Only bearings of bodies that count for impacts are included. Returns the energy stored in
+/// them [J].
 template <int D>
 double list_bearing_impacts(const Model<D>& model, const State<D>& state, Work<D>& work, double dt);
 

@@ -1,4 +1,4 @@
-// The places of bonds in the plane: both ends of each half of two faces in tension, its middle in shear.
+// Points of bonds in the plane: for each half of two faces, both ends in tension and the middle in shear.
 #pragma once
 
 #include "assembly/contact/contact_rows.hpp"
@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// The rates of two faces; after an implicit step the mean rates over it.
+/// Velocities of two faces; after an implicit step, the mean velocities over the step.
 inline FaceRates<double> bond_rates(const Work<2>& work, const NearPair& p, const FaceOverlap<double>& overlap) {
   FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
   if (!work.skin_mean.empty()) {
@@ -21,13 +21,14 @@ inline FaceRates<double> bond_rates(const Work<2>& work, const NearPair& p, cons
   return {overlap, a, b};
 }
 
-/// The places of one half, of `length` [m]; `rate`: of the gap at both of its ends; `slip`: rate at its middle [m/s].
+/// Points of one half face of `length` [m]. `rate`: of the gap at both ends [m/s]; `slip`: slip rate at the middle
+/// [m/s].
 template <class K, class F>
 void bonds_of_half(const K& law, const HalfGaps& gaps, double strength, double elastic, double length,
                    const std::array<double, 2>& rate, double slip, double dt_behind, PlacedBond bond, F&& f) {
   const double end[2] = {gaps.g0 - gaps.filling.end0, gaps.g1 - gaps.filling.end1};
   bond.curve = tension_curve(law, strength);
-  // Damage goes by the wider end.
+  // Damage depends on the wider end.
   const int wider = end[1] + dt_behind * rate[1] > end[0] + dt_behind * rate[0] ? 1 : 0;
   bond.at = end[wider], bond.rate = rate[wider], f(bond);
   if (dt_behind == 0 && rate[1 - wider] > rate[wider]) bond.at = end[1 - wider], bond.rate = rate[1 - wider], f(bond);

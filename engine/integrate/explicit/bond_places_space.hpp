@@ -1,4 +1,4 @@
-// The places of bonds in space: the corners of an intact joint or of its patches, or the four points of each patch.
+// Points of bonds in space: the corners of an intact joint or of its patches, or the four points of each patch.
 #pragma once
 
 #include "assembly/contact/solid_joints.hpp"
@@ -8,7 +8,8 @@
 
 namespace trilith {
 
-/// How the seats of a joint move; after an implicit step with the mean rates over it, those of the overlap too.
+/// Motion of the seats of a joint. After an implicit step it contains the mean rates over the step, also for the
+/// overlap.
 inline JointMotion bond_motion(const Model<3>& model, const State<3>& state, const Work<3>& work, const NearPair& p,
                                const JointMemory& joint, double dt) {
   const JointPlan& plan = *joint.plan;
@@ -26,7 +27,7 @@ inline JointMotion bond_motion(const Model<3>& model, const State<3>& state, con
   return motion;
 }
 
-/// The bonds of one joint, as its memory has them and moving as `motion` has it.
+/// The bonds of one joint, with the state of its memory and the given motion.
 template <class K, class F>
 class JointBonds {
  public:
@@ -60,7 +61,7 @@ class JointBonds {
       const Vec2 shear = per > 0 ? Vec2(m.elastic_x[i] / per, m.elastic_y[i] / per) : Vec2(Vec2::Zero());
       double asked = o.asked(patch, p), mean = asked;
       Vec2 at = p;
-      if constexpr (!K::softens) {  // a brittle bond goes by the corners of its patch
+      if constexpr (!K::softens) {  // the limit of a brittle bond is checked at the corners of its patch
         for (const Vec2& corner : plan_.corners(patch))
           if (o.asked(patch, corner) < asked) asked = o.asked(patch, corner), at = corner;
       }
@@ -68,7 +69,8 @@ class JointBonds {
     }
   }
 
-  /// `overlap`: the bond is asked with, `mean`: shear is [m]; `shear`: elastic slip [m].
+  /// `overlap`: overlap at the point [m]; `mean`: overlap that the shear strength depends on [m]; `shear`: elastic slip
+  /// [m].
   void place(const Vec2& p, double strength, double overlap, double mean, const Vec2& shear) {
     bond_.curve = tension_curve(law_, strength);
     bond_.at = -overlap, bond_.rate = -motion_.rate(p), f_(bond_);
@@ -76,7 +78,7 @@ class JointBonds {
     if (!(bond_.curve.top > 0)) return;
     const Vec2 slip = motion_.mean_slip + motion_.mean_spin * Vec2(-p.y(), p.x());
     bond_.rate = slip.norm();
-    // Along the slip: a place that goes back passes no peak.
+    // Component along the slip rate: a point that slips back passes no peak.
     bond_.at = bond_.rate > 0 ? shear.dot(slip) / bond_.rate : shear.norm();
     f_(bond_);
   }

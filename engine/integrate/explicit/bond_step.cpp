@@ -11,23 +11,26 @@
 namespace trilith {
 namespace {
 
-/// Shares of the displacement over which a bond is lost: of a step along the softening line; and by which a step may
-/// go past the peak, of softening and of brittle bonds.
+/// Shares of the displacement at which a bond is lost: opening in one step along the softening line, and overshoot of
+/// the peak for softening and for brittle bonds.
 constexpr double softening_share = 1.0 / 32, past_peak = 1.0 / 256, past_brittle_peak = 1.0 / 64;
-/// What an explicit step that is shortened may gain or lose, as a share of the fracture energy.
+/// Energy error that an explicit step may cause by being shortened, as a share of the fracture energy.
 constexpr double shortened_share = 0.004;
-/// Steps before its peak at which a bond is noticed: shortened while it carries little, they gain or lose little.
+/// A bond is considered this number of steps before its peak. It carries little force then, so shortened steps cause
+/// little energy error.
 constexpr double steps_ahead = 4;
-/// What an implicit step may miss, as a share of the fracture energy.
+/// Energy that an implicit step may miss, as a share of the fracture energy.
 constexpr double missed_share = 0.01;
-/// ... and any step, as a share of the kinetic energy of two bodies against each other.
+/// Energy that any step may miss, as a share of the kinetic energy of the relative motion of two bodies.
 constexpr double kinetic_share = 1e-4;
-/// No step is cut below this share for bonds.
+/// Bonds shorten no step below this share of its length.
 constexpr double shortest_share = 1e-4;
-/// An angular acceleration adds to the acceleration of a point by up to this many times that of the mass centre.
+/// Upper bound of the contribution of the angular acceleration to the acceleration of a point, over the acceleration of
+/// the mass centre.
 constexpr double turning_gain = 4;
 
-/// At most of any point of a body that is rigid; of others 0: their steps are short against what accelerates them.
+/// Upper bound of the acceleration of any point of a rigid body [m/s2]. It is 0 for other bodies: their steps are short
+/// compared with the time scale of their accelerations.
 template <int D>
 double acceleration_of(const Model<D>& model, const Work<D>& work, int body) {
   const Body& b = model.bodies[body];
@@ -37,15 +40,15 @@ double acceleration_of(const Model<D>& model, const Work<D>& work, int body) {
          angular_acceleration(work.moment[n], model.inertia[n]) * model.body_radius[body];
 }
 
-/// The allowed miss as a share of the energy of the bond, where it goes with that speed [m/s].
+/// Allowed energy error of the bond at the given speed [m/s], as a share of its fracture energy.
 template <int D>
 double allowed_share(const Work<D>& work, const PlacedBond& bond, double speed, double share) {
   const double mass = mass_of_both(work, bond), energy = bond.curve.energy * bond.size;
   return energy > 0 ? std::max(share, kinetic_share * 0.5 * mass * speed * speed / energy) : share;
 }
 
-/// How far a bond may go in one step at that speed [m]. On its way to the peak the step is bounded too: where it is
-/// then shortened, leapfrog steps gain or lose up to a quarter of (way/peak)^2 of the elastic energy.
+/// Largest opening of a bond in one step at the given speed [m]. The step is also limited before the peak: if it is
+/// then shortened, leapfrog gains or loses up to (step/peak)^2 / 4 of the elastic energy.
 template <int D>
 double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
   const BondCurve& c = bond.curve;
@@ -57,7 +60,7 @@ double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
   return std::max(past, std::min(c.peak - bond.at, up));
 }
 
-/// The longest time up to dt that leads no farther than the peak, or along the softening line by its share.
+/// Longest time up to dt in which the bond does not pass its peak, or opens by its share along the softening line [s].
 template <int D>
 double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double dt) {
   const double gain = acceleration_of(model, work, bond.body_a) + acceleration_of(model, work, bond.body_b);
@@ -71,7 +74,7 @@ bool has_bonds(const Model<D>& model) {
   return std::any_of(model.laws.begin(), model.laws.end(), [](const ContactLaw& law) { return may_bond(law); });
 }
 
-/// An upper bound of what a bond's rate gains by the end of the step ahead [m/s].
+/// Upper bound of the change of a bond's rate until the end of the next step [m/s].
 template <int D>
 double largest_gain(const State<D>& state, const Work<D>& work, double dt) {
   const double mass = work.impacts.lightest;
@@ -79,7 +82,7 @@ double largest_gain(const State<D>& state, const Work<D>& work, double dt) {
   return 2 * turning_gain * work.unbalanced / mass * 0.5 * (state.last_dt + dt);
 }
 
-/// Bounds the motion of all bonds since the last look: false where one can be cut for by now.
+/// Updates the bound of the motion of all bonds since the last full check. False if a bond may need a shorter step.
 template <int D>
 bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
   room.speed += largest_gain(state, work, dt);

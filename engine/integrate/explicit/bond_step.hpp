@@ -1,12 +1,12 @@
-// The time step for bonds that break: so short that the work of the step is the fracture energy of the law.
+// Time step for bonds that break. The step is short enough for its work to match the fracture energy of the law.
 //
-// Explicit steps are predicted. A bond that reaches its peak within the step ends the step there; along the softening
-// line a step opens it by a share of its last opening (law/contact/bond_curve.hpp). Implicit steps are measured when
-// they have converged, and cut where a bond has missed too much of its work. A bond may miss a share of its fracture
-// energy, or of the kinetic energy of its two bodies against each other where that is far larger.
+// Explicit steps are predicted. If a bond reaches its peak within the step, the step ends there. Along the softening
+// line a step opens the bond by a share of its last opening (law/contact/bond_curve.hpp). Implicit steps are checked
+// after convergence and are halved if a bond has missed too much of its work. The allowed error is a share of the
+// fracture energy, or a share of the kinetic energy of the relative motion of the two bodies if that is much larger.
 //
-// The explicit prediction looks at all bonds, and then not again before the fastest of them can have come near its
-// peak: intact walls pay for one comparison a step and a look every now and then.
+// The explicit prediction checks all bonds. It repeats the full check only when the fastest bond may have reached the
+// vicinity of its peak. Intact walls therefore cost one comparison per step and a full check from time to time.
 #pragma once
 
 #include <limits>
@@ -17,27 +17,28 @@
 
 namespace trilith {
 
-/// How far the bonds can go until the next look at them. Any look gives the same step: it is no part of State.
+/// Bound of the motion of all bonds until the next full check. The step length does not depend on when checks occur, so
+/// this is not part of State.
 struct BondRoom {
-  double room = 0;    ///< least way of any bond to its peak [m]
-  double speed = 0;   ///< largest rate of any bond, and since the look an upper bound [m/s]
-  double way = 0;     ///< in one step any bond may go so far without a look [m]
+  double room = 0;    ///< least distance of any bond to its peak [m]
+  double speed = 0;   ///< largest rate of any bond; after the check an upper bound [m/s]
+  double way = 0;     ///< opening in one step that needs no check [m]
   bool none = false;  ///< the model has no bonds
 
-  /// Looks at the next call: the model, the state or its pairs were changed.
+  /// Forces a check at the next call, after a change of the model, the state or its pairs.
   void reset() { *this = {}; }
 };
 
-/// `dt` [s], or the part of it that is short enough for the bonds. From the last evaluation, and nothing else.
+/// `dt` [s], or a shorter step that the bonds require. The result depends on the last evaluation alone.
 template <int D>
 double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt, BondRoom& room);
 
-/// How much of its work a bond has missed in the implicit step evaluated last, as a share of the allowed miss: the
-/// largest of all bonds. Above 1 the step is too long.
+/// Largest missed work of any bond in the last evaluated implicit step, as a share of the allowed error. The step is
+/// too long if the value is above 1.
 template <int D>
 double bond_miss(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt);
 
-/// A miss up to which a step that cannot be cut any more is taken.
+/// Largest value of bond_miss at which a step is accepted that cannot be halved further.
 inline constexpr double largest_bond_miss = 10;
 
 }  // namespace trilith

@@ -14,9 +14,9 @@
 namespace trilith {
 namespace {
 
-/// Of the leapfrog scheme: half of m v(-) v(+), which together with the potential is kept exactly; m v^2 / 2 at the
-/// very start, where there is no step behind. Of turns in space: half of w(-) L(+), both of the body as it is turned
-/// now.
+/// Kinetic energy of the leapfrog scheme, half of m v(-) v(+). Its sum with the potential energy is conserved exactly.
+/// At the start, without a previous step, it is m v^2 / 2. Rotations in space contribute half of w(-) L(+), both in the
+/// present orientation of the body.
 template <int D>
 double kinetic_energy(const Model<D>& model, const State<D>& state, int n, const Dofs<D>& v, const Dofs<D>& ahead) {
   const Dofs<D>& next = state.last_dt > 0 ? ahead : v;
@@ -34,14 +34,14 @@ double kinetic_energy(const Model<D>& model, const State<D>& state, int n, const
   return sum;
 }
 
-/// Lengths of time that a step has to do with [s].
+/// Time intervals of a step [s].
 struct StepSpan {
-  double last, next;  ///< the step behind and the one ahead
-  double between;     ///< from the middle of the one to that of the other
+  double last, next;  ///< last step and next step
+  double between;     ///< from the middle of the last step to the middle of the next one
 };
 
-/// Turns a node for a time dt with the spin that its step begins with. A free body keeps its angular momentum and not
-/// its spin; one that is held about some axis of the world keeps its spin.
+/// Rotates a node for a time dt with the spin at the begin of the step. A free body keeps its angular momentum rather
+/// than its spin; a body with a fixed axis in the world keeps its spin.
 void turn_node(const Model<2>& /*model*/, State<2>& state, int n, double spin, double dt) {
   state.spin[n] = spin;
   state.rotation[n] += dt * spin;
@@ -60,7 +60,7 @@ void turn_node(const Model<3>& model, State<3>& state, int n, const Vec3& spin, 
   }
 }
 
-/// One step of any node. Returns what works on it from outside and its dampings do along its path.
+/// One step of any node. Returns the work of external forces and of its damping along its path.
 template <int D>
 [[gnu::noinline]] NodeWork advance_node(const Model<D>& model, State<D>& state, const Work<D>& work,
                                         const Outside<D>& outside, const StepOptions& options, const StepSpan& span,
@@ -76,14 +76,14 @@ template <int D>
   return work_of(f, path);
 }
 
-/// True where forces, weight and steady loads are all that nodes go by: no dampings of their own, no load curve.
+/// True if only forces, weight and steady loads act on the nodes: no mass damping, no rest damping, no load curve.
 template <int D>
 bool goes_plainly(const Model<D>& model, const Outside<D>& outside, const StepOptions& options) {
   return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr &&
          outside.correction == nullptr;
 }
 
-/// Free to move; and to turn where it `turns`, else fixed against that and not turning.
+/// True if the node is free to move. With `turns` its rotation is free too; otherwise the rotation is fixed and zero.
 template <bool turns>
 [[gnu::always_inline]] inline bool is_free(const Model<2>& model, const State<2>& state, int n) {
   const auto& s = model.support[n];
@@ -91,12 +91,12 @@ template <bool turns>
   return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
 }
 
-/// advance_node for a run of free nodes before `last` that go plainly: the same sums without the terms that are 0, kept
-/// in registers, as are the works. Returns the first node after the run.
+/// Fast form of advance_node for a run of free nodes before `last` (see goes_plainly). It computes the same sums
+/// without the terms that are 0, and keeps the sums in registers. Returns the first node after the run.
 template <bool turns>
 int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
                  const StepSpan& steps, int n, int last, NodeWork& sums) {
-  // Copies of its own: nothing that the loop writes can change them.
+  // Local copies, so that the compiler knows that the loop does not change them.
   const StepSpan span = steps;
   const Vec2 field = outside.field, *const load = outside.load, *const on = work.force.data();
   const double *const masses = model.mass.data(), *const inertias = model.inertia.data();
@@ -130,13 +130,14 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
   return n;
 }
 
-/// Free in all its ways.
+/// True if all degrees of freedom of the node are free.
 bool is_free(const Model<3>& model, int n) {
   const auto& support = model.support[n];
   return std::all_of(support.begin(), support.end(), [](Support s) { return s == Support::free; });
 }
 
-/// Free nodes in space that go plainly, four at a time: the turns of four at once, the rest as advance_node has it.
+/// Advances free nodes in space (see goes_plainly) four at a time. The rotations of four nodes are computed together;
+/// the rest follows advance_node.
 struct FreeNodes {
   const Model<3>& model;
   State<3>& state;
@@ -151,7 +152,7 @@ struct FreeNodes {
     node[static_cast<std::size_t>(count++)] = n;
     if (count == lane_count) advance_four();
   }
-  /// Those that are left.
+  /// Advances the remaining nodes.
   void end() {
     if (count > 0) advance_four();
   }
@@ -188,7 +189,7 @@ struct FreeNodes {
   }
 };
 
-/// Nodes from `first` to before `last` in space. Returns what works on them.
+/// Advances the nodes from `first` to before `last` in space. Returns the work done on them.
 NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
                        const StepSpan& span, const Outside<3>& outside, int first, int last) {
   NodeWork sums;
@@ -204,7 +205,7 @@ NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& wo
   return sums;
 }
 
-/// Nodes from `first` to before `last` in the plane. Returns what works on them.
+/// Advances the nodes from `first` to before `last` in the plane. Returns the work done on them.
 NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
                        const StepSpan& span, const Outside<2>& outside, int first, int last) {
   const bool plain = goes_plainly(model, outside, options);
@@ -222,12 +223,12 @@ NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& wo
   return sums;
 }
 
-/// Nodes whose works are summed up by themselves, and that a thread takes at a time: some ten microseconds.
+/// Nodes per chunk of a thread, about 10 microseconds. The work of each chunk is summed separately.
 template <int D>
 constexpr int node_stretch = D == 2 ? 128 : 64;
 
-/// Nodes do not ask each other. Their works are summed by stretches, and the stretches in their order, whoever took
-/// them: the same bits with any number of threads.
+/// Advances all nodes. Nodes are independent of each other. The work is summed by chunks, in the order of the chunks,
+/// so the bits do not depend on the number of threads.
 template <int D>
 void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                    const StepSpan& span) {
@@ -244,7 +245,7 @@ void advance_nodes(const Model<D>& model, State<D>& state, Work<D>& work, const 
   for (const NodeWork& w : work.node_work) add(w, state.given);
 }
 
-/// Elastic energies that are found from the state [J].
+/// Adds the elastic energies that follow from the state [J].
 void add_stored(const Model<2>& model, const State<2>& state, const Work<2>& work, Energy& energy) {
   energy[EnergyTerm::strain] = work.element_stored;
   energy[EnergyTerm::contact_elastic] = contact_energy(model, state, work);
@@ -262,8 +263,8 @@ template <int D>
 Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options) {
   if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
-  // Half of v(-) M v(+) as if the step to come were as long as the one behind: v^2 - (a dt / 2)^2 of the speed v of
-  // now. One of another length would add v a (dt' - dt) / 2, which no force has done.
+  // Half of v(-) M v(+), as if the next step were as long as the last one: v^2 - (a dt / 2)^2 with the present speed v.
+  // With another length dt' the term v a (dt' - dt) / 2 would be added, which is no work of a force.
   const double span = state.last_dt;
   const Outside outside(model, state, work);
   double kinetic = 0;

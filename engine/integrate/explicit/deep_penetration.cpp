@@ -31,7 +31,7 @@ bool is_told(const Model<2>& model, const State<2>& state, int p, int q) {
   return std::binary_search(state.passed.begin(), state.passed.end(), bodies_of(model, p, q));
 }
 
-/// Two pieces as they are at one instant.
+/// Two pieces at one instant.
 struct Two {
   MovingPiece a, b;
   PieceOverlap overlap;
@@ -39,13 +39,13 @@ struct Two {
   Two(const Model<2>& model, const State<2>& state, int p, int q, double later = 0)
       : a(moving_piece(model, state, p, later)), b(moving_piece(model, state, q, later)), overlap(overlap_of(a, b)) {}
 
-  /// How much deeper they may get, where `allowed` is deep enough to be told [m]. Pieces of one body that meet another
-  /// at the end of an inner cut share next to nothing there, and are far from any surface: so what they share must be
-  /// half as wide too, as it is in one of two pieces whatever lies across their cut.
+  /// Penetration that remains until the report limit `allowed` [m]; negative beyond it. Pieces of one body that meet
+  /// another body at the end of an inner cut share very little volume there and are far from any surface. So the
+  /// overlap width must also reach half of the limit, as it does for one of two pieces wherever the cut lies.
   [[nodiscard]] double room(double allowed) const {
     return std::max(allowed - overlap.depth, 0.5 * allowed - overlap.whole);
   }
-  /// Along the faces [m].
+  /// Length that the pieces share along their faces [m].
   [[nodiscard]] double shared_length() const {
     const Vec2 along = left_of(overlap.normal);
     double from = -unbounded, to = unbounded;
@@ -57,7 +57,7 @@ struct Two {
     }
     return to - from;
   }
-  /// Of the fastest corners against each other, along the normal [m/s].
+  /// Largest closing speed of any two corners along the normal [m/s].
   [[nodiscard]] double closing_speed() const {
     double low[2] = {unbounded, unbounded}, high[2] = {-unbounded, -unbounded};
     for (const int side : {0, 1}) {
@@ -75,16 +75,16 @@ double speed_of(const Model<2>& model, const State<2>& state, int body) {
   return state.velocity[model.bodies[body].first_node].norm();
 }
 
-/// 1 / mass of what may move, 0 of what may not [1/kg].
+/// 1 / mass of a body that may move, otherwise 0 [1/kg].
 double mobility(const Model<2>& model, int piece) {
   const int body = model.piece_body[piece];
   return model.body_moves(body) ? 1 / body_mass(model, body) : 0;
 }
 
-/// The stiffness that would keep two pieces half as deep as is told [Pa/m]: the elastic energy there is the energy of
-/// their motion, what the contact holds now and what their weight has still to give.
-/// kn l d^2 / 2 = m (v^2 / 2 + g d) + kn_now l depth^2 / 2 at d = `most`, m the mass that two free bodies have against
-/// each other, 1 / (1/m_a + 1/m_b).
+/// Normal stiffness that would limit the penetration of two pieces to half of the report limit [Pa/m]. At that depth
+/// the elastic energy equals the kinetic energy, the present contact energy and the remaining work of the weight.
+///     At d = `most`, kn l d^2 / 2 = m (v^2 / 2 + g d) + kn_now l depth^2 / 2.
+/// Here m = 1 / (1/m_a + 1/m_b) is the reduced mass of the two bodies.
 double holding_stiffness(const Model<2>& model, const State<2>& state, int p, int q, const Two& two) {
   const double most = 0.5 * deepest_allowed(model, p, q), length = two.shared_length() * model.thickness,
                speed = two.closing_speed(), depth = two.overlap.depth;
@@ -96,7 +96,7 @@ double holding_stiffness(const Model<2>& model, const State<2>& state, int p, in
   return twice / (length * most * most);
 }
 
-/// The faster body is named first, as the one that passed.
+/// Adds the event of a deep pair and stores the pair in State::passed. The faster body is named first.
 void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, std::vector<Event>& told) {
   const PieceOverlap& overlap = two.overlap;
   const ContactKey key = bodies_of(model, p, q);
@@ -114,8 +114,8 @@ void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, 
   told.push_back(e);
 }
 
-/// Overlap along the normal of the first of two faces that look at each other, no less than that of the pieces [m].
-/// One direction bounds the overlap of both: a cheap question before the exact one of all normals.
+/// Upper bound of the overlap of two pieces: the overlap along the normal of the first of two opposed faces [m]. One
+/// direction bounds the overlap from above; this is a cheap test before the exact one over all normals.
 double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
   const SkinMotion<2>&from = work.skin[pair.a0], &to = work.skin[pair.a1];
   const double x = to.x - from.x, y = to.y - from.y;
@@ -127,7 +127,7 @@ double beneath_face(const Model<2>& model, const Work<2>& work, const NearPair& 
   return deepest / portable::hypot(x, y);
 }
 
-/// True where one of the owner's surface edges shows that the other is no deeper in it than `most` [m]; see overlap_of.
+/// True if one surface edge of the owner shows that the other piece is no deeper in it than `most` [m]; see overlap_of.
 bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other, double most) {
   const int first = model.piece_first[owner], count = model.corners_of(owner);
   for (int e = 0; e < count; ++e) {
@@ -145,9 +145,9 @@ bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other
   return false;
 }
 
-/// How much deeper the pieces of a row may get [m]; below 0: they are too deep, and that was not told yet. Of those
-/// that are not half as deep as that, at least half; of those that do not touch any depth: as they begin to, they are
-/// looked at.
+/// Penetration that remains for the pieces of a row [m]; negative if they are too deep and not yet reported. For pieces
+/// below half of the limit the result is at least half of the limit. For pieces that do not touch it is unbounded: they
+/// are checked when they begin to touch.
 double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
@@ -160,26 +160,26 @@ double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work
   return left == 0 ? half : left;
 }
 
-/// Until which path a look at a row will do that has so much room: for as long as neither piece is looked up again
-/// where what both may move by until then makes them no deeper than is told, else up to the path that may. Two corners
-/// come nearer to each other by twice the path of the fastest at most.
+/// Value of Work::travel until which the check of a row with this `room` [m] remains valid. It is unbounded if neither
+/// piece can get too deep before the broad phase updates it. Two corners approach each other by at most twice the
+/// travel of the fastest point.
 double clear_until(const Work<2>& work, int row, double room) {
   const NearPair& pair = work.pairs[row];
   const double nearer = reach_of(work.search, pair.piece_a) + reach_of(work.search, pair.piece_b);
   return room > nearer ? unbounded : work.travel + 0.5 * (1 - 1e-9) * room;
 }
 
-/// Of rows that are found to be too deep, until that is told.
+/// Marks rows that are too deep and not yet reported.
 constexpr double too_deep = -1;
 
-/// Looks at a row. Returns the path until which that will do; `too_deep` where it is.
+/// Checks a row. Returns the travel until which the check remains valid, or `too_deep`.
 double look_at_row(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const double room = room_of(model, state, work, row);
   return work.clear_until[row] = room < 0 ? too_deep : clear_until(work, row, room);
 }
 
-/// Looks at those rows from `first` to before `last` that are to be looked at by now. Returns the shortest path until
-/// which all of them will do, `too_deep` where some is.
+/// Checks the rows from `first` to before `last` whose checks have expired. Returns the shortest travel until which all
+/// of them remain valid, or `too_deep` if a row is too deep.
 double look_at_rows(const Model<2>& model, const State<2>& state, Work<2>& work, int first, int last) {
   double least = unbounded;
   for (int row = first; row < last; ++row) {
@@ -189,7 +189,7 @@ double look_at_rows(const Model<2>& model, const State<2>& state, Work<2>& work,
   return least;
 }
 
-/// Tells of the rows that are too deep, in their order, once for each two bodies.
+/// Reports the rows that are too deep, in their order, once for each pair of bodies.
 void tell_deep(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
   work.clear_path = unbounded;
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
@@ -202,10 +202,10 @@ void tell_deep(const Model<2>& model, State<2>& state, Work<2>& work, std::vecto
   }
 }
 
-/// Rows that threads look at at a time: some microseconds.
+/// Rows per chunk of a thread; some microseconds.
 constexpr int looked_stretch = 512;
 
-/// Looks at all rows that are to be looked at by now.
+/// Checks all rows whose checks have expired.
 void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector<Event>& told) {
   struct alignas(64) Path {
     double least = unbounded;
@@ -220,39 +220,40 @@ void look_now(const Model<2>& model, State<2>& state, Work<2>& work, std::vector
   if (work.clear_path == too_deep) tell_deep(model, state, work, told);
 }
 
-/// Looks at rows that began or ceased to touch just now, and at no others: where a bearing held a contact off, it may
-/// begin deep.
+/// Checks only the rows that began or ceased to touch in this step. A contact that a bearing had suppressed may begin
+/// deep.
 void look_at_new(const Model<2>& model, const State<2>& state, Work<2>& work) {
   for (const int row : work.changed_rows)
     work.clear_path = std::min(work.clear_path, look_at_row(model, state, work, row));
 }
 
-/// What turns so fast that more looks are needed is no motion that a step could follow: the watch on speeds tells of
+/// Largest number of checks along a step. Only a rotation that no step can follow needs more; the speed watch reports
 /// it.
 constexpr int most_looks = 10000;
 
-/// Follows two pieces through the last step.
+/// Checks two pieces along the last step.
 void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector<Event>& told) {
   const double allowed = deepest_allowed(model, p, q), growth = allowed * depth_per_step / deep_penetration_share;
   double left = state.last_dt;
   for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
     if (two.room(allowed) < 0) return tell(model, state, p, q, two, told);
-    // From the step's begin on, with the velocities of its end: exactly the way that a leapfrog step has gone, turning
-    // too.
+    // Follows the step from its begin with the velocities at its end. This is exactly the path of a leapfrog step,
+    // including rotation.
     const double time = time_to_depth(two.a, two.b, left, growth);
-    if (!(time > 0)) return;  // what moves is no number any more
+    if (!(time > 0)) return;  // the motion is not finite
     left -= time;
   }
 }
 
 }  // namespace
 
-/// Two ways to be too deep: through and out again within the last step, which is followed back, and deeper step by
-/// step, for which pairs are looked at only once the path of the fastest point may have made one so deep.
+/// Pieces get too deep in two ways. They may pass through each other and out again within the last step, which is
+/// checked along its path. Or they get deeper step by step; such pairs are checked only when the travel of the fastest
+/// point may have brought one to the limit.
 std::vector<Event> report_deep_penetration(const Model<2>& model, State<2>& state, Work<2>& work) {
   std::vector<Event> told;
-  // Through the whole of a piece and out again within a step: only what goes farther than it is thick.
+  // Only pieces that move farther than their thickness can pass through within one step.
   if (!goes_slowly(model, work, state.last_dt, 1))
     for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
       if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);

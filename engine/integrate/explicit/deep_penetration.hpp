@@ -1,5 +1,5 @@
-// The watch on pieces that get too deep into each other: past the middle of the thinner one a contact cannot tell on
-// which side a piece belongs, and may push it out on the wrong one.
+// Watch on deep penetration. Beyond the middle of the thinner piece a contact cannot determine the side on which a
+// piece belongs, and may push it out on the wrong side.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,14 @@
 
 namespace trilith {
 
-/// An overlap above this share of the thinner piece's thickness is told, once for each two bodies.
+/// Overlap that is reported once for each pair of bodies, as a share of the thickness of the thinner piece.
 inline constexpr double deep_penetration_share = 0.5;
 
-/// body_passed for every two bodies of which a piece of one is too deep in one of the other at the instant that was
-/// evaluated, or has been within the last step; they are kept in State::passed. For each step once. It looks only where
-/// that may be: once the fastest point has gone far enough since the last look, and at what the last step may have
-/// taken through another.
+/// Events body_passed for all pairs of bodies with pieces that are too deep at the evaluated instant, or were too deep
+/// within the last step. The pairs are stored in State::passed. Call it once per step. Pairs are checked only if the
+/// travel of the fastest point since the last check, or the path of the last step, can have made them too deep.
 std::vector<Event> report_deep_penetration(const Model<2>& model, State<2>& state, Work<2>& work);
-/// In space: of the contacts that touch now.
+/// The version for space checks the contacts that touch now.
 std::vector<Event> report_deep_penetration(const Model<3>& model, State<3>& state, Work<3>& work);
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// The watch on solids in space that get too deep into each other.
+// Watch on deep penetration of polyhedra in space.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,19 +14,21 @@
 namespace trilith {
 namespace {
 
-/// Inner cuts of a body part its pieces: a body that is half in one of them may share less with each of two.
+/// Share for bodies that inner cuts divide: a body that is half inside one of them may share less with each of two
+/// pieces.
 constexpr double share_by_cuts = 0.9;
-/// Rounding of a depth, as a share of it.
+/// Rounding error of a depth, as a share of it.
 constexpr double rounding = 1e-9;
 
-/// 1 / mass of what may move, 0 of what may not; of a frame of one node of it, of elements of the whole body [1/kg].
+/// 1 / mass of the part that moves with a piece, 0 if it does not move [1/kg]. For a frame this is one node; for a
+/// meshed body, the whole body.
 double mobility_of(const Model<3>& model, int piece) {
   const int body = model.piece_body[piece];
   if (!model.body_moves(body)) return 0;
   return 1 / (model.is_fitted(piece) ? body_mass(model, body) : model.mass[model.node_of_piece(piece)]);
 }
 
-/// The stiffness that would keep the two half as deep as is told [Pa/m], as in the plane:
+/// Normal stiffness that would limit the penetration to half of the report limit [Pa/m], as in the plane:
 /// kn A d^2 / 2 = m (v^2 / 2 + g d) + kn_now A depth^2 / 2 at that depth.
 double needed_stiffness(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& c,
                         double allowed, double speed) {
@@ -38,7 +40,7 @@ double needed_stiffness(const Model<3>& model, const State<3>& state, const Work
   return (mass * (speed * speed + 2 * weight * most) + kn * c.size * c.depth * c.depth) / (c.size * most * most);
 }
 
-/// The faster body is named first, as the one that passed.
+/// The faster body is named first.
 Event event_of(const Model<3>& model, const State<3>& state, int p, int q) {
   const Vec3 va = motion_of(model, state, model.carrier_of(p)).velocity,
              vb = motion_of(model, state, model.carrier_of(q)).velocity;
@@ -46,18 +48,18 @@ Event event_of(const Model<3>& model, const State<3>& state, int p, int q) {
   return event_now(state, EventType::body_passed, model.piece_body[turned ? q : p], model.piece_body[turned ? p : q]);
 }
 
-/// The least translation that parts two pieces, cuts and all [m]. A contact knows the depth of its faces below the
-/// nearest face of the other piece, which is never above half of that piece's thickness: of two that are equally thick
-/// it does not tell half from through.
+/// Least translation that separates two pieces, inner cuts included [m]. The depth of a contact is measured from the
+/// nearest face of the other piece and is never above half of the thickness of that piece. For two equally thick pieces
+/// it cannot distinguish half from full penetration.
 double overlap_of(const Work<3>& work, const NearPair& pair) {
   const PlacedSolid &a = work.solids.placed[pair.piece_a], &b = work.solids.placed[pair.piece_b];
   const bool round = a.solid->is_sphere() || b.solid->is_sphere();
   return -(round ? sphere_distance(a, b) : separation(a, b).distance);
 }
 
-/// Both depths are asked for, one of them beyond the share that is reported and the other beyond half of that. The
-/// overlap alone does not do for a piece that others of its body surround, nor the depth of faces for a tetrahedron
-/// that has but an edge in the plane of a joint: it is as deep in the other body as its own next face is far.
+/// Both depths must be large: one above the reported share, the other above half of it. The overlap alone is not
+/// sufficient for a piece that other pieces of its body surround. The face depth alone is not sufficient for a
+/// tetrahedron with only an edge in the plane of a joint: its depth is the distance to its own next face.
 bool is_too_deep(const Model<3>& model, const Work<3>& work, const GeneralContact<3>& c, double thickness) {
   const NearPair& pair = work.pairs[c.row];
   const double allowed = deep_penetration_share * thickness;
@@ -86,7 +88,7 @@ double thinner_of(const Model<3>& model, int p, int q) {
   return std::min(model.piece_thickness[p], model.piece_thickness[q]);
 }
 
-/// Remembers that two bodies are reported; false where they were before.
+/// Stores that two bodies are reported; false if they were reported before.
 bool remember(const Model<3>& model, State<3>& state, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
   const ContactKey key = contact_key(std::min(a, b), std::max(a, b));
@@ -96,7 +98,7 @@ bool remember(const Model<3>& model, State<3>& state, int p, int q) {
   return true;
 }
 
-/// Two that the last step took through each other, in and out again.
+/// Event of two pieces that passed through each other within the last step.
 Event through_event(const Model<3>& model, const State<3>& state, const Tunnelling<3>& t) {
   Event e = event_of(model, state, t.piece_a, t.piece_b);
   e.value = t.depth;
@@ -106,7 +108,7 @@ Event through_event(const Model<3>& model, const State<3>& state, const Tunnelli
   return e;
 }
 
-/// Follows fast pieces back through the last step, by the velocities of its end: a leapfrog step has gone exactly so.
+/// Checks fast pieces along the last step, with the velocities at its end: the exact path of a leapfrog step.
 void look_back(const Model<3>& model, State<3>& state, const Work<3>& work, std::vector<Event>& told) {
   if (!(2 * work.fastest * state.last_dt > model.least_thickness)) return;
   std::vector<Vec3> position(state.position);
@@ -122,8 +124,8 @@ void look_back(const Model<3>& model, State<3>& state, const Work<3>& work, std:
 
 }  // namespace
 
-/// Two ways to be too deep, as in the plane: through and out again within the last step, which is followed back, and
-/// deeper step by step.
+/// The two ways to get too deep are those in the plane: through and out again within the last step, which is checked
+/// along its path, or deeper step by step.
 std::vector<Event> report_deep_penetration(const Model<3>& model, State<3>& state, Work<3>& work) {
   std::vector<Event> told;
   look_back(model, state, work, told);

@@ -10,12 +10,13 @@
 namespace trilith {
 namespace {
 
-/// Shares of a sample step, of 1 / w of a spring and of elements, and of a smooth part of a load curve.
+/// Largest step as a share of: a sample interval, 1 / w of a spring, 1 / w of elements, a smooth part of a load curve,
+/// and the time constant of mass damping.
 constexpr double of_samples = 0.5, of_spring = 0.25, of_elements = 0.5, of_smooth = 0.05, of_mass_damping = 0.1;
-/// By which gravity turns in a step at most [rad].
+/// Largest rotation of gravity in a step [rad].
 constexpr double longest_tilt = 0.02;
 
-/// An interval of time, and what of it still is to come or soon begins.
+/// A time window from now, to select motions and loads that act in it.
 struct Window {
   double now, until;  ///< [s]
   [[nodiscard]] bool meets(double begin, double end) const { return begin < until && end > now; }
@@ -47,7 +48,7 @@ double sampled(const Gravity<D>& g, const Window& window) {
   return least;
 }
 
-/// The mass of a body that moves; without bound where it does not.
+/// Mass of a body that moves; unbounded if it does not move [kg].
 template <int D>
 double moving_mass(const Model<D>& model, int body) {
   if (!model.body_moves(body)) return unbounded;
@@ -57,7 +58,7 @@ double moving_mass(const Model<D>& model, int body) {
   return sum;
 }
 
-/// The least moment of inertia of a rigid body that moves, about its node; without bound of others.
+/// Least moment of inertia of a moving rigid body about its node; unbounded for others [kg m2].
 template <int D>
 double moving_inertia(const Model<D>& model, int body) {
   const Body& b = model.bodies[static_cast<std::size_t>(body)];
@@ -68,13 +69,13 @@ double moving_inertia(const Model<D>& model, int body) {
     return model.inertia[b.first_node].minCoeff();
 }
 
-/// The longest step that follows a spring and a dashpot between two that resist with 1 / `yielding`.
+/// Longest step that follows a spring and a dashpot between two bodies with the summed inverse mass `yielding` [s].
 double following(double stiffness, double dashpot, double yielding) {
   const double rate = std::max(std::sqrt(std::max(0.0, stiffness * yielding)), dashpot * yielding);
   return rate > 0 ? of_spring / rate : unbounded;
 }
 
-/// What has its own look as it closes does not count.
+/// Laws whose closing impact_step handles are not counted here.
 double following(const DirectionLaw& law, double yielding) {
   return std::visit(
       [&](const auto& l) {

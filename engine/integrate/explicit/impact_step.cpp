@@ -20,13 +20,13 @@
 namespace trilith {
 namespace {
 
-/// What falls by less than this share of the least thickness strikes nothing: it settles.
+/// A fall by less than this share of the least thickness is settling, not an impact.
 constexpr double least_fall = 1e-3;
-/// Of what one blow may be before it is looked at: two that lie apart and close so slowly that they have less are left
-/// out, however fast they go together.
+/// Pairs that are apart are ignored below this share of the energy limit of one impact, independent of how many close
+/// together.
 constexpr double quiet_part = 1.0 / 8;
 
-/// What has been put in so far, but for what moves now, found from the ledger's sums [J].
+/// Energy supplied so far, without the present kinetic energy, from the sums of the ledger [J].
 template <int D>
 double dissipated(const Work<D>& work) {
   double sum = 0;
@@ -42,7 +42,7 @@ double spin_size(const Vec3& spin) {
   return spin.norm();
 }
 
-/// How fast a body may be beside `common` by the end of a step [m/s].
+/// Upper bound of the speed of a body relative to `common` at the end of a step [m/s].
 template <int D>
 double speed_of(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t body,
                 const Vec<D>& common, double dt) {
@@ -64,7 +64,7 @@ double turning_energy(const Model<3>& model, const State<3>& state, int n) {
   return 0.5 * state.spin[n].dot(momentum_of(model.inertia[n], state.rotation[n], state.spin[n]));
 }
 
-/// Of all nodes that move [J].
+/// Kinetic energy of all nodes that move [J].
 template <int D>
 double moving_energy(const Model<D>& model, const State<D>& state) {
   double sum = 0;
@@ -76,7 +76,7 @@ double moving_energy(const Model<D>& model, const State<D>& state) {
   return sum;
 }
 
-/// The box that the tree of pieces would have a piece in, widened.
+/// The AABB of a piece in the frame of the broad-phase tree, enlarged by `by` [m].
 FatBox<2> reached_box(const Model<2>& model, const Work<2>& work, int piece, double by) {
   FatBox<2> box;
   box.low.fill(unbounded), box.high.fill(-unbounded);
@@ -94,14 +94,14 @@ FatBox<3> reached_box(const Model<3>& /*model*/, const Work<3>& work, int piece,
   return widened(box_around(work.solids.placed[piece]), by);
 }
 
-/// What mortar holds two pieces with.
+/// Mortar bond between two pieces.
 struct Held {
   double stiffness;  ///< [N/m]
-  double strength;   ///< the least energy with which it breaks [J]
-  bool pressed;      ///< in the mean
+  double strength;   ///< least energy that breaks the bond [J]
+  bool pressed;      ///< mean normal traction is compressive
 };
 
-/// Of a bond over a length or area, by the numbers of its law.
+/// Bond over a length or area, from the parameters of its law.
 Held held_over(const LawInUse& use, double size, bool pressed) {
   return with_kernel(use, [&]<class K>(const K& law) {
     if constexpr (K::bonds) {
@@ -126,7 +126,7 @@ std::optional<Held> held_by_mortar(const Model<3>& model, const Work<3>& work, C
   return held_over({model.laws[work.pairs[row].law]}, plan.whole.area, joint->moved.at + plan.standing.at > 0);
 }
 
-/// Of two bodies, one of which moves, between which a law holds.
+/// True for two bodies with a contact law, of which at least one moves.
 template <int D>
 bool may_strike(const Model<D>& model, const State<D>& state, const ImpactWork& own, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
@@ -134,24 +134,24 @@ bool may_strike(const Model<D>& model, const State<D>& state, const ImpactWork& 
   return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface] >= 0;
 }
 
-/// What the forces of now add to a body's speed within the step [m/s].
+/// Speed that the present forces add to a body within the step [m/s].
 template <int D>
 double added_speed(const Model<D>& model, const Work<D>& work, int body, int node, double dt) {
   return model.body_moves(body) ? work.force[node].norm() / model.mass[node] * dt : 0;
 }
 
-/// True where some stress goes from one piece to the other.
+/// True if traction acts between the two pieces.
 template <int D>
 bool touch_now(const Work<D>& work, ContactKey key) {
   const int row = work.contacts.find(key);
   return row >= 0 && (work.contacts.memory[static_cast<std::size_t>(row)].state & contact_touching) != 0;
 }
 
-/// What can be said of two bodies at once: at most how fast they close within the step, whether they are too far apart
-/// for that, and whether the energy of it, (m_a m_b / (m_a + m_b)) v^2, is next to nothing.
+/// Bound for two bodies from their centres alone. `never`: too far apart to meet within the step. `quiet`: the energy
+/// of the relative motion, (m_a m_b / (m_a + m_b)) v^2, is negligible. `likely`: all others.
 enum class Outlook { likely, quiet, never };
 
-/// Of rigid bodies; of others it is left open. `quiet`: energy that is next to nothing [J].
+/// Outlook of two rigid bodies; pairs with other bodies are `likely`. `quiet`: negligible energy [J].
 template <int D>
 Outlook outlook(const Model<D>& model, const State<D>& state, const Work<D>& work, int a, int b, double quiet,
                 double dt) {
@@ -169,8 +169,8 @@ Outlook outlook(const Model<D>& model, const State<D>& state, const Work<D>& wor
   return both * speed * speed <= quiet ? Outlook::quiet : Outlook::likely;
 }
 
-/// Pairs of pieces one of which is of a body that could miss more than it may, and which may meet within the step: in
-/// the order of their keys, each once. `quiet`: see outlook.
+/// Lists the pairs of pieces that may meet within the step, of which one belongs to a body that could exceed the energy
+/// limit. The keys are sorted and unique. `quiet`: see outlook.
 template <int D>
 void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, double dt, double quiet) {
   ImpactWork& own = work.impacts;
@@ -182,7 +182,7 @@ void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, dou
     const Body& body = model.bodies[b];
     for (int p = body.first_piece; p < body.first_piece + body.pieces; ++p) {
       const double by = (own.speed[b] + fastest) * dt;
-      if (!work.search.boxes.holds(p)) continue;  // one out of all measure meets nothing
+      if (!work.search.boxes.holds(p)) continue;  // a piece outside the range of the tree meets nothing
       work.search.boxes.for_meeting(reached_box(model, work, p, by), [&](int q) {
         if (!may_strike(model, state, own, p, q)) return;
         const ContactKey key = contact_key(std::min(p, q), std::max(p, q));
@@ -195,7 +195,7 @@ void list_pairs(const Model<D>& model, const State<D>& state, Work<D>& work, dou
   own.key.erase(std::unique(own.key.begin(), own.key.end()), own.key.end());
 }
 
-/// The speed and the acceleration of two bodies against each other, at most at any of their points [m/s], [m/s2].
+/// Upper bounds of the relative speed [m/s] and acceleration [m/s2] of any points of two bodies.
 template <int D>
 std::array<double, 2> relative_motion(const Model<D>& model, const State<D>& state, const Work<D>& work, int a, int b) {
   Vec<D> speed = Vec<D>::Zero(), gain = Vec<D>::Zero();
@@ -212,15 +212,16 @@ std::array<double, 2> relative_motion(const Model<D>& model, const State<D>& sta
   return {speed.norm() + turning[0], gain.norm() + turning[1]};
 }
 
-/// Two rigid bodies that mortar holds together. What holds is a spring both ways and keeps its energy however it
-/// swings, as long as steps are alike; where they change, m a^2 (dt'^2 - dt^2) / 8 is lost or gained, which comes back
-/// as it swings on, but not once the bond has broken. So it counts as a blow where it swings by more than it takes to
-/// break it, by what is the same all along the swing: steps that followed its phases would feed it.
+/// Adds the impact of two rigid bodies that mortar connects. An intact bond is a linear spring in both senses and keeps
+/// its energy while the step length is constant. A change of the step length from dt to dt' gains or loses m a^2 (dt'^2
+/// - dt^2) / 8. The vibration recovers this error later, unless the bond breaks. So a vibrating bond counts as an
+/// impact if its energy exceeds the fracture limit. The measure is constant over the vibration, because
+/// steps that follow its phase would gain energy.
 ///
-///     power = (k v^2 + mu a^2) / 2,    energy of the swing = power mu / k > energy of the bond at its limit
+///     power = (k v^2 + mu a^2) / 2,    energy of the vibration = power mu / k > energy of the bond at its limit.
 ///
-/// While it is pressed, v is that at which it closes or opens, so that what slides does not count. What has come out of
-/// the swing open is about to break, and has no more to lose than that takes.
+/// In compression, v is the closing or opening speed, so that sliding does not count. A bond that opens in tension is
+/// about to break and can lose no more than its breaking energy.
 template <int D>
 void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, ContactKey key, const Held& held,
               double dt) {
@@ -239,7 +240,7 @@ void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, Conta
   }
 }
 
-/// What each of the pairs asks for: from when on, and how much. Returns the energy that they have stored [J].
+/// Lists the start time and power of the impact of each pair. Returns the contact energy stored in them [J].
 template <int D>
 double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, double dt) {
   ImpactWork& own = work.impacts;
@@ -259,11 +260,11 @@ double list_blows(const Model<D>& model, const State<D>& state, Work<D>& work, d
   return stored;
 }
 
-/// The longest time up to `dt` [s] within which all blows that have begun by its end keep to the budget,
-/// sum power time^2 <= budget [J].
+/// The longest time up to `dt` [s] for which all impacts that begin by then satisfy the budget, sum power time^2 <=
+/// budget [J].
 double time_for(std::vector<Blow>& blows, double dt, double budget) {
-  // Sorted in place, equal ones in their order: nearly all have begun and stay where they are, and std::stable_sort
-  // would ask for memory within a step.
+  // Stable insertion sort in place. Nearly all impacts have begun and keep their place, and std::stable_sort would
+  // allocate memory within a step.
   const auto earlier = [](const Blow& a, const Blow& b) { return a.begins < b.begins; };
   for (auto at = blows.begin(); at != blows.end(); ++at)
     std::rotate(std::upper_bound(blows.begin(), at, *at, earlier), at, at + 1);
@@ -272,7 +273,7 @@ double time_for(std::vector<Blow>& blows, double dt, double budget) {
     if (blow.begins >= time) return time;
     power += blow.power;
     const double allowed = std::sqrt(budget / power);
-    // Not before it has begun: the step then ends there.
+    // The step is not shorter than the start of this impact; it ends there.
     time = std::min(time, std::max(allowed, blow.begins));
   }
   return time;
@@ -280,8 +281,8 @@ double time_for(std::vector<Blow>& blows, double dt, double budget) {
 
 }  // namespace
 
-/// Twice the energy of motion that some body has at most, as none is faster than `fastest` [m/s] beside the ground. A
-/// body that does not move and goes elsewhere than the ground has the mass of all: without bound [J].
+/// Upper bound of twice the kinetic energy of any body, with `fastest` [m/s] as the largest speed relative to the
+/// ground [J]. It is unbounded if a body without mass moves differently from the ground.
 template <int D>
 double most_of_one(const Model<D>& model, const State<D>& state, const ImpactWork& own, const Vec<D>& common,
                    double fastest) {
@@ -294,13 +295,13 @@ double most_of_one(const Model<D>& model, const State<D>& state, const ImpactWor
   return heaviest * fastest * fastest;
 }
 
-/// Four looks, each only where the one before it left something: at the fastest point of all, at the
-/// heaviest body, at each body, and at the pairs of pieces of those bodies.
+/// Four checks, each made only if the one before leaves candidates: the fastest point of the model, the heaviest body,
+/// each body, and the pairs of pieces of these bodies.
 template <int D>
 double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, double dt,
                    const ImpactOptions& options) {
   ImpactWork& own = work.impacts;
-  // A blow of the energy e misses e (w dt)^2 / 2 in closing and opening, and w dt is at most 2 safety.
+  // An impact of energy e misses e (w dt)^2 / 2 in closing and opening, and w dt is at most 2 safety.
   const double share = options.accuracy / (2 * options.safety * options.safety);
   const double settles = own.total * model.gravity.field.norm() * least_fall * std::min(model.least_thickness, 1.0);
   const double lost = dissipated(work), fallen = -work.given[EnergyTerm::gravity];
@@ -308,7 +309,7 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
   const double fastest = work.fastest + work.unbalanced / own.lightest * dt;
   if (!(own.total * fastest * fastest > share * put_in)) return dt;
 
-  // Beside what stands, or goes with the ground.
+  // Speeds are relative to a fixed body or to the ground motion.
   const Vec<D> common = own.still >= 0 ? state.velocity[own.still] : Vec<D>(Vec<D>::Zero());
   const double of_one = most_of_one(model, state, own, common, fastest + common.norm());
   if (!(of_one > share * put_in)) return dt;
@@ -319,8 +320,9 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
   for (std::size_t b = 0; b < own.mass.size(); ++b) {
     if (state.left[b] != 0) continue;
     const double speed = own.speed[b] = speed_of(model, state, work, b, common, dt);
-    // Of two that meet, m_a m_b (v_a - v_b)^2 / 2 (m_a + m_b) <= m_a v_a^2 / 2 + m_b v_b^2 / 2: one has half of it.
-    // What does not move and goes elsewhere than the ground has the mass of all.
+    // For two bodies, m_a m_b (v_a - v_b)^2 / 2 (m_a + m_b) <= m_a v_a^2 / 2 + m_b v_b^2 / 2, so one of them has at
+    // least half of it. A prescribed body that moves differently from the ground is assigned the mass of the whole
+    // model.
     const double mass = own.mass[b] > 0 ? own.mass[b] : own.total;
     own.counts[b] = mass * speed * speed > share * put_in ? 1 : 0;
     any = any || own.counts[b] != 0;
@@ -331,7 +333,7 @@ double impact_step(const Model<D>& model, const State<D>& state, Work<D>& work, 
   put_in += list_blows(model, state, work, dt);
   put_in += list_bearing_impacts(model, state, work, dt);
   const double time = time_for(own.blows, dt, 2 * options.accuracy * put_in);
-  // No more than a blow of all the energy asks for at the highest frequency there is, w dt = 2 safety.
+  // Lower limit: an impact with the whole energy at the highest frequency, w dt = 2 safety, requires no shorter step.
   const double shortest = dt * std::sqrt(2 * options.accuracy) / (2 * options.safety);
   return time < dt ? settled_step(std::max(time, std::min(dt, shortest)), 1) : dt;
 }

@@ -14,23 +14,23 @@
 namespace trilith {
 namespace {
 
-/// A step that falls short of what was asked for by less is as asked: roundings of the bound.
+/// Steps that miss the requested length by less are accepted; the difference is rounding of the bound.
 constexpr double near_enough = 1 - 1e-9;
-/// Bodies that threads take at a time.
+/// Bodies per chunk of a thread.
 constexpr int scaled_stretch = 16;
 
-/// Of k dt^2 + 2 c dt <= 4, the left side over the right one.
+/// k dt^2 + 2 c dt over its limit 4.
 double demand(const RateBound& rate, double dt) {
   return 0.25 * dt * dt * rate.stiffness + 0.5 * dt * rate.damping;
 }
 
-/// The rigid part of its velocities.
+/// Rigid part of the velocities of a body.
 template <int D>
 RigidPart<D> rigid_motion(const Model<D>& model, const State<D>& state, int body, const WholeBody<D>& whole) {
   return rigid_part(model, state, body, whole, [&](int n) { return Vec<D>(model.mass[n] * state.velocity[n]); });
 }
 
-/// Energy of motion of what deforms a body, on the free degrees of freedom [J].
+/// Kinetic energy of the deforming part of the motion of a body, on its free degrees of freedom [J].
 template <int D>
 double deforming_energy(const Model<D>& model, const State<D>& state, int body) {
   const RigidPart<D> rigid = rigid_motion(model, state, body, whole_body(model, state, body));
@@ -59,7 +59,7 @@ bool may_be_scaled(const Model<D>& model, const State<D>& state, const MassScali
   return asked.bodies.empty() || std::find(asked.bodies.begin(), asked.bodies.end(), body) != asked.bodies.end();
 }
 
-/// "mass_scaling: ..." of a body that would take more than it may.
+/// Throws "mass_scaling: ..." for a body that would need more than its allowed share.
 template <int D>
 [[noreturn]] void refuse(const Model<D>& model, const BodyRates& rates, const MassScaling& asked, double safety,
                          int body, double share) {
@@ -89,7 +89,7 @@ void find_shares(const Model<D>& model, const State<D>& state, ScaledMass& found
   if (mass > 0) found.share = std::max(found.share, added / mass);
 }
 
-/// Twice the energy of a node's turn [J].
+/// Twice the kinetic energy of the rotation of a node [J].
 double rotary_energy_of(const Model<2>& model, const State<2>& state, int n) {
   return model.inertia[n] * state.spin[n] * state.spin[n];
 }
@@ -117,7 +117,7 @@ double share_for(const BodyRates& rates, double mass_damping, double dt) {
   return rigid < 1 ? std::max(0.0, elements + contacts / (1 - rigid) - 1) : unbounded;
 }
 
-/// The share rises with the step, so that this is found by halving.
+/// Bisection: the share increases with the step.
 double scaled_step(const BodyRates& rates, double share, double mass_damping) {
   double low = rates.plain, high = longest_step;
   for (int i = 0; i < 60 && low < high * (1 - 1e-15); ++i) {
@@ -127,7 +127,7 @@ double scaled_step(const BodyRates& rates, double share, double mass_damping) {
   return low;
 }
 
-/// One that takes a longer step than the shortest so far is not asked how long.
+/// Skips bodies whose step is longer than the shortest so far.
 void shorten_to_scaled(const BodyRates& rates, double share, double mass_damping, int body, StableStep& found) {
   if (share_for(rates, mass_damping, found.dt) <= share) return;
   const double dt = scaled_step(rates, share, mass_damping);
@@ -183,7 +183,7 @@ void unscale_masses(const Model<D>& model, State<D>& state) {
 
 namespace {
 
-/// Acceleration of a body that turns as its nodes do, under the forces on them, as if it were rigid.
+/// Rigid-body acceleration of a body under its nodal forces, with nodes that turn with the body.
 template <int D>
 RigidPart<D> rigid_acceleration(const Model<D>& model, const State<D>& state, int body, const WholeBody<D>& whole,
                                 const std::vector<Vec<D>>& force) {
@@ -203,8 +203,8 @@ RigidPart<D> rigid_acceleration(const Model<D>& model, const State<D>& state, in
   return out;
 }
 
-/// f, then f' = (m a - f) share / (1 + share): what is to be added to f, with a of the rigid body under f. `all_count`:
-/// forces are all that the nodes go by where they are free.
+/// Computes f, then the addition f' = (m a - f) share / (1 + share) with the rigid-body acceleration a under f. With
+/// `all_count`, the free nodes are subject to nothing but these forces.
 template <int D>
 void add_inertia_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const Outside<D>& outside,
                     const RestDamping& rest, bool all_count, int b, std::vector<Vec<D>>& added) {
@@ -248,8 +248,8 @@ double added_energy(const Model<D>& model, const State<D>& state) {
   return sum;
 }
 
-/// What deforms the body has d(+) = d(-) + span (dv/dt - a) as the body turns, and f' = -share D (dv/dt - a) is in
-/// balance: half of share d(-) D d(+). What a body's rotary inertia adds to f' is left out.
+/// The deforming part satisfies d(+) = d(-) + span (dv/dt - a) while the body turns, and f' = -share D (dv/dt - a) is
+/// self-balanced. Returns half of share d(-) D d(+). The contribution of a body's rotary inertia to f' is neglected.
 template <int D>
 double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
                      double span) {

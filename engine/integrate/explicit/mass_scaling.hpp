@@ -1,26 +1,26 @@
-// Longer explicit steps for bodies of finite elements, by mass that only their deformation feels.
+// Selective mass scaling: longer explicit steps for meshed bodies, by added mass that acts only on their deformation.
 //
-// The step of a meshed body is that of a wave through its smallest element, which nothing of interest depends on. With
-// D its lumped masses and P what takes from any motion its rigid part (with the same momentum and angular momentum),
-// the mass matrix becomes
+// The stable step of a meshed body is the travel time of a wave through its smallest element, although this wave rarely
+// matters for the results. D are the lumped masses. P projects any motion onto its rigid part with the same momentum
+// and angular momentum. The mass matrix becomes
 //
 //     M = D + share (D - D P),        M (dv/dt - a) = f - D a,
-//     dv/dt = a + (D^-1 f - a) / (1 + share),
+//     dv/dt = a + (D^-1 f - a) / (1 + share).
 //
-// with a the acceleration that the forces f give the body as if it were rigid: that of its centre, that of its turn
-// (of the moment less w x I w), and w x (w x arm), which a turn needs and the added mass is not to feel. No system is
-// to be solved. The body's translation and rotation, its weight and all momenta stay as they are, as D (dv/dt - a) is
-// in balance; motions that deform it are as slow as if (1 + share) times its mass took part in them. (After Olovsson,
+// Here a is the rigid-body acceleration under the forces f. It contains the acceleration of the centre, the angular
+// acceleration (moment minus w x I w), and w x (w x arm), which the added mass must not affect. No system of equations
+// is solved. Translation, rotation, weight and all momenta of the body remain unchanged, because D (dv/dt - a) is
+// self-balanced. Deforming motions are as slow as with (1 + share) times the mass. The method follows Olovsson,
 // Simonsson and Unosson, "Selective mass scaling for explicit finite element analyses", Int. J. Numer. Meth. Engng 63,
-// 2005, who do so element by element and solve for it; here it is done body by body.) Along an axis along which some
-// node of a body is held it has no rigid motion, nor any turn that goes there (assembly/whole_body.hpp): that is
-// slowed.
+// 2005. They scale each element and solve a system; here each body is scaled. If a node of a body is fixed along an
+// axis, the body has no rigid motion along this axis and no rotation that moves along it (assembly/whole_body.hpp);
+// such motion is slowed down.
 //
-// How large the share is: with q(k, c, dt) = k dt^2 / 4 + c dt / 2, which must not exceed 1
-// (integrate/explicit/stable_step.hpp), r of contacts and bearings on the rigid body, n of these on its nodes and e of
-// its elements,
-//     q_e + q_n / (1 - q_r) <= 1 + share,
-// as motions x = rigid + deforming do work of at most (1 + 1/a) of the one and (1 + a) of the other for any a > 0.
+// Size of the share: q(k, c, dt) = k dt^2 / 4 + c dt / 2 must not exceed 1 (integrate/explicit/stable_step.hpp). Its
+// indices are r for contacts and bearings on the rigid body, n for the same on its nodes, and e for its elements:
+//     q_e + q_n / (1 - q_r) <= 1 + share.
+// This holds, because a motion x = rigid + deforming does work of at most (1 + 1/a) times the rigid part plus (1 + a)
+// times the deforming part, for any a > 0.
 #pragma once
 
 #include <vector>
@@ -33,50 +33,53 @@
 
 namespace trilith {
 
-/// What a stage asks for.
+/// Options of mass scaling in a stage.
 struct MassScaling {
-  double step = 0;          ///< length of a step [s], above 0
-  double most = 30;         ///< largest share that a body may be given [1], above 0
-  std::vector<int> bodies;  ///< those that may be given one; empty: all
+  double step = 0;          ///< target length of a step [s], above 0
+  double most = 30;         ///< largest allowed share of a body [1], above 0
+  std::vector<int> bodies;  ///< bodies that may be scaled; empty: all
 };
 
-/// What it came to, up to now.
+/// Mass scaling in use, up to now.
 struct ScaledMass {
-  int bodies = 0;                  ///< that have a share
-  double share = 0;                ///< of the mass of all that moves
-  double most = 0;                 ///< the largest of a body, of its own mass
-  int body = -1;                   ///< that one
-  double before = 0;               ///< the step without it [s]
-  double energy = 0, kinetic = 0;  ///< largest energies of motion of the added mass, and of the model's own [J]
+  int bodies = 0;                  ///< number of bodies with a share
+  double share = 0;                ///< added mass over the mass of all moving bodies [1]
+  double most = 0;                 ///< largest share of a body, of its own mass [1]
+  int body = -1;                   ///< the body with the largest share
+  double before = 0;               ///< stable step without mass scaling [s]
+  double energy = 0, kinetic = 0;  ///< largest kinetic energies of the added mass and of the model [J]
 };
 
-/// Share that a body of these rates takes for a stable step dt [s]; `unbounded` where none is enough.
+/// Share that a body with these rates needs for a stable step dt [s]; `unbounded` if no share is sufficient.
 double share_for(const BodyRates& rates, double mass_damping, double dt);
-/// Longest stable step with that share [s].
+/// Longest stable step with the given share [s].
 double scaled_step(const BodyRates& rates, double share, double mass_damping);
-/// Brings `found` down to the step of body `body` with that share, where this is shorter.
+/// Reduces `found` to the step of body `body` with the given share if it is shorter.
 void shorten_to_scaled(const BodyRates& rates, double share, double mass_damping, int body, StableStep& found);
 
-/// Gives bodies the shares they lack for steps of asked.step at this `safety`, after an evaluation. The ledger has what
-/// that adds to their energy of motion. Shares only grow. True where something was changed: State is to be evaluated
-/// anew. With `must`, InputError where the step cannot be had; else bodies have as much as they may.
+/// Increases the shares of bodies to the values needed for steps of asked.step at this `safety`, after an evaluation.
+/// The ledger receives the kinetic energy that this adds. Shares never decrease. Returns true if a share was changed;
+/// State must then be evaluated again. With `must`, throws InputError if the step cannot be reached; otherwise bodies
+/// receive their largest allowed share.
 template <int D>
 bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, const MassScaling& asked, double safety,
                   bool must, ScaledMass& found);
-/// What the shares and the energy of their motion come to by now, where none had to grow.
+/// Updates the totals of shares and kinetic energy if no share had to increase.
 template <int D>
 void measure_scaled(const Model<D>& model, const State<D>& state, ScaledMass& found);
-/// Takes all of it away again; the ledger has what it held.
+/// Removes all added mass; the ledger receives its energy.
 template <int D>
 void unscale_masses(const Model<D>& model, State<D>& state);
-/// Fills Work::added_inertia: forces on the nodes, in balance over each free body, that slow what deforms it. After all
-/// other forces of the step are known. Those of assembly/element/rotary_inertia.hpp are among them.
+/// Fills Work::added_inertia with the forces on the nodes that slow down deformation; they are self-balanced over each
+/// free body. All other forces of the step must be known. The forces of assembly/element/rotary_inertia.hpp are
+/// included.
 template <int D>
 void add_inertia(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options);
-/// Energy of motion of the added mass at the last half step [J].
+/// Kinetic energy of the added mass at the last half step [J].
 template <int D>
 double added_energy(const Model<D>& model, const State<D>& state);
-/// The same as the ledger has it: half of v(-) M v(+); `span`: between the two velocities [s], 0 at the very start.
+/// Kinetic energy of the added mass in the ledger: half of v(-) M v(+). `span`: time between the two velocities [s], 0
+/// at the start.
 template <int D>
 double added_kinetic(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
                      double span);

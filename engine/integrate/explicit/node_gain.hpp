@@ -1,4 +1,4 @@
-// Accelerations of nodes over the step to come, from the forces and motions of now.
+// Accelerations of nodes over the next step, from the present forces and prescribed motions.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// Acceleration of a node: of a free degree of freedom by its force, of a driven one by its motion over the step.
+/// Acceleration of a node: from the force for a free degree of freedom, from the motion over the step for a driven one.
 template <int D>
 struct NodeGain {
   Vec<D> along = Vec<D>::Zero();       ///< [m/s2]
@@ -16,7 +16,8 @@ struct NodeGain {
   [[nodiscard]] Vec<D> at(const Vec<D>& arm) const { return along + cross(about, arm); }
 };
 
-/// Size of the angular acceleration of a free node, at most [rad/s2]; 0 of a node without rotary inertia.
+/// Magnitude of the angular acceleration of a free node, as an upper bound [rad/s2]; 0 for a node without rotary
+/// inertia.
 inline double angular_acceleration(double moment, double inertia) {
   return inertia > 0 ? std::abs(moment) / inertia : 0;
 }
@@ -31,7 +32,7 @@ inline double turning_gain(const Model<2>& model, const State<2>& state, const W
   if (support == Support::driven) return (driven_velocity(model, state, n, 2, dt) - state.spin[n]) / span;
   return 0;
 }
-/// Of one that is free about all axes; of others none is found.
+/// Angular acceleration of a node that is free about all axes; zero for others.
 inline Vec3 turning_gain(const Model<3>& model, const State<3>& state, const Work<3>& work, int n, double /*dt*/,
                          double /*span*/) {
   const auto [x, y, z] = free_turns(model, n);
@@ -55,12 +56,12 @@ NodeGain<D> gain_of(const Model<D>& model, const State<D>& state, const Work<D>&
   return gain;
 }
 
-/// The farthest that a motion of this speed [m/s] and acceleration [m/s2] gets within `dt` [s].
+/// Farthest distance of a motion with this speed [m/s] and acceleration [m/s2] within `dt` [s].
 inline double farthest(double speed, double gain, double dt) {
   if (speed + gain * dt >= 0) return (speed + 0.5 * gain * dt) * dt;
   return speed > 0 ? -0.5 * speed * speed / gain : 0;
 }
-/// How fast it closes a gap [m/s], and when [s], where it gets so far.
+/// Speed [m/s] and time [s] at which the motion closes a gap, if it gets that far.
 inline double speed_at_touch(double gap, double speed, double gain) {
   return std::sqrt(std::max(0.0, speed * speed + 2 * gain * gap));
 }

@@ -20,17 +20,19 @@
 namespace trilith {
 namespace {
 
-/// Of the nodes, and where that is asked for, of element bodies that have some rigid motion, as if they were rigid.
+/// Local stiffness and damping of the nodes and, if requested, of meshed bodies with a rigid motion as if they were
+/// rigid.
 struct Locals {
   std::vector<Local> node;
-  std::vector<Local> whole;        ///< [body] about its centre of mass; empty: not asked for
-  std::vector<WholeBody<2>> body;  ///< [body] likewise
+  std::vector<Local> whole;        ///< [body] about its centre of mass; empty: not requested
+  std::vector<WholeBody<2>> body;  ///< [body] the rigid motion of each
 
   Local* whole_of(int b) { return whole.empty() || !body[b].moves() ? nullptr : &whole[b]; }
 };
 
-/// On the two end nodes of a face of a deformable body: rows of w w' + (l/L)^2/12 [1 -1; -1 1] for the shares w of the
-/// contact's middle, by their sums without signs, and the smaller mass for both.
+/// Adds a contact to the two end nodes of a face of a deformable body. The rows of w w' + (l/L)^2/12 [1 -1; -1 1], with
+/// the shares w of the middle of the contact, are bounded by their sums of absolute values and the smaller of both
+/// masses.
 void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Vec2& from, const Vec2& to, double weight,
                  const ContactSprings& c, std::vector<Local>& locals) {
   const Vec2 along = to - from;
@@ -43,8 +45,8 @@ void add_to_face(const Model<2>& model, const std::array<int, 2>& node, const Ve
   }
 }
 
-/// A spring along e through the skin point at `at`, which turns with a node of its own where it is at a pin: then its
-/// two parts count twice, as (a + b)^2 is at most 2 a^2 + 2 b^2.
+/// Adds a spring along e through the skin point at `at`. At a pin the point turns with a second node. The two parts
+/// then count twice, because (a + b)^2 <= 2 a^2 + 2 b^2.
 void add_to_skin(const Model<2>& model, const State<2>& state, int skin, const Vec2& at, const Vec2& e, double k,
                  double beta, std::vector<Local>& locals) {
   const int n = model.skin_node[skin], t = model.skin_turn[skin];
@@ -55,8 +57,9 @@ void add_to_skin(const Model<2>& model, const State<2>& state, int skin, const V
   locals[t].k(2, 2) += turning, locals[t].c(2, 2) += beta * turning;
 }
 
-/// On the face of a frame between two sections. The contact's parts at its two ends weigh as much as the share of its
-/// middle there and what its length adds; as shares are positive and sum to 1, (sum w v)^2 is at most sum w v^2.
+/// Adds a contact on the face of a frame between two sections. The weights at both sections are the share of the
+/// contact's middle plus the contribution of its length. The shares are positive with sum 1, so (sum w v)^2 <= sum w
+/// v^2.
 void add_to_sections(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::array<int, 2>& skin,
                      double weight, const ContactSprings& c, std::vector<Local>& locals) {
   const Vec2 from(work.skin[skin[0]].x, work.skin[skin[0]].y), to(work.skin[skin[1]].x, work.skin[skin[1]].y);
@@ -88,14 +91,14 @@ std::array<int, 2> nearest_face(const Model<2>& model, const Work<2>& work, int 
 struct BodyRange {
   int first, last;
   [[nodiscard]] bool has(int body) const { return first <= body && body < last; }
-  /// Whether some side of a pair may be one of them: its second body comes after its first.
+  /// False if no side of a pair can be in the range: its second body comes after its first.
   [[nodiscard]] bool may_have(const Model<2>& model, const NearPair& pair) const {
     return model.piece_body[pair.piece_b] >= first && model.piece_body[pair.piece_a] < last;
   }
 };
 
-/// Normal and shear springs of a contact for those of its bodies that are in `range`. `face`: skin points of either
-/// side's face; {-1, -1} where the contact is of general shape.
+/// Adds the normal and shear springs of a contact to its bodies in `range`. `face`: skin points of the face on either
+/// side, or {-1, -1} for a contact of general shape.
 void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRange& range,
                  const NearPair& pair, const ContactSprings& c, const std::array<std::array<int, 2>, 2>& face,
                  Locals& locals) {
@@ -124,7 +127,7 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
                   c, locals.node);
       continue;
     }
-    // A rigid body: springs along n and t at the middle of the contact, both spread over its length.
+    // A rigid body: springs along n and t at the middle of the contact, both distributed over its length.
     Local& local = locals.node[node[side]];
     const Vec2 arm = at - state.position[node[side]];
     add_spring(local, n, arm, law.normal * length, law.beta, length, t, weight);
@@ -132,8 +135,9 @@ void add_contact(const Model<2>& model, const State<2>& state, const Work<2>& wo
   }
 }
 
-/// Springs of all that touches bodies of `range` now: those of two faces by the length they share, those of general
-/// shape by the length in contact; each as stiff as its law can be at the depth of now. In the order of rows.
+/// Adds the springs of all touching contacts of bodies in `range`, in the order of rows. Opposed faces act over their
+/// shared length, general shapes over their length in contact. The stiffness is the largest of the law at the present
+/// depth.
 void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work, const BodyRange& range,
                Locals& locals) {
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
@@ -147,7 +151,7 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
     add_contact(model, state, work, range, p, {origin + 0.5 * (o.lo + o.hi) * d, n, o.shared, law},
                 {{{p.a0, p.a1}, {p.b0, p.b1}}}, locals);
   }
-  // Along the resultant, at the centre of pressure.
+  // Springs along the resultant, at the centre of pressure.
   for (const GeneralContact<2>& g : work.general_touching) {
     const NearPair& p = work.pairs[g.row];
     if (!range.may_have(model, p)) continue;
@@ -158,8 +162,8 @@ void add_faces(const Model<2>& model, const State<2>& state, const Work<2>& work
   }
 }
 
-/// A spring along e through `at` (e = 0: about it) that is tied to several nodes: row sums of v v' for the forces v on
-/// them by a unit force, scaled by their masses.
+/// Adds a spring along e through `at` (e = 0: about it) that is attached to several nodes: row sums of v v' for the
+/// nodal forces v of a unit force, scaled by the masses.
 void add_to_nodes(const Model<2>& model, const State<2>& state, const Attachment<2>& attachment, const Vec2& at,
                   const Vec2& e, double tangent, double dashpot, std::vector<Local>& locals) {
   std::vector<Vec2> force(static_cast<std::size_t>(model.nodes()), Vec2::Zero());
@@ -177,7 +181,7 @@ void add_to_nodes(const Model<2>& model, const State<2>& state, const Attachment
     for (const int k : {0, 1, 2}) {
       if (k == 2 && !attachment.turns) continue;
       const double part = k == 2 ? couple[n] : force[n][k], mass = k == 2 ? model.inertia[n] : model.mass[n];
-      // Row i of v v' scaled by 1/sqrt(m_i m_j) sums to sum |v_i|/sqrt(m_i); `bound` will divide by m_i.
+      // Row i of v v' scaled by 1/sqrt(m_i m_j) sums to sum |v_i|/sqrt(m_i); `bound` divides by m_i later.
       const double row = std::abs(part) * sum * std::sqrt(mass);
       locals[n].k(k, k) += tangent * row, locals[n].c(k, k) += dashpot * row;
     }
@@ -185,14 +189,14 @@ void add_to_nodes(const Model<2>& model, const State<2>& state, const Attachment
 
 void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& work, Locals& locals) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
-    // One that waits counts already: it may go live between two estimates.
+    // A waiting bearing counts already, because it may become live between two estimates.
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
     const Bearing<2>& b = model.bearings[i];
     const std::array<const Attachment<2>*, 2> attachment{&b.end_a, &b.end_b};
     const std::array<int, 2> body{b.body_a, b.body_b};
     const Vec2 at = pose_at(model, state, b.end_b).place;
     const Turn axes(pose_at(model, state, b.end_a).rotation + b.angle);
-    // On a dish the axial law acts along the normal.
+    // On a dish the axial law acts along the normal of the dish.
     const double slope =
         has_dish(b) ? Dish<2>(b, bearing_motion(model, state, i).counted(work.bearing[i])).slope[0] : 0;
     for (int k = 0; k < 3; ++k) {
@@ -222,8 +226,8 @@ void add_bearings(const Model<2>& model, const State<2>& state, const Work<2>& w
   }
 }
 
-/// What contacts and bearings can do to a body of elements that moves as if it were rigid; being held along some axis
-/// makes no eigenvalue larger.
+/// Rates of contacts and bearings on a meshed body that moves as if it were rigid. A constraint along some axis does
+/// not increase any eigenvalue.
 RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
   const WholeBody<2>& whole = locals.body[body];
   if (!whole.moves()) return {};
@@ -233,8 +237,8 @@ RateBound rigid_rates(const Work<2>& work, int body, const Locals& locals) {
   return {std::max(own.stiffness, around.stiffness), std::max(own.damping, around.damping)};
 }
 
-/// A body of one element turns by an inertia that is `ratio` times smaller than that of its lumped masses; its element
-/// does not resist that. See assembly/element/rotary_inertia.hpp.
+/// The rotary inertia of a body of one element is smaller than the inertia of its lumped masses by the factor `ratio`.
+/// The element does not resist rotation. See assembly/element/rotary_inertia.hpp.
 void bound_rotation(double ratio, const Model<2>& model, BodyRates& out) {
   if (ratio == 1) return;
   const RateBound turning{ratio * out.contacts.stiffness, ratio * (out.contacts.damping + model.mass_damping)};
@@ -242,13 +246,13 @@ void bound_rotation(double ratio, const Model<2>& model, BodyRates& out) {
   out.rigid.stiffness *= ratio, out.rigid.damping *= ratio;
 }
 
-/// Of a body that moves.
+/// Rates of a body that moves.
 BodyRates rates_of(const Model<2>& model, const State<2>& state, const Work<2>& work, const Locals& locals, int b,
                    bool as_rigid) {
   const Body& body = model.bodies[b];
-  // Of its own stiffest face, or of what touches now, whichever is stiffer; its elements come on top of either.
+  // The stiffer of the stiffest face of the body and the present contacts. The elements are added to either.
   RateBound contacts{work.face_bound[b].stiffness, work.face_bound[b].damping};
-  // The largest of its nodes' bounds bounds the whole.
+  // The largest bound of any node bounds the whole body.
   for (int node = body.first_node; node < body.first_node + body.nodes; ++node)
     if (model.moves(node)) contacts = larger_rates(model, node, locals.node[node], contacts);
   const RateBound& own = model.element_bound[b];
@@ -262,7 +266,7 @@ BodyRates rates_of(const Model<2>& model, const State<2>& state, const Work<2>& 
   return out;
 }
 
-/// Bodies whose contacts are worth a second thread, and those that one rates at a time: some ten microseconds.
+/// Fewest bodies per thread that justify a second thread, and bodies per chunk of a thread (about 10 microseconds).
 constexpr int least_added = 256, rated_stretch = 64;
 
 }  // namespace
@@ -280,7 +284,7 @@ std::vector<BodyRates> body_rates(const Model<2>& model, const State<2>& state, 
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       if (is_of_elements(model.bodies[b])) locals.body[b] = whole_body(model, state, static_cast<int>(b));
   }
-  // Each thread adds up what touches its share of the bodies.
+  // Each thread sums the contacts of its range of bodies.
   const int bodies = static_cast<int>(model.bodies.size());
   const int added = std::max(least_added, (bodies + work.threads - 1) / std::max(1, work.threads));
   share(work.threads, bodies, added, [&](int first, int last, int /*thread*/) {
@@ -328,7 +332,7 @@ template StableStep unbanded_step(Model<2>, const State<2>&, const Work<2>&);
 template StableStep unbanded_step(Model<3>, const State<3>&, const Work<3>&);
 
 double settled_step(double stable, double safety) {
-  // The rungs 2^(k/8) from a half to below 1.
+  // The rungs 2^(k/8) from 0.5 to below 1.
   constexpr std::array<double, 8> rungs{0x1.0000000000000p-1, 0x1.172b83c7d517bp-1, 0x1.306fe0a31b715p-1,
                                         0x1.4bfdad5362a27p-1, 0x1.6a09e667f3bcdp-1, 0x1.8ace5422aa0dbp-1,
                                         0x1.ae89f995ad3adp-1, 0x1.d5818dcfba487p-1};
@@ -340,7 +344,7 @@ double settled_step(double stable, double safety) {
 
 namespace {
 
-/// " (element 3 of 4, at 0.1, 0.2)": the one of the highest frequency, and its middle; nothing of beams.
+/// " (element 3 of 4, at 0.1, 0.2)": the element of the highest frequency, and its middle; empty for beams.
 template <int D>
 std::string stiffest_element(const Model<D>& model, const State<D>& state, int body) {
   const auto& elements = elements_of(model);

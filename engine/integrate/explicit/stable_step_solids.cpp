@@ -1,10 +1,10 @@
-// The longest stable step of solids in space, from the areas in contact.
+// The longest stable step of bodies in space, from their contact areas.
 //
-// Comes in: for each contact its area A, middle, normal n, arms and radius (see SolidPressure) and the tangent of its
-// law. Each body then has springs along n and two lines across, b = (e, arm x e), and turns against kn A (a x n)(a x
-// n)' for the two arms a of its second moments, and ks A radius^2 about n. Goes out: the bound of lambda over all
-// bodies. Bearings are springs and dashpots along their axes and about them. Where masses are scaled, bodies of
-// elements have the same springs about their centres of mass too, as if they were rigid.
+// Input: for each contact its area A, middle, normal n, arms and radius (see SolidPressure), and the tangent of its
+// law. Each body then has springs along n and two axes across, b = (e, arm x e). Rotational springs are kn A (a x n)(a
+// x n)' for the two arms a of the second moments, and ks A radius^2 about n. Output: the bound of lambda over all
+// bodies. Bearings are springs and dashpots along and about their axes. With mass scaling, meshed bodies have the same
+// springs about their centres of mass too, as if they were rigid.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -20,19 +20,20 @@
 namespace trilith {
 namespace {
 
-/// Springs of all that touches and of bearings.
+/// Local matrices of contacts and bearings.
 struct SolidLocals {
-  std::vector<LocalSolid> node;                  ///< [node] that turns
-  NodeRows rows;                                 ///< [node] that does not
-  std::vector<LocalSolid> whole;                 ///< [body] of elements as if it were rigid; empty: not asked for
-  std::vector<std::optional<ScaledWhole>> body;  ///< [body] likewise; none where it has no rigid motion
+  std::vector<LocalSolid> node;                  ///< [node] nodes that turn
+  NodeRows rows;                                 ///< [node] nodes that do not turn
+  std::vector<LocalSolid> whole;                 ///< [body] meshed bodies as if they were rigid; empty: not requested
+  std::vector<std::optional<ScaledWhole>> body;  ///< [body] rigid motion of meshed bodies; none if the body has no
+                                                 ///< rigid motion
 
   [[nodiscard]] const ScaledWhole* scaled(int b) const {
     return body.empty() || !body[static_cast<std::size_t>(b)] ? nullptr : &*body[static_cast<std::size_t>(b)];
   }
 };
 
-/// What displacement and velocity of one direction can do to its force.
+/// Stiffness and damping of the force in one direction.
 struct DirectionStiffness {
   double tangent = 0, dashpot = 0;
 };
@@ -47,7 +48,8 @@ DirectionStiffness stiffness_of(const DirectionLaw& law) {
       law);
 }
 
-/// A spring through a point, or one about an axis, which has forces across as far apart as the nodes are.
+/// Adds a spring through a point, or about an axis. A spring about an axis has forces across the axis, at the distance
+/// of the nodes.
 void add_spring_to_fit(const Model<3>& model, const State<3>& state, int contact_frame, const Vec3& at, bool along,
                        double weight, const DirectionStiffness& s, NodeRows& rows) {
   const Fit& fit = model.fits[static_cast<std::size_t>(-1 - contact_frame)];
@@ -58,7 +60,7 @@ void add_spring_to_fit(const Model<3>& model, const State<3>& state, int contact
     rows.add(model, fit, weights_at(model, fit, now, e, true), weight * s.tangent, weight * s.dashpot);
 }
 
-/// A spring and a dashpot along e through a point at `arm`, or about e.
+/// Adds a spring and a dashpot along e through a point at `arm`, or about e.
 template <class Scaled>
 void add_spring(const Scaled& node, const Vec3& e, const Vec3& arm, bool along, double weight,
                 const DirectionStiffness& s, LocalSolid& local) {
@@ -71,8 +73,8 @@ void add_spring(const Scaled& node, const Vec3& e, const Vec3& arm, bool along, 
   local.c += weight * s.dashpot * v * v.transpose();
 }
 
-/// A spring and a dashpot along each axis of every bearing through b's point, and about it. One that waits counts
-/// already: it may go live between two estimates.
+/// Adds a spring and a dashpot along and about each axis of every bearing, at the point of side b. A waiting bearing
+/// counts already, because it may become live between two estimates.
 void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& work, SolidLocals& locals) {
   for (std::size_t i = 0; i < model.bearings.size(); ++i) {
     if (!is_live(work.bearing[i].status) && work.bearing[i].status != BearingStatus::waiting) continue;
@@ -108,7 +110,7 @@ void add_bearings(const Model<3>& model, const State<3>& state, const Work<3>& w
   }
 }
 
-/// Springs of all that touches now, for both bodies of each contact.
+/// Adds the springs of all touching contacts, for both bodies of each contact.
 void add_contacts(const Model<3>& model, const State<3>& state, const Work<3>& work, SolidLocals& locals) {
   std::vector<ScaledNode> nodes;
   nodes.reserve(locals.node.size());
@@ -155,8 +157,8 @@ SolidLocals locals_of(const Model<3>& model, const State<3>& state, const Work<3
   return locals;
 }
 
-/// Calls f(k, c) for each node of a body with what its contacts and bearings can do to it, or those of the body's
-/// stiffest face. What holds it about some axes alone makes no eigenvalue larger, so it is not asked for.
+/// Calls f(k, c) for each node of a body, with the rates of its contacts and bearings or of the body's stiffest face.
+/// Constraints about some axes do not increase any eigenvalue and are ignored.
 template <class F>
 void each_node(const Model<3>& model, const Work<3>& work, const SolidLocals& locals, std::size_t b, F&& f) {
   const Body& body = model.bodies[b];
@@ -171,12 +173,12 @@ RateBound elements_of_body(const Model<3>& model, std::size_t b) {
   return model.element_bound.empty() ? RateBound{} : model.element_bound[b];
 }
 
-/// What contacts and bearings add to the frequencies of beams or elements is at most what they make of the nodes alone.
-/// `found` comes down to the body's step.
+/// Contacts and bearings add to the frequencies of beams or elements at most as much as they add to the nodes alone.
+/// Reduces `found` to the step of the body.
 void shorten_to_plain(const Model<3>& model, const State<3>& state, const Work<3>& work, const SolidLocals& locals,
                       std::size_t b, StableStep& found) {
   const RateBound own = elements_of_body(model, b);
-  // A body of one element turns by an inertia that is smaller by `ratio`, see assembly/element/rotary_inertia.hpp.
+  // The rotary inertia of a body of one element is smaller by `ratio`, see assembly/element/rotary_inertia.hpp.
   const double ratio = lumped_over_own(model, state, static_cast<int>(b));
   each_node(model, work, locals, b, [&](double stiffness, double damping) {
     const double k = own.stiffness + stiffness, c = own.damping + damping + model.mass_damping, dt = step_for(k, c);
@@ -207,9 +209,9 @@ BodyRates rates_of(const Model<3>& model, const State<3>& state, const Work<3>& 
   return out;
 }
 
-/// Bodies that a thread rates at a time: some ten microseconds.
+/// Bodies per chunk of a thread, about 10 microseconds.
 constexpr int rated_solids = 32;
-/// By which a body turns in a step at most [rad].
+/// Largest rotation of a body in a step [rad].
 constexpr double longest_turn = 0.1;
 
 }  // namespace

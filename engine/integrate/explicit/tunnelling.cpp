@@ -8,16 +8,17 @@
 namespace trilith {
 namespace {
 
-/// A path is looked at no more often than at this share of the depth that is allowed, and at no more places than these:
-/// more are needed only by motion that no step could follow.
+/// Smallest interval between checks along a path, as a share of the allowed depth, and the largest number of checks.
+/// Only a motion that no step can follow needs more.
 constexpr double least_advance = 0.1;
 constexpr int most_places = 10000;
 
-/// One step: how far its pieces go, and which of them may get too deep into each other.
+/// Search along one step: the displacement of all pieces, and the pairs that may get too deep.
 template <int D>
 class Search {
  public:
-  /// `share`: of the thinner one's thickness that is allowed; `more`: more than at the begin of the step.
+  /// `share`: allowed depth over the thickness of the thinner piece. `more`: the depth is measured relative to the
+  /// begin of the step.
   Search(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepBegin<D>& begin, double share,
          bool more)
       : model_(model),
@@ -28,9 +29,9 @@ class Search {
         share_(share),
         more_(more) {}
 
-  /// False where no piece goes far enough against another one.
+  /// False if no piece moves far enough relative to another one.
   bool goes_far();
-  /// Calls visit(tunnelling) for pairs of pieces until that returns true.
+  /// Calls visit(tunnelling) for pairs of pieces until it returns true.
   template <class Visit>
   void for_each(Visit&& visit);
 
@@ -57,12 +58,13 @@ class Search {
   const bool more_;
   std::vector<PieceWay<D>> way_;    // [piece]
   std::vector<double> allowed_;     // [piece] [m]
-  double least_ = unbounded;        // of `allowed_`
-  Vec<D> common_ = Vec<D>::Zero();  // the displacement of most pieces, no motion against each other [m]
+  double least_ = unbounded;        // least of `allowed_`
+  Vec<D> common_ = Vec<D>::Zero();  // displacement of most pieces, which is no relative motion [m]
   PieceOnPath<D> a_, b_;
 };
 
-/// The box of all displacements bounds the relative one of any two. What is no number is left to the watch on speeds.
+/// The box of all displacements bounds the relative displacement of any two pieces. Values that are not finite are left
+/// to the speed watch.
 template <int D>
 bool Search<D>::goes_far() {
   ValueRange<D> all;
@@ -89,7 +91,7 @@ void Search<D>::find_common() {
   }
 }
 
-/// Of two bodies that may touch, at least one of which goes somewhere.
+/// True for two bodies that may touch and of which at least one moves.
 template <int D>
 bool Search<D>::counts(int p, int q) const {
   const int a = model_.piece_body[p], b = model_.piece_body[q];
@@ -105,7 +107,7 @@ bool Search<D>::is_known(int p, int q) const {
   return std::binary_search(state_.passed.begin(), state_.passed.end(), contact_key(std::min(a, b), std::max(a, b)));
 }
 
-/// From where a piece is at the end back to its begin, as seen from what moves by `common_`.
+/// AABB of a piece from the end of the step back to its begin, relative to `common_`.
 template <int D>
 FatBox<D> Search<D>::swept_box(int piece) const {
   FatBox<D> box = box_of(model_, work_, piece);
@@ -126,8 +128,8 @@ Tunnelling<D> Search<D>::found(int p, int q, double depth) const {
   return out;
 }
 
-/// The depth of two pieces changes by no more than their points go against each other, so that a place of the path with
-/// some depth left vouches for what lies as far ahead.
+/// The depth of two pieces changes by at most their relative displacement. A point of the path with remaining depth
+/// thus excludes tunnelling up to that distance ahead.
 template <int D>
 Tunnelling<D> Search<D>::look(int p, int q) {
   const auto depth_at = [&](double s) {
@@ -148,7 +150,8 @@ Tunnelling<D> Search<D>::look(int p, int q) {
   return {};
 }
 
-/// Only what goes farther than the least allowed depth looks for others; of two that do, the one with the lower number.
+/// Only pieces that move farther than the least allowed depth search for others. If both move, the one with the lower
+/// number searches.
 template <int D>
 template <class Visit>
 void Search<D>::for_each(Visit&& visit) {

@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// Of any corner of one piece against any of the other [m/s].
+/// Largest relative speed of any corners of two pieces [m/s].
 double largest_speed(const MovingPiece& a, const MovingPiece& b) {
   double most = 0;
   for (int i = 0; i < a.corners; ++i)
@@ -21,8 +21,8 @@ double largest_speed(const MovingPiece& a, const MovingPiece& b) {
 
 }  // namespace
 
-/// The shortest time of all pairs in which one may get deeper by `share` of the thinner one's thickness. Each pair is
-/// asked only for less than the shortest so far. Rounded down to the ladder, as every step is.
+/// The shortest time in which any pair may get deeper by `share` of the thickness of the thinner piece, rounded down to
+/// the ladder of settled_step. Each pair is searched only up to the shortest time so far.
 TunnellingLimit tunnelling_limit(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt,
                                  double share) {
   TunnellingLimit step{dt};

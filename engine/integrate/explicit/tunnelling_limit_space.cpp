@@ -1,4 +1,4 @@
-// The step in time for solids in space that fly fast and thin.
+// Limit of the time step for fast and thin bodies in space.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@
 namespace trilith {
 namespace {
 
-/// Farthest point from the node of a rigid body; of a frame, of one piece from its node; of a piece that deforms, from
-/// one of its corners, which is more than from its middle [m].
+/// Largest distance of a point from the reference point of its motion [m]. This point is the node of a rigid body or of
+/// a frame piece. For a deforming piece it is a corner, which gives an upper bound of the distance from the middle.
 double reach_of(const Model<3>& model, int piece) {
   const int body = model.piece_body[piece];
   if (model.bodies[body].is_rigid()) return model.body_radius[body];
@@ -19,13 +19,13 @@ double reach_of(const Model<3>& model, int piece) {
   return std::sqrt(most);
 }
 
-/// How fast some point of what a piece belongs to may go [m/s].
+/// Upper bound of the speed of any point of the body that a piece belongs to [m/s].
 double fastest_point(const Model<3>& model, const State<3>& state, int piece) {
   const BodyMotion m = motion_of(model, state, model.carrier_of(piece));
   return m.velocity.norm() + m.spin.norm() * reach_of(model, piece);
 }
 
-/// ... against any point of another.
+/// Upper bound of the closing speed of any points of two pieces [m/s].
 double closing_bound(const Model<3>& model, const State<3>& state, int a, int b) {
   const BodyMotion of_a = motion_of(model, state, model.carrier_of(a)),
                    of_b = motion_of(model, state, model.carrier_of(b));
@@ -33,7 +33,7 @@ double closing_bound(const Model<3>& model, const State<3>& state, int a, int b)
          of_b.spin.norm() * reach_of(model, b);
 }
 
-/// How far two boxes are apart along the axis that parts them best; 0 where none does [m].
+/// Distance of two boxes along the axis that separates them best; 0 if they overlap [m].
 double gap_of(const FatBox<3>& a, const FatBox<3>& b) {
   double most = 0;
   for (std::size_t k = 0; k < 3; ++k) most = std::max({most, a.low[k] - b.high[k], b.low[k] - a.high[k]});
@@ -42,9 +42,9 @@ double gap_of(const FatBox<3>& a, const FatBox<3>& b) {
 
 }  // namespace
 
-/// Of every piece that is fast enough to matter, the box of what it may reach within the step is looked up; two that
-/// meet there may close the gap of their boxes and go `share` of the thinner one's thickness deep. Rounded down to the
-/// ladder, as every step is.
+/// For each piece that is fast enough, the broad phase is queried with the AABB that the piece can reach within the
+/// step. Pairs that meet there may close the gap of their boxes and then penetrate by `share` of the thickness of the
+/// thinner piece. The result is rounded down to the ladder.
 TunnellingLimit tunnelling_limit(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt,
                                  double share) {
   TunnellingLimit step{dt};

@@ -1,4 +1,4 @@
-// Into an implicit scheme and out of it, and the ledger under it.
+// Begin and end of an implicit scheme, and its energy ledger.
 #include "assembly/element/consistent_mass.hpp"
 #include "assembly/element/rotary_inertia.hpp"
 #include "assembly/implicit_turn.hpp"
@@ -9,21 +9,21 @@
 namespace trilith {
 namespace {
 
-// The ledger of an implicit scheme takes the work of outside forces by the trapezoidal rule,
+// The ledger of an implicit scheme integrates the work of external forces by the trapezoidal rule,
 //
-//     W = sum over steps of (F_n + F_n+1) / 2 . (x_n+1 - x_n),
+//     W = sum over steps of (F_n + F_n+1) / 2 . (x_n+1 - x_n).
 //
-// so at any instant the half that belongs to the force of now, F . (x_n - x_n-1) / 2, is still to be added: it is added
-// to what is shown, and to the sums themselves as the scheme ends.
+// At any instant the half that belongs to the present force, F . (x_n - x_n-1) / 2, is still missing. It is added to
+// the displayed ledger, and to the sums themselves when the scheme ends.
 
-/// Half of the step behind of a node.
+/// Half of the last step of a node.
 template <int D>
 Dofs<D> half_behind(const State<D>& s, int n) {
   return dofs_of(Vec<D>(0.5 * (s.position[n] - s.position_before[n])),
                  Spin<D>(0.5 * turn_between(s.rotation_before[n], s.rotation[n])));
 }
 
-/// Work of all nodes along half of the step behind, at the instant of the last evaluation.
+/// Work of all nodes along half of the last step, at the instant of the last evaluation.
 template <int D>
 void add_half_behind(const Model<D>& model, const State<D>& state, const Work<D>& work, Energy& given) {
   const std::vector<NodeForces<D>> forces = implicit_forces(model, state, work);
@@ -36,7 +36,8 @@ void add_half_behind(const Model<D>& model, const State<D>& state, const Work<D>
   }
 }
 
-/// Accelerations as the scheme begins, of consistent mass: what lumped one gives would make them ring.
+/// Initial accelerations of the scheme with the consistent mass. Accelerations of the lumped mass would excite spurious
+/// vibration.
 template <int D>
 void begin_consistent(const Model<D>& model, State<D>& state, std::vector<Dofs<D>> force) {
   std::vector<Dofs<D>> added, damped;
@@ -60,7 +61,7 @@ void begin_consistent(const Model<D>& model, State<D>& state, std::vector<Dofs<D
     }
 }
 
-/// Spin and its rate at the instant, from those of half a step before, under the moment of now.
+/// Spin and its rate at the instant, from the values half a step before, under the present moment.
 void begin_turning(const Model<2>& model, State<2>& state, int n, double moment, double half) {
   if (model.support[n][2] != Support::free) return;
   state.spin_rate[n] = moment / model.inertia[n];
@@ -77,7 +78,7 @@ void begin_turning(const Model<3>& model, State<3>& state, int n, const Vec3& mo
 
 }  // namespace
 
-/// m v^2 / 2 of the whole instant: velocities of an implicit scheme stand at the same time as places.
+/// Kinetic energy m v^2 / 2 at the instant: in an implicit scheme velocities and positions refer to the same time.
 template <int D>
 double implicit_kinetic(const Model<D>& model, const State<D>& state) {
   double sum = 0;
@@ -94,8 +95,8 @@ double implicit_kinetic(const Model<D>& model, const State<D>& state) {
   return !has_added_mass(model) ? sum : sum + added_kinetic(model, state);
 }
 
-/// From leapfrog, whose velocities stand half a step behind: they are brought up by a dt / 2, the half step of work is
-/// booked, and a = F / m starts the scheme. The step that was is then of length 0: nothing is half behind.
+/// Switches from leapfrog, whose velocities lag by half a step: they are advanced by a dt / 2, the work of the half
+/// step is booked, and a = F / m starts the scheme. The last step then has length 0, so no half step is outstanding.
 template <int D>
 void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work) {
   if (state.implicit()) return;
@@ -120,7 +121,7 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
     begin_turning(model, state, n, about_of(f.force), half);
     if (!has_added) continue;
     force.push_back(f.force);
-    // Explicit steps have their share of the added mass among the forces.
+    // The forces of explicit steps contain the share of the added mass.
     for (int k = 0; k < D && !work.added_inertia.empty(); ++k)
       if (model.support[n][k] == Support::free) force.back()[k] -= work.added_inertia[n][k];
   }
@@ -133,7 +134,7 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
   state.last_dt = 0;
 }
 
-/// The velocities of now serve as those of a half step of length 0, which is how leapfrog begins.
+/// The present velocities serve as velocities of a half step of length 0, which is how leapfrog starts.
 template <int D>
 void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work) {
   if (!state.implicit()) return;

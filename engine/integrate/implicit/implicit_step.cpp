@@ -17,30 +17,31 @@
 namespace trilith {
 namespace {
 
-/// A step is halved at most so often to converge, and to keep its energies.
+/// Largest number of halvings of a step to converge, and to satisfy the energy limit.
 constexpr int most_cuts = 14, most_cuts_for_energy = 7;
-/// A step that misses less than this share of what it may can be longer.
+/// The next step may be longer if the error is below this share of the limit.
 constexpr double well_kept = 0.2;
-/// Where a step halved so often misses more than this share of what it did before, it is no error of its length: a
-/// contact has changed its form.
+/// After this number of halvings, an error above `no_better` times the previous error does not depend on the step
+/// length: a contact has changed its shape.
 constexpr int cuts_that_tell = 4;
 constexpr double no_better = 0.6;
-/// Iterations within which a step is an easy one: the next may be longer, by `growth`.
+/// A step is easy if it converges within this number of iterations; the next may then be longer by `growth`.
 constexpr int easy_iterations = 8;
 constexpr double growth = 2;
-/// Rounding of a place, as a share of it.
+/// Rounding error of a position, as a share of it.
 constexpr double digits = std::numeric_limits<double>::epsilon();
-/// The tangent is found anew where an iteration has left more than this share of the forces, and more of them lie ahead
-/// at that rate than it costs with its factors: in space, where all is evaluated for each colour, much more.
+/// The tangent is updated if an iteration leaves more than slow_share of the residual and the expected number of
+/// remaining iterations exceeds the cost of a new tangent with its factors. In space this cost is much higher, because
+/// all forces are evaluated for each colour.
 constexpr double slow_share = 0.1;
 template <int D>
 constexpr double tangent_cost = D == 2 ? 1 : 12;
 
-/// Energies in a moving frame are differences of much larger ones: known to this share of them at best.
+/// Energies in a moving frame are small differences of large values, known to this share of them at best.
 constexpr double rounding_share = 1e-9;
 
-/// The velocity of the frame in which errors are measured: along each axis that of the support that comes nearest to
-/// the mean of all that moves; without any support that mean itself [m/s].
+/// The velocity of the frame in which errors are measured [m/s]. Along each axis it is the velocity of the support
+/// nearest to the mean velocity of all that moves. Without supports it is this mean.
 template <int D>
 Vec<D> frame_of(const Model<D>& model, const State<D>& state) {
   Vec<D> frame = Vec<D>::Zero();
@@ -60,15 +61,15 @@ Vec<D> frame_of(const Model<D>& model, const State<D>& state) {
   return frame;
 }
 
-/// What moves and what is stored [J].
+/// Kinetic plus stored energy [J].
 double held(const Energy& e) {
   return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
          e[EnergyTerm::strain];
 }
 
-/// One step: the trial state, what it began with, and what is left of the equation of motion.
-/// Order: predict the path, evaluate, measure what is left over, correct the path by A^-1 of it, and again; then the
-/// energies of the whole step. `state_` is the trial's; `start_`, `forces_` and `energy_` are of the step's begin.
+/// One implicit step: trial state, initial state, and residual of the equation of motion. Sequence: predict the path,
+/// evaluate, compute the residual, correct the path by A^-1 times the residual, repeat; then check the energies of the
+/// whole step. `state_` is the trial state; `start_`, `forces_` and `energy_` refer to the begin of the step.
 template <int D>
 class Trial {
  public:
@@ -96,22 +97,22 @@ class Trial {
     kinetic_beside_ = kinetic_beside();
   }
 
-  /// Tries a step of length dt. False where it does not converge.
+  /// Tries a step of length dt. False if it does not converge.
   bool attempt(double dt, ImplicitStep& out);
-  /// What went by since the last mark is the step's own.
+  /// The time since the last mark belongs to the step itself.
   void mark_advance() { clock_.mark(StepPart::advance); }
   void give_up();
-  /// The step's work, where it has converged.
+  /// Work terms of the converged step.
   [[nodiscard]] Energy booked() const;
-  /// What it missed of its energies with that, as a share.
+  /// Energy error of the step with these terms, as a share.
   [[nodiscard]] double missed(const Energy& booked);
-  /// True where it took two pieces through each other, which forces at its end do not show.
+  /// True if the step moved two pieces through each other; forces at its end do not show this.
   [[nodiscard]] bool tunnels(ImplicitStep& out) const;
-  /// The most that has moved or been stored, as the step began, in the frame of the step [J].
+  /// Largest kinetic plus stored energy up to the begin of the step, in the frame of the step [J].
   [[nodiscard]] double most_before() const {
     return in_frame() ? held(energy_) + kinetic_beside_ - energy_[EnergyTerm::kinetic] : held(energy_);
   }
-  /// What its bonds missed of their work, see integrate/explicit/bond_step.hpp.
+  /// Work that the bonds missed, see integrate/explicit/bond_step.hpp.
   [[nodiscard]] double bonds_missed() const { return bond_miss(model_, state_, work_, dt_); }
 
  private:
@@ -126,7 +127,7 @@ class Trial {
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double net_work(const std::vector<NodeForces<D>>& end, const Vec<D>& frame) const;
   [[nodiscard]] double kinetic_beside() const;
-  /// The frame of the step moves.
+  /// True if the frame of the step moves.
   [[nodiscard]] bool in_frame() const { return frame_ != Vec<D>(Vec<D>::Zero()); }
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
 
@@ -137,27 +138,28 @@ class Trial {
   const AlphaScheme scheme_;
   const ImplicitOptions& options_;
   const StepStart<D> start_;
-  const Energy energy_;  // as the step begins
+  const Energy energy_;  // at the begin of the step
   const double time_;
-  const std::shared_ptr<const KeptTangent> kept_;  // as the step begins
+  const std::shared_ptr<const KeptTangent> kept_;  // at the begin of the step
   std::vector<Vec<D>> position_before_;
   std::vector<Rotation<D>> rotation_before_;
-  std::vector<NodeForces<D>> forces_;          // as the step begins
+  std::vector<NodeForces<D>> forces_;          // at the begin of the step
   std::vector<Dofs<D>> path_;                  // [node] along the step
-  std::vector<Dofs<D>> added_before_, added_;  // [node] of consistent mass: as the step begins, and now; mostly empty
-  std::vector<Dofs<D>> damped_;                // [node] of its damping, now; mostly empty
-  Vec<D> frame_;                               // in which errors are measured [m/s]
-  double kinetic_beside_ = 0;                  // in it, as the step begins [J]
+  std::vector<Dofs<D>> added_before_, added_;  // [node] inertia forces of consistent mass at the begin of the step, and
+                                               // now; usually empty
+  std::vector<Dofs<D>> damped_;                // [node] damping of the consistent mass, now; usually empty
+  Vec<D> frame_;                               // frame in which errors are measured [m/s]
+  double kinetic_beside_ = 0;                  // kinetic energy in this frame at the begin of the step [J]
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
-  Eigen::VectorXd left_;      // of the equation of motion, by unknown
-  Eigen::VectorXd rounding_;  // of the forces by that of the places, by unknown
+  Eigen::VectorXd left_;      // residual of the equation of motion, by unknown
+  Eigen::VectorXd rounding_;  // rounding error of the forces due to the rounding of positions, by unknown
   StepTimes* const times_;
   StepClock clock_;
 };
 
-/// Free nodes go on at their velocity; driven ones to where their motion has them.
+/// Predictor: free nodes keep their velocity; driven nodes follow their motion.
 template <int D>
 void Trial<D>::predict() {
   state_.time = time_ + dt_, state_.last_dt = dt_;
@@ -187,8 +189,8 @@ void Trial<D>::predict() {
   }
 }
 
-/// Place, velocity and acceleration of a node at the end of the step from its path there. The path is kept apart from
-/// the place: over a short step it has digits that the place has not.
+/// Position, velocity and acceleration of a node at the end of the step, from its path there. The path is stored
+/// separately from the position: over a short step it has digits that the position has not.
 template <int D>
 void Trial<D>::correct(int n) {
   state_.position[n] = start_.position[n] + along_of(path_[n]);
@@ -212,7 +214,8 @@ void Trial<D>::evaluate_trial() {
   clock_.skip();
 }
 
-/// What is left of the equation of motion at the evaluated trial state. Returns its square, each part over its inertia.
+/// Residual of the equation of motion at the evaluated trial state. Returns the sum of its squares, each divided by its
+/// inertia.
 template <int D>
 double Trial<D>::residual() {
   const DofGraph<D>& coupling = tangent_.coupling();
@@ -241,8 +244,8 @@ double Trial<D>::residual() {
   return sum;
 }
 
-/// Forces know of a place no more than its digits: those times the last tangent. Moments on next to no inertia, on a
-/// stiff member that has turned, get no nearer.
+/// Rounding error of the forces: the last tangent times the rounding error of the positions. Moments on very small
+/// inertia, at a stiff member that has turned, converge no further than this.
 template <int D>
 void Trial<D>::find_rounding() {
   rounding_.setZero(tangent_.coupling().size());
@@ -261,7 +264,7 @@ void Trial<D>::find_rounding() {
   }
 }
 
-/// What of the equation of motion is rounding alone. The acceleration is a small difference of paths.
+/// Rounding error of one component of the residual. The acceleration is a small difference of paths.
 template <int D>
 double Trial<D>::rounding_of(int i, double mass) const {
   const auto [n, k] = tangent_.coupling().freedom[i];
@@ -283,7 +286,7 @@ void Trial<D>::move(const Eigen::VectorXd& by, double share) {
   }
 }
 
-/// Goes along `full` as far as less is left over; where it gets no smaller, a little.
+/// Line search along `full` as far as the residual decreases; if it does not decrease, a small step.
 template <int D>
 void Trial<D>::improve(const Eigen::VectorXd& full) {
   const double before = merit_;
@@ -301,7 +304,7 @@ void Trial<D>::improve(const Eigen::VectorXd& full) {
   }
 }
 
-/// Whether the tangent is still good enough, by what the last iteration with it has left.
+/// True if the tangent can be reused, judged by the residual that the last iteration has left.
 template <int D>
 bool Trial<D>::serves_on(double merit_before) const {
   const double rate = std::sqrt(merit_ / merit_before);
@@ -330,7 +333,7 @@ bool Trial<D>::attempt(double dt, ImplicitStep& out) {
     if (!std::isfinite(merit_)) return false;
     ++out.iterations;
     const double before = merit_;
-    // Found anew only where the last one does not serve: it costs as much as some iterations.
+    // A new tangent costs as much as some iterations, so it is computed only if the last one is not sufficient.
     if (!serves) {
       clock_.mark(StepPart::advance);
       if (!tangent_.find(model_, state_, work_, wanted, times_)) return false;
@@ -354,8 +357,8 @@ bool Trial<D>::tunnels(ImplicitStep& out) const {
   return t.piece_a >= 0;
 }
 
-/// Back to where the step began. What led there is committed, so no step lies behind it any more: its half of the work
-/// is booked here.
+/// Restores the begin of the step. The steps up to there are committed and no last step remains, so the outstanding
+/// half of the work is booked here.
 template <int D>
 void Trial<D>::give_up() {
   state_.time = time_, state_.last_dt = 0;
@@ -373,8 +376,8 @@ void Trial<D>::give_up() {
   }
 }
 
-/// Work of the net forces along the step, by the mean of their values at both ends, seen from a frame that moves at
-/// `frame` [J].
+/// Work of the net forces along the step, by the mean of their values at both ends, in a frame that moves at `frame`
+/// [J].
 template <int D>
 double Trial<D>::net_work(const std::vector<NodeForces<D>>& end, const Vec<D>& frame) const {
   double work = 0;
@@ -388,7 +391,7 @@ double Trial<D>::net_work(const std::vector<NodeForces<D>>& end, const Vec<D>& f
   return work;
 }
 
-/// Kinetic energy in the frame of the step [J]. Velocities are put back to the last bit.
+/// Kinetic energy in the frame of the step [J]. Velocities are restored bit for bit.
 template <int D>
 double Trial<D>::kinetic_beside() const {
   if (!in_frame()) return implicit_kinetic(model_, state_);
@@ -399,8 +402,8 @@ double Trial<D>::kinetic_beside() const {
   return kinetic;
 }
 
-/// Work of the forces of the step's begin along half of the step behind and half of the one ahead. What the scheme
-/// takes or brings is what the net force does, by the mean of its values at both ends, beyond the kinetic energy.
+/// Work of the initial forces along half of the last step and half of this one. The numerical term is the work of the
+/// net force, by the mean of its values at both ends, minus the change of the kinetic energy.
 template <int D>
 Energy Trial<D>::booked() const {
   Energy given;
@@ -414,10 +417,11 @@ Energy Trial<D>::booked() const {
   return given;
 }
 
-/// As a share of the most that has moved or been stored, so that what comes to rest needs no shorter steps. What
-/// the scheme damps is meant to go; what it brings is not. Where friction turned back neither the ledger nor forces at
-/// both ends tell: the work it was out by counts as energy of the error of velocities. Motion and the numerical term
-/// count in the frame of the supports, so that an even motion of all changes nothing.
+/// Error as a share of the largest kinetic plus stored energy, so that motion near rest needs no shorter steps. Energy
+/// that the scheme dissipates is intended; energy that it adds is an error. If friction reverses, neither the ledger
+/// nor the forces at both ends show the error. The work error of the reversal is then added to the energy of the
+/// velocity error. Kinetic energy and the numerical term refer to the frame of the supports, so that a uniform motion
+/// of the model changes nothing.
 template <int D>
 double Trial<D>::missed(const Energy& booked) {
   Energy end = implicit_energy(model_, state_, work_);
@@ -448,13 +452,13 @@ ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>&
   for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
     const int before = out.iterations;
     if (!trial.attempt(out.dt, out) || trial.tunnels(out)) continue;
-    // A bond that goes from held to gone without its work is not found by the equation of motion at both ends.
+    // The equation of motion at both ends does not detect a bond that breaks within the step without its work.
     if (trial.bonds_missed() > (out.cuts < most_cuts ? 1 : largest_bond_miss)) continue;
     const Energy booked = trial.booked();
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;
     const bool can_be_cut = out.cuts < most_cuts_for_energy && 0.5 * out.dt >= options.shortest;
-    // Not the tangent's fault: the step is right but too long, and is tried from its begin at half the length.
+    // The tangent is adequate: the step is correct but too long, and is repeated from its begin with half the length.
     if (out.missed > options.accuracy && gains && can_be_cut) continue;
     for (std::size_t i = 0; i < booked.value.size(); ++i) state.given.value[i] += booked.value[i];
     ++state.step;

@@ -1,5 +1,5 @@
-// A step of an implicit scheme (assembly/alpha_scheme.hpp): the place at its end is found by Newton's method. How nodes
-// turn in space: assembly/implicit_turn.hpp.
+// A step of an implicit scheme (assembly/alpha_scheme.hpp): Newton's method finds the positions at its end. Rotation of
+// nodes in space: assembly/implicit_turn.hpp.
 #pragma once
 
 #include <cstdint>
@@ -12,49 +12,49 @@ namespace trilith {
 
 struct ImplicitOptions {
   AlphaScheme scheme = AlphaScheme::hht(-0.05);
-  double dt = 0;            ///< longest length of this step [s]
-  double tolerance = 1e-8;  ///< largest force left over, as a share of the largest one carried
-  /// What a step may miss, beyond which it is halved: of its energies, as a share of those that move and are stored;
-  /// and, by half as much, of its velocities. 0: anything.
+  double dt = 0;            ///< largest length of this step [s]
+  double tolerance = 1e-8;  ///< largest residual force, as a share of the largest force carried.
+  /// Error limits beyond which a step is halved: the energy error as a share of the kinetic and stored energy, and half
+  /// of this value for the error of the velocities. 0: no limit.
   double accuracy = 0;
-  double shortest =
-      0;  ///< no step is halved below this for what it misses: of next to no energy it may be any share [s]
-  double give_up = 0;  ///< no step is halved below this, whatever for: then there is none [s]
+  double shortest = 0;  ///< errors halve no step below this length, as shares of small energies are arbitrary [s]
+  double give_up = 0;   ///< no step is halved below this length for any reason; the step then fails [s]
   int most_iterations = 30;
 };
 
-/// How a step came out.
+/// Result of a step.
 struct ImplicitStep {
   bool converged = false;
-  int iterations = 0;                  ///< of all attempts
-  int cuts = 0;                        ///< how often it was halved
-  double dt = 0;                       ///< length taken [s]
-  double left = 0;                     ///< force left over, as a share of the largest carried one
+  int iterations = 0;                  ///< sum over all attempts
+  int cuts = 0;                        ///< number of halvings
+  double dt = 0;                       ///< length of the accepted step [s]
+  double left = 0;                     ///< residual force, as a share of the largest force carried
   double missed = 0;                   ///< see ImplicitOptions::accuracy
-  int worst = -1;                      ///< the node where the most is left over
-  int through_a = -1, through_b = -1;  ///< pieces that the last attempt would have taken through each other; -1: none
+  int worst = -1;                      ///< node with the largest residual
+  int through_a = -1, through_b = -1;  ///< pieces that would have passed through each other in the last attempt; -1:
+                                       ///< none
 };
 
-/// Makes a state that explicit steps have led to one that an implicit scheme goes on from, or the other way: `work` is
-/// evaluated and committed at this instant. Velocities are those of the instant then, and the ledger is up to it.
+/// Converts a state of explicit steps into a state of an implicit scheme, or back. `work` is evaluated and committed at
+/// this instant. The velocities then refer to the instant, and the ledger is complete up to it.
 template <int D>
 void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work);
 template <int D>
 void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work);
 
-/// Takes one step from an instant that has been evaluated and committed, with the ledger `energy`; halved where it does
-/// not converge, and where it would take bodies through each other (integrate/explicit/tunnelling.hpp). Where it fails,
-/// State is as it was. `work` is then evaluated at the end of the step, which is not committed. State::dt: the step to
-/// try next, at most options.dt.
+/// Takes one step from an instant that has been evaluated and committed, with the ledger `energy`. The step is halved
+/// if it does not converge, and if bodies would pass through each other (integrate/explicit/tunnelling.hpp). If the
+/// step fails, State remains unchanged. Otherwise `work` is evaluated at the end of the step and not committed.
+/// State::dt is the step to try next, at most options.dt.
 template <int D>
 ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>& work, const Energy& energy,
                                 Tangent<D>& tangent, const ImplicitOptions& options, StepTimes* times = nullptr);
 
-/// Kinetic energy of a state that is implicit: its velocities are those of the instant [J].
+/// Kinetic energy of an implicit state, whose velocities refer to the instant [J].
 template <int D>
 double implicit_kinetic(const Model<D>& model, const State<D>& state);
 
-/// The ledger at the instant of the last evaluation, of a state that is implicit.
+/// Energy ledger of an implicit state at the instant of the last evaluation.
 template <int D>
 Energy implicit_energy(const Model<D>& model, const State<D>& state, const Work<D>& work);
 

@@ -1,4 +1,4 @@
-// An implicit step against its begin: the way of the nodes, what the scheme has of their inertia, the error it makes.
+// Increments of an implicit step: paths of the nodes, inertia forces of the scheme, and error estimate.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// Motion of the nodes as the step begins.
+/// Motion of the nodes at the begin of the step.
 template <int D>
 struct StepStart {
   std::vector<Vec<D>> position, velocity, acceleration;
@@ -29,7 +29,7 @@ struct StepStart {
   [[nodiscard]] Dofs<D> acceleration_of(int n) const { return dofs_of(acceleration[n], spin_rate[n]); }
 };
 
-/// Where a direction of a node was.
+/// Coordinate of a node along dof k at the begin of the step.
 inline double place_along(const StepStart<2>& start, int n, int k) {
   return k == 2 ? start.rotation[n] : start.position[n][k];
 }
@@ -37,7 +37,7 @@ inline double place_along(const StepStart<3>& start, int n, int k) {
   return k >= 3 ? angle_of(start.rotation[n])[k - 3] : start.position[n][k];
 }
 
-/// The size of the number whose digits a place has: in space a rotation is known to those of a turn of 1 rad.
+/// Magnitude that determines the rounding of a coordinate. In space a rotation counts as 1 rad.
 inline double digits_along(const State<2>& state, int n, int k) {
   return std::abs(place_along(state, n, k));
 }
@@ -45,7 +45,7 @@ inline double digits_along(const State<3>& state, int n, int k) {
   return k >= 3 ? 1 : std::abs(state.position[n][k]);
 }
 
-/// Half of the way from the step's begin to now, and of both steps together, the one behind and this one.
+/// Half of the increment from the begin of the step to now, and half of the increment of the last step and this one.
 template <int D>
 Dofs<D> half_way(const StepStart<D>& start, const State<D>& now, int n) {
   return dofs_of(Vec<D>(0.5 * (now.position[n] - start.position[n])),
@@ -60,8 +60,8 @@ inline Dofs<3> half_of_both(const Vec3& place, const UnitQuaternion& turn, const
   return dofs_of(Vec3(0.5 * (now.position[n] - place)), Vec3(0.5 * turned));
 }
 
-/// What the scheme has of the inertia of each direction of a node, M ((1 - alpha_m) a' + alpha_m a); `largest`: in
-/// space the largest part of what turns, of which a free body has nothing left in sum [N], [N m].
+/// Inertia force of the scheme for each dof of a node, M ((1 - alpha_m) a' + alpha_m a) [N], [N m]. `largest`: in space
+/// the largest term of the rotational part; these terms cancel in a free body.
 template <int D>
 Dofs<D> inertia_of(const Model<D>& model, const State<D>& state, const StepStart<D>& start, double m, int n,
                    Dofs<D>& largest) {
@@ -81,9 +81,9 @@ Dofs<D> inertia_of(const Model<D>& model, const State<D>& state, const StepStart
   return out;
 }
 
-/// Energy of the error of the velocities, dt (a' - a) / 12: that of the scheme's displacements over the step, (b - 1/6)
-/// dt^2 (a' - a) with b = 1/4, over dt (Zienkiewicz and Xie, "A simple error estimator and adaptive time stepping
-/// procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991).
+/// Energy of the velocity error dt (a' - a) / 12 [J]. The displacement error of the scheme over the step is (b - 1/6)
+/// dt^2 (a' - a) with b = 1/4. Division by dt gives the velocity error (Zienkiewicz and Xie, "A simple error estimator
+/// and adaptive time stepping procedure for dynamic analysis", Earthq. Eng. Struct. Dyn. 20, 1991).
 template <int D>
 double step_error_estimate(const Model<D>& model, const State<D>& state, const StepStart<D>& start, double dt) {
   double sum = 0;

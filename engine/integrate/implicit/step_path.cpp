@@ -9,8 +9,8 @@
 namespace trilith {
 namespace {
 
-/// Calls visit(node, rotating node, arm) for each node that carries points of a piece; `arm`: their largest distance
-/// from the node [m].
+/// Calls visit(node, rotating node, arm) for each node that carries points of a piece. `arm`: largest distance of these
+/// points from the node [m].
 template <class Visit>
 void for_carriers(const Model<2>& model, int piece, Visit&& visit) {
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
@@ -43,8 +43,8 @@ double angle_magnitude(const Vec3& turn) {
 
 }  // namespace
 
-/// The path of a node is off the straight way between its ends by s (1 - s) |bend|, a quarter of |bend| at most; a
-/// point that turns about it is farther off by its arm times the angle at most.
+/// The path of a node deviates from the straight line between its ends by s (1 - s) |bend|, at most |bend| / 4. A point
+/// that turns about it deviates further, by at most its arm times the angle.
 template <int D>
 PieceWay<D> StepPath<D>::way_of(int piece) const {
   ValueRange<D> range;
@@ -76,7 +76,7 @@ Vec2 PieceOnPath2::middle() const {
   return sum / piece.corners;
 }
 
-/// Of a piece whose nodes do not turn, by the planes of its faces, as it is placed in each step.
+/// Places a piece whose nodes do not turn, by the planes of its faces, as in the evaluation of each step.
 void PieceOnPath3::place(const Model<3>& model, const StepPath<3>& path, int index, double s) {
   const auto p = static_cast<std::size_t>(index);
   const ConvexSolid& shape = model.piece_solid[p];

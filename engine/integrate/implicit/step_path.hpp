@@ -1,5 +1,5 @@
-// Pieces on the path of a step: where they are at a fraction of it, how far their points go, how deep two of them are
-// in each other.
+// Pieces on the path of a step: position at a fraction of the step, bounds of their displacement, and depth of two
+// pieces in each other.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace trilith {
 /// Displacement of the points of a piece over a step.
 template <int D>
 struct PieceWay {
-  Vec<D> middle = Vec<D>::Zero();  ///< the displacement of all points lies within `spread` of this [m]
+  Vec<D> middle = Vec<D>::Zero();  ///< the displacement of all points lies within `spread` of this vector [m]
   double spread = 0;               ///< [m]
-  double bend = 0;                 ///< by how much a point may go more than that along its path [m]
+  double bend = 0;                 ///< additional distance of a point along its curved path [m]
 };
 
-/// The box around values that are added, each with a radius.
+/// AABB of values, each added with a radius.
 template <int D>
 struct ValueRange {
   Vec<D> low = Vec<D>::Constant(unbounded), high = Vec<D>::Constant(-unbounded);
@@ -49,7 +49,7 @@ class StepPath {
   [[nodiscard]] Rotation<D> rotation(int n, double s) const {
     return turned_by(Spin<D>(s * turn(n)), begin_.rotation[n]);
   }
-  /// Of a piece.
+  /// Displacement of the points of a piece.
   [[nodiscard]] PieceWay<D> way_of(int piece) const;
 
  private:
@@ -58,7 +58,7 @@ class StepPath {
   const StepBegin<D>& begin_;
 };
 
-/// A piece at a fraction of the step, and buffers to place it.
+/// A piece at a fraction of the step, with scratch buffers.
 struct PieceOnPath2 {
   MovingPiece piece;
   void place(const Model<2>& model, const StepPath<2>& path, int index, double s);
@@ -66,7 +66,7 @@ struct PieceOnPath2 {
 };
 struct PieceOnPath3 {
   PlacedSolid solid;
-  std::vector<Vec3> position;  ///< [node] scratch, of pieces whose nodes do not turn
+  std::vector<Vec3> position;  ///< [node] scratch, for pieces whose nodes do not turn
   std::vector<Fitted> faces;   ///< scratch
   void place(const Model<3>& model, const StepPath<3>& path, int index, double s);
   [[nodiscard]] Vec3 middle() const;
@@ -74,15 +74,16 @@ struct PieceOnPath3 {
 template <int D>
 using PieceOnPath = std::conditional_t<D == 2, PieceOnPath2, PieceOnPath3>;
 
-/// The least translation that parts the two; below 0 where they are apart, by at least as much [m].
+/// Least translation that separates the two pieces; negative if they are apart, and then a lower bound of the distance
+/// [m].
 double depth_between(const PieceOnPath2& a, const PieceOnPath2& b);
 double depth_between(const PieceOnPath3& a, const PieceOnPath3& b);
 
-/// The least thickness that matters for a piece: of its body where it is, and its own width [m].
+/// Least relevant thickness of a piece: thickness of its body there, or its own width [m].
 double thickness_of(const Model<2>& model, int piece);
 double thickness_of(const Model<3>& model, int piece);
 
-/// The box around a piece where it was evaluated last.
+/// AABB of a piece at the last evaluation.
 FatBox<2> box_of(const Model<2>& model, const Work<2>& work, int piece);
 FatBox<3> box_of(const Model<3>& model, const Work<3>& work, int piece);
 
