@@ -20,7 +20,7 @@ double length_of(const Model<3>& model, int beam) {
   return model.beams_3d[static_cast<std::size_t>(beam)].length;
 }
 
-/// "column 1 at a"; of beams within a member, how far along they begin.
+/// "column 1 at a"; for a beam within a member, with its distance from the begin of the member.
 template <int D>
 std::string place_text(const Model<D>& model, const Member& m, int beam, int end) {
   const std::string member = m.name == model.bodies[m.body].name ? "" : m.name + " ";
@@ -31,7 +31,7 @@ std::string place_text(const Model<D>& model, const Member& m, int beam, int end
   return fmt::format("{}{:.3g} m from {}", member, along, m.joint[0]);
 }
 
-/// Moment that the end of a beam carries, or of one of fibres the larger of both [N m].
+/// Moment at an end of a beam; for a fibre beam, the larger moment of both ends [N m].
 double moment_at(const Model<2>& model, const State<2>& state, const Work<2>& work, const Beam& beam, int end) {
   const std::span after = memory_of(model, beam, std::span<const double>(work.beam_memory));
   if (beam.yield == BeamYield::at_hinges) return std::abs(hinge_memory(after).moment[end]);
@@ -48,7 +48,7 @@ double moment_at(const Model<3>& model, const State<3>& state, const Work<3>& wo
   return std::max(portable::hypot(stress[1], stress[2]), portable::hypot(stress[3], stress[4]));
 }
 
-/// What the hinges at the ends of a beam remember.
+/// Memory of the hinges at the ends of a beam.
 EndHingeMemory memory_of_hinges(const Beam& /*beam*/, std::span<const double> memory) {
   return hinge_memory(memory);
 }
@@ -64,15 +64,15 @@ Vec3 place_of_end(const State<3>& state, const Beam3& beam, int end) {
   return end_of(state, beam, static_cast<std::size_t>(end)).place;
 }
 
-/// Elastic, yielded, lost: told where the trial's memory says another one than the committed memory. The figure is the
-/// moment as it yields, or the rotation at which it is lost.
+/// Adds an event if the status (elastic, yielded, lost) differs between the trial memory and the committed memory. Its
+/// value is the moment at yield, or the rotation at which the hinge is lost.
 template <int D, class SomeBeam>
 void member_event(const Model<D>& model, const State<D>& state, Work<D>& work, const Member& m, int beam,
                   const SomeBeam& b, int end) {
   const std::span after = memory_of(model, b, std::span<const double>(work.beam_memory));
   const std::span before = memory_of(model, b, std::span<const double>(state.beam_memory));
   const HingeStatus was = yield_status(b, before, end), is = yield_status(b, after, end);
-  // A beam that goes is told of at the end where its hinge had gone.
+  // A removed beam is reported at the end whose hinge was lost.
   if (was == is || (is == HingeStatus::removed && was != HingeStatus::lost)) return;
   Event e;
   e.time = state.time, e.step = state.step, e.body_a = m.body;
@@ -99,7 +99,7 @@ bool can_yield(const Model<3>& model, const Beam3& beam, int end) {
 
 }  // namespace
 
-/// A beam of fibres is told of at its end 0, for all of it.
+/// A fibre beam is reported at its end 0, for the whole beam.
 template <int D>
 void beam_events(const Model<D>& model, const State<D>& state, Work<D>& work) {
   if (model.beam_memory == 0) return;

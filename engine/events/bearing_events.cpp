@@ -29,7 +29,7 @@ Vec3 first_point(const Model<3>& model, const State<3>& state, const Bearing<3>&
   return point_of(model, state, b.end_a);
 }
 
-/// The direction in which a bearing that was intact has come to yield or slide.
+/// The direction in which a bearing that was intact has begun to yield or slide.
 template <int D>
 std::uint32_t yielded_direction(const Bearing<D>& b, const BearingMemory<D>& before, const BearingMemory<D>& after) {
   const std::uint32_t level = b.has_horizontal() ? Directions<3>::horizontal : 0;
@@ -39,7 +39,7 @@ std::uint32_t yielded_direction(const Bearing<D>& b, const BearingMemory<D>& bef
   return level;
 }
 
-/// What the device was, where it is, and by how much it was displaced in `direction`, which yielded or failed.
+/// Adds the event of a bearing with its name, place, and displacement in `direction`, which yielded or failed.
 template <int D>
 void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, EventType type,
                         std::uint32_t direction) {
@@ -51,8 +51,8 @@ void push_bearing_event(const Model<D>& model, const State<D>& state, Work<D>& w
   work.events.push_back(e);
 }
 
-/// Elastic energy that the contact of two pieces has while their bearings are as given [J].
-/// Of overlap, whatever shape it has; 0 where it is still held off.
+/// Elastic energy of the contact of two pieces, with the bearings in the given states [J]. Valid for an overlap of any
+/// shape; 0 while a bearing suppresses the contact.
 double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>& work,
                      std::span<const BearingMemory<2>> bearings, int p, int q) {
   NearPair pair{p, q, contact_law(model, model.piece_body[p], model.piece_body[q]), 0, 0, 0, 0, 0, 1.0, false};
@@ -69,8 +69,7 @@ double energy_beside(const Model<2>& model, const State<2>& state, const Work<2>
   return overlap_energy(a, b, law);
 }
 
-/// In space with the shear that the contact remembers.
-/// Elastic energy of a pair that bearings have stood for, as it is without them.
+/// Elastic energy of a contact of two pieces without the bearings that suppressed it, with the shear in its memory [J].
 double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>& work,
                      std::span<const BearingMemory<3>> bearings, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
@@ -86,7 +85,7 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
                 false};
   if (pair.law < 0) return 0;
   apply_bearings<3>(model, work.search, bearings, pair);
-  SolidOverlapBuffer shared, scratch;  // room; bearings end once
+  SolidOverlapBuffer shared, scratch;  // buffers; bearings fail once
   const PlacedSolid &first = work.solids.placed[pair.piece_a], &second = work.solids.placed[pair.piece_b];
   LawInUse law{model.laws[pair.law], model.thickness, 0};
   SolidMemory memory;
@@ -105,11 +104,11 @@ double energy_beside(const Model<3>& model, const State<3>& state, const Work<3>
   return solid_contact_energy(first, second, memory, law, shared, scratch);
 }
 
-/// Elastic energy that the contact beside bearing `i` has after its failure more than before [J].
+/// Increase of the elastic energy of the contact at bearing `i` due to its failure [J].
 template <int D>
 double released_contact_energy(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i) {
   const Bearing<D>& b = model.bearings[i];
-  for (std::size_t j = 0; j < i; ++j)  // one that failed in the same step has counted it
+  for (std::size_t j = 0; j < i; ++j)  // a bearing that failed earlier in the same step has counted it
     if (is_live(state.bearing[j].status) && !is_live(work.bearing[j].status) && model.bearings[j].alters_contact() &&
         model.bearings[j].sits_between(b.piece_a, b.piece_b))
       return 0;
@@ -117,7 +116,7 @@ double released_contact_energy(const Model<D>& model, const State<D>& state, con
          energy_beside(model, state, work, state.bearing, b.piece_a, b.piece_b);
 }
 
-/// Displacement at which the bearing that follows `b` takes over, in the directions in which it counts from there.
+/// Displacement at which the successor of `b` takes over, in the directions in which its displacement starts there.
 template <int D>
 std::array<double, Space<D>::dofs> takes_over_at(const Model<D>& model, const State<D>& state, const Bearing<D>& b) {
   std::array<double, Space<D>::dofs> at{};
@@ -127,7 +126,7 @@ std::array<double, Space<D>::dofs> takes_over_at(const Model<D>& model, const St
   return at;
 }
 
-/// Lets what follows a failed bearing begin. The elastic energy it begins with counts as not given off.
+/// Starts the successor of a failed bearing. Its initial elastic energy is subtracted from the dissipated energy.
 template <int D>
 void hand_on(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i) {
   const Bearing<D>& b = model.bearings[i];
@@ -136,7 +135,7 @@ void hand_on(const Model<D>& model, const State<D>& state, Work<D>& work, std::s
     dissipated -= start_bearing(model, state, work, b.becomes_bearing, takes_over_at(model, state, b));
   if (!b.alters_contact()) return;
   dissipated -= released_contact_energy(model, state, work, i);
-  work.valid = false;  // another rule holds for the contact of its two pieces from now on
+  work.valid = false;  // the contact of the two pieces follows another law from now on
 }
 
 template <int D>
@@ -158,7 +157,7 @@ void bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, 
   hand_on(model, state, work, i);
 }
 
-/// A bearing that ends gives its elastic energy off at once.
+/// A bearing that ends dissipates its elastic energy at once.
 template <int D>
 void account_failed(const State<D>& state, Work<D>& work, std::size_t i) {
   if (!is_live(state.bearing[i].status) || is_live(work.bearing[i].status)) return;

@@ -1,4 +1,4 @@
-// What becomes of bearings in a step: yielding, failing, and what follows a failed one.
+// Changes of bearings in a step: yielding, failure, and the start of a successor.
 #pragma once
 
 #include "model/model.hpp"
@@ -7,13 +7,13 @@
 
 namespace trilith {
 
-/// A bearing goes intact -> yielded -> failed, or -> changed where something follows it: another bearing that waited,
-/// or contact of the two pieces under a law of its own. Appends to work.events, a change after the failure that led to
-/// it, lets what follows begin, and books what a bearing that ends gives off.
+/// A bearing changes from intact to yielded to failed. With a successor it becomes "changed" instead: the successor is
+/// a waiting bearing, or contact of the two pieces under a separate law. Appends to work.events, with a change after
+/// the failure that caused it. Starts successors, and books the energy that an ending bearing dissipates.
 template <int D>
 void bearing_events(const Model<D>& model, const State<D>& state, Work<D>& work);
 
-/// Displacement that its event tells of: in the direction that failed [m]; 0 of a turn.
+/// Displacement in its event: in the direction that failed [m]; 0 for a rotation.
 double failed_displacement(const Vec2& displacement, std::uint32_t direction);
 double failed_displacement(const Vec3& displacement, std::uint32_t direction);
 

@@ -18,17 +18,17 @@ double size_of(const Vec3& spin) {
   return spin.norm();
 }
 
-/// True where a component of the first node's velocity alone shows that a body moves, as that of most does.
+/// True if a component of the velocity of the first node alone shows that a body moves, as for most bodies.
 template <int D>
 bool plainly_moves(const Model<D>& model, const State<D>& state, int node) {
   return state.velocity[node].cwiseAbs().maxCoeff() > model.still_speed && model.moves(node);
 }
 
-/// Of State::resting, within body_events(): it has come to rest now, which is still to be told.
+/// Value of State::resting within body_events(): the body came to rest in this step and is not yet reported.
 constexpr std::uint8_t just_now = 2;
 
-/// Slower than still_speed for still_time. The fastest point counts: of a rigid body |v| + |spin| times its radius.
-/// True where it has come to rest.
+/// Updates the rest state of a body: slower than still_speed for still_time, at its fastest point. For a rigid body
+/// this is |v| + |spin| times its radius. True if the body has come to rest.
 template <int D>
 bool comes_to_rest(const Model<D>& model, State<D>& state, std::size_t b) {
   if (!model.body_moves(static_cast<int>(b))) return false;
@@ -46,8 +46,8 @@ bool comes_to_rest(const Model<D>& model, State<D>& state, std::size_t b) {
   return true;
 }
 
-/// Bodies from `first` to before `last`. True where some have come to rest. One look at each body at each step, so the
-/// quick answer comes first: nearly all that move at all move plainly.
+/// Updates the bodies from `first` to before `last`. True if a body has come to rest. Every body is tested at every
+/// step, so the fast test comes first: it decides for nearly all moving bodies.
 template <int D>
 bool some_come_to_rest(const Model<D>& model, State<D>& state, const Work<D>& work, int first, int last) {
   bool some = false;
@@ -62,12 +62,12 @@ bool some_come_to_rest(const Model<D>& model, State<D>& state, const Work<D>& wo
   return some;
 }
 
-/// Bodies that threads look at at a time: some microseconds.
+/// Bodies per chunk of a thread; some microseconds.
 constexpr int looked_at = 512;
 
 }  // namespace
 
-/// When and between whom: every event of a step begins with these.
+/// Time and bodies, with which every event of a step begins.
 template <int D>
 Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
   Event e;
@@ -79,7 +79,7 @@ Event event_now(const State<D>& state, EventType type, int body_a, int body_b) {
   return e;
 }
 
-/// Bodies do not ask each other; what is told comes in their order.
+/// Bodies are independent; the events are in the order of the bodies.
 template <int D>
 void body_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   std::atomic<bool> some = false;

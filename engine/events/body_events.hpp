@@ -1,4 +1,4 @@
-// What happens to bodies in a step whatever their contacts are like: rest.
+// Events of bodies that do not depend on their contacts: rest.
 #pragma once
 
 #include "model/event.hpp"
@@ -12,8 +12,8 @@ namespace trilith {
 template <int D>
 Event event_now(const State<D>& state, EventType type, int body_a, int body_b);
 
-/// Bodies that have come to rest: slower than still_speed for still_time. The fastest point counts: of a rigid body
-/// |v| + |spin| times its radius.
+/// Adds an event for each body that has come to rest: slower than still_speed for still_time at its fastest point. For
+/// a rigid body this is |v| + |spin| times its radius.
 template <int D>
 void body_events(const Model<D>& model, State<D>& state, Work<D>& work);
 

@@ -6,13 +6,13 @@
 
 namespace trilith {
 
-/// First the events, which compare the memories of before with those of the trial; then the trial's become State. Sums
-/// of energy too: `work.given` began as a copy of `state.given`.
+/// Finds the events first, by comparing the committed memories with the trial memories. Then the trial memories become
+/// State, and so do the energy sums: `work.given` began as a copy of `state.given`.
 template <int D>
 void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* times) {
   StepClock clock(times);
   find_events(model, state, work);
-  // The memories of before go where the next trial is written: rows that are not worked on are empty in both.
+  // The old memories become the buffer of the next trial; inactive rows are empty in both.
   if (work.is_matched) std::swap(state.contacts, work.matched);
   std::swap(state.contacts, work.contacts);
   work.is_matched = false;

@@ -1,4 +1,4 @@
-// The end of a step: what was evaluated becomes the state.
+// The end of a step: the evaluated memories and sums become State.
 #pragma once
 
 #include "assembly/step_times.hpp"
@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Finds the events of the step that led to the evaluated instant (Work::events), then makes the trial memories and the
-/// ledger's sums those of the state. Time and motion are the integrator's.
+/// Finds the events of the step that led to the evaluated instant (Work::events). Then copies the trial memories and
+/// the ledger sums to State. The integrator updates time and motion.
 template <int D>
 void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* times = nullptr);
 

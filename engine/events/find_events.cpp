@@ -20,14 +20,13 @@
 namespace trilith {
 namespace {
 
-/// Where two pieces touch and how fast they close there. For faces: the middle of the four face ends' shared length.
+/// Point at which two pieces touch and their closing speed there. For faces it is the middle of the shared length.
 struct Meeting {
   Vec2 at;
   double closing;
 };
 
-/// Of a general contact: its centre, and the speed along its force. Of two faces, along d from a0:
-///
+/// Meeting of a general contact: its centre, and the speed along its force. For two faces, along d from a0:
 ///            a0 ---------------------> a1  d, and n = (d_y, -d_x) downwards, into b
 ///       b1 <-------------------- b0        shared from max(0, s(b1)) to min(s(a1), s(b0)); `at` is its middle
 Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
@@ -50,8 +49,8 @@ Meeting meeting(const Model<2>& model, const State<2>& state, const Work<2>& wor
   return {at, -n.dot(velocity(nb, at) - velocity(na, at))};
 }
 
-/// Completes the event of a bond of a row by its mode and its figure. By the gaps of now, with what the law remembers
-/// of before: after is lost with the bond. It was pulled where a half that lost its bond opened beyond its limit.
+/// Sets the mode and value of a bond event, from the present gaps and the committed memory; the trial memory of a lost
+/// bond is empty. The mode is tension if a half that lost its bond opened beyond its limit.
 void tell_mode(const Model<2>& model, const State<2>& state, const Work<2>& work, int row, Event& e) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
@@ -73,7 +72,7 @@ void tell_mode(const Model<2>& model, const State<2>& state, const Work<2>& work
   });
 }
 
-/// The ends of a face where they were as the step behind began.
+/// The ends of a face at the begin of the last step.
 FaceEnds<double> ends_before(const State<2>& state, const Work<2>& work, int from, int to) {
   FaceEnds<double> ends = face_ends(work, from, to);
   const auto mean = [&](int point, double u, double v) {
@@ -84,7 +83,7 @@ FaceEnds<double> ends_before(const State<2>& state, const Work<2>& work, int fro
   return ends;
 }
 
-/// What a row carried as the step behind began.
+/// Resultant of a row at the begin of the last step.
 ContactResultant resultant_before(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
@@ -94,7 +93,7 @@ ContactResultant resultant_before(const Model<2>& model, const State<2>& state, 
   });
 }
 
-/// A bond that began to soften or was lost: what it carried up to now, where, and by which of its limits.
+/// Event of a bond that begins to soften or is lost: its last resultant, its place, and the limit that was reached.
 void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row, EventType type) {
   const NearPair& p = work.pairs[row];
   const ContactResultant carried = resultant_before(model, state, work, row);
@@ -105,14 +104,14 @@ void bond_event(const Model<2>& model, const State<2>& state, Work<2>& work, int
   work.events.push_back(e);
 }
 
-/// Of a contact that touches now.
+/// Resultant of a contact that touches now.
 ContactResultant resultant_now(const Model<2>& model, const Work<2>& work, int row) {
   if (const GeneralContact<2>* g = work.general_touching.find(row); g != nullptr)
     return general_resultant(g->centre, g->force, work.contacts.memory[row]);
   return face_resultant(model, work, work.pairs[row], work.contacts.memory[row], work.contacts.law_numbers(row));
 }
 
-/// Mortar that begins to crush: what it carries now, and where.
+/// Event of mortar that begins to crush: its present resultant and place.
 void crushing_event(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   Event e = event_now(state, EventType::joint_crushed, model.piece_body[p.piece_a], model.piece_body[p.piece_b]);
@@ -123,7 +122,7 @@ void crushing_event(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.events.push_back(e);
 }
 
-/// A bond lost, or a bond's first damage; mortar that begins to crush.
+/// Events of a lost bond, the first damage of a bond, and mortar that begins to crush.
 void joint_events(const Model<2>& model, const State<2>& state, Work<2>& work, int row) {
   const ContactHistory& before = contacts_before(state, work);
   const JointChange change = with_kernel_type(before.law_row[row].place, [&]<class K>() {
@@ -146,7 +145,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
     state.parted.push_back({work.contacts.key[row], state.time});
     return;
   }
-  // A contact that closes again is told only where it strikes.
+  // A contact that closes again is reported only as an impact.
   const bool again = has_closed_again(work, work.contacts.key[row]);
   const Meeting m = meeting(model, state, work, row);
   const bool strikes = m.closing > model.impact_speed;
@@ -161,7 +160,7 @@ void contact_events(const Model<2>& model, State<2>& state, Work<2>& work, int r
 
 void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   work.events.clear();
-  // In the order of rows, as faces and general contacts have put theirs there one after the other.
+  // Sorted by row, because faces and general contacts have appended their rows one after the other.
   std::sort(work.changed_rows.begin(), work.changed_rows.end());
   take_back(state, work);
   for (const int row : work.changed_rows) contact_events(model, state, work, row);

@@ -1,4 +1,4 @@
-// What happened in a step of solids in space: bonds, contacts made and lost, impacts, bearings, seats, rest.
+// Events of a step in space: bonds, contacts made and lost, impacts, bearings, seats, rest.
 #include <algorithm>
 
 #include "assembly/contact/bond_figure.hpp"
@@ -25,14 +25,15 @@ double closing_speed(const Model<3>& model, const State<3>& state, const Work<3>
   return -c.force.normalized().dot(velocity(pair.piece_b) - velocity(pair.piece_a));
 }
 
-/// Two spheres: in a flow they touch and part by the million, so that only blows are told.
+/// True for two spheres. In granular flow they touch and separate by the million, so only impacts are reported.
 bool are_grains(const Model<3>& model, const NearPair& pair) {
   return model.piece_solid[pair.piece_a].is_sphere() && model.piece_solid[pair.piece_b].is_sphere();
 }
 
-/// A contact that begins: an impact where the bodies close faster than the model's impact_speed, else a contact made.
+/// Event of a contact that begins: an impact if the closing speed is above the model's impact_speed, otherwise a
+/// contact made.
 void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) {
-  // A contact that closes again is told only where it strikes.
+  // A contact that closes again is reported only as an impact.
   const bool again = has_closed_again(work, work.contacts.key[row]);
   const GeneralContact<3>* contact = work.general_touching.find(row);
   const double closing = closing_speed(model, state, work, *contact);
@@ -46,7 +47,7 @@ void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) 
   work.events.push_back(e);
 }
 
-/// The widest opening of patches of a joint that stands so now, by what it remembers of before [m].
+/// Largest opening of the patches of a joint in its present position, with its committed memory [m].
 template <class K>
 double widest_opening(const K& law, const JointMemory& before, std::uint32_t patches, const JointMotion& now) {
   const JointPlan& plan = *before.plan;
@@ -61,7 +62,7 @@ double widest_opening(const K& law, const JointMemory& before, std::uint32_t pat
   return widest;
 }
 
-/// The couple about its normal that the springs of a joint carry, where they carry nothing else [N m].
+/// Couple of the springs of a joint about its normal if they carry nothing else [N m].
 double couple_of(const JointMemory& joint) {
   if (joint.sound) return joint.elastic.z();
   double couple = 0;
@@ -73,8 +74,8 @@ double couple_of(const JointMemory& joint) {
   return couple;
 }
 
-/// Completes the event of a joint's bond by its mode and its figure: it was pulled where one of its patches that went
-/// opened beyond its limit.
+/// Sets the mode and value of the event of a joint's bond. The mode is tension if a patch that was lost opened beyond
+/// its limit.
 void tell_mode(const Model<3>& model, const NearPair& pair, const JointMemory& before, const JointMemory& after,
                const JointMotion& now, Event& e) {
   const JointPlan& plan = *before.plan;
@@ -94,13 +95,13 @@ void tell_mode(const Model<3>& model, const NearPair& pair, const JointMemory& b
   });
 }
 
-/// The depth by which the mortar of a row is crushed somewhere [m].
+/// Crushed depth of the mortar of a row at any point [m].
 double crushed_depth(const Contacts<3>& contacts, std::size_t row) {
   const JointMemory* joint = contacts.joint_at(row);
   return contacts.memory[row].crushed + (joint != nullptr ? joint->most_crushed() : 0);
 }
 
-/// Mortar that begins to crush: what it carries now, and where.
+/// Event of mortar that begins to crush: its present resultant and place.
 void crushing_event(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
   const auto r = static_cast<std::size_t>(row);
   if (crushed_depth(contacts_before(state, work), r) > 0 || !(crushed_depth(work.contacts, r) > 0)) return;
@@ -114,7 +115,7 @@ void crushing_event(const Model<3>& model, const State<3>& state, Work<3>& work,
   work.events.push_back(e);
 }
 
-/// A bond lost, or its first damage: what it carried up to now, where, and by which of its limits.
+/// Event of a lost bond or its first damage: its last resultant, its place, and the limit that was reached.
 void joint_events(const Model<3>& model, const State<3>& state, Work<3>& work, int row) {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);

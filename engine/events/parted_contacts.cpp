@@ -25,9 +25,8 @@ void list_closing(const State<D>& state, Work<D>& work) {
 
 }  // namespace
 
-/// Comes in: the contacts that parted, of a large wall some ten thousand, and those that close in this step, some
-/// hundreds. Goes out: what both have in common, taken out of the former. One pass: nearly all that parted are seen not
-/// to close by one flag, and only the others are looked for.
+/// Removes the contacts that close in this step (some hundreds) from the list of opened contacts (some ten thousand in
+/// a large wall). One pass: a flag excludes nearly all opened contacts, and only the others are searched for.
 template <int D>
 void take_back(State<D>& state, Work<D>& work) {
   work.closing.clear(), work.closed_again.clear();
@@ -51,11 +50,11 @@ bool has_closed_again(const Work<D>& work, ContactKey contact) {
   return std::binary_search(work.closed_again.begin(), work.closed_again.end(), contact);
 }
 
-/// Partings that have lasted become events, at the time at which that is sure and not before.
+/// Contacts that stayed open long enough become events, at the time at which this is certain.
 template <int D>
 void parted_events(const Model<D>& model, State<D>& state, Work<D>& work) {
   const auto lasting = [&](const Parted& p) { return state.time - p.time >= model.apart_time; };
-  // They opened in the order of the list, so those that have lasted stand first.
+  // The list is in the order of opening, so the contacts that have lasted are first.
   auto end = state.parted.begin();
   for (; end != state.parted.end() && lasting(*end); ++end)
     work.events.push_back(event_now(state, EventType::contact_lost, model.piece_body[first_piece(end->contact)],

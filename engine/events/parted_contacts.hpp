@@ -1,5 +1,5 @@
-// Contacts that opened a moment ago: lost once they have stayed open for Model::apart_time, and never lost where they
-// close before.
+// Contacts that opened recently. They are lost after they have stayed open for Model::apart_time, and not lost if they
+// close earlier.
 #pragma once
 
 #include "model/model.hpp"
@@ -8,17 +8,17 @@
 
 namespace trilith {
 
-/// Of the contacts that parted a moment ago, forgets those that begin to touch in this step (State::parted), and notes
-/// them for has_closed_again(). Joints of rubble and of rocking units chatter; telling each time would bury what
-/// matters.
+/// Removes the contacts that begin to touch in this step from the recently opened ones (State::parted), and stores them
+/// for has_closed_again(). Joints of rubble and of rocking units chatter; an event for each opening would hide the
+/// relevant ones.
 template <int D>
 void take_back(State<D>& state, Work<D>& work);
 
-/// True of a contact that begins to touch in this step and was not lost before. After take_back().
+/// True for a contact that begins to touch in this step and was not lost before. Call it after take_back().
 template <int D>
 [[nodiscard]] bool has_closed_again(const Work<D>& work, ContactKey contact);
 
-/// Tells which of the contacts that opened have now stayed open long enough to count as lost.
+/// Reports the opened contacts that have stayed open long enough to count as lost.
 template <int D>
 void parted_events(const Model<D>& model, State<D>& state, Work<D>& work);
 

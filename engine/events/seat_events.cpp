@@ -15,7 +15,7 @@ Vec3 end_of(const Model<3>& model, const State<3>& state, const Seat<3>& seat) {
   return point_of(model, state, seat.end);
 }
 
-/// Of the span [m/s]; in space of what its end hangs on.
+/// Speed of the span [m/s]; in space, of the part that its end is attached to.
 double span_speed(const Model<2>& model, const State<2>& state, const Seat<2>& seat) {
   return body_pose(model, state, seat.body).velocity.norm();
 }
@@ -25,11 +25,11 @@ double span_speed(const Model<3>& model, const State<3>& state, const Seat<3>& s
 
 }  // namespace
 
-// How far the end of the span lies behind the edge of its seat, along `inward` of the support [m]:
+// Distance of the span end behind the seat edge, along `inward` of the support [m].
 //
 //         span
-//     ------------+            l = n . (end - edge), n turning with the support;
-//             end | <--n       lost where l is not above 0
+//     ------------+            l = n . (end - edge), n rotates with the support.
+//             end | <--n       The seat is lost if l is not above 0.
 //          |<- l >|
 //          +---------
 //     edge |  support

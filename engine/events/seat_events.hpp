@@ -7,7 +7,8 @@
 
 namespace trilith {
 
-/// Adds an event to work.events for each seat that is lost now: once and for ever, noted in State::seat_lost.
+/// Adds an event to work.events for each seat that is lost in this step. A loss is permanent and stored in
+/// State::seat_lost.
 template <int D>
 void seat_events(const Model<D>& model, State<D>& state, Work<D>& work);
 
