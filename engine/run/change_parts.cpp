@@ -1,4 +1,4 @@
-// Bodies and bearings of a simulation that go, come back, or come new.
+// Bodies and bearings that are removed, reactivated or added during a simulation.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// change(options of the step to come) gives what is to be told; the step that follows is looked at anew.
+/// Applies `change(options of the next step)`, which returns events to report. All derived data are reset.
 template <int D>
 template <class Change>
 void Simulation<D>::change_parts(Change&& change) {
@@ -34,7 +34,8 @@ void Simulation<D>::reactivate(const Parts& parts) {
 
 template <int D>
 void Simulation<D>::grow(Model<D> grown) {
-  constexpr double mortar_reach = 1e-3;  // of the smaller body's size: new mortar fills what settling has left open
+  constexpr double mortar_reach = 1e-3;  // share of the smaller body's size: new mortar fills gaps that settlement has
+                                         // left
   causes_.grow(grown.bodies.size());
   change_parts([&](const StepOptions& options) {
     return trilith::grow(model_, state_, work_, options, std::move(grown), mortar_reach);
@@ -53,7 +54,7 @@ void Simulation<D>::modify(const std::function<void(Model<D>&)>& change, std::sp
 
 namespace {
 
-/// Something has moved, or been found at rest: the ledger has begun.
+/// True if the ledger has begun: something has moved, or was found at rest.
 template <int D>
 bool has_begun(const State<D>& state) {
   return state.step > 0 ||
@@ -62,7 +63,8 @@ bool has_begun(const State<D>& state) {
 
 }  // namespace
 
-/// Most motions are given to what stands: that is no change of what is free, and costs nothing.
+/// Most motions are assigned to fixed supports. Such a change does not affect the free degrees of freedom and needs no
+/// update.
 template <int D>
 void Simulation<D>::change_supports(const std::function<void(Model<D>&)>& change) {
   unscale_masses();

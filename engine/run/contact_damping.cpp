@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// [m2]
+/// Contact area of a joint [m2].
 double area_of(const Model<2>& model, const Joint& joint) {
   return (joint.place[1] - joint.place[0]).norm() * model.thickness;
 }
@@ -31,7 +31,7 @@ std::vector<ContactDamping> contact_damping(const Model<D>& model, const std::ve
     if (law < 0 || !(yielding > 0)) continue;
     std::visit(
         [&](const auto& l) {
-          // w = sqrt(k (1/m1 + 1/m2)); damping beta k is beta w / 2 of critical.
+          // w = sqrt(k (1/m1 + 1/m2)); damping beta k is the share beta w / 2 of critical damping.
           const double frequency = std::sqrt(l.kn * area * yielding);
           all.push_back({joint.body_a, joint.body_b, law, frequency, 0.5 * l.beta * frequency});
         },

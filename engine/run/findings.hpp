@@ -1,4 +1,4 @@
-// What engineering results are asked of: the joints, storeys and base of a model, as found at its start.
+// Parts of a model that engineering results refer to: joints, storeys and base, as found at its start.
 #pragma once
 
 #include <vector>

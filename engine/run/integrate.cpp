@@ -1,4 +1,4 @@
-// Which integrator takes the next step of a stage, how long that step is, and the step itself.
+// Choice of the integrator for the next step of a stage, its step length, and the step itself.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,32 +18,33 @@
 namespace trilith {
 namespace {
 
-/// The explicit step is looked at anew every so many steps.
+/// Number of steps between two estimates of the explicit step.
 constexpr std::int64_t steps_between_estimates = 32;
-/// Implicit steps are not cut below this share of the longest one for what they miss of their energies.
+/// Energy errors do not shorten implicit steps below this share of the longest step.
 constexpr double shortest_for_energy = 1.0 / 16384;
-/// What an implicit step costs, in explicit ones: one that is not so many times as long does not pay.
+/// Cost of an implicit step in explicit steps. Implicit steps are used only if they are longer by at least this factor.
 constexpr double least_gain = 20;
-/// Where explicit steps are taken instead, implicit ones are tried again after so many of the longest.
+/// After a change to explicit steps, implicit ones are tried again after this number of longest steps.
 constexpr double tries_after = 40;
 
 double longest_implicit(const StageOptions& o) {
   return o.dt > 0 ? o.dt : usual_longest_step;
 }
 
-/// True where the longest stable step allows for the one that masses are scaled for.
+/// True if the longest stable step permits the target step of mass scaling.
 bool is_as_asked(double longest, const StageOptions& options) {
   return options.mass_scaling && options.safety * longest >= (1 - 1e-9) * options.mass_scaling->step;
 }
 
-/// True where a multiple of `interval` lies within the step behind.
+/// True if a multiple of `interval` lies within the last step.
 bool passes_multiple(double time, double last_dt, double interval) {
   return std::floor(time / interval) != std::floor((time - last_dt) / interval);
 }
 
 }  // namespace
 
-/// What a stage begins with. One that leaves it open goes on as the state is, and from the very start implicitly.
+/// Integrator at the begin of a stage. A stage that leaves it open continues with the scheme of the state, and starts
+/// implicitly at the very start.
 template <int D>
 bool Simulation<D>::wants_implicit() const {
   const StageOptions& o = stage_->options;
@@ -51,13 +52,13 @@ bool Simulation<D>::wants_implicit() const {
   return state_.implicit() || (state_.last_dt == 0 && model_.pushes.empty());
 }
 
-/// Whether the next step is implicit.
+/// True if the next step is implicit.
 template <int D>
 bool Simulation<D>::goes_implicitly() const {
   return stage_->options.implicit && (!stage_->options.may_change || state_.implicit());
 }
 
-/// As it was found before, but where a running stage asks for another one or some steps have gone by.
+/// The step found last, unless the stage requests another one or the next estimate is due.
 template <int D>
 NextStep Simulation<D>::choose_step() const {
   if (!stage_) return {state_.dt, state_.safety, 0};
@@ -67,12 +68,12 @@ NextStep Simulation<D>::choose_step() const {
     const double stable = options.may_change ? stable_step(model_, state_, work_).dt : 0;
     return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, stable};
   }
-  // A stage that asks for another step than the one before is heard at once.
+  // A stage with another step option takes effect at once.
   const double given = options.implicit ? 0 : options.dt, safety = given > 0 ? 0 : options.safety;
   const bool other = state_.safety != safety || (given > 0 && state_.dt != given);
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
   const double longest = stable_step(model_, state_, work_).dt;
-  // With scaled masses the step is the one asked for, as long as bodies have what they need for it.
+  // With mass scaling the step is the requested one while all bodies have sufficient added mass for it.
   const double turning = std::min(longest, turning_step(model_, state_));
   const double own = settled_step(turning, options.safety);
   const double usual = followed_step(model_, state_, own, (steps_between_estimates + 1) * own);
@@ -80,8 +81,8 @@ NextStep Simulation<D>::choose_step() const {
   return {given > 0 ? given : dt, safety, longest};
 }
 
-/// Where a stage asks for it: bodies are given what they lack for its step, whenever that is looked at. A run that is
-/// continued does so at the same steps.
+/// With mass scaling, increases the shares of bodies to the requested step whenever the estimate is due. A restarted
+/// run does so at the same steps.
 template <int D>
 void Simulation<D>::scale_masses() {
   if (!stage_->options.mass_scaling) return;
@@ -93,7 +94,7 @@ void Simulation<D>::scale_masses() {
   const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
   if (!due) return;
   if (!stage_->report.scaled) stage_->report.scaled.emplace();
-  // Bodies have what they need where the longest stable step is the one asked for.
+  // The shares are sufficient if the longest stable step permits the requested one.
   if (!state_.added_share.empty() && state_.dt != 0 && is_as_asked(next_.longest, stage_->options))
     return measure_scaled(model_, state_, *stage_->report.scaled);
   const bool changed = trilith::scale_masses(model_, state_, work_, *stage_->options.mass_scaling,
@@ -103,7 +104,7 @@ void Simulation<D>::scale_masses() {
   evaluated_ = false;
 }
 
-/// Masses are the model's own again.
+/// Removes all added mass.
 template <int D>
 void Simulation<D>::unscale_masses() {
   if (state_.added_share.empty()) return;
@@ -112,7 +113,8 @@ void Simulation<D>::unscale_masses() {
   evaluated_ = false;
 }
 
-/// In a stage that leaves it open. The state alone decides, so that a run that is continued decides alike.
+/// Chooses between explicit and implicit steps in a stage that leaves it open. The choice depends on the state alone,
+/// so that a restarted run makes the same choice.
 template <int D>
 void Simulation<D>::choose_integrator() {
   const StageOptions& options = stage_->options;
@@ -129,7 +131,7 @@ void Simulation<D>::choose_integrator() {
   }
 }
 
-/// What the last step led to is committed under the scheme that took it; then the state is made ready for the other.
+/// Commits the last step under the scheme that took it, then prepares the state for the other scheme.
 template <int D>
 void Simulation<D>::change_integrator(bool implicit) {
   if (implicit && !model_.pushes.empty())
@@ -148,14 +150,14 @@ void Simulation<D>::change_integrator(bool implicit) {
   evaluated_ = false;
 }
 
-/// Where an implicit step could not be found from a committed instant: the state is as it was, with nothing on the way
-/// since the commit, and is made ready for explicit steps.
+/// Prepares for explicit steps after an implicit step failed at a committed instant. The state is unchanged, with no
+/// step outstanding since the commit.
 template <int D>
 void Simulation<D>::leave_implicit() {
   std::vector<Vec<D>> position = std::exchange(state_.position_before, state_.position);
   std::vector<Rotation<D>> rotation = std::exchange(state_.rotation_before, state_.rotation);
   evaluate(model_, state_, work_, state_.last_dt, times_);
-  state_.position_before.swap(position), state_.rotation_before.swap(rotation);  // the ledger wants the step behind
+  state_.position_before.swap(position), state_.rotation_before.swap(rotation);  // the ledger needs the last step
   begin_explicit(model_, state_, work_);
   state_.dt = state_.safety = 0;
   evaluated_ = false;
@@ -163,7 +165,7 @@ void Simulation<D>::leave_implicit() {
   state_.dt = next_.dt, state_.safety = next_.safety;
 }
 
-/// By the implicit scheme of the stage.
+/// Takes one step with the implicit scheme of the stage.
 template <int D>
 bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
   const StageOptions& options = stage_->options;
@@ -182,11 +184,11 @@ bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
                          std::min(dt, how.give_up));
   leave_implicit();
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);
-  evaluated_ = false;  // what it was before the step
+  evaluated_ = false;  // Work was evaluated at a trial state
   return true;
 }
 
-/// From a committed instant to the next one. False where that could not be found.
+/// Steps from a committed instant to the next one. False if no step was found.
 template <int D>
 bool Simulation<D>::take_step(double dt, const Energy& energy) {
   if (state_.implicit()) return step_implicitly(dt, energy);

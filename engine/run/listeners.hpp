@@ -1,11 +1,11 @@
-// Several listeners to one run: a recording, a display and handlers of one's own.
+// Combines several listeners of a run, for example a recording, a display and user handlers.
 #pragma once
 
 #include "run/stage.hpp"
 
 namespace trilith {
 
-/// Tells `first`, then `second`, of everything either listens to. What one throws ends the run.
+/// Calls `first`, then `second`, for each notification that either handles. An exception of one ends the run.
 template <int D>
 RunListener<D> both(RunListener<D> first, RunListener<D> second);
 

@@ -13,7 +13,8 @@
 namespace trilith {
 namespace {
 
-// Shares of the smaller body's size: gaps up to which faces are meant to meet, and what they share at least.
+// Shares of the smaller body's size: largest gap at which faces are assumed to be meant to meet, and their least shared
+// width.
 constexpr double widest_gap = 1e-2, least_face = 1e-3;
 
 template <int D>
@@ -29,7 +30,7 @@ void count_missed(const Model<D>& model, const NearPair& p, double gap, MissedBo
   found.law = p.law, found.gap = gap;
 }
 
-/// The least reach at which the faces of two solids meet that meet at `most` [m].
+/// Gap of the faces of two bodies: the least reach at which they meet, at most `most` [m].
 double gap_of_faces(const PlacedSolid& a, const PlacedSolid& b, double most, double width) {
   double apart = 0;
   FaceOverlap3 faces;

@@ -1,4 +1,5 @@
-// Faces that a law would bond, but for a gap between them: told before a run, as nothing else would.
+// Faces that a law would bond if there were no gap between them. They are reported before a run, because nothing else
+// shows them.
 #pragma once
 
 #include "model/model.hpp"
@@ -6,16 +7,16 @@
 
 namespace trilith {
 
-/// Pairs of faces under a law that bonds, which look at each other across a gap of up to a hundredth of the smaller
-/// body's size and are not bonded.
+/// Pairs of opposed faces under a bonding law that are not bonded because of a gap of up to 1 % of the smaller body's
+/// size.
 struct MissedBonds {
   int count = 0;
-  // Of the first of them:
+  // The first pair:
   int body_a = -1, body_b = -1, law = -1;
-  double gap = 0;  ///< the widest between its faces [m]
+  double gap = 0;  ///< largest gap between its faces [m]
 };
 
-/// Those of a model as it stands; gaps wider than contacts are looked for are not seen.
+/// Missed bonds of a model in the given state. Gaps wider than the search range of contacts are not found.
 MissedBonds missed_bonds(const Model<2>& model, const State<2>& state);
 MissedBonds missed_bonds(const Model<3>& model, const State<3>& state);
 

@@ -30,7 +30,8 @@ std::string step_text(double shortest, double longest) {
   return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
-/// So many of a type are told one by one within a window: of bonds, which break by the dozen at one moment, the first.
+/// Number of events of a type that are reported one by one within a window. Bonds break by the dozen at one moment, so
+/// only the first is reported.
 int crowd_size(EventType type) {
   return has_trait(type, of_joint) ? 1 : 12;
 }
@@ -61,7 +62,7 @@ std::optional<double> Pace::left(double end) const {
 
 namespace {
 
-/// Twice the energy of a node's turning [J].
+/// Twice the rotational kinetic energy of a node [J].
 double turning_energy(const Model<2>& model, const State<2>& state, int n) {
   return model.inertia[n] * state.spin[n] * state.spin[n];
 }
@@ -153,15 +154,15 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<D>& mo
   if (show_ == EventShow::none) return lines;
   const std::string text = event_text(event, model);
   const bool is_stage = event.type == EventType::stage_begun || event.type == EventType::stage_ended;
-  // Events of a model are numbered as they come: what has this number or a later one is of a run that was taken back,
-  // or of a model that is gone.
+  // Events of a model are numbered in their order. Stored events with this or a later number belong to a run that was
+  // restored to an earlier instant, or to a model that no longer exists.
   std::map<std::int64_t, Cause>& causes = causes_[&model];
   causes.erase(causes.lower_bound(event.id), causes.end());
   if (!has_trait(event.type, is_minor) && !is_stage) causes[event.id] = {event.time, text};
   count_from(event, lines);
   if (leaves_out(event) || thins_out(event, lines)) return lines;
   std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time - zero_, info_of(event.type).heading, text);
-  // A bearing changes as it fails, one line below.
+  // A bearing changes at its failure, which is the line above.
   const auto cause = causes.find(event.cause);
   if (cause != causes.end() && event.type != EventType::bearing_changed)
     line += fmt::format("  (because at {:.3f} s: {})", cause->second.time - zero_, cause->second.text);

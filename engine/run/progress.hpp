@@ -1,4 +1,4 @@
-// A running simulation in words: one line of status, and events with their causes. Plain text, no terminal.
+// Text output of a running simulation: one status line, and events with their causes. Plain text without a terminal.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace trilith {
 
-/// How fast a stage goes, from the last few seconds of wall clock.
+/// Speed of a stage from the last seconds of wall-clock time.
 class Pace {
  public:
   /// Simulated time and wall clock, both rising [s].
   void add(double time, double wall);
-  /// Forgets the past, at the begin of a stage.
+  /// Clears the samples at the begin of a stage.
   void reset() { samples_.clear(); }
   /// Simulated seconds per second of wall clock; 0 where not yet known.
   [[nodiscard]] double speed() const;
-  /// Wall clock until `end` is reached [s]; none where not yet known.
+  /// Wall clock until `end` is reached [s]; none if not yet known.
   [[nodiscard]] std::optional<double> left(double end) const;
 
  private:
@@ -37,8 +37,8 @@ class Pace {
 template <int D>
 double kinetic_energy(const Model<D>& model, const State<D>& state);
 
-/// "shaking  t 12.431 s  step 124310  dt 0.1 ms  12.3 x real time  kinetic 1.23 MJ  unbalanced 3.2e-05  0:45 left".
-/// `zero`: what t counts from [s of the run].
+/// "shaking t 12.431 s step 124310 dt 0.1 ms 12.3 x real time kinetic 1.23 MJ unbalanced 3.2e-05 0:45 left". `zero`:
+/// run time at which t is 0 [s].
 template <int D>
 std::string status_text(const Instant<D>& now, const Pace& pace, double zero = 0);
 
@@ -51,24 +51,24 @@ std::string stage_text(const StageReport& report, double wall);
 
 enum class EventShow { none, important, all };
 
-/// Events as lines. Unless all are wanted, contacts made and lost, bodies at rest and slow impacts are left out, and
-/// crowds of impacts and broken bonds are counted.
+/// Formats events as lines. Unless all are requested, contacts made and lost, bodies at rest and slow impacts are
+/// omitted, and groups of impacts and broken bonds are counted.
 class EventLines {
  public:
-  /// `least_impact`: slower impacts are left out [m/s]. `since`: times count from the first stage called so, or the
-  /// first event of that type, once it has come; "": from the start of the run.
+  /// `least_impact`: slower impacts are omitted [m/s]. `since`: times count from the begin of the stage of this name,
+  /// or from the first event of this type; "": from the start of the run.
   explicit EventLines(EventShow show = EventShow::important, double least_impact = slow_impact, std::string since = "")
       : show_(show), least_impact_(least_impact), since_(std::move(since)) {}
 
-  /// The lines that `event` gives, mostly one or none: "   12.430 s  seat lost        S3 lost its seat on P3 (right)
-  /// (because at 11.020 s: bearing S3.left failed at 51 mm)".
+  /// Lines for `event`, usually one or none: " 12.430 s seat lost S3 lost its seat on P3 (right) (because at 11.020 s:
+  /// bearing S3.left failed at 51 mm)".
   template <int D>
   std::vector<std::string> tell(const Event& event, const Model<D>& model);
-  /// What is still to be said at the end of a stage.
+  /// Lines still outstanding at the end of a stage.
   std::vector<std::string> rest();
-  /// What counts as 0 by now [s of the run].
+  /// Present zero of the displayed times [s of the run].
   [[nodiscard]] double zero() const { return zero_; }
-  /// A stage or event was named that has not come.
+  /// True until the named stage or event occurs.
   [[nodiscard]] bool waits() const { return !since_.empty(); }
 
  private:
@@ -78,18 +78,18 @@ class EventLines {
   };
   [[nodiscard]] bool leaves_out(const Event& event) const;
   bool thins_out(const Event& event, std::vector<std::string>& lines);
-  /// Begins to count where what was named has come, and says so.
+  /// Resets the zero of times when the named stage or event occurs, and reports it.
   void count_from(const Event& event, std::vector<std::string>& lines);
 
   EventShow show_;
   double least_impact_;
-  std::string since_;  // "" once it has come
+  std::string since_;  // "" after it has occurred
   double zero_ = 0;
   struct Cause {
     double time;
     std::string text;
   };
-  std::map<const void*, std::map<std::int64_t, Cause>> causes_;  // of each model by id
+  std::map<const void*, std::map<std::int64_t, Cause>> causes_;  // [model][id]
   std::array<Crowd, event_types> crowd_{};
 };
 

@@ -10,7 +10,7 @@
 namespace trilith {
 
 namespace {
-/// The force must stay below the drop for so many samples, as one may swing.
+/// Number of samples for which the force must stay below the drop, because a sample may oscillate.
 constexpr int samples_below = 3;
 }  // namespace
 
@@ -36,7 +36,7 @@ PushoverRecorder<D>::PushoverRecorder(std::string name, double interval, const P
                                       std::function<double(const Instant<D>&)> drift)
     : name_(std::move(name)), interval_(interval), limits_(limits), drift_(std::move(drift)) {}
 
-/// Adds the step to the mean of the running sample. True where a limit is reached.
+/// Adds the step to the mean of the running sample. True if a limit is reached.
 template <int D>
 bool PushoverRecorder<D>::step(const Instant<D>& now) {
   const auto& pushes = now.model.pushes;
@@ -53,8 +53,8 @@ bool PushoverRecorder<D>::step(const Instant<D>& now) {
   }
   take_peak(now, *at, {now.state.time, place - first_place_, now.work.push_force[index], drift - first_drift_});
   take_work(now, place, now.work.push_force[index]);
-  // Means over the interval, weighed by the steps: the force of a push rings with the contacts, and a single instant of
-  // it says little of how it goes on.
+  // Time-weighted means over the interval: the force of a push oscillates with the contacts, so a single instant is not
+  // representative.
   const double dt = now.dt;
   time_ += dt * now.state.time, displacement_ += dt * (place - first_place_), force_ += dt * now.work.push_force[index];
   sway_ += dt * (drift - first_drift_), weight_ += dt;
@@ -74,8 +74,9 @@ void PushoverRecorder<D>::take_work(const Instant<D>& now, double place, double 
 
 namespace {
 
-/// Force that supports carry across the push, over the weight across it: above 1 while bodies are accelerated upward.
-/// Joints that rub or rock then carry as much more along the push. 1 without gravity across the push.
+/// Force of the supports across the push over the weight across it. It is above 1 while bodies are accelerated upward;
+/// joints in friction or rocking then carry more along the push by this factor. It is 1 without gravity across the
+/// push.
 template <int D>
 double supported_share(const Model<D>& model, const Work<D>& work, const Vec<D>& direction) {
   const Vec<D> across = model.gravity.field - direction * model.gravity.field.dot(direction);
@@ -91,7 +92,7 @@ double supported_share(const Model<D>& model, const Work<D>& work, const Vec<D>&
 
 }  // namespace
 
-/// `one`: of this instant.
+/// `one`: values at this instant.
 template <int D>
 void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, const PushPeak& one) {
   if (has_peak_ && one.force <= peak_.force) return;
@@ -105,7 +106,7 @@ void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, 
 template <int D>
 void PushoverRecorder<D>::take_sample() {
   if (!(weight_ > 0)) return;
-  // What turns or sways as it is pushed may have its inertia though all forces balance along the push.
+  // A structure that rotates or sways under the push may have inertia although all forces balance along the push.
   if (std::exchange(peak_in_sample_, false) && push_work_ != 0) {
     const double carried = peak_.force * (1 - unbalanced_work_ / push_work_);
     if (std::abs(peak_.force - carried) > std::abs(peak_.force - peak_.carried)) peak_.carried = carried;
@@ -116,7 +117,7 @@ void PushoverRecorder<D>::take_sample() {
   curve_.force.push_back(force_ / weight_);
   curve_.drift.push_back(sway_ / weight_);
   time_ = displacement_ = force_ = sway_ = weight_ = 0;
-  // Below a share of the peak so far, sample after sample: it has dropped.
+  // A drop: the force stays below a share of the peak for several samples.
   const double peak = curve_.force[curve_.peak()];
   low_ = peak > 0 && curve_.force.back() < limits_.drop * peak ? low_ + 1 : 0;
   if (limit_.empty() && low_ >= samples_below) limit_ = "drop";

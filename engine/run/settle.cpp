@@ -1,4 +1,4 @@
-// Rest found by statics, as a stage of a run.
+// Static equilibrium as a stage of a run.
 #include <fmt/format.h>
 
 #include <optional>
@@ -17,7 +17,7 @@
 namespace trilith {
 namespace {
 
-/// Under which loads a stage without time has come to its end.
+/// Text: the loads at the end of a stage without time.
 template <int D>
 std::string loads_text(const LoadWay<D>* way) {
   if (way == nullptr || way->points.empty() || way->loads.empty()) return "under all loads (load factor 1)";
@@ -57,14 +57,14 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
       if (is_overstrained(model_, state_)) break;
       tell_point(point, listener);
     }
-  } catch (...) {  // a handler failed: the model is where the path has ended all the same
+  } catch (...) {  // a handler failed: the model still ends at the end of the path
     go_to(way.points[last], end, way.duration());
     throw;
   }
   go_to(way.points[last], end, way.duration());
 }
 
-/// What has led to a point, and its samples.
+/// Reports the events that led to a point, and its samples.
 template <int D>
 void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& listener) {
   const Instant<D> now = instant();
@@ -78,13 +78,13 @@ void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& l
   if (listener.on_step) listener.on_step(now);
 }
 
-/// All of it lies between two looks at the same instant: what led to rest is told at the second one. What is strained
-/// beyond its limit as it begins, as at the end of a way, is not settled.
+/// A stage without duration, between two evaluations of the same instant; the events that led to rest are reported at
+/// the second one. A structure strained beyond its limit at the begin, as at the end of a load path, is not settled.
 template <int D>
 StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
                                   const RunListener<D>& listener, const LoadWay<D>* way) {
   StageOptions asked = options;
-  asked.must_rest = false;  // what finds no rest leaves the state as it was, and spoils nothing
+  asked.must_rest = false;  // if no rest is found the state remains unchanged and valid
   begin_stage(asked);
   StageReport& report = stage_->report;
   const Flagged running(running_);
@@ -116,7 +116,7 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     if (report.end == StageEnd::unstable) set_unstable(report, model_, found.travel, how.within);
     if (!diverged) tell_samples(listener, now, true);
     tell_end(listener, now);
-    // What handlers asked for holds from the end of the stage on.
+    // Requests of handlers take effect at the end of the stage.
     if (listener.change_model && listener.change_model(model_)) unscale_masses(), edited();
   } catch (...) {
     stage_.reset();

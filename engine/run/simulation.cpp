@@ -27,11 +27,11 @@
 namespace trilith {
 namespace {
 
-/// A step below this [s], or below this share of its stage, is no step: time would stand still.
+/// A step is too short below this length [s], or below this share of its stage: time would not advance.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
-/// In fewer steps the kinetic energy of a leapfrog step, which is that of its middle, is no measure of what it makes.
+/// With fewer steps, the kinetic energy at the middle of a leapfrog step is no measure of its energy error.
 constexpr std::int64_t least_told_steps = 20;
-/// A stage of so long [s] is meant to end by something else: rest, a number of steps, the person at the console.
+/// A stage of at least this duration [s] is expected to end by rest, by a number of steps, or by the user.
 constexpr double open_ended = 1e8;
 
 }  // namespace
@@ -66,7 +66,7 @@ Model<D>& Simulation<D>::edit_model() {
   return model_;
 }
 
-/// The model has another content from now on.
+/// Resets all derived data after a change of the model.
 template <int D>
 void Simulation<D>::edited() {
   work_.valid = evaluated_ = false;
@@ -82,7 +82,7 @@ void Simulation<D>::edit(const std::function<void(Model<D>&)>& change) {
   if (model_.free_dofs() > before) drop_step();
 }
 
-/// Bonds are part of State; pairs and their rows are found anew afterwards.
+/// Bonds are part of State; pairs and their rows are rebuilt afterwards.
 template <int D>
 void Simulation<D>::lift_bonds() {
   assert(!running_);
@@ -96,7 +96,7 @@ void Simulation<D>::set_bonds(double reach) {
   drop_work();
 }
 
-/// evaluate, then the length of the step to come, then the forces of displacement control, which depend on it.
+/// Evaluates, then finds the length of the next step, then the forces of displacement control, which depend on it.
 template <int D>
 void Simulation<D>::refresh() {
   if (evaluated_) return;
@@ -107,7 +107,7 @@ void Simulation<D>::refresh() {
   swept_ = tunnelling_limit(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   if (const double accuracy = impact_accuracy(); accuracy > 0)
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
-  // A given step is kept, also where it skips part of the work of a bond.
+  // A given step is kept, even if a bond breaks within it without part of its work.
   if (next_.safety > 0 && !state_.implicit()) swept_.dt = bond_step(model_, state_, work_, swept_.dt, watch_->bonds());
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
@@ -122,21 +122,22 @@ void Simulation<D>::drop_work() {
   evaluated_ = false;
 }
 
-/// The step to come ends with the stage at the latest.
+/// The next step ends with the stage at the latest.
 template <int D>
 double Simulation<D>::whole_step() const {
   if (!stage_ || state_.time >= stage_->end - 1e-9 * stage_->options.duration) return next_.dt;
   return std::min(next_.dt, stage_->end - state_.time);
 }
 
-/// Of blows, where the step is found: 0 where they are not looked at. What is braked to rest gives off more than that.
+/// Accuracy of impacts where the step length is free; 0 if impacts are ignored. Rest damping dissipates more than such
+/// errors.
 template <int D>
 double Simulation<D>::impact_accuracy() const {
   if (!stage_ || state_.implicit() || rest_.share > 0 || !(next_.safety > 0)) return 0;
   return stage_->options.impact_accuracy;
 }
 
-/// Throws InputError where the step to come is longer than a stable one, or so short that no stage would end.
+/// Throws InputError if the next step is longer than the stable step, or so short that no stage would end.
 template <int D>
 void Simulation<D>::require_step(const StageOptions& options) const {
   if (goes_implicitly()) return;
@@ -147,7 +148,7 @@ void Simulation<D>::require_step(const StageOptions& options) const {
                     "another unseen: {}; "
                     "leave dt out, and the step is cut short where it has to be",
                     options.name, options.dt, swept_.needed(), state_.time, explain_tunnelling_limit(model_, swept_)));
-  if (next_.longest == 0 && next_.dt > 0) return;  // as it was found before
+  if (next_.longest == 0 && next_.dt > 0) return;  // reused from an earlier estimate
   if (asked > 0 && asked > next_.longest)
     throw InputError(fmt::format(
         "stage '{}': dt is {:g} s, the longest stable step is {:.4g} s at t = {:.4g} s; leave dt out, or: {}",
@@ -197,8 +198,7 @@ StageReport Simulation<D>::resume(const RunListener<D>& listener) {
   return go_on(listener);
 }
 
-/// Step after step until the stage is over. A handler that throws ends the stage, and the state is that of the last
-/// instant.
+/// Steps until the stage ends. An exception of a handler ends the stage; the state is then at the last instant.
 template <int D>
 StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   const Flagged running(running_);
@@ -216,7 +216,7 @@ StageReport Simulation<D>::go_on(const RunListener<D>& listener) {
   return report;
 }
 
-/// Called from within a handler at the step border: some steps more, then back to it.
+/// Called from a handler at the step border: takes further steps, then returns to the handler.
 template <int D>
 void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit) {
   assert(running_ && at_border_ && stage_);
@@ -234,7 +234,7 @@ void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit
   }
 }
 
-/// All that the run depends on. The model is kept once for as long as it does not change.
+/// Copies all data that the run depends on. The model is copied only after it has changed.
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);
@@ -258,7 +258,7 @@ void Simulation<D>::restore(const Snapshot<D>& snapshot) {
   drop_work();
 }
 
-/// Lets bodies go that have come outside the bounds.
+/// Deactivates bodies that have left the bounds.
 template <int D>
 void Simulation<D>::see_off() {
   const std::vector<int> bodies = watch_->leaving(model_, state_, work_);
@@ -276,7 +276,7 @@ void Simulation<D>::see_off() {
   refresh();
 }
 
-/// Sets the report where the stage ends at this instant.
+/// True if the stage ends at this instant; sets the report.
 template <int D>
 bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) {
   StageProgress& stage = *stage_;
@@ -302,7 +302,7 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
   return true;
 }
 
-/// Ends the stage where no step could be found: the state is that of the last whole one.
+/// Ends the stage if no step was found; the state is at the last complete step.
 template <int D>
 void Simulation<D>::fail_stage(const RunListener<D>& listener) {
   refresh();
@@ -313,8 +313,8 @@ void Simulation<D>::fail_stage(const RunListener<D>& listener) {
   tell_end(listener, now);
 }
 
-/// The same number of threads from one committed instant to the next; timed where they are still to be chosen. False
-/// where no step could be found.
+/// Takes one step with a constant number of threads, which is timed while the number is still open. False if no step
+/// was found.
 template <int D>
 bool Simulation<D>::step_in_time(double dt) {
   using Clock = std::chrono::steady_clock;
@@ -343,7 +343,8 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   scale_masses();
   refresh();
   require_step(stage.options);
-  std::vector<Event> passed = report_deep_penetration(model_, state_, work_);  // before what has left is taken out
+  std::vector<Event> passed = report_deep_penetration(model_, state_, work_);  // before bodies that left are
+                                                                               // deactivated
   see_off();
   StepClock clock(times_);
   const Instant<D> now = instant();

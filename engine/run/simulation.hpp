@@ -1,4 +1,4 @@
-// A model in time: stages run one after the other, listeners told of what happens.
+// Simulation of a model: stages run one after the other and notify listeners.
 #pragma once
 
 #include <algorithm>
@@ -25,30 +25,31 @@
 
 namespace trilith {
 
-/// A simulation at a step border: what comes after restoring it has the bits of what came after taking it.
+/// A simulation at a step border. Continuing after restore gives the same bits as continuing after the snapshot was
+/// taken.
 template <int D>
 struct Snapshot {
   State<D> state;
-  std::shared_ptr<const Model<D>> model;  ///< as it was then; shared by all snapshots between two changes of it
+  std::shared_ptr<const Model<D>> model;  ///< model at that time; shared by all snapshots between two changes
   Causes causes;
-  std::optional<StageProgress> stage;  ///< the stage that ran then
+  std::optional<StageProgress> stage;  ///< stage that was running
   RestDamping rest;                    ///< of that stage, or of the last one
   Verdict verdict;
-  std::vector<Event> untold;  ///< what happened at the border, to be told at the next instant
+  std::vector<Event> untold;  ///< events at the border, to be reported at the next instant
 };
 
-/// Where a nested run pauses: the first limit that is reached. Counted from its call.
+/// Limits of a nested run: it pauses at the first limit reached, counted from its call.
 struct RunLimit {
   std::int64_t steps = 0;       ///< 0: no limit
   double time = unbounded;      ///< [s]
-  std::function<bool()> leave;  ///< pauses once this gives true
+  std::function<bool()> leave;  ///< pauses when it returns true
 };
 
-/// The step to come, as State will have it once it is taken.
+/// The next step, as State will store it.
 struct NextStep {
   double dt = 0;       ///< [s]; 0: there is none yet
   double safety = 0;   ///< see State::safety
-  double longest = 0;  ///< the longest stable one [s], where it was looked for just now; else 0
+  double longest = 0;  ///< longest stable step if it was estimated now, otherwise 0 [s]
 };
 class Watch;
 template <int D>
@@ -64,23 +65,23 @@ class Simulation {
  public:
   /// Starts from start_state(model).
   explicit Simulation(Model<D> model);
-  /// Continues from a state of that model; what has left the bounds by it stays out.
+  /// Continues from a state of that model; bodies outside the bounds remain deactivated.
   Simulation(Model<D> model, State<D> state);
   Simulation(const Simulation<2>&) = delete;
   Simulation<2>& operator=(const Simulation<2>&) = delete;
   ~Simulation();
 
-  /// Runs one stage to its end. Throws InputError for options out of range and for a fixed step that is not stable.
-  /// What listeners throw ends the run and is passed on; the state is then that of the last whole step. Throws
-  /// InputError too after a stage that diverged: its state means nothing.
+  /// Runs one stage to its end. Throws InputError for options out of range, for a fixed step that is not stable, and
+  /// after a stage that diverged, whose state is meaningless. An exception of a listener ends the run and is passed on;
+  /// the state is then at the last complete step.
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
-  /// A stage without time: rest under the present weight and loads by Newton's method (statics/equilibrium.hpp). Where
-  /// none is found the state is as it was, and the report says what fails. Of `options` name and intervals count.
-  /// `way`: the load path that has led here, each of its points a frame and a sample; the stage then lasts as long as
-  /// path_duration (run/load_way.hpp).
+  /// A stage without time: static equilibrium under the present weight and loads by Newton's method
+  /// (statics/equilibrium.hpp). If no equilibrium is found the state is unchanged, and the report states the reason.
+  /// Only name and intervals of `options` are used. `way`: the load path that led here, with a frame and a sample at
+  /// each point; the stage then lasts path_duration (run/load_way.hpp).
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
                      const LoadWay<D>* way = nullptr);
-  /// Runs a stage that restore() has brought back to its end.
+  /// Runs a restored stage to its end.
   StageReport resume(const RunListener<D>& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
   void run_on(const RunListener<D>& listener, const RunLimit& limit);
@@ -88,25 +89,25 @@ class Simulation {
   [[nodiscard]] const State<D>& state() const { return state_; }
   [[nodiscard]] const Work<D>& work() const { return work_; }
   [[nodiscard]] const Model<D>& model() const { return model_; }
-  /// Of all stages so far.
+  /// Verdict of all stages so far.
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
-  /// For changes between stages (supports, drives, damping, gravity), or at the border of a step.
+  /// Access for changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<D>& edit_model();
-  /// The same by a function; where it frees a degree of freedom, drop_step. Not of supports and drives in mid-run.
+  /// Change by a function. Call drop_step if it frees a degree of freedom. Not for supports and drives during a run.
   void edit(const std::function<void(Model<D>&)>& change);
   /// Deactivates, reactivates or adds bodies and bearings, between stages or at the border of a step: see
   /// edit/deactivate.hpp. The events of the change are reported at the next instant of a stage.
   void remove(const Parts& parts);
   void reactivate(const Parts& parts);
   void grow(Model<D> grown);
-  /// An edit of supports and drives: what is freed begins at this instant, and the ledger has what moved or begins to
-  /// count. Before anything has run it is an edit like others.
+  /// Change of supports and drives during a run. Freed degrees of freedom start at this instant, and the ledger takes
+  /// the energies of moving parts into account. Before the first step it is an edit like others.
   void change_supports(const std::function<void(Model<D>&)>& change);
-  /// An edit of laws, whose difference of energy the ledger has; bearings of `begun` begin anew by theirs.
+  /// Change of laws; the ledger receives the difference in energy. Bearings in `begun` restart with their new laws.
   void modify(const std::function<void(Model<D>&)>& change, std::span<const int> begun);
-  /// The length of the step is looked for anew before the next one: what was freed may need a shorter one.
+  /// Forces a new estimate of the step length before the next step, because freed parts may need a shorter step.
   void drop_step() { state_.dt = 0; }
-  /// The stage that runs, or was restored and waits for resume(); nullptr where there is none.
+  /// The stage that runs, or that was restored and waits for resume(); nullptr without a stage.
   [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
 
   [[nodiscard]] Snapshot<D> snapshot();
@@ -114,26 +115,26 @@ class Simulation {
   /// there. Between stages: its stage waits for resume().
   void restore(const Snapshot<D>& snapshot);
 
-  /// Bonds of all joints are taken away, or made where faces meet now: see assembly/start.hpp. Not while a stage runs.
+  /// Removes the bonds of all joints, or creates bonds where faces meet now: see assembly/start.hpp. Not while a stage
+  /// runs.
   void lift_bonds();
   void set_bonds(double reach = 1e-3);
 
-  /// From now on adds where the time goes to `times`, which must outlive this; nullptr: no more.
+  /// Adds the run times of all parts to `times`, which must outlive this; nullptr: stop.
   void measure(StepTimes* times) { times_ = times; }
-  /// How many threads share a step, 1 to most_threads; as many of them do as there is work for. The bits are those of
-  /// one.
+  /// Number of threads that share a step, 1 to most_threads; only as many as useful are active. The bits do not depend
+  /// on it.
   void use_threads(int threads) { choose_threads(ThreadChoice::always(threads)); }
-  /// The same, where it may be left open. What was found out by timing stays as long as the same is asked for.
+  /// As above, optionally with a number chosen by timing. Timings are kept while the request stays the same.
   void choose_threads(const ThreadChoice& choice);
   /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
-  /// Everything that can be read is of one instant from then on: the present state, evaluated, with the forces of the
-  /// step to come. Changes no bit of State; costs nothing where it was done. Handlers find it done, histories see the
-  /// same.
+  /// Evaluates the present state and the forces of the next step, so that all readable data refer to one instant. It
+  /// changes no bit of State, and costs nothing if already done. Handlers and histories see the same data.
   void refresh();
-  /// The ledger at the present instant, as the energy history has it. After refresh().
+  /// Energy ledger at the present instant, as in the energy history. Call it after refresh().
   [[nodiscard]] Energy energy() const;
-  /// Drops everything that is not State; no result changes by it.
+  /// Resets all data that are not State; no result changes.
   void drop_work();
 
  private:
@@ -174,19 +175,19 @@ class Simulation {
   Causes causes_;
   Verdict verdict_;
   std::optional<StageProgress> stage_;
-  std::shared_ptr<const Model<D>> kept_model_;  // a copy of model_, where none was changed since
+  std::shared_ptr<const Model<D>> kept_model_;  // copy of model_, if unchanged
   StepTimes* times_ = nullptr;
   ThreadChoice threads_;
-  NextStep next_;           // found by refresh()
-  TunnellingLimit swept_;   // ... and what of it is taken
+  NextStep next_;           // result of refresh()
+  TunnellingLimit swept_;   // the step after all limits
   RestDamping rest_;        // of the present stage, or of the last one
-  bool evaluated_ = false;  // work_, next_ and swept_ are those of state_ and model_
+  bool evaluated_ = false;  // work_, next_ and swept_ match state_ and model_
   std::unique_ptr<Watch> watch_;
-  std::unique_ptr<Tangent<D>> tangent_;  // of implicit steps
-  std::string stuck_;                    // why an implicit step could not be taken
-  std::string changed_;                  // why the integrator has changed within the stage, until that is told
-  std::vector<Event> leaving_;           // events of what left or was changed at this instant, to be told
-  bool all_left_ = false;                // nothing is free to move any more, as all of that has left
+  std::unique_ptr<Tangent<D>> tangent_;  // for implicit steps
+  std::string stuck_;                    // reason for which an implicit step failed
+  std::string changed_;                  // reason for a change of integrator within the stage, until reported
+  std::vector<Event> leaving_;           // events of bodies that left or changed at this instant, to be reported
+  bool all_left_ = false;                // no body is free to move any more, because all have left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

@@ -7,7 +7,7 @@
 namespace trilith {
 namespace {
 
-/// The largest share of the longest stable step: above it impacts miss their energy by a fifth.
+/// Largest share of the longest stable step. Above it impacts have energy errors of 20 %.
 constexpr double longest_safety = 0.9;
 
 void require_valid_scaling(const StageOptions& o, const std::string& owner) {

@@ -37,7 +37,7 @@ std::string unsettled_text(const Instant<D>& now, const WorstBodies& worst) {
 
 }  // namespace
 
-/// Events of a stage have no bodies and no place: their text says what there is to say.
+/// Events of a stage have no bodies and no place; the text contains the message.
 template <int D>
 Event stage_event(EventType type, const Instant<D>& now, const std::string& text) {
   Event e;
@@ -55,7 +55,7 @@ Event integrator_event(const Instant<D>& now, const std::string& text) {
   return e;
 }
 
-/// Divergence goes before all other ends: what was found, since when, and what to do about it.
+/// Divergence takes precedence over all other ends: the finding, its time, and advice.
 template <int D>
 void set_end(StageReport& report, const Instant<D>& now, const std::optional<Divergence>& diverged, StageEnd end) {
   report.end = diverged ? StageEnd::diverged : end;
@@ -106,8 +106,8 @@ std::string unsettled_reason(const Instant<D>& now) {
   return what + "; give more duration, or look at how it moves: it may be unable to stand";
 }
 
-/// Of a step that was not found at any length: when, how far it came, and the body with the most left over, or the two
-/// that it would take through each other.
+/// Reason for which no step was found at any length: time, progress, and the body with the largest residual, or the two
+/// bodies that would pass through each other.
 template <int D>
 std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step) {
   const auto body_of = [&](int piece) { return model.bodies[model.piece_body[piece]].name; };
@@ -124,10 +124,10 @@ std::string stuck_reason(const Model<D>& model, const State<D>& state, const Imp
       state.time, step.dt, step.left, where);
 }
 
-/// Below this share of the largest force what statics leaves over may be taken for rest.
+/// A static residual below this share of the largest force may count as rest.
 constexpr double little_left = 1e-4;
 
-/// Either something is not held at all, which no number of iterations mends, or the last forces do not vanish.
+/// Either a part is not supported at all, which no number of iterations changes, or the last forces do not vanish.
 template <int D>
 std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
   const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
@@ -142,7 +142,7 @@ std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
   if (found.left < little_left)
     return fmt::format("{}; tolerance = {:.0e} takes that for rest, integrator = \"explicit\" shows how it moves", left,
                        2 * found.left);
-  // What still slides or falls does so under each share too.
+  // A part that slides or falls does so under each share of the weight too.
   const std::string slower = found.end == EquilibriumEnd::stuck ? ", shares = 10 brings the weight on more slowly" : "";
   return fmt::format("{}; integrator = \"explicit\" shows how it moves{}", left, slower);
 }

@@ -1,4 +1,4 @@
-// How far a stage has come: what its loop remembers besides Model, State and Work. A copy of it belongs to a snapshot.
+// Progress of a stage: the data of its loop that are not in Model, State and Work. A snapshot contains a copy.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// Samples at even times after the start of the stage, counted, so that no rounding adds up.
+/// Samples at equal intervals from the start of the stage. They are counted, so that rounding errors do not accumulate.
 struct SampleClock {
   double begun, interval;  ///< [s]
   std::int64_t next = 0;
@@ -34,7 +34,7 @@ struct StageProgress {
   double end;  ///< [s]
   SampleClock frames, histories, energies;
   double still_since;  ///< [s]
-  bool first = true;   ///< its first instant has not been told
+  bool first = true;   ///< its first instant has not been reported
   bool over = false;
   StageReport report;
 };

@@ -1,4 +1,4 @@
-// What the listeners of a run are told of an instant: events, samples, the end of a stage.
+// Notification of the listeners of a run at an instant: events, samples, the end of a stage.
 #include <fmt/format.h>
 
 #include <utility>
@@ -17,7 +17,7 @@ Instant<D> Simulation<D>::instant() const {
   return {model_, state_, work_, stage_->options, stage_->report.begun, swept_.dt, work_.fastest_moving, ratio};
 }
 
-/// Every event of a run goes through here.
+/// All events of a run pass through this function.
 template <int D>
 void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Instant<D>& now) {
   causes_.name(event);
@@ -25,7 +25,7 @@ void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Inst
   if (listener.on_event) listener.on_event(event, now);
 }
 
-/// That the stage has ended; before it, why it is not to be trusted, where it is not.
+/// Reports the end of the stage, after the reason for which its result is not reliable, if any.
 template <int D>
 void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& now) {
   StageReport& report = stage_->report;
@@ -50,8 +50,8 @@ void Simulation<D>::tell_samples(const RunListener<D>& listener, const Instant<D
     listener.on_energy(now, energy());
 }
 
-/// After a step, with the new state evaluated: tells what happened in it. What handlers read is of one instant, that of
-/// the state; what they change holds from the next step on, which is then looked at anew.
+/// Reports the events of a step, with the new state evaluated. All data that handlers read refer to the instant of the
+/// state. Their changes take effect from the next step on, which is then estimated again.
 template <int D>
 void Simulation<D>::tell_step(const RunListener<D>& listener) {
   StepClock clock(times_);

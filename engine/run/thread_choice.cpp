@@ -12,7 +12,7 @@ ThreadChoice ThreadChoice::always(int threads) {
   return c;
 }
 
-/// It begins with all of them: that is what large models want.
+/// Starts with all threads, which suits large models.
 ThreadChoice ThreadChoice::up_to(int most) {
   ThreadChoice c;
   c.most_ = std::clamp(most, 1, most_threads);
@@ -39,15 +39,15 @@ void ThreadChoice::took(double seconds) {
   if (++step_ == stretch * order.size()) end_trial();
 }
 
-/// More and fewer in turn, where there are both.
+/// Tries more and fewer threads in turn, if both exist.
 void ThreadChoice::begin_trial() {
   upwards_ = at_ == 0 || (at_ < last_ && !upwards_);
   other_ = upwards_ ? at_ + 1 : at_ - 1;
   step_ = 0, timed_ = {}, tries_ = true;
 }
 
-/// The middle of the times of either decides; more threads are taken only where they pay. What is found again is tried
-/// less and less often; what has changed is looked at soon.
+/// Compares the medians of both times; more threads are used only if they are faster. A confirmed choice is tested less
+/// and less often; a changed one is tested again soon.
 void ThreadChoice::end_trial() {
   const auto middle = [](std::array<double, counted>& of) {
     std::nth_element(of.begin(), of.begin() + counted / 2, of.end());

@@ -22,15 +22,15 @@
 namespace trilith {
 namespace {
 
-/// Magnitudes are looked at every so many steps, and whenever the fastest point has doubled its speed.
+/// Magnitudes are checked at this interval of steps, and whenever the fastest point has doubled its speed.
 constexpr std::int64_t steps_between_looks = 1024;
-constexpr double least_speed = 0.01;  // slower than this nothing is looked at for its speed [m/s]
-/// Sound in hard rock: no law of contact here means anything for blows faster than what carries them away [m/s].
+constexpr double least_speed = 0.01;  // no speed check below this speed [m/s]
+/// Speed of sound in hard rock: contact laws are not valid for faster impacts [m/s].
 constexpr double rock_sound = 5000;
-/// Energies that would move all bodies no faster than this are not worth a word [m/s].
+/// Energies that correspond to less than this speed of all bodies are ignored [m/s].
 constexpr double trifling_speed = 1e-3;
 
-/// Beyond this share of the energy put in, what steps gained or lost is told.
+/// An energy error of the steps above this share of the energy supplied is reported.
 constexpr double told_share = 0.05;
 
 /// A corner of an element: its two edges at the start and now.
@@ -46,13 +46,13 @@ Corner corner_of(const Model<2>& model, const State<2>& state, const Element& e,
   return {start(next) - start(i), start(before) - start(i), now(next) - now(i), now(before) - now(i)};
 }
 
-/// Both principal stretches there; the lesser one has the sign of the corner's area.
+/// Principal stretches at a corner; the smaller one has the sign of the corner's area.
 struct Stretches {
   double least, most;
 };
 
-/// F = first_now g' + second_now h', with g and h such that F takes the edges of the start to those of now. Its
-/// singular values are p + q and |p - q|; p - q < 0: turned inside out.
+/// F = first_now g' + second_now h', with g and h such that F maps the initial edges to the present ones. Its singular
+/// values are p + q and |p - q|; p - q < 0 if the corner is inverted.
 Stretches stretches_at(const Corner& c) {
   const double area = cross(c.first, c.second);
   const Vec2 g(c.second.y() / area, -c.second.x() / area), h(-c.first.y() / area, c.first.x() / area);
@@ -64,14 +64,14 @@ Stretches stretches_at(const Corner& c) {
   return {p - q, p + q};
 }
 
-/// How far all nodes may go, at least, before the stretches there change by 1: an edge changes by no more than twice
-/// the path, and the stretches by no more than the deformation gradient does.
+/// Least travel of all nodes before the stretches at a corner change by 1. An edge changes by at most twice the travel,
+/// and the stretches by at most the change of the deformation gradient.
 double path_per_stretch(const Corner& c) {
   const double size = std::sqrt(c.first.squaredNorm() + c.second.squaredNorm());
   return std::abs(cross(c.first, c.second)) / (2 * std::sqrt(2.0) * size);
 }
 
-/// Of an element, with the path that all points may go, at least, before it comes to its limit.
+/// Stretch of an element. `room` is reduced to the travel of all points before the element may reach its limit.
 ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int element, double& room) {
   const Element& e = model.elements[element];
   const double limit = model.solids[e.solid].strain_limit;
@@ -79,7 +79,7 @@ ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int elem
   for (int i = 0; i < e.nodes; ++i) {
     const Corner c = corner_of(model, state, e, i);
     const Stretches s = stretches_at(c);
-    // Room to both limits: not less than 1 - limit, not more than 1 + limit of the length at the start.
+    // Reserve to both limits: stretches from 1 - limit to 1 + limit.
     const double squeezed = s.least - std::max(0.0, 1 - limit), stretched = 1 + limit - s.most;
     const double spare = std::min(squeezed, stretched);
     room = std::min(room, spare * path_per_stretch(c));
@@ -88,8 +88,8 @@ ElementStretch stretch_of(const Model<2>& model, const State<2>& state, int elem
   return worst;
 }
 
-/// Of an element in space, at its corners and points of Gauss: the principal stretches of the gradient F there, of
-/// which the least is below 0 where it is turned inside out. A node that goes by p changes F by at most p times its
+/// Stretch of an element in space, at its corners and Gauss points: principal stretches of the deformation gradient F,
+/// the least of which is negative if the element is inverted. A node that moves by p changes F by at most p times its
 /// gradient.
 ElementStretch stretch_of(const Model<3>& model, const State<3>& state, int element, double& room) {
   const SpaceElement& e = model.space_elements[static_cast<std::size_t>(element)];
@@ -125,8 +125,8 @@ double peak_velocity(const GroundMotion& motion) {
   return peak;
 }
 
-/// What start, present and all motions give in speed, the turning of driven bodies included.
-/// All added: no body could have more from them together.
+/// Sum of the speeds from the initial state, the present state and all motions, including the rotation of driven
+/// bodies. No body can receive more.
 template <int D>
 double given_speed(const Instant<D>& now) {
   double speed = now.work.fastest;
@@ -137,7 +137,7 @@ double given_speed(const Instant<D>& now) {
   return speed;
 }
 
-/// Motion and elastic energy that is there now [J].
+/// Kinetic and elastic energy at present [J].
 double held(const Energy& e) {
   return e[EnergyTerm::kinetic] + e[EnergyTerm::contact_elastic] + e[EnergyTerm::bearing_elastic] +
          e[EnergyTerm::strain];
@@ -150,12 +150,12 @@ double dissipated(const Energy& e) {
   return sum;
 }
 
-/// Put in by supports, loads, weight and what was added [J].
+/// Energy supplied by supports, loads, weight and added bodies [J].
 double put_in(const Energy& e) {
   return e[EnergyTerm::support] + e[EnergyTerm::load] + e[EnergyTerm::added] - e[EnergyTerm::gravity];
 }
 
-/// Sound in the stiffest solid, by its body's density, and at least in rock [m/s].
+/// Speed of sound in the stiffest solid, with the density of its body, and at least in rock [m/s].
 template <int D>
 double sound_speed(const Model<D>& model) {
   double most = rock_sound;
@@ -187,7 +187,7 @@ std::string element_name(const Model<D>& model, int element) {
   return fmt::format("element {}", element - first + 1);
 }
 
-/// "element 2", of a frame of several members "element 2 of column".
+/// "element 2"; for a frame of several members "element 2 of column".
 template <int D>
 std::string beam_name(const Model<D>& model, const BeamStretch& s) {
   const Member& member = model.members[static_cast<std::size_t>(s.member)];
@@ -195,7 +195,8 @@ std::string beam_name(const Model<D>& model, const BeamStretch& s) {
   return fmt::format("element {}{}", s.beam - member.first_beam + 1, of);
 }
 
-/// Of all elements whose body is there, with the path that all points may go before any comes to its limit.
+/// The worst element of all active bodies. `room` is reduced to the travel of all points before any element may reach
+/// its limit.
 template <int D>
 ElementStretch worst_element(const Model<D>& model, const State<D>& state, double& room) {
   const auto& elements = elements_of(model);
@@ -208,7 +209,7 @@ ElementStretch worst_element(const Model<D>& model, const State<D>& state, doubl
   return worst;
 }
 
-/// What an element of `body` that is called `name` was strained beyond.
+/// Divergence of the element `name` of `body`, which was strained beyond its limit.
 template <int D>
 Divergence overstrained(const Instant<D>& now, const std::string& name, int body, double strain, double limit,
                         const std::type_identity_t<Vec<D>>& place) {
@@ -238,7 +239,7 @@ template <int D>
 std::optional<Divergence> Watch::look_at_elements(const Instant<D>& now) {
   const auto& elements = elements_of(now.model);
   if (elements.empty()) return std::nullopt;
-  // Until the fastest point has gone as far as any element has room, none is looked at.
+  // No element is checked before the travel of the fastest point exceeds the reserve of every element.
   element_room_ -= now.work.fastest * now.state.last_dt;
   if (element_room_ > 0) return std::nullopt;
   double room = unbounded;
@@ -265,7 +266,7 @@ std::optional<Divergence> Watch::look_at_beams(const Instant<D>& now) {
                       middle_of_beam(now.model, now.state, worst.beam));
 }
 
-/// What was strained beyond its limit without a time in which it came to that can come on no more slowly.
+/// In a stage without time a strain cannot be approached more slowly, so the advice differs.
 template <int D>
 std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const std::string& under) {
   invalidate();
@@ -279,7 +280,7 @@ std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const st
   return found;
 }
 
-/// The ledger from which energy made is counted, and the speed that motions and start may give.
+/// Sets the ledger from which energy errors count, and the speed that motions and the initial state can supply.
 template <int D>
 void Watch::count_from(const Instant<D>& now, const Energy& energy) {
   counts_ = true;
@@ -301,13 +302,13 @@ std::string Watch::ledger_text() const {
       quantity_text(input, "J"));
 }
 
-/// Two bounds that no sound run passes, however wild:
-///   energy made, held + given off - start - put in: at most what ever was there or put in;
-///   speed: at most that of start and motions, of a fall through the bounds, and of sound, all added.
+/// Two bounds that hold for every physical run. Energy error (stored + dissipated - initial - supplied): at most the
+/// largest energy that was present or supplied. Speed: at most the sum of the speeds from the initial state and
+/// motions, of a fall through the bounds, and of sound.
 template <int D>
 std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
-  // What was freed or left took its motion along: from here on.
+  // Freed or removed bodies took their motion along; the check restarts here.
   if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
   most_put_in_ = std::max(most_put_in_, put_in(e) - put_in(from_));
   const double start = held(from_), given = most_put_in_;
@@ -315,7 +316,7 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   double mass = 0;
   for (int n = 0; n < now.model.nodes(); ++n)
     if (now.model.moves(n)) mass += now.model.mass[n];
-  // Kinetic energy of the leapfrog scheme is below 0 where a velocity turns round.
+  // The kinetic energy of leapfrog is negative if a velocity reverses.
   const double most = std::max({0.0, most_energy_, start + given}),
                trifle = 0.5 * mass * trifling_speed * trifling_speed;
   const auto fastest = [&] {
@@ -344,7 +345,7 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
         sound_until_,
         {}};
   if (std::abs(made) > std::max(trifle, std::abs(off_))) off_ = made;
-  // Energy made does not count as what was there, or a slow growth would raise its own bound.
+  // An energy error does not count as present energy, otherwise a slow growth would raise its own bound.
   most_energy_ = std::max({most_energy_, start + given, held(e) + lost - std::max(0.0, made)});
   looked_speed_ = std::max(now.speed, least_speed);
   next_look_ = now.state.step + steps_between_looks;
@@ -362,9 +363,9 @@ std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
   if (auto found = look_at_elements(now)) return found;
   if (auto found = look_at_beams(now)) return found;
   if (!now.stage.watched) return std::nullopt;
-  // A support that is led to and fro takes out again what it put in, and no look may fall between the two.
+  // A cyclic support motion withdraws the energy that it supplied, and no check may fall between the two.
   if (counts_) most_put_in_ = std::max(most_put_in_, put_in(now.state.given) - put_in(from_));
-  // Energies cost a pass over all contacts, so they are looked at now and then.
+  // Energies require a pass over all contacts, so they are checked rarely.
   if (counts_ && !last && now.speed <= 2 * looked_speed_ && now.state.step < next_look_) return std::nullopt;
   return look_at_magnitudes(now);
 }
@@ -378,7 +379,7 @@ std::vector<int> Watch::leaving(const Model<D>& model, const State<D>& state, co
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (state.left[b] != 0 || !model.body_moves(b)) continue;
     const Body& body = model.bodies[b];
-    double inside = -unbounded;  // how far the innermost node is from the bounds
+    double inside = -unbounded;  // distance of the innermost node from the bounds; positive inside
     for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
       inside = std::max(inside, std::min((state.position[n] - model.bounds.low).minCoeff(),
                                          (model.bounds.high - state.position[n]).minCoeff()));

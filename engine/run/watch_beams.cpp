@@ -17,7 +17,7 @@ std::array<Vec3, 2> ends_of(const State<3>& state, const Beam3& beam) {
   return {end_of(state, beam, 0).place, end_of(state, beam, 1).place};
 }
 
-/// A beam on arms goes farther than its nodes where these turn.
+/// True for a beam on rigid arms, whose ends move farther than its nodes if these turn.
 bool lies_on_arms(const Beam& beam) {
   return beam.arm[0] != Vec2(0, 0) || beam.arm[1] != Vec2(0, 0);
 }
@@ -25,7 +25,7 @@ bool lies_on_arms(const Beam3& beam) {
   return has_arm(beam, 0) || has_arm(beam, 1);
 }
 
-/// One that a hinge has taken away holds its ends together no more.
+/// True for a beam that a lost hinge has removed; it no longer connects its ends.
 template <int D, class SomeBeam>
 bool is_removed(const Model<D>& model, const State<D>& state, const SomeBeam& beam) {
   if (beam.yield != BeamYield::at_hinges) return false;
@@ -35,8 +35,8 @@ bool is_removed(const Model<D>& model, const State<D>& state, const SomeBeam& be
 
 }  // namespace
 
-/// The strain that a beam takes its normal force from: of the line between its ends. Each end may go half of what is
-/// left to the limit.
+/// The beam with the least reserve of axial strain, which is the strain of the line between its ends. Each end may move
+/// by half of the remaining elongation.
 template <int D>
 BeamStretch worst_beam(const Model<D>& model, const State<D>& state) {
   BeamStretch worst;

@@ -1,4 +1,4 @@
-// Members of frames along their axes, for the watch.
+// Axial strain of members, for the watch.
 #pragma once
 
 #include "model/model.hpp"
@@ -6,15 +6,15 @@
 
 namespace trilith {
 
-/// The beam that its member's material is made for least, as its ends lie.
+/// The beam with the least strain reserve, from the present positions of its ends.
 struct BeamStretch {
-  int member = -1, beam = -1;  ///< rows of the model; -1: there is none
-  double strain = 0;           ///< change of its length, as a share of that at the start [1]
-  double spare = unbounded;    ///< how much more it is made for; not above 0 where it is too much [1]
-  double room = unbounded;     ///< path that every point may go, at least, before any beam comes to its limit [m]
+  int member = -1, beam = -1;  ///< rows of the model; -1: none
+  double strain = 0;           ///< change of length over the initial length [1]
+  double spare = unbounded;    ///< remaining strain up to the limit of its material; 0 or negative beyond it [1]
+  double room = unbounded;     ///< least travel of all points before any beam may reach its limit [m]
 };
 
-/// Of all beams but those that were removed, or whose body is out.
+/// Considers all beams except removed ones and beams of deactivated bodies.
 template <int D>
 BeamStretch worst_beam(const Model<D>& model, const State<D>& state);
 

@@ -1,4 +1,4 @@
-// Where bodies were as a stage that looks for rest began, and which of them have left their places at its end.
+// Positions of bodies at the begin of a stage that ends at rest, and the bodies that have left their places at its end.
 #include <algorithm>
 
 #include "run/watch.hpp"

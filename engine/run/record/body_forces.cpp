@@ -10,7 +10,7 @@
 namespace trilith {
 namespace {
 
-/// Sum of x f^T over the forces on a body, x from its centroid.
+/// Sum of x f^T over the forces on a body, with x from its centroid.
 struct Virial {
   double xx = 0, xy = 0, yx = 0, yy = 0;
   void add(const Vec2& x, const Vec2& f) {
@@ -30,7 +30,7 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
   return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
 }
 
-/// Loads act at their places as they are now; a pressure at both ends of its face by shares.
+/// Adds the loads at their present points of action; a pressure acts at both ends of its face by shares.
 void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
                std::vector<Virial>& virial) {
   for (const PointLoad<2>& p : model.point_loads) {
@@ -67,7 +67,7 @@ void add_bearings(const Model<D>& model, const Work<D>& work, std::span<const in
 
 }  // namespace
 
-/// Contacts, by the skin points that they push, and bearings; weight and loads are not counted.
+/// Sum of contact and bearing forces on bodies, at the skin points that they act on; weight and loads are not included.
 Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> bodies) {
   Vec2 force = Vec2::Zero();
   for (const int i : bodies) {
@@ -96,9 +96,9 @@ double MeanStress::minor() const {
   return 0.5 * (xx + yy) - portable::hypot(0.5 * (xx - yy), xy);
 }
 
-/// Mean stress = sum over the forces on the body of x f' / volume, x from its centroid (the virial); of a body at rest
-/// that is symmetric, of one that turns its symmetric part is taken. Of held bodies the forces of the supports are not
-/// known, so they have none.
+/// Mean stress = sum over the forces on the body of x f' / volume, with x from its centroid (virial theorem). It is
+/// symmetric for a body at rest; for a rotating body the symmetric part is taken. Constrained bodies have no result,
+/// because the support forces are not known.
 std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state, const Work<2>& work,
                                     std::span<const TouchingContact> touching) {
   std::vector<Virial> virial(model.bodies.size());
@@ -110,8 +110,8 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
   }
   for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
     const Bearing<2>& b = model.bearings[i];
-    // Each body is pulled where its own end is: what is between the ends belongs to neither. The couple that goes with
-    // it is skew and strains nothing.
+    // Each body is loaded at the end of the bearing that belongs to it; the part between the ends belongs to neither.
+    // The remaining couple is skew-symmetric and contributes no stress.
     const Vec2 end_a = pose_at(model, state, b.end_a).place, end_b = pose_at(model, state, b.end_b).place;
     virial[b.body_a].add(end_a - centre[b.body_a], -work.bearing_force[i]);
     virial[b.body_b].add(end_b - centre[b.body_b], work.bearing_force[i]);
@@ -129,7 +129,7 @@ std::vector<MeanStress> mean_stress(const Model<2>& model, const State<2>& state
 
 namespace {
 
-/// Of the fastest point of a body.
+/// Speed of the fastest point of a body.
 double speed_of(const Body& body, const Work<2>& work) {
   double most = 0;
   for (int s = body.first_skin; s < body.first_skin + body.skins; ++s)
@@ -145,7 +145,7 @@ double speed_of(const Body& body, const Work<3>& work) {
 
 }  // namespace
 
-/// The body with the largest force left over along what it is free in, and the one with the fastest point.
+/// The body with the largest residual force along its free degrees of freedom, and the body with the fastest point.
 template <int D>
 WorstBodies worst_bodies(const Model<D>& model, const Work<D>& work) {
   WorstBodies worst;
@@ -183,8 +183,8 @@ const SolidResultant& resultant_of(const SolidResultant& c) {
   return c;
 }
 
-/// Where the force from one body of the chain to the next passes: several contacts between two are one, at the mean of
-/// their points, weighed by their normal forces.
+/// Points at which the force from one body of the chain to the next acts. Several contacts between two bodies are
+/// merged at the mean of their points, weighted by normal force.
 template <int D, class Contact>
 std::vector<ThrustPoint<D>> line_through(std::span<const int> chain, std::span<const Contact> touching) {
   std::vector<ThrustPoint<D>> line;

@@ -1,4 +1,4 @@
-// Of bodies at each frame: their mean stress.
+// Field of bodies in each frame: mean stress.
 #pragma once
 
 #include "run/record/body_forces.hpp"

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 namespace trilith {
-/// Numbers an event and names its cause: the latest event that touched one of its bodies and can cause others, else the
-/// beginning of the stage. So each event hangs on one before it, and the whole is a tree.
+/// Numbers an event and sets its cause: the latest event of one of its bodies that can be a cause, otherwise the begin
+/// of the stage. The events of a run form a tree.
 void Causes::name(Event& event) {
   event.id = next_++;
   if (event.type == EventType::stage_begun) {
     stage_ = event.id;
     return;
   }
-  // The last thing that happened to either body and can cause others; without, the stage.
+  // Latest event of either body that can be a cause; otherwise the stage.
   event.cause = stage_;
   for (const int body : {event.body_a, event.body_b})
     if (body >= 0) event.cause = std::max(event.cause, last_[body]);

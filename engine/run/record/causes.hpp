@@ -1,4 +1,4 @@
-// Which event led to which: ids, and the last thing that befell each body.
+// Causes of events: ids, and the last event of each body.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace trilith {
 
-/// Numbers events and names their causes: the latest event that loaded or loosened one of the bodies concerned (failure
-/// or change of a bearing, lost seat, impact, broken bond), else the stage. Contacts made and lost, and rest, cause
-/// nothing.
+/// Numbers events and sets their causes. A cause is the latest event that loaded or loosened one of the bodies: failure
+/// or change of a bearing, lost seat, impact, broken bond. Without such an event it is the stage. Contacts made and
+/// lost, and rest, are no causes.
 class Causes {
  public:
   explicit Causes(int bodies) : last_(static_cast<std::size_t>(bodies), -1) {}
 
-  /// There are so many bodies from now on, not fewer than before.
+  /// Sets the number of bodies, which must not decrease.
   void grow(std::size_t bodies) { last_.resize(bodies, -1); }
   /// Sets `id` and `cause` of `event`.
   void name(Event& event);

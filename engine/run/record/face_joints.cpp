@@ -11,11 +11,11 @@
 namespace trilith {
 namespace {
 
-// Shares of the smaller body's size: gap at the start within which faces lie on each other, and the width that they
-// have to share.
+// Shares of the smaller body's size: largest gap at the start between faces that count as touching, and their least
+// shared width.
 constexpr double nearly_flat = 1e-3, least_width = 1e-3;
 
-/// The seat of a joint in the world, as it goes with a carrier.
+/// World position of a joint's seat, which moves with a contact frame.
 struct SeatNow {
   Vec3 place;
   Turn3 axes;
@@ -24,13 +24,13 @@ struct SeatNow {
   [[nodiscard]] Vec3 at(const Vec2& p) const { return place + p.x() * axes.x() + p.y() * axes.y(); }
 };
 
-/// Of a plan: the joint that mortar laid, or one of dry faces.
+/// Fills `joint` from a plan: a mortar joint, or a joint of dry faces.
 void take_plan(const JointPlan& plan, const Model<3>& model, const NearPair& pair, FaceJoint& joint) {
   joint.contact_frame = {model.carrier_of(pair.piece_a, plan.face_a), model.carrier_of(pair.piece_b, plan.face_b)};
   joint.in_a = plan.in_a, joint.in_b = plan.in_b, joint.outline = plan.outline, joint.area = plan.whole.area;
 }
 
-/// Mean of what its places have lost of their strength.
+/// Mean loss of strength of the points of a patch.
 double damage_of(const JointMemory& memory, std::size_t patch) {
   if (!memory.bonded(static_cast<int>(patch))) return 1;
   if (memory.sound) return 0;
@@ -38,7 +38,7 @@ double damage_of(const JointMemory& memory, std::size_t patch) {
   return std::accumulate(damage.begin(), damage.end(), 0.0) / patch_points;
 }
 
-/// The faces of a pair that lie on each other, in joint.outline; false where none do.
+/// Finds the touching faces of a pair and sets joint.outline; false if there are none.
 bool lay_joint(const Model<3>& model, const State<3>& state, const Work<3>& work, const NearPair& pair,
                FaceJoint& joint) {
   const double size = 2 * std::min(model.body_radius[static_cast<std::size_t>(joint.body_a)],
@@ -56,7 +56,7 @@ bool lay_joint(const Model<3>& model, const State<3>& state, const Work<3>& work
   return true;
 }
 
-/// Its middle, and the ends of the longer of its two axes, in the world.
+/// Sets the middle and the ends of the longer axis of the shared polygon, in the world.
 void set_place(const Model<3>& model, const State<3>& state, FaceJoint& joint) {
   const SeatNow seat(joint.in_a, motion_of(model, state, joint.contact_frame[0]));
   joint.place = seat.place;
@@ -76,7 +76,7 @@ std::vector<FaceJoint> find_joints(const Model<3>& model) {
   return find_joints(model, start_state(model), 0);
 }
 
-/// Of bonded faces the joint that their mortar has, of dry ones what lies flat.
+/// Bonded faces use the joint of their mortar; dry joints use the faces that lie flat on each other.
 std::vector<FaceJoint> find_joints(const Model<3>& model, const State<3>& state, int first_body) {
   Work<3> work;
   update_kinematics(model, state, work);

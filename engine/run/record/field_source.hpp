@@ -1,4 +1,4 @@
-// What the numbers that a recording adds to each frame (run/record/recorded_field_list.hpp) are found from.
+// Data from which the fields of each frame are computed (run/record/recorded_field_list.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace trilith {
 
-/// What the rows of a field belong to.
+/// Objects to which the rows of a field belong.
 enum class RowsOf : std::uint8_t { joints, bodies };
 
-/// What fields are found from, all of one instant.
+/// Input of the fields, all at one instant.
 template <int D>
 struct FieldSource {
   const Instant<D>& now;
   std::span<const JointOf<D>> joints;
-  std::span<const TouchingContact> touching;               ///< in the plane
+  std::span<const TouchingContact> touching;               ///< in the plane only
   std::span<const JointDisplacement> joint_displacements;  ///< of each joint
 };
 

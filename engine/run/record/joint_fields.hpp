@@ -1,4 +1,4 @@
-// Of joints at each frame: how far each has opened and slipped, and how much of its bond is lost.
+// Fields of joints in each frame: opening, slip, and lost share of the bond.
 #pragma once
 
 #include "run/record/field_source.hpp"

@@ -12,7 +12,7 @@ namespace trilith {
 namespace {
 
 constexpr double flat_share =
-    1e-3;  // gap at the start, share of the shorter face, within which faces lie on each other
+    1e-3;  // largest gap at the start between faces that count as touching, share of the shorter face
 constexpr double least_share = 1e-6;  // length of a joint, share of the shorter face
 
 Vec2 at(const Work<2>& work, int skin) {
@@ -23,7 +23,7 @@ Vec2 between(const Work<2>& work, int from, int to, double share) {
   return (1 - share) * at(work, from) + share * at(work, to);
 }
 
-/// The face of body a: from its first end along it, and outward.
+/// Axes of the face of body a: along it from its first end, and outward.
 struct FaceAxes {
   Vec2 origin, along, normal;
   double length;
@@ -34,11 +34,11 @@ struct FaceAxes {
         length((at(work, to) - origin).norm()) {}
 };
 
-/// Ends of the shared length of the two faces; false where they do not lie on each other.
+/// Sets the ends of the shared length of two faces. Returns false without one.
 ///
-///         a0 -----------------> a1   Both ends are kept as shares of either face, so that they go with
-///         lo |.........| hi          the bodies, and with the gap and slip that they have at the start.
-///    b1 <------------------ b0
+///       a0 -----------------> a1   Both ends are stored as shares of either face.
+///       lo |.........| hi          They move with the bodies,
+///  b1 <------------------ b0       and with their gap and slip at the start.
 bool lay_joint(const Work<2>& work, Joint& joint) {
   const FaceAxes face(work, joint.a0, joint.a1);
   const Vec2 b0 = at(work, joint.b0), b1 = at(work, joint.b1);
@@ -81,7 +81,7 @@ std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int
     Joint joint;
     joint.contact = contact_key(pair.piece_a, pair.piece_b);
     joint.bonds = bonds_of(state, joint.contact);
-    // As for a bond, so that faces just not pressed together count; how near they are is looked at below.
+    // With the search reach of bonds, so that faces without compression count; their gap is tested below.
     if (!choose_face_pair(model, work, true, pair)) continue;
     joint.body_a = model.piece_body[pair.piece_a], joint.body_b = model.piece_body[pair.piece_b];
     if (std::max(joint.body_a, joint.body_b) < first_body) continue;
@@ -91,7 +91,7 @@ std::vector<Joint> find_joints(const Model<2>& model, const State<2>& state, int
   return joints;
 }
 
-/// Opening: the wider of both ends; slip: the mean.
+/// Opening: larger value of both ends. Slip: mean of both ends.
 JointDisplacement joint_displacement(const Joint& joint, const Work<2>& work) {
   const FaceAxes face(work, joint.a0, joint.a1);
   JointDisplacement motion;
@@ -104,7 +104,7 @@ JointDisplacement joint_displacement(const Joint& joint, const Work<2>& work) {
   return motion;
 }
 
-/// Mean over the halves that were bonded at the start: 1 for one that is lost, or for a contact that is no more.
+/// Mean over the halves that were bonded at the start; 1 for a lost half, or for a contact that no longer exists.
 double joint_damage(const Joint& joint, const State<2>& state) {
   if (joint.bonds == 0) return 0;
   const ContactHistory& contacts = state.contacts;

@@ -1,4 +1,4 @@
-// What a recording adds to each frame of joints and bodies: a new one is its own file and a row here.
+// List of the fields of joints and bodies in each frame. A new field is a file and a row here.
 #pragma once
 
 #include <concepts>
@@ -13,15 +13,15 @@
 
 namespace trilith {
 
-/// In the plane.
+/// Fields in the plane.
 using RecordedFieldTypes = TypeList<JointOpening, JointSlip, JointDamage, BodyStress>;
-/// In space. Stress of bodies that deform is beside them: run/record/space_stress_field.hpp.
+/// Fields in space. The stress of deformable bodies is separate: run/record/space_stress_field.hpp.
 using SpaceFieldTypes = TypeList<JointOpening, JointSlip, JointDamage>;
 
 template <int D>
 using RecordedFieldsOf = std::conditional_t<D == 2, RecordedFieldTypes, SpaceFieldTypes>;
 
-/// What each is asked: /frames/`name` has `width` numbers [`unit`] for each joint or body, which `take` appends.
+/// Requirements of a field: /frames/`name` has `width` numbers [`unit`] for each joint or body, which `take` appends.
 template <class F, int D>
 concept RecordedFieldType = requires(const FieldSource<D>& from, std::vector<double>& out) {
   { F::name } -> std::convertible_to<std::string_view>;

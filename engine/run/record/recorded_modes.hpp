@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// One row for each mode, with its damping and the place of all nodes in `state`, of which they were found.
+/// One row for each mode, with its damping and the positions of all nodes in `state`, for which the modes were found.
 template <int D>
 std::vector<results::ModeRow> recorded_modes(const State<D>& state, const std::vector<NaturalMode<D>>& modes,
                                              const std::vector<ModeDamping>& damping);

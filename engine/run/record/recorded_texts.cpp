@@ -45,7 +45,7 @@ std::string support_text(const std::array<Support, 6>& support) {
   return held_text<3>(support);
 }
 
-/// True for the first of the nodes of a body that follow a motion along one degree of freedom.
+/// True for the first node of a body among the nodes that follow a motion along one degree of freedom.
 template <int D>
 bool leads(const Model<D>& model, const Drive& drive) {
   const auto body_of = [&](const Drive& d) { return body_of_node(model, d.node); };
@@ -99,7 +99,7 @@ std::string direction_text(const DirectionLaw& law) {
       law);
 }
 
-/// Of one direction, or of both horizontal ones: its law and its limit.
+/// Adds the law and the limit of one direction, or of both horizontal directions.
 void add_direction(std::string& out, const char* name, const DirectionLaw& law, double limit, const char* unit) {
   out += fmt::format("{}{}: {}", out.empty() ? "" : "; ", name, direction_text(law));
   if (limit < unbounded) out += fmt::format(", limit {:g} {}", limit, unit);
@@ -116,7 +116,7 @@ std::string directions_text(const Bearing<2>& b) {
   if (b.angle != 0) out += fmt::format("; axes turned by {:g} rad", b.angle);
   return out;
 }
-/// Those of the six that are neither held nor limited are left out.
+/// Directions without law and limit are omitted.
 std::string directions_text(const Bearing<3>& b) {
   std::string out;
   if (b.has_horizontal() || b.horizontal_limit < unbounded)
@@ -127,7 +127,7 @@ std::string directions_text(const Bearing<3>& b) {
   return out;
 }
 
-/// In which directions what follows it counts from where it takes over.
+/// Lists the directions in which the displacement of the successor counts from where it takes over.
 template <int D>
 std::string from_here_text(const Bearing<D>& b) {
   std::string out;

@@ -50,7 +50,8 @@ results::BearingState state_of(BearingStatus status) {
   return results::BearingState::changed;
 }
 
-/// Displacement of b's point against a's since the bearing was placed, in its axes; holds for failed ones too.
+/// Displacement of point b relative to a after the bearing was placed, in the axes of the bearing; also valid after
+/// failure.
 Vec2 displacement_of(const Model<2>& model, const State<2>& state, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
   const Pose a = pose_at(model, state, b.end_a), at_b = pose_at(model, state, b.end_b);
@@ -60,7 +61,7 @@ Vec3 displacement_of(const Model<3>& model, const State<3>& state, std::size_t i
   return bearing_motion(model, state, i).translation();
 }
 
-/// Numbers, vectors and quaternions lie in a row, as the file wants them.
+/// View of numbers, vectors and quaternions as a contiguous array, as the file requires.
 template <class T>
 std::span<const double> numbers(const std::vector<T>& values) {
   constexpr std::size_t bytes = sizeof(T), each = bytes / sizeof(double);
@@ -68,7 +69,7 @@ std::span<const double> numbers(const std::vector<T>& values) {
   return {reinterpret_cast<const double*>(values.data()), each * values.size()};
 }
 
-/// [s], to some milliseconds; read without a call of the system, so that it may be asked after every step.
+/// Coarse wall clock [s], accurate to some milliseconds. It needs no system call, so it can be read after every step.
 double wall_clock() {
   struct timespec now {};
   ::clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
@@ -134,11 +135,11 @@ void Recording<2>::take_stress(const Instant<2>& now) {
   }
 }
 
-/// In space stress is of whole bodies: see run/record/space_stress_field.hpp.
+/// Stress in space refers to whole bodies: see run/record/space_stress_field.hpp.
 template <>
 void Recording<3>::take_stress(const Instant<3>& /*now*/) {}
 
-/// A bond that holds makes a contact bonded; else it slides where friction is used up.
+/// An intact bond makes a contact bonded; otherwise it slides if its friction is exhausted.
 template <>
 void Recording<3>::take_contacts(const Instant<3>& now) {
   contacts_.clear();
@@ -168,7 +169,7 @@ Recording<D>::Recording(std::filesystem::path path, const Model<D>& model, const
       drives_known_(model.drives.size()),
       time_(state.time) {}
 
-/// Names and supports of bodies that were there stay as they were told first.
+/// Names and supports of the existing bodies remain as recorded first.
 template <int D>
 void Recording<D>::extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories) {
   const std::size_t known = start_.position.size(), bodies = header_.bodies.size();
@@ -221,7 +222,7 @@ void Recording<D>::frame(const Instant<D>& now) {
   row.fields = fields_.take(now, touching_);
   writer_.append_frame(row);
   ++frames_since_;
-  // With the first one on the disk, a run that is killed early can be drawn and told.
+  // Writes the first frame to disk at once, so that a run that is killed early can be drawn.
   if (!std::exchange(has_frame_, true)) return flush();
   flush_when_due();
 }
@@ -231,7 +232,7 @@ void Recording<D>::history(const Instant<D>& now) {
   values_.clear();
   for (const RecordedHistory<D>& h : options_.histories) {
     values_.push_back(h.sample(now));
-    if (!std::isfinite(values_.back()))  // the file takes that for one that was not followed yet
+    if (!std::isfinite(values_.back()))  // the file uses this value for samples before the history began
       throw results::ResultsError(
           fmt::format("history '{}' at t = {:g} s is {}", h.name, now.state.time, values_.back()));
   }
@@ -365,7 +366,7 @@ void Recording<D>::abandon(std::string_view why) noexcept {
     note(fmt::format("the run ended early: {}", why));
     end_stage(time_, "broken off");
     flush();
-  } catch (const std::exception&) {  // the writer has said it before; what was flushed stays
+  } catch (const std::exception&) {  // the writer has reported it already; flushed data remain
     stage_open_ = false;
   }
 }

@@ -19,8 +19,8 @@ namespace trilith {
 template <int D>
 class Recording {
  public:
-  /// Opens `<path>.part` and writes what does not change during a run. Throws ResultsError (unwritable, full disk, ...)
-  /// and InputError for names of histories that cannot be used (see results::ResultsWriter).
+  /// Opens `<path>.part` and writes the constant data of a run. Throws ResultsError (unwritable, full disk, ...) and
+  /// InputError for invalid names of histories (see results::ResultsWriter).
   Recording(std::filesystem::path path, const Model<D>& model, const State<D>& state, RecordingOptions<D> options = {});
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
@@ -29,48 +29,49 @@ class Recording {
   /// Leaves the file unfinished, readable up to its last row, unless finish() was called.
   ~Recording() = default;
 
-  /// Records all a run tells; valid as long as this lives. Stages are known by their events.
+  /// Listener that records all notifications of a run; valid during the lifetime of this object. Stages follow from
+  /// their events.
   RunListener<D> listener();
 
-  // What the listener does, for callers with a listener of their own. All throw ResultsError.
+  // The functions of the listener, for callers with their own listener. All throw ResultsError.
   void frame(const Instant<D>& now);
-  /// One sample of every history, from their `sample`.
+  /// One sample of every history, computed by their `sample`.
   void history(const Instant<D>& now);
-  /// The same from values known elsewhere, in the order of the histories; time [s].
+  /// One sample with known values, in the order of the histories; time [s].
   void history(double time, std::span<const double> values);
-  /// The residual is the balance less that of the first sample.
+  /// Records the ledger. Its residual is the balance minus the balance of the first sample.
   void energy(const Instant<D>& now, const Energy& energy);
   /// Events "stage.begun" and "stage.ended" open and close rows of the table of stages.
   void event(const Event& event, const Instant<D>& now);
-  /// After each step: brings rows to the disk that have waited long enough, though no further ones come. Costs a look
-  /// at a coarse clock where rows wait, and nothing else.
+  /// Call it after each step: flushes rows that have waited long enough, even if no further rows follow. It costs a
+  /// read of a coarse clock if rows wait, otherwise nothing.
   void step();
-  /// The model has further rows at the ends of its arrays, or the run further `histories`: the file goes on as one that
-  /// has them too, with all that was recorded. `state`: what came is where it stands first.
+  /// The model has further rows at the ends of its arrays, or the run has further `histories`. The file continues with
+  /// these and all previous records. `state` contains the initial position of the added bodies.
   void extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories);
-  /// This file goes on where `before` was left off: its residual counts from the same start.
+  /// This file continues `before`: its residual counts from the same start.
   void continue_ledger(const Recording& before);
-  /// Modes that were found at once (run/record/recorded_modes.hpp).
+  /// Adds natural modes, all found at the same instant (run/record/recorded_modes.hpp).
   void modes(std::vector<results::ModeRow> found);
-  /// A line of text that belongs to the run; time of the last row.
+  /// Adds a line of text to the run, at the time of the last row.
   void note(std::string_view text);
 
-  /// Completes the file under its own name. Nothing may be recorded afterwards.
+  /// Completes the file under its final name. Nothing can be recorded afterwards.
   void finish();
-  /// The run ended early: says why in the file, which stays `<path>.part`, unfinished. Throws nothing.
+  /// Ends an incomplete run: writes the reason to the file, which remains `<path>.part`, unfinished. Does not throw.
   void abandon(std::string_view why) noexcept;
 
   [[nodiscard]] const EnergyCheck& energy_check() const { return check_; }
   [[nodiscard]] const std::filesystem::path& path() const { return writer_.path(); }
   /// See results::ResultsWriter.
   [[nodiscard]] std::string kept_from_before() const { return writer_.kept_from_before(); }
-  /// Where the rows are until finish().
+  /// Path of the rows until finish().
   [[nodiscard]] const std::filesystem::path& part() const { return writer_.part(); }
 
  private:
   void begin_stage(const Event& event, const Instant<D>& now);
   void end_stage(double time, std::string_view why);
-  /// Those that came since the last look: a note for each, where the header does not name it, and its samples.
+  /// Adds the drives that are new: a note for each one that the header does not list, and its samples.
   void note_drives(const Model<D>& model);
   void take_contacts(const Instant<D>& now);
   void take_bearings(const Instant<D>& now);
@@ -80,7 +81,7 @@ class Recording {
 
   RecordedFields<D> fields_;
   RecordingOptions<D> options_;
-  State<D> start_;  // places and turns of the nodes alone
+  State<D> start_;  // positions and rotations of the nodes only
   results::Header header_;
   results::ResultsWriter writer_;
   bool with_velocity_;
@@ -96,7 +97,7 @@ class Recording {
   double first_balance_ = 0;
   EnergyCheck check_;
 
-  // Rows under way; kept for their memory.
+  // Row buffers, kept to avoid allocation.
   std::vector<TouchingContact> touching_;
   std::vector<results::ContactForce> contacts_;
   std::vector<results::BearingState> bearing_state_;

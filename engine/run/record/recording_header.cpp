@@ -36,7 +36,7 @@ std::vector<double> outline_of(const Model<2>& model, const Body& body) {
   return out;
 }
 
-/// "free", "fixed", "moved" where all nodes are alike, else "free (2 of 9 nodes held)".
+/// "free", "fixed" or "moved" if all nodes are alike, otherwise "free (2 of 9 nodes held)".
 template <int D>
 std::string nodes_support_text(const Model<D>& model, const Body& body) {
   int free = 0, driven = 0;
@@ -52,13 +52,13 @@ std::string nodes_support_text(const Model<D>& model, const Body& body) {
   return fmt::format("free ({} of {} nodes held)", body.nodes - free, body.nodes);
 }
 
-/// In the axes of the body's first node; of a point tied to several, as it was at the start.
+/// Point in the axes of the body's first node; for a point attached to several nodes, its initial position.
 Vec2 point_from_node(const Model<2>& model, int body, const Attachment<2>& attachment) {
   if (attachment.is_rigid()) return attachment.arm[0];
   return pose_at(model, initial_state(model), attachment).place - model.start_position[model.bodies[body].first_node];
 }
 
-/// The same in space; of a frame from where its first node is at the start, in the axes of the world.
+/// The version for space. For a frame the point is relative to the initial position of its first node, in world axes.
 Vec3 point_from_node(const Model<3>& model, int body, const Attachment<3>& attachment) {
   const Body& b = model.bodies[body];
   if (b.is_rigid()) return attachment.arm[0];
@@ -84,7 +84,7 @@ void add_deformable(const Model<2>& model, const State<2>& state, const Body& bo
     header.node_inertia.push_back(model.inertia[n]);
   }
   for (int i = 0; i < body.outline; ++i) {
-    // From the node it turns with: beside a pin that is another one than it hangs on.
+    // Relative to the node that the point turns with, which at a pin differs from the node that carries it.
     const int skin = body.first_skin + i, turn = model.skin_turn[skin];
     const Vec2 at = skin_start(model, skin) - model.start_position[turn];
     header.vertices.insert(header.vertices.end(), {at.x(), at.y()});
@@ -118,8 +118,8 @@ void add_bodies(const Model<2>& model, const State<2>& state, results::Header& h
   }
 }
 
-/// The outer faces of a body's pieces, and all of their corners in the axes of the nodes they go with. Of elements
-/// these are the nodes themselves.
+/// Outer faces of a body's pieces, and their corners in the axes of the carrying nodes. For elements the corners are
+/// the nodes.
 struct BodySkin {
   std::vector<double> corners;  ///< [corner][3] m
   FaceLoops faces;
@@ -144,8 +144,8 @@ BodySkin skin_of(const Model<3>& model, const Body& body) {
   return skin;
 }
 
-/// A body of several nodes in space: the first of its nodes as of a rigid body, then the others, and each corner on its
-/// own node.
+/// A body of several nodes in space: the first node as for a rigid body, then the others, with each corner on its own
+/// node.
 void add_several_nodes(const Model<3>& model, const State<3>& state, const Body& body, results::BodyRow row,
                        results::Header& header) {
   const BodySkin skin = skin_of(model, body);
@@ -173,7 +173,7 @@ void add_several_nodes(const Model<3>& model, const State<3>& state, const Body&
           base + model.skin_node[model.corner_skin[model.piece_first[p] + static_cast<int>(c)]] - body.first_node;
 }
 
-/// A solid's pieces with their outer faces, in the principal axes of the body.
+/// Pieces of each body in space with their outer faces, in the principal axes of the body.
 void add_bodies(const Model<3>& model, const State<3>& state, results::Header& header) {
   for (const Body& body : model.bodies) {
     const int n = body.first_node;
@@ -197,7 +197,7 @@ void add_bodies(const Model<3>& model, const State<3>& state, results::Header& h
   }
 }
 
-/// What the bodies of a surface have in common: material and groups.
+/// Common label of the bodies of a surface: material and groups.
 std::string surface_label(const Body& body) {
   if (body.groups.empty()) return body.material.empty() ? body.name : body.material;
   const std::string groups = joined(body.groups);

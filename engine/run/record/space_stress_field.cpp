@@ -12,7 +12,7 @@ void describe_space_stress(results::Header& header) {
       {"body_plastic_strain", "1", "mean plastic measure of each body that deforms", header.bodies.size(), 1});
 }
 
-/// Means over the volumes of the elements.
+/// Volume-weighted means over the elements.
 void take_space_stress(const Instant<3>& now, std::vector<std::vector<double>>& fields) {
   const std::size_t bodies = now.model.bodies.size();
   fields.assign(2, {});

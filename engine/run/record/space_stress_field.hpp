@@ -1,4 +1,4 @@
-// Of bodies in space at each frame: the mean stress of those that deform, and what has flown of them.
+// Fields of deformable bodies in space in each frame: mean stress and plastic strain.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace trilith {
 
-/// Adds /frames/body_stress_tensor and /frames/body_plastic_strain to a header that has its bodies.
+/// Adds /frames/body_stress_tensor and /frames/body_plastic_strain to a header that contains the bodies.
 void describe_space_stress(results::Header& header);
-/// Their numbers at this instant, 0 of bodies that do not deform.
+/// Values of the fields at this instant; 0 for bodies that do not deform.
 void take_space_stress(const Instant<3>& now, std::vector<std::vector<double>>& fields);
 
 }  // namespace trilith

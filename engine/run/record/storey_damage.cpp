@@ -16,7 +16,7 @@ bool is_unit(const Body& body) {
   return std::find(body.groups.begin(), body.groups.end(), "units") != body.groups.end();
 }
 
-/// Way of a body's centroid since the start [m].
+/// Displacement of a body's centroid from the start [m].
 Vec2 way_of(const Model<2>& model, const State<2>& state, int body) {
   return body_pose(model, state, body).place - body_start(model, body);
 }
@@ -24,13 +24,15 @@ Vec3 way_of(const Model<3>& model, const State<3>& state, int body) {
   return body_pose(model, state, body).moved;
 }
 
-/// Sideways against the floor, which takes its units along, or down since the start.
+/// True if a unit has moved sideways relative to the floor that carries it, or downward from the start, by more than
+/// the limit.
 template <int D>
 bool is_out_of_place(const Vec<D>& way, const Vec<D>& floor, double limit) {
   return std::abs(level_part(Vec<D>(way - floor))) > limit || way[D - 1] < -limit;
 }
 
-/// Joints between two bodies of the set that belong to the storey: apart where they opened or slipped beyond the limit.
+/// Counts the joints of a storey between two bodies of the set. A joint is apart if it opened or slipped beyond the
+/// limit.
 template <int D>
 void count_joints(const Model<D>& model, const State<D>& state, const Work<D>& work, const std::vector<int>& bodies,
                   const std::vector<JointOf<D>>& joints, double limit, StoreyDamage& damage) {

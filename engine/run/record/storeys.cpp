@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view storey_word = "storey ";
 
-/// The axis that heights are measured along: y in the plane, z in space.
+/// Index of the vertical axis: y in the plane, z in space.
 template <int D>
 constexpr int upright = D - 1;
 
@@ -26,7 +26,7 @@ bool is_floor(const Body& body) {
   return is_in(body, "slabs") || is_in(body, "slab") || is_in(body, "floors");
 }
 
-/// Beams carry the slab where there is one: the storey above stands on that.
+/// If there are slabs, they are the floor and not the beams below them: the storey above stands on the slab.
 std::vector<int> floors_among(const auto& model, const std::vector<int>& bodies) {
   std::vector<int> beams, slabs;
   for (const int body : bodies)
@@ -39,7 +39,7 @@ struct Extent {
   double low = unbounded, high = -unbounded;
 };
 
-/// Radius of the balls of a body in space, whose skin has their middles alone.
+/// Radius of the spheres of a body in space, whose skin contains only their centres.
 double round_reach(const Model<2>& /*model*/, const Body& /*body*/) {
   return 0;
 }
@@ -63,8 +63,8 @@ Extent extent_of(const Model<D>& model, int body) {
   return e;
 }
 
-/// From the top of what is below, or its own lowest point, to its own highest; its top is its floor or, without,
-/// what reaches up to there within a thousandth of its height.
+/// Sets the extent of a storey: from the top of the storey below, or its own lowest point, to its highest point. Its
+/// top is its floor; without a floor, all bodies that reach its highest point within a thousandth of its height.
 template <int D>
 void lay_storey(const Model<D>& model, Storey& storey, double below) {
   constexpr double same_height = 1e-3;  // share of the storey's height
@@ -82,8 +82,8 @@ void lay_storey(const Model<D>& model, Storey& storey, double below) {
     if (extent_of(model, body).high >= all.high - same_height * storey.height) storey.top.push_back(body);
 }
 
-/// The highest top of the base that is not above a storey's lowest point, as drift is told against the base: between
-/// the two may be bearings or columns that are in no group. -unbounded where there is none.
+/// The highest top of the base that is not above a storey's lowest point, because drift is measured from the base.
+/// Bearings or columns without a group may lie between the two. -unbounded if there is none.
 template <int D>
 double level_of_base(const Model<D>& model, const Storey& storey) {
   double low = unbounded, level = -unbounded;
@@ -93,7 +93,7 @@ double level_of_base(const Model<D>& model, const Storey& storey) {
   return level;
 }
 
-/// Some node is free along a level axis.
+/// True if a node of the body is free along a horizontal axis.
 template <int D>
 bool moves_sideways(const Model<D>& model, const Body& body) {
   for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
@@ -156,7 +156,7 @@ std::vector<int> find_base(const Model<D>& model) {
   return base.empty() ? held : base;
 }
 
-/// Each body counts alike, whatever nodes it has.
+/// Every body has the same weight, independent of its number of nodes.
 template <int D>
 Vec<D> mean_displacement(const Model<D>& model, const State<D>& state, const std::vector<int>& bodies) {
   Vec<D> sum = Vec<D>::Zero();
@@ -190,8 +190,8 @@ double level_part(const Vec3& drift) {
   return portable::hypot(drift.x(), drift.y());
 }
 
-/// With r from the middle of all points at the start and p from that of now, seen from above, the turn by which the sum
-/// of |p - R r|^2 is least has tan = sum of r x p / sum of r . p (plane Procrustes problem).
+/// With r from the mean of all points at the start and p from their present mean, seen from above: the rotation that
+/// minimises the sum of |p - R r|^2 has tan = sum of r x p / sum of r . p (plane Procrustes problem).
 double mean_twist(const Model<3>& model, const State<3>& state, const std::vector<int>& bodies) {
   Vec3 start = Vec3::Zero(), now = Vec3::Zero();
   double count = 0;

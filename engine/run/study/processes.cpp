@@ -35,18 +35,18 @@ void redirect(const char* path, int descriptor) {
   if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(cannot_begin);
 }
 
-/// Only calls that are allowed between fork and exec; everything was allocated before.
+/// Only calls that are permitted between fork and exec; all memory was allocated before.
 void settle_in(const char* out, const char* errors, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(cannot_begin);  // it died in between
+  if (::getppid() != parent) ::_exit(cannot_begin);  // the parent died in between
   ::signal(SIGINT, SIG_DFL);
   redirect("/dev/null", STDIN_FILENO);
   redirect(out, STDOUT_FILENO);
   redirect(errors, STDERR_FILENO);
 }
 
-/// What waits in this program's buffers is the parent's to write: the child ends without it.
+/// Buffered output of this program is written by the parent; the child exits without flushing it.
 [[noreturn]] void carry_out(const ProcessOrder& order) {
   int code = cannot_begin;
   try {
@@ -64,7 +64,7 @@ pid_t begin(const ProcessOrder& order) {
   for (const std::string& a : order.command) arguments.push_back(const_cast<char*>(a.c_str()));
   arguments.push_back(nullptr);
   const pid_t self = ::getpid();
-  if (order.here) std::fflush(nullptr);  // else the child would write it again
+  if (order.here) std::fflush(nullptr);  // otherwise the child would write it again
   const pid_t id = ::fork();
   if (id == 0) {
     settle_in(order.out.c_str(), order.errors.c_str(), self);
@@ -84,7 +84,7 @@ ProcessEnd end_of(int status, Clock::time_point begun) {
   return end;
 }
 
-/// Takes those out that have ended.
+/// Removes the processes that have ended.
 void collect(std::vector<Running>& running, const ProcessWatch* watch) {
   for (std::size_t i = 0; i < running.size();) {
     int status = 0;
@@ -111,7 +111,7 @@ void stop_all(std::vector<Running>& running) {
   running.clear();
 }
 
-/// Whatever is thrown, no process stays behind.
+/// Ends all processes, whatever exception is thrown.
 struct Crew {
   std::vector<Running> running;
   Crew() = default;
@@ -136,7 +136,7 @@ int processors() {
 
 namespace {
 
-/// The first of those that wait whose turn it is, taken out, with those before it that never come.
+/// Removes and returns the first waiting order whose turn it is; orders before it that never run are removed too.
 std::optional<std::size_t> next_of(std::vector<std::size_t>& waiting, const ProcessWatch& watch) {
   for (auto it = waiting.begin(); it != waiting.end();) {
     const OrderTurn turn = watch.turn ? watch.turn(*it) : OrderTurn::now;

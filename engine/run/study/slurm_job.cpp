@@ -23,13 +23,13 @@ namespace {
 
 constexpr double task_seconds = 300;
 constexpr std::size_t most_tasks = 1000;
-/// Cancelled, completed, out of its time, memory or deadline, failed, and for want of a node; a task that is put back
-/// waits again.
+/// Cancelled, completed, time limit, out of memory, deadline, failed, boot failure, node failure. A requeued task waits
+/// again.
 constexpr std::array<std::string_view, 8> ended_states{"CA", "CD", "TO", "OOM", "DL", "F", "BF", "NF"};
 
 struct Answer {
   int exit = 0;
-  std::string text;  ///< what it wrote, its errors too
+  std::string text;  ///< output of the command, including errors
 };
 
 Answer ask_shell(const std::string& command) {
@@ -49,8 +49,8 @@ void require_slurm(const Answer& answer, const char* program) {
     throw InputError(fmt::format("study: --on slurm needs Slurm's {}, which is not on this machine", program));
 }
 
-/// What to try where Slurm does not take a job, by the words of its refusal. A job is handed in without a partition, an
-/// account or a limit of time; SBATCH_ variables of the environment set them.
+/// Advice if Slurm rejects a job, by the words of its message. A job is submitted without partition, account and time
+/// limit; SBATCH_ variables of the environment set them.
 std::string remedy_of(const std::string& refusal) {
   const auto says = [&](std::string_view words) { return refusal.find(words) != std::string::npos; };
   if (says("ccount")) return "set SBATCH_ACCOUNT to an account of yours (sacctmgr show user $USER withassoc)";
@@ -67,8 +67,8 @@ std::string remedy_of(const std::string& refusal) {
   return "SBATCH_ variables (SBATCH_PARTITION, SBATCH_ACCOUNT, SBATCH_TIMELIMIT) set options of the job";
 }
 
-/// Whether a task of that job waits or runs. Slurm is asked of all jobs, as tasks that it puts back after their node
-/// has died are not found by the number of their job for a while. One that it cannot tell of now may go on.
+/// True if a task of the job waits or runs. All jobs are listed, because squeue does not find requeued tasks by their
+/// job number for a while after a node failure. If the state is unknown, the task counts as running.
 bool is_in_queue(const std::string& number) {
   const Answer answer = ask_shell("squeue --noheader --states=all --format='%F %t'");
   require_slurm(answer, "squeue");
@@ -119,7 +119,7 @@ std::string SlurmJob::submit(const std::vector<std::vector<std::size_t>>& tasks)
     cases += task.size();
   }
   for (const std::string& word : command_) words += shell_word(word) + " ";
-  // Each task appends to its own log: what it said before its node died stays.
+  // Each task appends to its own log, so that its output before a node failure is kept.
   const std::string script = fmt::format(
       "#!/bin/sh\n#SBATCH --job-name={}\n#SBATCH --array=1-{}\n#SBATCH --cpus-per-task={}\n#SBATCH --requeue\n"
       "#SBATCH --open-mode=append\n#SBATCH --output={}\n"
@@ -135,7 +135,7 @@ std::string SlurmJob::submit(const std::vector<std::vector<std::size_t>>& tasks)
   if (answer.exit != 0)
     throw InputError(fmt::format("study: Slurm does not take the job: {}; {}. Its script is {}", answer.text,
                                  remedy_of(answer.text), (folder_ / "job.sh").string()));
-  // "17", or "17;cluster", behind whatever warnings came before it.
+  // "17", or "17;cluster", after any warnings.
   number_ = answer.text.substr(answer.text.rfind('\n') + 1);
   number_ = number_.substr(0, number_.find(';'));
   write_whole_file(folder_ / "job.txt", number_ + "\n");
@@ -147,7 +147,7 @@ bool SlurmJob::wait(const std::function<bool()>& look) const {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds shortest{2}, longest{15};
   auto pause = shortest;
-  bool was_gone = false;  // between two states a task may stand in none: it is ended when it is gone twice
+  bool was_gone = false;  // between two states a task may be in none: it has ended if it is absent twice
   for (auto asked = Clock::now(); true; std::this_thread::sleep_for(std::chrono::milliseconds(250))) {
     if (!look()) return false;
     if (Clock::now() - asked < pause) continue;

@@ -1,5 +1,4 @@
-// A study as an array job of Slurm: its tasks, its script, and how it goes. Slurm is asked through its own commands,
-// sbatch and squeue.
+// A study as a Slurm array job: its tasks, script and progress. It uses the commands sbatch and squeue.
 #pragma once
 
 #include <filesystem>
@@ -9,24 +8,25 @@
 
 namespace trilith {
 
-/// Cases by task. Those of one of `chains` stay together, in their order. `seconds`: what a case takes, 0: not known;
-/// `per_task`: so many cases or more, 0: so many that a task takes some minutes. At most 1000 tasks, as many as Slurm
-/// takes where its MaxArraySize was not raised.
+/// Distributes cases to tasks. The cases of each chain in `chains` stay together, in their order. `seconds`: run time
+/// of a case, 0: unknown. `per_task`: least number of cases per task, 0: enough for a task of some minutes. At most
+/// 1000 tasks, within the default MaxArraySize of Slurm.
 std::vector<std::vector<std::size_t>> slurm_tasks(const std::vector<std::vector<std::size_t>>& chains, double seconds,
                                                   int per_task);
 
 class SlurmJob {
  public:
-  /// `folder`: of the cases; what belongs to the job is in its folder slurm. `command` runs the cases whose numbers
-  /// (from 1, separated by commas) are added to it; `processors` for each task.
+  /// `folder`: folder of the cases; the files of the job are in its folder slurm. `command` runs the cases whose
+  /// numbers (from 1, separated by commas) are appended to it. `processors`: for each task.
   SlurmJob(const std::filesystem::path& folder, std::vector<std::string> command, int processors);
 
-  /// Whether the job of an earlier call still waits or runs. Throws InputError where Slurm is not there.
+  /// True if the job of an earlier call still waits or runs. Throws InputError if Slurm is not available.
   [[nodiscard]] bool goes_on() const;
-  /// Writes script and tasks, and hands them in. Gives a line that says so. Throws InputError with Slurm's words where
-  /// it refuses them.
+  /// Writes script and tasks, and submits them. Returns a line of text for the user. Throws InputError with the message
+  /// of Slurm if it rejects them.
   std::string submit(const std::vector<std::vector<std::size_t>>& tasks);
-  /// Until the job has ended, or `look`, called some times a second, gives false. Gives whether it has ended.
+  /// Waits until the job has ended, or until `look`, called some times a second, returns false. Returns true if it has
+  /// ended.
   bool wait(const std::function<bool()>& look) const;
   [[nodiscard]] const std::string& number() const { return number_; }
 
@@ -34,7 +34,7 @@ class SlurmJob {
   std::filesystem::path folder_;
   std::vector<std::string> command_;
   int processors_;
-  std::string number_;  // "" before there is one
+  std::string number_;  // "" before the job exists
 };
 
 }  // namespace trilith

@@ -31,7 +31,7 @@ void require_distinct(const StudyOrder& order) {
   }
 }
 
-/// Held as long as a study is at work.
+/// Lock of a study's folder while a study runs.
 class Lock {
  public:
   explicit Lock(const std::filesystem::path& folder)
@@ -72,7 +72,7 @@ class StudyRun {
     if (!order_.only.empty()) return run_some();
     const Lock lock(folder_of_cases(order_));
     results::require_study_path(order_.file);
-    results::Provenance provenance = order_.provenance;  // before the first case: its time is the study's begin
+    results::Provenance provenance = order_.provenance;  // before the first case: its time is the begin of the study
     sort_out();
     const bool whole = order_.on_slurm.empty() ? run_due() : run_on_slurm();
     results::write_study_table(order_.file, study_table_columns(order_.plan, outcomes_), provenance, whole);
@@ -81,7 +81,7 @@ class StudyRun {
   }
 
  private:
-  /// Of a study that rises, which cases lie below each.
+  /// For an incremental study, finds the lower cases of each case.
   void find_chains() {
     if (!order_.rise) return;
     chains_ = rising_chains(order_.plan, order_.rise->over);
@@ -95,7 +95,7 @@ class StudyRun {
       outcomes_[i].folder = case_folder(order_, i);
       if (order_.fresh || !take_finished_case(case_digest(order_, i), outcomes_[i])) due_.push_back(i);
     }
-    // Of a study that rises, the lowest of each chain come first.
+    // In an incremental study, the lowest cases of each chain come first.
     std::stable_sort(due_.begin(), due_.end(),
                      [this](std::size_t a, std::size_t b) { return below_[a].size() < below_[b].size(); });
     const std::size_t kept = outcomes_.size() - due_.size();
@@ -112,7 +112,7 @@ class StudyRun {
     return run_these(due_);
   }
 
-  /// A task of a cluster: some cases, each of which is left finished or failed in its folder.
+  /// A task of a cluster: runs some cases and leaves each finished or failed in its folder.
   std::vector<StudyOutcome> run_some() {
     sort_out();
     const auto is_other = [this](std::size_t i) {
@@ -123,7 +123,7 @@ class StudyRun {
     return std::move(outcomes_);
   }
 
-  /// The cases in a job of Slurm, or in that which an earlier call has begun; then what they left.
+  /// Runs the cases in a Slurm job, or waits for the job of an earlier call; then reads their results.
   bool run_on_slurm() {
     SlurmJob job(folder_of_cases(order_), order_.on_slurm, std::max(1, order_.jobs));
     if (!job.goes_on()) {
@@ -156,7 +156,7 @@ class StudyRun {
     return count_of(StudyStatus::not_run) == 0;
   }
 
-  /// One case here, so that tasks are known to be long enough.
+  /// Runs one case here, to know the run time for the size of tasks.
   bool time_one() {
     if (order_.prepare) order_.prepare();
     const std::size_t first = due_.front();
@@ -177,7 +177,7 @@ class StudyRun {
         std::count_if(outcomes_.begin(), outcomes_.end(), [&](const auto& o) { return o.status == status; }));
   }
 
-  /// Cases that hang on one another go to one task.
+  /// Dependent cases belong to one task.
   [[nodiscard]] std::vector<std::vector<std::size_t>> chains_of_due() const {
     std::vector<std::vector<std::size_t>> out = rising_chains(order_.plan, order_.rise ? order_.rise->over : "");
     for (std::vector<std::size_t>& chain : out)
@@ -186,7 +186,7 @@ class StudyRun {
     return out;
   }
 
-  /// What the tasks have finished so far.
+  /// Reads the results that the tasks have finished so far.
   void gather() {
     for (const std::size_t i : due_) {
       StudyOutcome& o = outcomes_[i];
@@ -202,7 +202,7 @@ class StudyRun {
     }
   }
 
-  /// Whether a case that differs in the rising parameter alone, and lies lower, has come to where the study stops.
+  /// True if a lower case, which differs in the rising parameter alone, has reached the stop criterion.
   [[nodiscard]] bool is_passed_over(std::size_t i) const {
     for (const std::size_t k : below_[i])
       if (outcomes_[k].status == StudyStatus::finished)
@@ -211,7 +211,7 @@ class StudyRun {
     return false;
   }
 
-  /// Of a study that rises: once those below have ended, without having come to where it stops.
+  /// In an incremental study, a case runs after the lower ones have ended without the stop criterion.
   OrderTurn turn_of(std::size_t i) {
     if (is_passed_over(i)) {
       outcomes_[i].status = StudyStatus::passed_over, ++passed_;
@@ -240,7 +240,7 @@ class StudyRun {
     return run_processes(orders, jobs(), watch);
   }
 
-  /// An empty folder: nothing of an earlier run can be taken for this one's.
+  /// Clears the folder, so that nothing of an earlier run is mistaken for results of this one.
   void begin(std::size_t i) {
     std::filesystem::remove_all(outcomes_[i].folder);
     make_folders(outcomes_[i].folder);
@@ -266,7 +266,7 @@ class StudyRun {
           fmt::format("case {} of {}  {}: failed: {}", i + 1, outcomes_.size(), order_.plan.label(i), o.message), true);
   }
 
-  /// Reads the figures; "" where all is well.
+  /// Reads the figures; returns "" on success.
   std::string why_failed(StudyOutcome& o, const ProcessEnd& end) const {
     if (!end.trouble().empty()) {
       const std::string said = case_text(o.folder / "errors.txt");
@@ -292,7 +292,7 @@ class StudyRun {
     if (passed_ > 0) text += fmt::format(", {} passed over", passed_);
     if (order_.on_slurm.empty()) text += fmt::format(", {} running", running_);
     if (done > 0 && order_.on_slurm.empty()) {
-      // Half of what runs is taken as done.
+      // Running cases count as half done.
       const double cases = static_cast<double>(left) - 0.5 * static_cast<double>(running_);
       text += fmt::format(", {} left", duration_text(spent_ / static_cast<double>(done) * cases / jobs()));
       text += "; last: " + last_;
@@ -314,7 +314,7 @@ class StudyRun {
   const StudyWatch& watch_;
   std::vector<StudyOutcome> outcomes_;                    // [case]
   std::vector<std::size_t> due_;                          // cases to run
-  std::vector<std::vector<std::size_t>> chains_, below_;  // of a study that rises; [case] those below it
+  std::vector<std::vector<std::size_t>> chains_, below_;  // for an incremental study; [case] the lower cases
   std::size_t finished_ = 0, failed_ = 0, running_ = 0, passed_ = 0;
   std::string last_;  // the case that ended last
   double spent_ = 0;  // wall clock of all that ended [s]

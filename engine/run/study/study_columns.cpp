@@ -12,7 +12,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A number, a flag as 1 or 0; NaN for a text.
+/// A number, a flag as 1 or 0, or NaN for a text.
 template <class Value>
 double number_of_value(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return *number;
@@ -20,7 +20,8 @@ double number_of_value(const Value& value) {
   return none;
 }
 
-/// Numbers, flags, or texts where the values are not all of one of these. `all[i]` nullptr: case i has none.
+/// Column of numbers or flags, or of texts if the values are of different kinds. `all[i]` is nullptr if case i has no
+/// value.
 template <class Value, class Text>
 results::StudyColumn value_column(results::StudyColumn column, const std::vector<const Value*>& all, Text&& text) {
   const auto every = [&](auto&& is) {
@@ -47,7 +48,7 @@ results::StudyColumn parameter_column(const StudyPlan& plan, std::size_t k) {
                       [&](std::size_t i) { return text_of(plan.cases[i][k]); });
 }
 
-/// Of each name the first figure that has it.
+/// For each name, the first figure with this name.
 std::vector<const StudyFigure*> known_figures(const std::vector<StudyOutcome>& outcomes) {
   std::vector<const StudyFigure*> known;
   for (const StudyOutcome& o : outcomes)

@@ -8,11 +8,11 @@
 
 namespace trilith {
 
-/// Throws InputError where a figure has the name of a parameter, of a column of the table, or of another figure.
+/// Throws InputError if a figure has the name of a parameter, of a column of the table, or of another figure.
 void check_figure_names(const StudyPlan& plan, const std::vector<StudyFigure>& figures);
 
-/// case, the parameters, the figures (in the order of the first case that gives them), status, exit, seconds, message
-/// and folder. Numbers that a case does not have are NaN, its texts are empty.
+/// Columns: case, the parameters, the figures (in the order of the first case that has them), status, exit, seconds,
+/// message and folder. Missing numbers are NaN, missing texts are empty.
 std::vector<results::StudyColumn> study_table_columns(const StudyPlan& plan, const std::vector<StudyOutcome>& outcomes);
 
 }  // namespace trilith

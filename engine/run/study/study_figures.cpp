@@ -25,7 +25,7 @@ StudyFigure figure_of(const std::string& line) {
   std::vector<std::string> field;
   std::istringstream in(line);
   for (std::string part; std::getline(in, part, '\t');) field.push_back(part);
-  if (field.size() == 3) field.emplace_back();  // a text of no length
+  if (field.size() == 3) field.emplace_back();  // an empty text
   if (field.size() != 4 || field[0].empty() || (field[2] != "number" && field[2] != "text" && field[2] != "flag"))
     throw InputError(fmt::format("'{}' is no figure of a case", line));
   if (field[2] == "text") return {field[0], field[1], field[3]};
@@ -38,7 +38,7 @@ StudyFigure figure_of(const std::string& line) {
   return {field[0], field[1], value};
 }
 
-/// `last`: no number where what is followed was out of the model by then. The others are of the numbers there are.
+/// `last`: NaN if the quantity had left the model by then. The others ignore NaN.
 double take_from(std::vector<double> values, StudyTake take) {
   if (take == StudyTake::last) return values.back();
   std::erase_if(values, [](double v) { return std::isnan(v); });

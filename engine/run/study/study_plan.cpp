@@ -133,7 +133,7 @@ void require_rising(const StudyPlan& plan, const std::string& parameter) {
 std::vector<std::vector<std::size_t>> rising_chains(const StudyPlan& plan, const std::string& parameter) {
   const auto rising =
       static_cast<std::size_t>(std::find(plan.names.begin(), plan.names.end(), parameter) - plan.names.begin());
-  std::map<std::string, std::size_t> chain_of;  // by the other parameters
+  std::map<std::string, std::size_t> chain_of;  // key: the other parameters
   std::vector<std::vector<std::size_t>> chains;
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {
     std::string others;

@@ -1,4 +1,4 @@
-// Which cases a study has: a product of values, a list, or samples.
+// Cases of a study: a product of values, a list, or samples.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ std::string text_of(const StudyValue& value);
 
 struct StudyParameter {
   std::string name;
-  std::string unit;                ///< of its numbers; "": the one its script declares, or none
+  std::string unit;                ///< unit of its numbers; "": the unit that its script declares, or none
   std::vector<StudyValue> values;  ///< at least one
 };
 
@@ -25,13 +25,13 @@ struct StudyPlan {
   std::vector<std::string> names, units;       ///< [parameter]
   std::vector<std::vector<StudyValue>> cases;  ///< [case][parameter]
 
-  /// "mu=0.4": as on the command line of the case's script, with the unit where there is one.
+  /// "mu=0.4": as on the command line of the case's script, with the unit if there is one.
   [[nodiscard]] std::string argument(std::size_t index, std::size_t parameter) const;
   /// "mu=0.4, copy=2"
   [[nodiscard]] std::string label(std::size_t index) const;
 };
 
-/// How the samples of a parameter are spread.
+/// Distribution of the samples of a parameter.
 struct StudySpread {
   enum class Kind { uniform, log_uniform, normal, log_normal };
   std::string name, unit;
@@ -41,25 +41,25 @@ struct StudySpread {
   double first = 0, second = 1;
 };
 
-/// Every value of each parameter with every value of the others; the last one varies fastest. Throws InputError for no
-/// values, a name that is there twice or is one of the table's own, and more than 1,000,000 cases.
+/// Every combination of values; the last parameter varies fastest. Throws InputError for a parameter without values, a
+/// duplicate name, the name of a table column, and more than 1,000,000 cases.
 StudyPlan product_plan(const std::vector<StudyParameter>& parameters);
 
 /// The cases one by one: all parameters have the same number of values. Throws InputError as above.
 StudyPlan list_plan(const std::vector<StudyParameter>& parameters);
 
-/// Latin hypercube samples (McKay, Beckman and Conover 1979): each parameter has one value in each of `count` parts of
-/// equal probability, in an order of its own. The same seed gives the same samples. Throws InputError as above.
+/// Latin hypercube samples (McKay, Beckman and Conover 1979): each parameter has one value in each of `count` intervals
+/// of equal probability, in its own random order. The same seed gives the same samples. Throws InputError as above.
 StudyPlan sampled_plan(const std::vector<StudySpread>& spreads, int count, std::uint64_t seed);
 
-/// Throws InputError where `parameter` is none of the plan's, or has a value that is no number.
+/// Throws InputError if `parameter` is not in the plan, or has a value that is not a number.
 void require_rising(const StudyPlan& plan, const std::string& parameter);
 
-/// The cases by those that differ in `parameter` alone, of each the lowest value first; "" : each for itself. In the
-/// order of their first cases.
+/// Groups of cases that differ in `parameter` alone, each from the lowest value up; "": each case is a group. The
+/// groups are in the order of their first cases.
 std::vector<std::vector<std::size_t>> rising_chains(const StudyPlan& plan, const std::string& parameter);
 
-/// Names that parameters and figures cannot have: columns of the table of a study.
+/// Reserved names for parameters and figures: the columns of the table of a study.
 const std::vector<std::string>& study_columns();
 
 }  // namespace trilith

@@ -11,8 +11,8 @@
 namespace trilith {
 namespace {
 
-constexpr const char* record_file = "case.txt";     // of a finished case: its digest, wall clock and figures
-constexpr const char* failure_file = "failed.txt";  // of one that failed: digest, wall clock, exit and message
+constexpr const char* record_file = "case.txt";     // finished case: its digest, wall clock and figures
+constexpr const char* failure_file = "failed.txt";  // failed case: digest, wall clock, exit and message
 
 }  // namespace
 

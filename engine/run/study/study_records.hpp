@@ -1,4 +1,4 @@
-// What a case leaves in its folder: that it is finished, with its figures, or that it failed, and why.
+// Record of a case in its folder: finished, with its figures, or failed, with the reason.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace trilith {
 
-/// Of all that decides what a case comes to; other digests are of other cases.
+/// Digest of all input that determines the result of a case.
 std::string case_digest(const StudyOrder& order, std::size_t index);
 
-/// A file as a whole; "" where there is none.
+/// Content of a file; "" if there is none.
 std::string case_text(const std::filesystem::path& path);
 
-/// What an earlier call, or a task of a cluster, has left in the case's folder, where it still holds.
+/// Reads the record of an earlier call, or of a task of a cluster, from the case's folder if it is still valid.
 bool take_finished_case(const std::string& digest, StudyOutcome& outcome);
 void take_failed_case(const std::string& digest, StudyOutcome& outcome);
 
