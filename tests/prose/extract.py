@@ -14,6 +14,7 @@ HASH = re.compile(r"(?P<comment>(?:(?<=\s)|^)#(?!!)[^\n]*)|(?P<string>(?!))", re
 HTML = re.compile(r"(?P<comment><!--.*?-->|<(?:script|style)\b.*?</(?:script|style)>)|(?<=>)(?P<string>[^<>]+)(?=<)|"
                   r"\b(?:title|placeholder|aria-label)=(?P<quoted>\"[^\"]*\")", re.S)
 LANGUAGES = {"html": HTML, "script": HASH, "cpp": C_LIKE, "hpp": C_LIKE, "in": C_LIKE, "js": SCRIPT, "lua": LUA, "py": HASH, "sh": HASH, "txt": HASH, "cmake": HASH}
+DRAWN = " " * 4
 LEADER = re.compile(r"^\s*(?:///?!?<?|/\*+|\*+/|\*(?!\w)|--+\[*|#+)\s?|\*/\s*$|\]\]\s*$")
 
 
@@ -74,7 +75,9 @@ def is_prose(text):
 
 
 def code(source, extension, strings):
-    """Comments, neighbouring ones as one paragraph; with `strings` literals of three words and more instead."""
+    """Comments, neighbouring ones as one paragraph; with `strings` literals of three words and more instead.
+
+    Each line of a formula or drawing, which a comment indents, is a paragraph of its own."""
     pieces, last = [], 0
     for hit in LANGUAGES[extension].finditer(source):
         is_comment, string = hit["comment"] is not None, hit["string"] or hit.groupdict().get("quoted")
@@ -89,7 +92,13 @@ def code(source, extension, strings):
         number = source.count("\n", 0, hit.start()) + 1
         body = hit[0] if is_comment else literal(string)
         for offset, line in enumerate(body.split("\n")):
-            pieces.append((number + offset, LEADER.sub("", line).strip() if is_comment else line))
+            text = LEADER.sub("", line) if is_comment else line
+            if is_comment and text != line and text.startswith(DRAWN):
+                yield from paragraph(pieces)
+                yield from paragraph([(number + offset, text.strip())])
+                pieces = []
+            else:
+                pieces.append((number + offset, text.strip() if is_comment else text))
     yield from paragraph(pieces)
 
 
