@@ -15,9 +15,9 @@ namespace trilith {
 struct AlphaScheme {
   double alpha_m = 0, alpha_f = 0, b = 0.25, g = 0.5;
 
-  /// `alpha` from -1/3 to 0: HHT; at 0 Newmark's average acceleration, which damps nothing.
+  /// `alpha` from -1/3 to 0: HHT. At 0 it is Newmark's average acceleration, without numerical damping.
   static constexpr AlphaScheme hht(double alpha) { return {0, -alpha, 0.25 * (1 - alpha) * (1 - alpha), 0.5 - alpha}; }
-  /// `radius` from 0 to 1: spectral radius of what swings infinitely fast, Chung and Hulbert eqs. 17 and 25.
+  /// `radius` from 0 to 1: spectral radius at infinite frequency, Chung and Hulbert eqs. 17 and 25.
   static constexpr AlphaScheme from_radius(double radius) {
     const double m = (2 * radius - 1) / (radius + 1), f = radius / (radius + 1), e = 1 - m + f;
     return {m, f, 0.25 * e * e, 0.5 - m + f};

@@ -11,12 +11,12 @@ void apply_load(const Model<2>& model, const State<2>& state, const PointLoad<2>
                 std::vector<double>& node_moment) {
   const double share = p.curve.at(state.time);
   if (share == 0) return;
-  // One that follows turns with what it is tied to.
+  // A following load rotates with its attachment.
   const Vec2 force = p.follows ? Turn(pose_at(model, state, p.at).rotation).apply(p.force) : p.force;
   apply_force(model, state, p.at, share * force, share * p.moment, node_force, node_moment);
 }
 
-/// In space a force that follows turns with the body, its moment does too.
+/// In space a following load rotates with the body, and so does its moment.
 void apply_load(const Model<3>& model, const State<3>& state, const PointLoad<3>& p, std::vector<Vec3>& node_force,
                 std::vector<Vec3>& node_moment) {
   const double share = p.curve.at(state.time);
@@ -28,8 +28,8 @@ void apply_load(const Model<3>& model, const State<3>& state, const PointLoad<3>
   push_contact_frame(model, state, n, point_of(model, state, p.at), force, moment, node_force, node_moment);
 }
 
-/// A pressure over a face goes to its two skin points by the shares of the face that it covers, and from there to their
-/// nodes: the force as it is, its moment by the arm.
+/// A pressure over a face is distributed to its two skin points by the shares of the face that it covers, and from
+/// there to their nodes: the force directly, its moment by the arm.
 void apply_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& f, const Work<2>& work,
                 std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
   const double share = f.curve.at(state.time);
@@ -53,8 +53,8 @@ Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotio
 
 namespace {
 
-/// The steady loads of the model; false where there are no others. Arrays that are empty mean no loads: then `sum` and
-/// the nodes read the model's own.
+/// Sets the steady loads of the model; false if there are no others. Empty arrays mean no loads beyond the steady ones,
+/// and assemble_forces and the nodes read the arrays of the model.
 template <int D>
 bool begin_loads(const Model<D>& model, Work<D>& work) {
   if (!model.loaded()) {
@@ -72,7 +72,7 @@ bool begin_loads(const Model<D>& model, Work<D>& work) {
 
 }  // namespace
 
-/// In space there are loads at points alone.
+/// In space there are point loads only.
 void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!begin_loads(model, work)) return;
   for (const PointLoad<3>& p : model.point_loads) apply_load(model, state, p, work.load, work.load_moment);

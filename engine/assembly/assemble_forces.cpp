@@ -1,4 +1,4 @@
-// Forces at skin points, of bearings and from outside, summed at the nodes.
+// Forces at skin points, bearing forces and external forces, summed at the nodes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// spread of a body whose skin points are its nodes, and what its elements give.
+/// spread() of a body whose skin points are its nodes: contact forces plus element forces.
 TRILITH_INLINE void spread_nodes(const BodyRow& body, Work<2>& work) {
   for (int i = 0; i < body.nodes; ++i) {
     const int n = body.node + i;
@@ -23,7 +23,7 @@ TRILITH_INLINE void spread_nodes(const BodyRow& body, Work<2>& work) {
   }
 }
 
-/// spread of a frame, and what its beams give.
+/// spread() of a frame: contact forces plus beam forces.
 void spread_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work) {
   for (int n = body.node; n < body.node + body.nodes; ++n) {
     work.force[n] = work.element_force[n] + work.element_damping[n];
@@ -38,7 +38,7 @@ void spread_sections(const Model<2>& model, const State<2>& state, const BodyRow
   }
 }
 
-/// spread of a rigid body.
+/// spread() of a rigid body.
 TRILITH_INLINE void spread_one_node(const State<2>& state, const BodyRow& body, Work<2>& work) {
   const auto first = static_cast<std::size_t>(body.skin), count = static_cast<std::size_t>(body.skins);
   const NodeLoad load =
@@ -48,12 +48,12 @@ TRILITH_INLINE void spread_one_node(const State<2>& state, const BodyRow& body, 
   work.moment[body.node] = load.moment;
 }
 
-/// True of rigid bodies with as many skin points.
+/// True for two rigid bodies with the same number of skin points.
 TRILITH_INLINE bool are_alike(const BodyRow& a, const BodyRow& b) {
   return a.layout == SkinLayout::one_node && b.layout == SkinLayout::one_node && a.skins == b.skins;
 }
 
-/// spread of two rigid bodies that are alike, side by side: the operations of spread_rigid() for each.
+/// spread() of two alike rigid bodies side by side: the operations of spread_rigid() for each.
 TRILITH_INLINE void spread_two(const State<2>& state, const BodyRow& a, const BodyRow& b, Work<2>& work) {
   const auto both = [](const double* of_a, const double* of_b) { return join(load_pair(of_a), load_pair(of_b)); };
   const auto swapped = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 0, 3, 2)); };
@@ -70,7 +70,7 @@ TRILITH_INLINE void spread_two(const State<2>& state, const BodyRow& a, const Bo
   work.moment[a.node] = moment[0], work.moment[b.node] = moment[2];
 }
 
-/// spread of a body in space whose nodes do not turn: what its elements give, and the forces on its fits.
+/// spread() of a body in space whose nodes do not turn: element forces, and the forces on its fits.
 void spread_fits(const Model<3>& model, const BodyRow& body, Work<3>& work) {
   for (int n = body.node; n < body.node + body.nodes; ++n) {
     work.force[n] = work.element_force[n] + work.element_damping[n];
@@ -84,7 +84,7 @@ void spread_fits(const Model<3>& model, const BodyRow& body, Work<3>& work) {
   }
 }
 
-/// In space all forces of contacts come by nodes; a frame has those of its beams beside them.
+/// In space all contact forces are sums at nodes; a frame has the forces of its beams in addition.
 void spread_body(const Model<3>& model, const State<3>& /*state*/, const BodyRow& body, Work<3>& work) {
   work.force[body.node] = work.solids.force[body.node], work.moment[body.node] = work.solids.moment[body.node];
   if (body.layout == SkinLayout::one_node) return;
@@ -106,7 +106,7 @@ TRILITH_INLINE void spread_body(const Model<2>& model, const State<2>& state, co
   }
 }
 
-/// A bearing between two rigid bodies, or with an end on one that deforms.
+/// Adds the forces of a bearing between two rigid bodies, or with an end on a deformable body.
 void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
   if (!b.end_a.is_rigid() || !b.end_b.is_rigid())
@@ -120,18 +120,18 @@ void spread_bearing(const Model<2>& model, const State<2>& state, Work<2>& work,
   work.moment[na] -= cross(Vec2(point - state.position[na]), f) + work.bearing_moment[i];
 }
 
-/// In space: at one carrier each.
+/// In space each end is attached to one contact frame.
 void spread_bearing(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t i) {
   push_ends(model, state, model.bearings[i], work.bearing_force[i], work.bearing_moment[i], work.force, work.moment);
 }
 
-/// The largest forces carried and left over, squared; one to each thread, each in a line of its own of the cache.
+/// Largest forces carried and residual, squared. Each thread has its own, in a separate cache line.
 struct alignas(64) LargestForces {
   double unbalanced = 0, carried = 0;  ///< [N2]
 };
 
-/// Adds what acts from outside on the nodes from `first` to before `last`, and finds the largest forces carried and
-/// left over. Sizes are compared squared; the root keeps their order.
+/// Adds the external forces on the nodes from `first` to before `last`, and updates the largest forces carried and
+/// residual. Magnitudes are compared squared; the square root keeps their order.
 TRILITH_INLINE void add_outside(const Model<2>& model, const Vec2& field, int first, int last, Work<2>& work,
                                 LargestForces& largest) {
   const bool loaded = !work.load.empty();
@@ -157,7 +157,7 @@ TRILITH_INLINE void add_outside(const Model<2>& model, const Vec2& field, int fi
   largest = {most[0], std::max(carried, most[1])};
 }
 
-/// The same in space.
+/// The version for space.
 void add_outside(const Model<3>& model, const Vec3& field, int first, int last, Work<3>& work, LargestForces& largest) {
   const bool loaded = !work.load.empty();
   const Vec3* load = loaded ? work.load.data() : model.load.data();
@@ -181,7 +181,8 @@ void keep_larger(const LargestForces& of, LargestForces& largest) {
   largest.carried = std::max(largest.carried, of.carried);
 }
 
-/// Spreads body b, in the plane with the next one where they are alike and it is before `last`. Returns the next body.
+/// Spreads body b, in the plane together with the next one if they are alike and it is before `last`. Returns the next
+/// body.
 TRILITH_INLINE int spread_some(const Model<2>& model, const State<2>& state, int b, int last, Work<2>& work) {
   const BodyRow* const body = &work.body[static_cast<std::size_t>(b)];
   if (b + 1 < last && are_alike(body[0], body[1])) {
@@ -196,13 +197,13 @@ TRILITH_INLINE int spread_some(const Model<3>& model, const State<3>& state, int
   return b + 1;
 }
 
-/// Sums of the bodies from `first` to before `last`, and where all their forces are there by then what acts from
-/// outside.
+/// Sums the forces of the bodies from `first` to before `last`, and adds the external forces if all other forces are
+/// complete by then.
 template <int D>
 TRILITH_INLINE void sum_each(const Model<D>& model, const State<D>& state, const Vec<D>& field, int first, int last,
                              Work<D>& work, LargestForces& largest) {
   const bool at_once = model.bearings.empty();
-  LargestForces of = largest;  // of its own: no force that is written can change it
+  LargestForces of = largest;  // local copy: no written force can change it
   for (int b = first; b < last;) {
     const BodyRow* const body = work.body.data();
     const int next = spread_some(model, state, b, last, work);
@@ -222,11 +223,11 @@ void sum_bodies(const Model<3>& model, const State<3>& state, const Vec3& field,
   sum_each(model, state, field, first, last, work, largest);
 }
 
-/// Bodies and nodes that threads take at a time: some microseconds.
+/// Bodies or nodes per chunk of a thread; some microseconds.
 constexpr int summed_stretch = 128;
 
-/// Of the largest each thread keeps its own: the largest of these is the same in any order. Where there are no bearings
-/// the nodes of a body have all their forces as soon as it is spread.
+/// Each thread keeps its own largest values; their maximum does not depend on the order. Without bearings the forces on
+/// the nodes of a body are complete as soon as it is spread.
 template <int D>
 LargestForces sum_all(const Model<D>& model, const State<D>& state, Work<D>& work) {
   const Vec<D> field = model.gravity.at(state.time);

@@ -1,5 +1,5 @@
-// Bearings: relative motion of two points in the axes of the first body, one law per direction, or one for both
-// horizontal ones.
+// Bearings: relative motion of two points in the axes of the first body, with one law per direction, or one law for
+// both horizontal directions.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// Friction along the seat needs the axial force first.
+/// Order of the directions: friction along the seat needs the axial force first.
 template <int D>
 constexpr auto direction_order = [] {
   if constexpr (D == 2)
@@ -21,7 +21,7 @@ constexpr auto direction_order = [] {
     return std::array{2, 0, 1, 3, 4, 5};
 }();
 
-/// A direction without a law gives nothing; any other is asked for its force by the motion in its own direction alone.
+/// A direction without a law has no force. Each law depends on the motion in its own direction alone.
 DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion, const DirectionMemory& before) {
   return std::visit(
       [&](const auto& l) {
@@ -33,7 +33,7 @@ DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion
       law);
 }
 
-/// Direction k of a bearing. `axial_force`: of its axial law now [N].
+/// Response of direction k of a bearing. `axial_force`: present force of its axial law [N].
 template <int D>
 DirectionResponse respond(const Bearing<D>& b, const LawMotion<D>& now, int k, const DirectionMotion& motion,
                           const DirectionMemory& before, double axial_force) {
@@ -51,9 +51,9 @@ DirectionResponse respond(const Bearing<D>& b, const LawMotion<D>& now, int k, c
   return respond(b.law[k], motion, before);
 }
 
-/// What the law of both horizontal directions gives. Its forces and dashpots go to the memories of along and across,
-/// where those of two laws would be. `begins`: its memory is that of a law that goes live where it stands. `thrust`: of
-/// a dish [N], or null.
+/// Response of the law of both horizontal directions. Its forces and dashpots are stored in the memories of the
+/// directions along and across, like two separate laws. `begins`: the memory belongs to a law that becomes live in the
+/// present position. `thrust`: thrust of a dish [N], or null.
 DirectionResponse respond_horizontal(const Bearing<3>& b, const BearingMemory<3>& before, const HorizontalMotion& m,
                                      bool begins, const Vec2* thrust, BearingMemory<3>& after) {
   return std::visit(
@@ -106,7 +106,7 @@ void take_up(const DirectionResponse& r, std::size_t i, BearingStatus& status, W
   work.given[EnergyTerm::bearing_damping] += r.lost_damping;
 }
 
-/// The law of one direction gives force, energies and memory of the trial; nothing of State is written.
+/// Computes force, energies and trial memory by the law of each direction; State is not modified.
 template <int D>
 void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
   const Bearing<D>& b = model.bearings[i];
@@ -137,7 +137,8 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
     }
   }
   work.bearing_stored += work.bearing_energy[i];
-  // On b, against its displacement; a gets the opposite through b's point, so that nothing turns both together.
+  // The force resists the displacement of b. Body a receives the opposite force through b's point, so that no couple
+  // acts on both together.
   work.bearing_force[i] = m.force(force);
   work.bearing_moment[i] = m.moment(force);
   for (int k = 0; k < D; ++k) work.bearing_displacement[i][k] = counted[static_cast<std::size_t>(k)];
@@ -147,7 +148,7 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
-/// Work over half of the step behind by the forces that a bearing had as it began [J].
+/// Work over half of the last step by the bearing forces at its begin [J].
 template <int D>
 double half_work(const Model<D>& model, const State<D>& state, std::size_t i, double dt) {
   const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);
@@ -159,8 +160,8 @@ double half_work(const Model<D>& model, const State<D>& state, std::size_t i, do
   return sum;
 }
 
-/// One that failed at the step before: its last force works for half a step more, which no spring is there to take. The
-/// first force of the bearing that followed it has not worked yet, and takes its first half step from nowhere.
+/// Accounts for a bearing that failed in the last step. Its last force works for half a step more, and no spring stores
+/// this work. The first force of its successor has not worked yet, and its first half step has no source.
 template <int D>
 void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i, double dt) {
   const BearingStatus status = state.bearing[i].status;
@@ -168,7 +169,7 @@ void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::si
   const auto& last_of = state.bearing[i].direction;
   const bool held = std::any_of(last_of.begin(), last_of.end(),
                                 [](const DirectionMemory& last) { return last.force != 0 || last.damping != 0; });
-  if (!held) return;  // let go by now
+  if (!held) return;  // removed before
   double& dissipated = work.given[EnergyTerm::bearing_failure];
   dissipated += half_work(model, state, i, dt);
   for (DirectionMemory& last : work.bearing[i].direction) last.force = last.damping = 0;
@@ -177,7 +178,8 @@ void let_go(const Model<D>& model, const State<D>& state, Work<D>& work, std::si
     dissipated -= half_work(model, state, static_cast<std::size_t>(next), dt);
 }
 
-/// Of a live one: its laws are asked again for both ways. A law of both horizontal directions is left out.
+/// Error of a live bearing: its laws are evaluated again for both parts of the path. Laws of both horizontal directions
+/// are ignored.
 template <int D>
 double slip_reversal_error(const Model<D>& model, const State<D>& state, const Work<D>& work, std::size_t i,
                            double dt) {
@@ -215,9 +217,9 @@ DirectionMemory memory_at(const DirectionLaw& law, double displacement) {
 
 }  // namespace
 
-/// Sliders and dashpots begin where they are, springs with what their displacement asks, and where that is not counted
-/// from here their energy is new.
-/// A law that can begin elsewhere than at 0 says so by begin_at; every other starts from an empty memory.
+/// Sliders and dashpots start unstressed; springs start with the force of their displacement. If the displacement does
+/// not count from here, their energy is new. A law that can start elsewhere than at 0 has a member begin_at; every
+/// other law starts from an empty memory.
 template <int D>
 double start_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i,
                      const std::array<double, Space<D>::dofs>& begun_at) {
@@ -246,7 +248,7 @@ double start_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
   return stored;
 }
 
-/// Room for all of them, none of which has answered.
+/// Sizes the arrays for all bearings, with empty responses.
 template <int D>
 void start_bearings(const Model<D>& model, Work<D>& work) {
   const std::size_t count = model.bearings.size();

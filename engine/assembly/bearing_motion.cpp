@@ -35,7 +35,7 @@ Vec3 BearingMotion<3>::force(const std::array<double, 6>& resisting) const {
 
 namespace {
 
-// In the plane, with p the pose of a's point and q that of b's:
+// In the plane, with p the pose of a's point and q the pose of b's point:
 //
 //     axes = turn_p + b.angle            displacement = axes' (q - p) - rest
 //     angle = turn_q - turn_p - rest     rate = axes' (v_q - v_p - spin_p x (q - p))
@@ -45,7 +45,7 @@ BearingMotion<2> plane_motion(const Turn& axes, const Vec2& displacement, const 
   return {axes, {displacement.x(), displacement.y(), angle}, {rate.x(), rate.y(), spin}, point};
 }
 
-/// Of ends with these poses, which turn by less than half a circle against each other.
+/// Motion of ends with these poses, whose relative rotation is below pi.
 BearingMotion<2> motion_of_poses(const Bearing<2>& b, const Pose& p, const Pose& q) {
   const Turn axes(p.rotation + b.angle);
   const Vec2 between = q.place - p.place, rate = q.velocity - p.velocity - cross(p.spin, between);
@@ -53,7 +53,7 @@ BearingMotion<2> motion_of_poses(const Bearing<2>& b, const Pose& p, const Pose&
                       std::remainder(q.rotation - p.rotation - b.rest_angle, 2 * M_PI), q.spin - p.spin, q.place);
 }
 
-/// How a spin w in the axes of a rotation vector t turns it: see law/bearing/bearing.hpp. `side` -1, or +1 for its
+/// Rate of a rotation vector t under a spin w in its axes: see law/bearing/bearing.hpp. `side` is -1, or +1 for the
 /// transpose. With q = (cos, sin e) of half the angle, |t|/2 cot(|t|/2) is |t|/2 cos/sin, and c is 1/12 at 0.
 Vec3 through_turn(const Vec3& t, const Vec3& w, double side) {
   const double size = t.norm();
@@ -66,7 +66,7 @@ Vec3 through_turn(const Vec3& t, const Vec3& w, double side) {
   return w + side * 0.5 * across + c * cross(t, across);
 }
 
-/// The rotation vector of a turn that is nearest to the one of before, whole turns counted.
+/// The rotation vector nearest to the previous one, with whole turns counted.
 Vec3 nearest_turn(const UnitQuaternion& turn, const Vec3& before) {
   const Vec3 least = angle_of(turn);
   const double size = least.norm();
@@ -89,7 +89,7 @@ Vec3 BearingMotion<3>::moment(const std::array<double, 6>& resisting) const {
 
 BearingMotion<2> bearing_motion(const Model<2>& model, const State<2>& state, std::size_t i) {
   const Bearing<2>& b = model.bearings[i];
-  // Ties to one node each, as nearly always, need no poses, and count whole turns too.
+  // Ends with one node each, the usual case, need no poses and count whole turns.
   if (!b.end_a.is_rigid() || !b.end_b.is_rigid())
     return motion_of_poses(b, pose_at(model, state, b.end_a), pose_at(model, state, b.end_b));
   const int na = b.end_a.node[0], nb = b.end_b.node[0];
@@ -104,8 +104,8 @@ BearingMotion<2> bearing_motion(const Model<2>& model, const State<2>& state, st
                       Vec2(state.position[nb] + arm_b));
 }
 
-/// In space, with A the axes of the bearing and d from a's point to b's: displacement = A' d - rest, and rate = A' (v_b
-/// - v_a - spin_a x d), velocities being those of the points. Turns: law/bearing/bearing.hpp.
+/// In space, with the axes A of the bearing and d from a's point to b's: displacement = A' d - rest, and rate = A' (v_b
+/// - v_a - spin_a x d), where v are the velocities of the points. Rotations: law/bearing/bearing.hpp.
 BearingMotion<3> bearing_motion(const Model<3>& model, const State<3>& state, std::size_t i) {
   const Bearing<3>& b = model.bearings[i];
   const BodyMotion p = motion_of(model, state, b.end_a.node[0]), q = motion_of(model, state, b.end_b.node[0]);
@@ -128,7 +128,7 @@ BearingMotion<3> bearing_motion(const Model<3>& model, const State<3>& state, st
 std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, const Bearing<2>& b,
                                  const BearingMotion<2>& now, double dt) {
   if (!state.implicit()) return now.rate;
-  // The first evaluation under a scheme has no step behind it.
+  // The first evaluation of an implicit scheme has no last step.
   if (!(dt > 0)) return {};
   const BearingMotion<2> before =
       motion_of_poses(b, pose_before(model, state, b.end_a), pose_before(model, state, b.end_b));
@@ -137,7 +137,7 @@ std::array<double, 3> mean_rates(const Model<2>& model, const State<2>& state, c
           std::remainder(now.displacement[turning] - before.displacement[turning], 2 * M_PI) / dt};
 }
 
-/// Turns are taken for those nearest to the ones of now, so that whole ones do not come in between.
+/// Rotations are taken nearest to the present ones, so that whole turns do not interfere.
 std::array<double, 6> mean_rates(const Model<3>& model, const State<3>& state, const Bearing<3>& b,
                                  const BearingMotion<3>& now, double dt) {
   if (!state.implicit()) return now.rate;

@@ -1,5 +1,4 @@
-// What placing does alike in the plane and in space: the rows of bodies, and of all that is placed how fast it is, how
-// far it has come and what that leaves it.
+// Kinematics common to the plane and space: rows of bodies, and bounds of speed, travel and remaining motion budget.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 
 namespace trilith {
 
-/// The largest squares of all that is placed, of its speeds and of those of bodies that are free to move, and the least
-/// that is left along each axis. One to each thread: none has part of another's in a line of its cache.
+/// Bounds over all placed points: largest squared speeds, also of bodies that are free to move, and least remaining
+/// motion budget along each axis. Each thread has its own, in separate cache lines.
 template <int D>
 struct alignas(64) DisplacementBound {
   double speed2 = 0, moving = 0;  ///< [m2/s2]
@@ -21,13 +20,13 @@ struct alignas(64) DisplacementBound {
 
   DisplacementBound() { set_all(left, unbounded); }
 
-  /// `moves`(): asked where it says something.
+  /// `moves`(): called only if it can change the result.
   template <class Reach, class Moves>
   TRILITH_INLINE void add(const Reach& of, Moves&& moves) {
     speed2 = std::max(speed2, of.speed2()), path2 = std::max(path2, of.path2());
     if (of.speed2() > moving && moves()) moving = of.speed2();
   }
-  /// Takes what a body or piece went by from what is left to it.
+  /// Subtracts the step of a body or piece from its motion budget.
   TRILITH_INLINE void follow(const AxisNumbers<D>& step, WayLeft<D>& way) {
     way.go(step);
     left = least_of(way.left, left);
@@ -38,8 +37,7 @@ struct alignas(64) DisplacementBound {
   }
 };
 
-/// Each thread keeps the largest of what it places: the largest of these is the same in any order.
-/// place(first, last, reach).
+/// Each thread keeps the bounds of its share; their maximum does not depend on the order. place(first, last, reach).
 template <int D, class Place>
 DisplacementBound<D> place_shared(const Work<D>& work, int count, int stretch, Place&& place) {
   std::array<DisplacementBound<D>, most_threads> by{};
@@ -53,7 +51,7 @@ DisplacementBound<D> place_shared(const Work<D>& work, int count, int stretch, P
   return reach;
 }
 
-/// All bodies' rows, anew where the pairs must be found anew.
+/// Lists the rows of all bodies when the pairs must be rebuilt.
 template <int D>
 void list_bodies(const Model<D>& model, Work<D>& work) {
   work.body.clear();
@@ -61,12 +59,12 @@ void list_bodies(const Model<D>& model, Work<D>& work) {
     work.body.push_back({b.first_node, b.nodes, b.first_skin, b.skins, info_of(b.kind).skin, b.first_fit, b.fits});
 }
 
-/// What later stages ask of all together.
+/// Stores the bounds for later stages.
 template <int D>
 void keep_displacement_bound(const DisplacementBound<D>& reach, Work<D>& work) {
   work.fastest = std::sqrt(reach.speed2);
   work.fastest_moving = std::sqrt(reach.moving);
-  // Both of no meaning, and not asked for, before the pairs are found.
+  // Undefined and unused before the pairs are found.
   work.travel += std::sqrt(reach.path2);
   work.search.may_have_left = !none_below(reach.left, work.search.shifted);
 }

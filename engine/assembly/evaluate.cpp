@@ -2,16 +2,16 @@
 
 namespace trilith {
 
-/// The stages of a step in the plane, each writing the parts of Work that the next ones read:
+/// The stages of an evaluation in the plane. Each writes the parts of Work that the next ones read.
 ///
-///     place    State          -> skin points and their velocities, how far anything has moved; no forces yet
-///     find     skin points    -> near pairs, where something has left its box
-///     respond  pairs          -> forces on skin points; bearings: forces on their ends
-///     resist   nodes          -> forces of elements and beams on nodes
-///     sum      all forces     -> force and moment on each node
+///     update_kinematics      State        -> skin points, their velocities, and the displacement bound
+///     update_contact_pairs   skin points  -> candidate pairs, if a piece has left its box
+///     contact forces         pairs        -> forces on skin points; bearings: forces on their ends
+///     internal_forces        nodes        -> forces of elements and beams on nodes
+///     assemble_forces        all forces   -> force and moment on each node
 ///
-/// and in space the same by solids in place of skin points.
-/// State is not touched: losses are added to a copy of the ledger's sums, trial memories lie in Work.
+/// In space polyhedra take the place of skin points. State is not modified: dissipated energies are added to a copy of
+/// the ledger's sums, and trial memories are in Work.
 template <>
 void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
@@ -20,7 +20,7 @@ void evaluate(const Model<2>& model, const State<2>& state, Work<2>& work, doubl
   update_contact_pairs(model, state, work);
   clock.mark(StepPart::find);
   work.given = state.given;
-  // Rows that are not worked on hold an empty memory, before and after: those that turned last are cleared here.
+  // Inactive rows have an empty memory, before and after; the rows that changed last are cleared here.
   for (const int row : work.changed_rows) work.contacts.clear(static_cast<std::size_t>(row));
   work.changed_rows.clear();
   clock.mark(StepPart::place);

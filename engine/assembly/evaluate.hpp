@@ -30,19 +30,19 @@ void polygon_contact_forces(const Model<2>& model, const State<2>& state, Work<2
 void polygon_contact_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt);
 template <int D>
 void bearing_forces(const Model<D>& model, const State<D>& state, Work<D>& work, double dt);
-/// Makes the waiting bearing `i` live where it stands: sliders begin unstressed there, springs act from `begun_at`, by
-/// direction [m], [rad]. Writes its trial memory. Returns the elastic energy it begins with [J].
+/// Makes the waiting bearing `i` live in the present position: sliders start unstressed there, springs act from
+/// `begun_at`, by direction [m], [rad]. Writes its trial memory. Returns its initial elastic energy [J].
 template <int D>
 double start_bearing(const Model<D>& model, const State<D>& state, Work<D>& work, int i,
                      const std::array<double, Space<D>::dofs>& begun_at);
-/// Deformable bodies: forces and dampings of their elements on their nodes, trial plastic memory, energies.
-/// `dt`: as for evaluate; 0 where nothing has gone by since the last commit.
+/// Deformable bodies: forces and damping forces of their elements on their nodes, trial plastic memory, energies. `dt`:
+/// as for evaluate; 0 if no time has passed after the last commit.
 void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
 void internal_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt = 0);
-/// Loads of the present instant on the nodes; leaves Work::load empty where the model has none but steady ones.
+/// Present loads on the nodes. Work::load remains empty if the model has only steady loads.
 void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
 void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);
-/// Force on the whole of a face that is loaded, at the full size of its load curve [N].
+/// Force on the whole of a loaded face, at the full value of its load curve [N].
 Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
 template <int D>
 void assemble_forces(const Model<D>& model, const State<D>& state, Work<D>& work);

@@ -9,8 +9,7 @@ bool is_all_free(const std::array<bool, 3>& free) {
   return free[0] && free[1] && free[2];
 }
 
-/// The rate of spin that a rate l of the angular momentum is, I A = l - w x L, on the free axes; on the others it is
-/// that of `held`.
+/// Rate of spin from a rate l of the angular momentum, I A = l - w x L, on the free axes; `held` on the others.
 Vec3 rate_of_spin(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin, const Vec3& moment,
                   const std::array<bool, 3>& free, const Vec3& held) {
   const Turn3 turn(rotation);
@@ -51,7 +50,8 @@ TurnMotion<2> turned(const Model<2>& model, int node, const AlphaScheme& scheme,
   return out;
 }
 
-// Comes in: t, and R, w, A of the begin. Goes out: R', then w' of the turn, L' of it, l' of the momentum, A' of that.
+// Input: t, and R, w, A of the begin. Output: R', then w' from the rotation, L' from w', l' from the momentum, A' from
+// l'.
 TurnMotion<3> turned(const Model<3>& model, int node, const AlphaScheme& scheme, double dt, const TurnMotion<3>& from,
                      const Vec3& path, const TurnMotion<3>& to) {
   const std::array<bool, 3> free = free_turns(model, node);
@@ -76,8 +76,8 @@ double corrected_turn(const Model<2>& /*model*/, int /*node*/, double path, doub
   return path + by;
 }
 
-/// Of a node that is held about some axis the numbers are added: the sum of two turns about free axes has no part on
-/// the others, as one after the other would.
+/// Composes two rotations. For a node that is fixed about some axis the vectors are added: the sum of two rotations
+/// about free axes has no component on the other axes, unlike their composition.
 Vec3 corrected_turn(const Model<3>& model, int node, const Vec3& path, const Vec3& by) {
   return is_all_free(free_turns(model, node)) ? turned_on(by, path) : Vec3(path + by);
 }
@@ -115,7 +115,7 @@ Dofs<2> inertia_column(const Model<2>& model, const State<2>& state, const Freed
   return out;
 }
 
-// With e the axis of the unknown a turn by h e changes I w to I w + h (e x L - I (e x w)), and w by c h e.
+// With e the axis of the unknown, a rotation by h e changes I w to I w + h (e x L - I (e x w)), and w by c h e.
 Dofs<3> inertia_column(const Model<3>& model, const State<3>& state, const Freedom& f, double inertia, double rate) {
   Dofs<3> out{};
   if (f.k < 3) {

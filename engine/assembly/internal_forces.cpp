@@ -1,4 +1,4 @@
-// Deformable bodies: what the motion of their nodes makes of them, element by element.
+// Internal forces of elements in the plane from the motion of their nodes.
 #include <algorithm>
 #include <array>
 
@@ -20,13 +20,13 @@ struct ElementPass {
   Work<2>& work;
 };
 
-/// Four elements share their rows of Model::element_number.
+/// True if four elements share their rows of Model::element_number.
 TRILITH_INLINE bool are_alike(const Element* four) {
   return four[0].first_number == four[1].first_number && four[0].first_number == four[2].first_number &&
          four[0].first_number == four[3].first_number;
 }
 
-/// Places or velocities of the nodes of an element.
+/// Positions or velocities of the nodes of an element.
 template <int N>
 TRILITH_INLINE NodeColumns<N, double> columns_of(const std::vector<Vec2>& of, const Element& e) {
   NodeColumns<N, double> out;
@@ -36,7 +36,7 @@ TRILITH_INLINE NodeColumns<N, double> columns_of(const std::vector<Vec2>& of, co
   }
   return out;
 }
-/// The same of four elements.
+/// Positions or velocities of the nodes of four elements.
 template <int N>
 TRILITH_INLINE NodeColumns<N, Lanes> columns_of(const std::vector<Vec2>& of, const Element* four) {
   NodeColumns<N, Lanes> out;
@@ -56,7 +56,7 @@ template <int N>
 TRILITH_INLINE void subtract(std::vector<Vec2>& from, const Element& e, const NodeColumns<N, double>& force) {
   for (int i = 0; i < N; ++i) subtract_at(from, e.node[i], LanePair{force.x[i], force.y[i]});
 }
-/// Element after element: two of four may have a node in common.
+/// Subtracts element after element: two of four may share a node.
 template <int N>
 TRILITH_INLINE void subtract(std::vector<Vec2>& from, const Element* four, const NodeColumns<N, Lanes>& force) {
   RowPairs rows[N];
@@ -65,7 +65,7 @@ TRILITH_INLINE void subtract(std::vector<Vec2>& from, const Element* four, const
     for (int i = 0; i < N; ++i) subtract_at(from, four[lane].node[i], rows[i].of(lane));
 }
 
-/// beta k v: the elastic forces of the rate of the deformation, times a time. `which`: one element, or the first of
+/// Adds beta k v, the elastic forces of the rate of deformation times a time. `which`: one element, or the first of
 /// four.
 template <int N, class T, class Which>
 TRILITH_INLINE void add_damping(const ElementPass& pass, const Deformation<N, T>& now, const double* shape, double beta,
@@ -76,8 +76,8 @@ TRILITH_INLINE void add_damping(const ElementPass& pass, const Deformation<N, T>
   subtract<N>(pass.work.element_damping, which, now.forces(shape, h));
 }
 
-/// h = k d in the element's own axes, whose forces on the nodes are taken off; Deformation turns h to them (see
-/// element/corotation.hpp). Of `which`, as above, with these rows of Model::element_number; returns d . k d / 2 [J].
+/// Computes h = k d in the element axes and subtracts its nodal forces; Deformation maps h to them (see
+/// element/corotation.hpp). `which` as above, with `shape` its rows of Model::element_number. Returns d . k d / 2 [J].
 template <int N, class T, class Which>
 TRILITH_INLINE T resist_elastic(const ElementPass& pass, const double* shape, double beta, const Which& which) {
   const Deformation<N, T> now(shape, columns_of<N>(pass.state.position, which));
@@ -89,8 +89,8 @@ TRILITH_INLINE T resist_elastic(const ElementPass& pass, const double* shape, do
   return 0.5 * twice;
 }
 
-/// Elements of one shape that follow each other go four at a time. Loops are over fixed counts, so that a lane, an
-/// element by itself and copies for wide registers have the same bits.
+/// Consecutive elements of one shape are processed four at a time. Loop counts are fixed, so that a lane, a single
+/// element and copies for wide registers have the same bits.
 template <int N>
 TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& batch, ElementEnergy& energy) {
   const double beta = pass.model.solids[batch.solid].damping();
@@ -120,7 +120,7 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
   resist_elastic<3>(pass, batch, energy);
 }
 
-/// Strain of the deformation `d` at a point: its rows of Model::element_number.
+/// Strain of the deformation `d` at an integration point with the rows `point` of Model::element_number.
 [[maybe_unused]] PlaneVector strain_at(const double* point, const std::array<double, 8>& d) {
   PlaneVector strain = PlaneVector::Zero();
   for (int i = 0; i < 8; ++i)
@@ -128,8 +128,8 @@ TRILITH_INLINE void resist_elastic(const ElementPass& pass, const ElementBatch& 
   return strain;
 }
 
-/// h = sum over the points of B' s V: strain e = B d in, stress s and the memory of the trial out. Damping goes by the
-/// elastic stiffness whatever has yielded.
+/// h = sum over the integration points of B' s V. Input: strain e = B d; output: stress s and trial memory. The damping
+/// uses the elastic stiffness, also after yield.
 template <int N, class Law>
 void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const Law& law, ElementEnergy& energy) {
   const Plane plane = pass.model.solids[batch.solid].plane;
@@ -143,11 +143,12 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
     for (int p = 0; p < points; ++p) {
       const double* const point = k + element_stiffness_numbers + p * element_point_numbers;
       const double volume = point[24];
-      // Strain of the whole deformation in, plastic strain of the last commit out of State; the new one is a trial.
+      // Input: strain of the whole deformation, plastic strain of the last commit from State. The new plastic strain is
+      // a trial value.
       const PointResponse r =
           respond_in_plane(law, plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
       pass.work.plastic[e.first_point + p] = r.memory;
-      // Each point stands for `volume` of the element.
+      // `volume` of the element at this point.
       energy.stored += volume * r.stored, energy.plastic += volume * r.dissipated;
       const PlaneVector s = volume * r.stress.in_plane();
       for (int j = 0; j < 2 * N; ++j) h[j] += point[3 * j] * s[0] + point[3 * j + 1] * s[1] + point[3 * j + 2] * s[2];
@@ -169,11 +170,12 @@ void resist_batch(const ElementPass& pass, const ElementBatch& batch, ElementEne
       pass.model.solids[batch.solid].law);
 }
 
-/// Elements whose energies are summed up by themselves, and that a thread takes at a time: some ten microseconds.
+/// Least number of elements in a chunk of a thread, about 10 microseconds. The energy of each chunk is summed
+/// separately.
 constexpr int least_elements = 64;
 
-/// Cuts the elements between bodies, which have no nodes in common, so that threads can take the parts. Bodies come one
-/// after the other in the list of elements; where they did not, it would not be cut.
+/// Divides the elements into chunks between bodies, which share no nodes, so that threads can process them. Elements
+/// are stored body by body; otherwise they would not be divided.
 void list_element_stretches(const Model<2>& model, Work<2>& work) {
   work.element_stretches.clear();
   const auto& all = model.elements;
@@ -187,7 +189,7 @@ void list_element_stretches(const Model<2>& model, Work<2>& work) {
   }
 }
 
-/// Nothing on the nodes of the bodies of a stretch yet; on no node, where it has all elements.
+/// Clears the forces on the nodes of the bodies of a chunk, or on all nodes if it contains all elements.
 void clear_nodes(const ElementPass& pass, const ElementRange& stretch) {
   const std::vector<Element>& all = pass.model.elements;
   int from = 0, to = pass.model.nodes();
@@ -199,7 +201,7 @@ void clear_nodes(const ElementPass& pass, const ElementRange& stretch) {
   std::fill_n(pass.work.element_damping.begin() + from, to - from, Vec2::Zero());
 }
 
-/// The elements of a stretch, which may lie in several batches.
+/// The elements of a chunk, which may belong to several batches.
 ElementEnergy resist_stretch(const ElementPass& pass, const ElementRange& stretch) {
   ElementEnergy energy;
   const std::vector<ElementBatch>& batches = pass.model.element_batches;
@@ -213,8 +215,8 @@ ElementEnergy resist_stretch(const ElementPass& pass, const ElementRange& stretc
   return energy;
 }
 
-/// Threads take stretches of elements, whose forces meet at no node. Energies are summed by stretches, and these in
-/// their order, whoever took them.
+/// Threads process chunks of elements, which share no nodes. Energies are summed by chunk, and the chunks in their
+/// order, independent of the threads.
 void resist_elements(const ElementPass& pass, ElementEnergy& sums) {
   Work<2>& work = pass.work;
   if (work.element_stretches.empty()) list_element_stretches(pass.model, work);
@@ -234,13 +236,13 @@ void element_forces(const Model<2>& model, const State<2>& state, Work<2>& work,
   resist_stretch({model, state, work}, {element, 1});
 }
 
-/// Batches of elements in their order, then beams. Energies that are stored are of the instant, those given
-/// off are added to the ledger's.
+/// Batches of elements in their order, then beams. Stored energies refer to the instant; dissipated energies are added
+/// to the ledger.
 void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   work.element_stored = 0;
   if (model.elements.empty() && model.beams.empty()) return;
   const auto nodes = static_cast<std::size_t>(model.nodes());
-  // Nodes of elements are cleared by who takes these; others only beams write to.
+  // The chunks clear the nodes of elements; nodes of beams are cleared here.
   if (!model.beams.empty() || work.element_force.size() != nodes) {
     work.element_force.assign(nodes, Vec2::Zero());
     work.element_damping.assign(nodes, Vec2::Zero());
@@ -258,7 +260,7 @@ void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work
   work.given[EnergyTerm::plastic] += sums.plastic;
 }
 
-/// A reading: B is made anew, as elastic elements keep only their stiffness.
+/// B is computed again, because elastic elements store only their stiffness.
 ElementStress element_stress(const Model<2>& model, const State<2>& state, int element) {
   const Element& e = model.elements[element];
   const Solid& solid = model.solids[e.solid];
@@ -284,7 +286,7 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
     out.mean.xx += share * s.xx, out.mean.yy += share * s.yy, out.mean.zz += share * s.zz, out.mean.xy += share * s.xy;
     out.plastic += share * memory.measure;
   }
-  // Sums over the points, each weighed by its area, are means now.
+  // The sums over the points, weighted by area, become means.
   for (double* v : {&out.mean.xx, &out.mean.yy, &out.mean.zz, &out.mean.xy, &out.plastic}) *v /= out.area;
   out.axes_c = axes.first, out.axes_s = axes.second;
   return out;

@@ -1,4 +1,4 @@
-// Skin points where the nodes put them, and how they move.
+// Positions and velocities of skin points from the motion of the nodes.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -13,29 +13,31 @@
 namespace trilith {
 namespace {
 
-/// Puts a skin point where it is now.
+/// Places a skin point.
 TRILITH_INLINE void place_point(const Vec2& x, const Vec2& v, SkinMotion<2>& skin, SkinReach& reach) {
   const Lanes now{x.x(), x.y(), v.x(), v.y()};
   reach.add(now, load_lanes(&skin.x));
   store_lanes(&skin.x, now);
 }
 
-/// Of a spin over the step behind, per arm [1/s]; after an implicit step velocities are those of its end.
+/// Outward velocity of the chord of a spin over the last step, per arm [1/s]; 0 after an implicit step, whose
+/// velocities refer to its end.
 TRILITH_INLINE double chord_now(const State<2>& state, double spin) {
   return state.implicit() ? 0 : chord_rate(spin, state.last_dt);
 }
 
-/// place of a body whose skin points are its nodes.
+/// Places a body whose skin points are its nodes.
 TRILITH_INLINE void place_nodes(const State<2>& state, const BodyRow& body, Work<2>& work, SkinReach& reach) {
   for (int i = 0; i < body.skins; ++i)
     place_point(state.position[body.node + i], state.velocity[body.node + i], work.skin[body.skin + i], reach);
 }
 
-/// place_rigid of a body that turns, whose points go along chords: see contact/joint/chord.hpp. `chord`: per arm [1/s].
+/// place_rigid for a body that rotates, whose points move along chords: see contact/joint/chord.hpp. `chord`: per arm
+/// [1/s].
 TRILITH_INLINE void place_turning(const NodeMotion<2>& node, const portable::SineCosine& turn, double chord,
                                   std::span<const Vec2> skin, std::span<SkinMotion<2>> out, SkinReach& reach) {
   const auto [s, c] = turn;
-  // As place_rigid; the velocity has a part along the arm, (x, y) of (x, y, y, x).
+  // As place_rigid; the velocity has a component along the arm, (x, y) of (x, y, y, x).
   const Lanes to_x{c, s, s, c}, to_y{-s, c, c, -s}, spin{1, 1, -node.spin, node.spin}, outward{0, 0, chord, chord};
   const Lanes origin{node.position.x(), node.position.y(), node.velocity.x(), node.velocity.y()};
   for (std::size_t i = 0; i < skin.size(); ++i) {
@@ -46,7 +48,7 @@ TRILITH_INLINE void place_turning(const NodeMotion<2>& node, const portable::Sin
   }
 }
 
-/// place of a frame: each skin point turns with the node of its section.
+/// Places a frame: each skin point rotates with the node of its section.
 TRILITH_INLINE void place_sections(const Model<2>& model, const State<2>& state, const BodyRow& body, Work<2>& work,
                                    SkinReach& reach) {
   for (int s = body.skin; s < body.skin + body.skins; ++s) {
@@ -57,7 +59,7 @@ TRILITH_INLINE void place_sections(const Model<2>& model, const State<2>& state,
   }
 }
 
-/// place of a rigid body. `turn`: of its node's rotation.
+/// Places a rigid body. `turn`: sine and cosine of its node's rotation.
 TRILITH_INLINE void place_one_node(const Model<2>& model, const State<2>& state, const BodyRow& body,
                                    const portable::SineCosine& turn, Work<2>& work, SkinReach& reach) {
   const int n = body.node;
@@ -71,7 +73,7 @@ TRILITH_INLINE void place_one_node(const Model<2>& model, const State<2>& state,
     place_rigid(motion, turn, skin, out, reach);
 }
 
-/// `turn`: of the rotation of its first node, where the body is rigid.
+/// `turn`: rotation of the first node of a rigid body.
 TRILITH_INLINE void place_body(const Model<2>& model, const State<2>& state, const BodyRow& body,
                                const portable::SineCosine& turn, Work<2>& work, SkinReach& reach) {
   switch (body.layout) {
@@ -84,10 +86,10 @@ TRILITH_INLINE void place_body(const Model<2>& model, const State<2>& state, con
   }
 }
 
-/// What threads take at a time: some two microseconds.
+/// Bodies per chunk of a thread, about 2 microseconds.
 constexpr int body_stretch = 64;
 
-/// The sines and cosines by which the rigid ones of some bodies are turned that stand side by side in the list.
+/// Sines and cosines of the rotations of the rigid bodies in a chunk of consecutive bodies.
 struct BodyTurns {
   alignas(32) std::array<double, body_stretch> sine, cosine;
 
@@ -100,14 +102,14 @@ struct BodyTurns {
   }
 };
 
-/// True where some node of the body is free to move.
+/// True if a node of the body is free to move.
 bool moves(const Model<2>& model, const BodyRow& body) {
   for (int n = body.node; n < body.node + body.nodes; ++n)
     if (model.moves(n)) return true;
   return false;
 }
 
-/// Mean velocities of all skin points over the step behind, from where they were when it began.
+/// Mean velocities of all skin points over the last step, from their positions at its begin.
 void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin_mean.resize(model.skin_place.size());
   const double per_step = state.last_dt > 0 ? 1 / state.last_dt : 0;
@@ -121,7 +123,7 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
-/// Up to body_stretch bodies from `first` on; nothing is left of the forces on them. `drifted`: see SkinReach.
+/// Places up to body_stretch bodies from `first` on and clears the forces on them. `drifted`: see SkinReach.
 [[gnu::target_clones("avx2", "default")]] void place_bodies(const Model<2>& model, const State<2>& state,
                                                             const Vec2& drifted, std::size_t first, std::size_t count,
                                                             Work<2>& work, DisplacementBound<2>& to) {
@@ -132,7 +134,7 @@ void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
     const BodyRow& body = bodies[i];
     SkinReach of(drift);
     place_body(model, state, body, {turns.sine[i], turns.cosine[i]}, work, of);
-    // By the thread that will add to them, mostly.
+    // Usually by the thread that will add to them.
     std::fill_n(work.skin_force.begin() + body.skin, body.skins, Vec2::Zero());
     to.add(of, [&] { return moves(model, body); });
     to.follow(of.step(), work.search.left[first + i]);

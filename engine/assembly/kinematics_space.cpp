@@ -1,4 +1,4 @@
-// Solids in space where the nodes put them, and how they move.
+// Positions and velocities of pieces in space from the motion of the nodes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// Their radii; empty where no piece is one.
+/// Radii of spheres; empty if there are no spheres.
 void list_spheres(const Model<3>& model, std::vector<Sphere>& sphere) {
   sphere.clear();
   const auto& pieces = model.piece_solid;
@@ -22,7 +22,7 @@ void list_spheres(const Model<3>& model, std::vector<Sphere>& sphere) {
   for (const ConvexSolid& piece : pieces) sphere.push_back({Vec3::Zero(), piece.radius});
 }
 
-/// What threads take at a time: some ten microseconds.
+/// Pieces per chunk of a thread, about 10 microseconds.
 constexpr int piece_stretch = 128;
 
 /// A vector in the first three lanes.
@@ -30,22 +30,22 @@ TRILITH_INLINE Lanes in_lanes(const Vec3& v) {
   return Lanes{v.x(), v.y(), v.z(), 0};
 }
 
-/// As far as that either way.
+/// Absolute value of a displacement.
 TRILITH_INLINE Lanes way_of(const Lanes& moved) {
   return larger(moved, -moved);
 }
 
-/// How fast corners of solids are and how far they have come since they were placed last.
+/// Bounds over the corners of pieces: speed, and displacement after the last placement.
 class SolidReach {
  public:
-  /// Squares of speed [m2/s2] and path [m2], and how far along each axis [m].
+  /// Adds squared speed [m2/s2], squared displacement [m2] and displacement along each axis [m].
   TRILITH_INLINE void add(double speed2, double path2, const Vec3& steps) {
     speed2_ = std::max(speed2_, speed2), path2_ = std::max(path2_, path2);
     step_ = step_.cwiseMax(steps);
   }
-  [[nodiscard]] double speed2() const { return speed2_; }  ///< the largest square [m2/s2]
-  [[nodiscard]] double path2() const { return path2_; }    ///< likewise [m2]
-  /// The most along each axis [m].
+  [[nodiscard]] double speed2() const { return speed2_; }  ///< largest square [m2/s2]
+  [[nodiscard]] double path2() const { return path2_; }    ///< largest square [m2]
+  /// Largest displacement along each axis [m].
   [[nodiscard]] const Vec3& step() const { return step_; }
 
  private:
@@ -53,13 +53,13 @@ class SolidReach {
   Vec3 step_ = Vec3::Zero();
 };
 
-/// The largest of four.
+/// The largest of four lanes.
 TRILITH_INLINE double largest_of(const Lanes& of) {
   return std::max(std::max(of[0], of[1]), std::max(of[2], of[3]));
 }
 
-/// A body as it stands and moves, in all lanes, and of the corners it placed the largest squares of speed and of path,
-/// and the longest way along each axis.
+/// Position and motion of a body in all lanes, with bounds over the corners it has placed: largest squared speed and
+/// displacement, and largest displacement along each axis.
 struct MovingCorners {
   Triple<Lanes> x, y, z, at, velocity, spin;
   Lanes speed2{}, path2{};
@@ -88,8 +88,8 @@ struct MovingCorners {
   }
 };
 
-/// Corners and normals of a piece whose body moves and stands so, four at a time: of corners lanes beyond the last
-/// repeat it; normals beyond the last four one by one, in a lane for each axis.
+/// Places corners and normals of a piece, four at a time. Lanes beyond the last corner repeat it. Normals beyond the
+/// last group of four are placed one by one, with a lane for each axis.
 [[gnu::target_clones("avx2", "default")]] void place_solid(const ConvexSolid& solid, const NodeMotion<3>& node,
                                                            const Turn3& turn, PlacedSolid& out, SolidReach& reach) {
   MovingCorners body(node, turn);
@@ -116,7 +116,7 @@ struct MovingCorners {
   }
 }
 
-/// The one corner of a sphere, its centre: by the operations of a lane of place_solid.
+/// Places the single corner of a sphere, its centre, by the operations of a lane of place_solid.
 void place_centre(const Vec3& own, const NodeMotion<3>& node, const Turn3& turn, Vec3& out, SolidReach& reach) {
   const auto square = [](const Vec3& v) { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); };
   const Vec3 arm = turn.x() * own.x() + turn.y() * own.y() + turn.z() * own.z(), now = node.position + arm,
@@ -125,7 +125,7 @@ void place_centre(const Vec3& own, const NodeMotion<3>& node, const Turn3& turn,
   out = now;
 }
 
-/// The faces beside a piece that bound its body there too.
+/// Places the additional faces that bound the body at a piece.
 void place_beside(const Model<3>& model, const State<3>& state, std::size_t piece, PlacedSolid& out) {
   if (model.piece_bounds.empty()) return;
   out.beside.clear();
@@ -135,8 +135,8 @@ void place_beside(const Model<3>& model, const State<3>& state, std::size_t piec
   }
 }
 
-/// A piece of a body whose nodes do not turn: its own fit and those of its faces, then the solid between them. The
-/// fastest of its nodes is as fast as any of its corners, or nearly.
+/// Places a piece of a body whose nodes do not turn: its own fit and the fits of its faces, then the polyhedron between
+/// them. The speed of its fastest node bounds the speed of its corners, nearly.
 SolidReach place_fitted(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece), first = static_cast<std::size_t>(model.piece_fit[p]);
   const ConvexSolid& solid = model.piece_solid[p];
@@ -168,7 +168,7 @@ SolidReach place_fitted(const Model<3>& model, const State<3>& state, int piece,
   return reach;
 }
 
-/// Corners and normals of a piece, which goes with one node: of a frame too, see model/space_builder/space_frame.hpp.
+/// Corners and normals of a piece that moves with one node, also in a frame, see model/space_builder/space_frame.hpp.
 SolidReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece);
   if (model.is_fitted(piece)) return place_fitted(model, state, piece, solids);
@@ -188,14 +188,14 @@ SolidReach place_piece(const Model<3>& model, const State<3>& state, int piece, 
   return reach;
 }
 
-/// True where some node that carries the piece is free to move.
+/// True if a node of the piece is free to move.
 bool piece_moves(const Model<3>& model, int piece) {
   if (!model.is_fitted(piece)) return model.moves(model.node_of_piece(piece));
   const Fit& whole = model.fits[static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)])];
   return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, [&](int n) { return model.moves(n); });
 }
 
-/// How all nodes went along an implicit step, with room for fits; nothing after an explicit one.
+/// Motion of all nodes along an implicit step, with space for fits; empty after an explicit step.
 void place_behind(const Model<3>& model, const State<3>& state, std::vector<StepBehind>& behind) {
   behind.clear();
   if (!state.implicit()) return;
@@ -204,7 +204,7 @@ void place_behind(const Model<3>& model, const State<3>& state, std::vector<Step
     behind[n] = {state.position[n], state.rotation[n], state.position_before[n], state.rotation_before[n]};
 }
 
-/// ... and all fits, which have been placed.
+/// Motion of all placed fits along an implicit step.
 void place_fits_behind(const Model<3>& model, const State<3>& state, SolidWork<3>& solids) {
   if (solids.behind.empty()) return;
   for (std::size_t i = 0; i < model.fits.size(); ++i) {
@@ -236,7 +236,8 @@ DisplacementBound<3> place_all(const Model<3>& model, const State<3>& state, Wor
 
 }  // namespace
 
-/// Where a piece and its faces were as an implicit step began does not change; where they are now, its fits know.
+/// The positions of a piece and its faces at the begin of an implicit step do not change; their fits contain the
+/// present ones.
 void place_again(const Model<3>& model, const State<3>& state, Work<3>& work, int piece) {
   SolidWork<3>& solids = work.solids;
   place_piece(model, state, piece, solids);
@@ -254,8 +255,7 @@ void place_again(const Model<3>& model, const State<3>& state, Work<3>& work, in
 
 template <>
 void update_kinematics(const Model<3>& model, const State<3>& state, Work<3>& work) {
-  if (!work.valid)
-    list_bodies(model, work);  // its elements need no cutting: see assembly/element/internal_forces_space.cpp
+  if (!work.valid) list_bodies(model, work);  // elements need no chunks: see assembly/element/internal_forces_space.cpp
   keep_displacement_bound(place_all(model, state, work), work);
 }
 

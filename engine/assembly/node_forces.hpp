@@ -1,4 +1,4 @@
-// Forces of one node at an instant and the velocity they lead to: what a step, its ledger and the pushes share.
+// Forces of one node at an instant and the resulting velocity, shared by a step, its ledger and the pushes.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@
 
 namespace trilith {
 
-/// One number for each degree of freedom of a node: along the axes, then about them. Plain doubles: this is run for
-/// every node at every step, and vectors of two go through memory.
+/// One number for each degree of freedom of a node: translations, then rotations. Plain doubles, because this runs for
+/// every node in every step, and vectors of two are passed through memory.
 template <int D>
 using Dofs = std::array<double, Space<D>::dofs>;
 
-/// Of what goes along the axes and what goes about them.
+/// Joins a translational and a rotational part.
 inline Dofs<2> dofs_of(const Vec2& along, double about) {
   return {along.x(), along.y(), about};
 }
 inline Dofs<3> dofs_of(const Vec3& along, const Vec3& about) {
   return {along.x(), along.y(), along.z(), about.x(), about.y(), about.z()};
 }
-/// The part along the axes, and the one about them.
+/// The translational part, and the rotational part.
 template <std::size_t dofs>
 auto along_of(const std::array<double, dofs>& v) {
   if constexpr (dofs == 3)
@@ -47,8 +47,7 @@ Dofs<D> velocity_of(const State<D>& state, int n) {
   return dofs_of(state.velocity[n], state.spin[n]);
 }
 
-/// What resists a change of motion: masses, then the moment of inertia; in space, where that is a tensor, its diagonal
-/// in the axes of the world.
+/// Masses, then the moment of inertia; in space the diagonal of its tensor in world axes.
 inline Dofs<2> mass_of(const Model<2>& model, const State<2>& /*state*/, int n) {
   return {model.mass[n], model.mass[n], model.inertia[n]};
 }
@@ -57,7 +56,7 @@ inline Dofs<3> mass_of(const Model<3>& model, const State<3>& state, int n) {
   const Vec3 x = turn.x().cwiseAbs2(), y = turn.y().cwiseAbs2(), z = turn.z().cwiseAbs2(), &own = model.inertia[n];
   return dofs_of(Vec3(Vec3::Constant(model.mass[n])), Vec3(own.x() * x + own.y() * y + own.z() * z));
 }
-/// A radius by which moments compare with forces: of gyration, in space the mean one; 0 where the node has no size [m].
+/// Length that relates moments to forces: radius of gyration, in space the mean one; 0 for a point mass [m].
 inline double gyration_of(const Model<2>& model, int n) {
   return std::sqrt(model.inertia[n] / model.mass[n]);
 }
@@ -65,15 +64,15 @@ inline double gyration_of(const Model<3>& model, int n) {
   return std::sqrt(model.inertia[n].sum() / (3 * model.mass[n]));
 }
 
-/// Forces of one node at an instant, on its free degrees of freedom, and what the supports take on the others.
+/// Forces of one node at an instant on its free degrees of freedom, and the forces on its supports.
 template <int D>
 struct NodeForces {
   Dofs<D> force{}, weight{}, load{}, rest{}, mass{}, on_support{};
   Dofs<D> element_damping{};
-  bool held = false, damped = false;  ///< some degree of freedom is not free; there are dampings of the node
+  bool held = false, damped = false;  ///< some degree of freedom is not free; the node has dampings
 };
 
-/// A force of `share` of the `count` components from `first` of `f` on, against the same ones of v.
+/// Force of `share` times the `count` components from `first` on of `f`, against the same components of v.
 template <int D>
 void brake(const Dofs<D>& v, int first, int count, double share, NodeForces<D>& f) {
   double speed = 0, size = 0;
@@ -83,7 +82,7 @@ void brake(const Dofs<D>& v, int first, int count, double share, NodeForces<D>& 
     if (speed > 0) f.rest[k] = -size / speed * v[k];
 }
 
-/// Dampings that belong to whole nodes. That of the mass is -mass_damping times momentum and angular momentum.
+/// Dampings of whole nodes. Mass damping is -mass_damping times momentum and angular momentum.
 template <int D>
 void add_dampings(const Model<D>& model, const State<D>& state, int n, const Dofs<D>& v, const RestDamping& rest,
                   NodeForces<D>& f) {
@@ -109,7 +108,7 @@ void add_dampings(const Model<D>& model, const State<D>& state, int n, const Dof
   }
 }
 
-/// What acts on nodes from outside at one instant, found once for all of them.
+/// External actions on nodes at one instant, computed once for all nodes.
 template <int D>
 struct Outside {
   Vec<D> field;                                  ///< [m/s2]
@@ -126,7 +125,7 @@ struct Outside {
   }
 };
 
-/// Forces of pushes that no damping may answer: see statics/displacement_control.hpp.
+/// Correction forces of pushes, which no damping may resist: see statics/displacement_control.hpp.
 template <int D>
 void add_correction(const Outside<D>& outside, const std::array<Support, Space<D>::dofs>& support, int n,
                     NodeForces<D>& f) {
@@ -174,8 +173,8 @@ template <std::size_t dofs>
   return sum;
 }
 
-/// Work of weight, loads, supports and dampings along `path`. A step's path is half of the one behind and half of the
-/// one ahead of the instant of the forces: the work a step really does.
+/// Work of weight, loads, supports and dampings along `path`. The path of a step is half of the last step and half of
+/// the next step around the instant of the forces, which is the true work of the scheme.
 template <int D>
 [[gnu::always_inline]] inline NodeWork work_of(const NodeForces<D>& f, const std::type_identity_t<Dofs<D>>& path) {
   NodeWork w{dot(f.weight, path), dot(f.load, path)};
@@ -185,14 +184,14 @@ template <int D>
   return w;
 }
 
-/// The same of one node's forces at once.
+/// Adds the work of one node's forces to the ledger.
 template <int D>
 [[gnu::always_inline]] inline void add_work(const NodeForces<D>& f, const std::type_identity_t<Dofs<D>>& path,
                                             Energy& given) {
   add(work_of(f, path), given);
 }
 
-/// Where degree of freedom k of a node is [m] or [rad].
+/// Coordinate of degree of freedom k of a node [m] or [rad].
 inline double place_along(const State<2>& state, int n, int k) {
   return k == 2 ? state.rotation[n] : state.position[n][k];
 }
@@ -200,13 +199,13 @@ inline double place_along(const State<3>& state, int n, int k) {
   return k >= 3 ? angle_of(state.rotation[n])[k - 3] : state.position[n][k];
 }
 
-/// Turn that a drive makes about its axis of the world from one time to another [rad]. In space turns about several
-/// axes do not add up to a place, so that a drive gives the way and not the place.
+/// Rotation by a drive about its world axis from one time to another [rad]. In space rotations about several axes do
+/// not add up to an orientation, so a drive returns an increment.
 inline double driven_turn(const Drive& drive, double from, double to) {
   return drive.motion->displacement(to - drive.start) - drive.motion->displacement(from - drive.start);
 }
 
-/// Velocity of a driven degree of freedom that brings it to its motion's place at the end of the step.
+/// Velocity of a driven degree of freedom that reaches the prescribed value at the end of the step.
 template <int D>
 double driven_velocity(const Model<D>& model, const State<D>& state, int n, int k, double dt) {
   const Drive& drive = model.drives[model.drive_of[n][k]];
@@ -215,13 +214,14 @@ double driven_velocity(const Model<D>& model, const State<D>& state, int n, int 
   return (drive.origin + drive.motion->displacement(state.time + dt - drive.start) - now) / dt;
 }
 
-/// About which axes of the world a node is free to turn.
+/// World axes about which a node is free to turn.
 inline std::array<bool, 3> free_turns(const Model<3>& model, int n) {
   const auto& s = model.support[n];
   return {s[3] == Support::free, s[4] == Support::free, s[5] == Support::free};
 }
 
-/// Half a step or so on: free degrees of freedom by their forces, driven ones by their motion, fixed ones still.
+/// Velocity about half a step later: free degrees of freedom by their forces, driven ones by their motion, 0 for fixed
+/// ones.
 template <int D>
 [[gnu::always_inline]] inline Dofs<D> speed_ahead(const Model<D>& model, const State<D>& state, int n, const Dofs<D>& v,
                                                   const NodeForces<D>& f, double span, double dt) {

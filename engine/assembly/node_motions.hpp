@@ -1,11 +1,11 @@
-// Forces at nodes and what they do to velocities over the step to come.
+// Nodal forces and the resulting accelerations over the next step.
 #pragma once
 
 #include "assembly/node_forces.hpp"
 
 namespace trilith {
 
-/// Force along axis k of node n, and acceleration of what is driven.
+/// Force along axis k of node n, and acceleration of driven nodes.
 template <int D>
 class NodeMotions {
  public:

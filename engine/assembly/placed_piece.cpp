@@ -1,4 +1,4 @@
-// Pieces where they stand, for contacts of general shape.
+// Pieces in their present position, for contacts of general shape.
 #include <cstddef>
 #include <span>
 
@@ -10,12 +10,12 @@
 namespace trilith {
 namespace {
 
-/// The velocity and spin of the rigid piece that fits the corners of a piece that deforms best.
-/// Least squares over its corners: the mean velocity, and spin = sum of r x v / sum of r^2 about their mean place.
+/// Velocity and spin of the rigid motion that fits the corners of a deforming piece best. Least squares over its
+/// corners: the mean velocity, and spin = sum of r x v / sum of r^2 about their mean position.
 void fit_rigid(PlacedPiece& piece) {
   const auto count = piece.corner.size();
   piece.origin = piece.velocity = Vec2::Zero();
-  const auto share = [&](const Vec2& v) {  // a quarter is exact, and no division
+  const auto share = [&](const Vec2& v) {  // a factor of 1/4 is exact and needs no division
     return count == 4 ? Vec2(0.25 * v) : Vec2(v / static_cast<double>(count));
   };
   for (std::size_t c = 0; c < count; ++c) {
@@ -72,7 +72,7 @@ PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Wor
 
 namespace {
 
-/// Where corners and velocities of a piece go in `all`.
+/// Buffers for corners and velocities of a piece in `all`.
 PieceRoom piece_room(const Model<2>& model, int piece, PlacedPieces& all) {
   const int first = model.piece_first[piece];
   const bool means = !all.mean.empty();
@@ -80,7 +80,7 @@ PieceRoom piece_room(const Model<2>& model, int piece, PlacedPieces& all) {
           means ? &all.over_step[piece] : nullptr};
 }
 
-/// Room for all pieces, with their views into it: what does not change from step to step.
+/// Sizes the buffers for all pieces and connects their constant data.
 void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed) {
   const auto pieces = static_cast<std::size_t>(model.pieces()), corners = model.corner_skin.size();
   const bool means = !work.skin_mean.empty();
@@ -100,7 +100,7 @@ void lay_pieces(const Model<2>& model, const Work<2>& work, PlacedPieces& placed
   }
 }
 
-/// True where the views of the pieces point into this room and this model: those of a copy of Work point into another.
+/// True if the views of the pieces refer to this Work and this model; in a copy of Work they refer to the original.
 bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& placed) {
   const auto pieces = static_cast<std::size_t>(model.pieces());
   if (placed.piece.size() != pieces || placed.over_step.size() != (work.skin_mean.empty() ? 0 : pieces)) return false;
@@ -108,7 +108,7 @@ bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& pl
                          placed.piece[0].is_face.data() == model.edge_is_face.data());
 }
 
-/// A piece with its edges, made where it belongs in `all`.
+/// Places a piece with its edges in `all`.
 void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
   PlacedPiece& placed = all.piece[piece];
   move_piece(model, state, work, piece, piece_room(model, piece, all), placed);

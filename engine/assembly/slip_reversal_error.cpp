@@ -11,8 +11,8 @@
 namespace trilith {
 namespace {
 
-/// Places and rates of two faces at the end of the step, with the mean rates over it, as the kernel for four rows reads
-/// them (assembly/contact/face_contact_simd.hpp), here of one row.
+/// Positions and velocities of two faces at the end of the step, with the mean velocities over it, as the kernel for
+/// four rows reads them (assembly/contact/face_contact_simd.hpp), here for one row.
 FaceMotion<double> motion_of(const Work<2>& work, const NearPair& p) {
   FaceEnds<double> a = face_ends(work, p.a0, p.a1), b = face_ends(work, p.b0, p.b1);
   FaceMotion<double> motion(a, b, p.corner);
@@ -25,13 +25,13 @@ FaceMotion<double> motion_of(const Work<2>& work, const NearPair& p) {
   return motion;
 }
 
-/// With these ways of both halves in the place of what they slid.
+/// Replaces the slip of both halves by these paths.
 FaceMotion<double> slid(FaceMotion<double> motion, double first, double second, double dt) {
   motion.mean.slip_lo = 0.5 * (3 * first - second) / dt, motion.mean.slip_hi = 0.5 * (3 * second - first) / dt;
   return motion;
 }
 
-/// What the two halves remembered before the step, out of the row of State.
+/// Memory of the two halves before the step, from the row of State.
 FaceMemory<double> face_memory(const ContactMemory& m) {
   FaceMemory<double> out;
   for (const int h : {0, 1}) {
@@ -44,10 +44,10 @@ FaceMemory<double> face_memory(const ContactMemory& m) {
   return out;
 }
 
-/// One pair of faces. By linear rates a half went `on` by one way and then `back` by another, see Ways. The law is
-/// asked once more for each of the two, the second with the memory of the first; what it then holds, S2, is compared
-/// with S1, which it held for the whole way at once. Along the way back the mean of both is out by (S1 - S2) / 2, and
-/// its work by that times the way:
+/// Error of one pair of faces. With linear rates a half moved by the path `on` and then by the path `back`, see Ways.
+/// The law is evaluated once for each path, the second time with the memory of the first. Its result S2 is compared
+/// with the result S1 for the whole path at once. Along the way back the mean force has the error (S1 - S2) / 2, and
+/// its work this error times the path:
 ///
 ///     w = sum over the halves of |S1 - S2| |back| / 2                                                             [J]
 double of_faces(const Model<2>& model, const ContactHistory& before, const Work<2>& work, int row, double dt) {
@@ -70,8 +70,9 @@ double of_faces(const Model<2>& model, const ContactHistory& before, const Work<
   });
 }
 
-/// The same of a contact of any shape, where one friction element stands at the centre of pressure: the normal force
-/// and the length of contact are those of the step's end, the way is that of the two bodies along t, across the force.
+/// Error of a contact of any shape, with one friction element at the centre of pressure. The normal force and the
+/// length of contact are those at the end of the step. The path is the relative displacement of the two bodies along t,
+/// across the force.
 double of_general(const Model<2>& model, const State<2>& state, const ContactHistory& before, const Work<2>& work,
                   const GeneralContact<2>& g, double dt) {
   const NearPair& p = work.pairs[g.row];
@@ -116,13 +117,14 @@ double slip_reversal_error(const Model<2>& model, const State<2>& state, const W
 
 namespace {
 
-/// What a contact in space slides by: along its plane, and along its normal the turn times the radius of the area.
+/// Slip vector of a contact in space: the slip in its plane, and along its normal the rotation times the radius of the
+/// area.
 Vec3 sliding(const Vec3& slip, const Vec3& spin, const Vec3& n, double radius) {
   return slip + (radius * n.dot(spin) - n.dot(slip)) * n;
 }
 
-/// The same of a contact in space without mortar, along the direction in which it slides at the end: by rates that are
-/// linear over the step it went on by one part of the way and back by the rest, and its law is asked for both.
+/// Error of a contact in space without mortar, along the direction in which it slides at the end. With linear rates it
+/// moved on by one part of the path and back by the other; its law is evaluated for both.
 double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& work, const GeneralContact<3>& g,
                  const ContactArea& area, double dt) {
   const NearPair& p = work.pairs[g.row];
@@ -155,7 +157,7 @@ double of_solids(const Model<3>& model, const State<3>& state, const Work<3>& wo
 
 }  // namespace
 
-/// Joints of mortar that slide within their bonds are left out.
+/// Mortar joints that slide within their bonds are ignored.
 double slip_reversal_error(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt) {
   double sum = bearing_reversal_error(model, state, work, dt);
   for (const GeneralContact<3>& g : work.general_touching) {

@@ -1,9 +1,9 @@
-// Friction and yielding that turned back within an implicit step. A law is asked once for a step, by the whole way that
-// was gone along it; where a contact or a bearing went on and then back, its force depends on both:
+// Error of friction and yielding that reverse within an implicit step. A law is evaluated once per step, with the whole
+// relative displacement. If a contact or a bearing moves on and then back, its force depends on both parts.
 //
 //       slip of the step                      force
-//            . - ' - .   } back                    _______________   by the whole way
-//         .            '                          /          . \     by both ways
+//            . - ' - .   } back                    _______________   by the whole path
+//         .            '                          /          . \     by both parts
 //       '                                        /               \ .
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace trilith {
 
-/// The way of a slider along the step, in two parts [m] or [rad], and how long the second took [s]; both are 0 where it
-/// did not turn.
+/// The path of a slider along the step, in two parts [m] or [rad], and the duration of the second [s]; `back` and
+/// `time_back` are 0 without a reversal.
 struct Ways {
   double on = 0, back = 0, time_back = 0;
-  /// By its rates at the end and in the mean, taken to be linear over the step.
+  /// From the final and the mean rate, with a rate that is linear over the step.
   Ways(double rate, double mean, double dt) : on(mean * dt) {
     const double first = 2 * mean - rate;
     if (first * rate >= 0) return;
@@ -25,12 +25,12 @@ struct Ways {
   }
 };
 
-/// Work that the forces of all contacts and bearings are out by on the ways back, over the step of length `dt` that was
+/// Work error of the forces of all contacts and bearings on the reversed paths, over the step of length `dt` that was
 /// evaluated last [J].
 double slip_reversal_error(const Model<2>& model, const State<2>& state, const Work<2>& work, double dt);
 double slip_reversal_error(const Model<3>& model, const State<3>& state, const Work<3>& work, double dt);
 
-/// The same of the bearings alone.
+/// Work error of the bearings alone [J].
 template <int D>
 double bearing_reversal_error(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt);
 

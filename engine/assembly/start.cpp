@@ -11,16 +11,16 @@
 namespace trilith {
 namespace {
 
-/// Faces that share less than this of the smaller body's size are those of neighbours across a corner, which settling
-/// has pushed past each other by a hair; no mortar holds there.
+/// Faces that share less than this share of the smaller body's size are neighbours across a corner, displaced slightly
+/// by settlement; no mortar bonds them.
 constexpr double least_shared = 1e-3;
 
 double smaller_size(const Model<2>& model, const NearPair& p) {
   return 2 * std::min(model.body_radius[model.piece_body[p.piece_a]], model.body_radius[model.piece_body[p.piece_b]]);
 }
 
-/// change(law, memory, what the law remembers) alters what a contact of two faces remembers, where its law has bonds;
-/// the ledger has the difference of the elastic energy.
+/// change(law, memory, law memory) modifies the memory of a contact of two faces whose law has bonds; the ledger
+/// receives the difference in elastic energy.
 template <class Change>
 void change_bond(const Model<2>& model, const Work<2>& work, std::size_t row, State<2>& state, Change&& change) {
   const NearPair& pair = work.pairs[row];
@@ -37,7 +37,7 @@ void change_bond(const Model<2>& model, const Work<2>& work, std::size_t row, St
   });
 }
 
-/// The pairs that are near, and a state that has its contacts in their rows.
+/// Finds the candidate pairs and moves the contacts of the state to their rows.
 void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
   update_kinematics(model, state, work);
   update_contact_pairs(model, state, work);
@@ -46,8 +46,8 @@ void find_contacts(const Model<2>& model, State<2>& state, Work<2>& work) {
 
 }  // namespace
 
-/// Where two faces look at each other within `reach` of the smaller body's size, mortar is put between them as they
-/// stand. Stresses stay as they are (see Filling); where what is stored changes, the ledger has the difference.
+/// Puts mortar between opposed faces within `reach` of the smaller body's size, in their present position. Stresses
+/// remain (see Filling); the ledger receives the change of stored energy.
 void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_body) {
   Work<2> work;
   find_contacts(model, state, work);
@@ -55,11 +55,11 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_b
     NearPair& pair = work.pairs[row];
     const ContactMemory& memory = state.contacts.memory[row];
     if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
-    // A joint bonded on both halves is left as it is, so this may be called again.
+    // A joint bonded on both halves remains unchanged, so the function can be called again.
     if (!may_bond(model.laws[pair.law]) || memory.bonds == 3) continue;
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);
-    // Length of the joint and gap are judged by the smaller of both bodies.
+    // Length and gap of the joint are compared with the smaller of both bodies.
     const double size = smaller_size(model, pair);
     if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * size) continue;
     if (overlap.shared < least_shared * size) continue;
@@ -71,7 +71,7 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_b
   }
 }
 
-/// Fresh mortar: joints press and rub, and hold nothing.
+/// Removes the bonds, as of fresh mortar: joints have pressure and friction only.
 void lift_bonds(const Model<2>& model, State<2>& state) {
   Work<2> work;
   find_contacts(model, state, work);

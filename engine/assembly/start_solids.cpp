@@ -1,4 +1,4 @@
-// The bonds of joints of solids in space, as assembly/start.cpp in the plane.
+// Bonds of joints in space; the plane version is assembly/start.cpp.
 #include <algorithm>
 #include <bit>
 
@@ -11,10 +11,10 @@
 namespace trilith {
 namespace {
 
-/// Areas narrower than this share of the smaller body's size are those of neighbours across an edge.
+/// Areas narrower than this share of the smaller body's size belong to neighbours across an edge.
 constexpr double least_joint = 1e-3;
 
-/// The pairs that are near, and a state that has its contacts in their rows.
+/// Finds the candidate pairs and moves the contacts of the state to their rows.
 void find_near_solids(const Model<3>& model, State<3>& state, Work<3>& work) {
   update_kinematics(model, state, work);
   update_contact_pairs(model, state, work);
@@ -30,7 +30,7 @@ bool holds_all_over(const JointMemory* joint) {
          std::popcount(joint->bonds) == static_cast<int>(joint->plan->patch.size());
 }
 
-/// Elastic energy of a row, joint or not [J].
+/// Elastic energy of a row, with or without joint [J].
 double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t row) {
   const NearPair& p = work.pairs[row];
   const LawInUse law{model.laws[p.law], model.thickness, 0};
@@ -42,7 +42,7 @@ double energy_of_row(const Model<3>& model, const State<3>& state, Work<3>& work
   return solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b], memory, law, shared, cell);
 }
 
-/// The joint that sets between two faces. Its seats go with the faces of pieces that deform.
+/// The joint that sets between two faces. Its seats move with the faces of deformable pieces.
 JointMemory joint_between(const Model<3>& model, const State<3>& state, const NearPair& pair, FaceOverlap3 faces,
                           const SolidMemory& memory) {
   if (!model.is_fitted(pair.piece_a)) faces.face_a = -1;
@@ -51,13 +51,13 @@ JointMemory joint_between(const Model<3>& model, const State<3>& state, const Ne
                    body_motion(model, state, pair.piece_b, faces.face_b), memory, model.laws[pair.law]);
 }
 
-/// Lets a joint go, and with it what its patches remember: the most by which one is crushed stays with the contact.
+/// Removes a joint with the memories of its patches; the largest crushed depth of a patch remains in the contact.
 void forget_joint(JointMemory& joint, SolidMemory& memory) {
   memory.keep_crushed(memory.crushed + joint.most_crushed(), 0);
   joint = {};
 }
 
-/// change() alters what a row remembers; the ledger has the difference of the elastic energy.
+/// change() modifies the memory of a row; the ledger receives the difference in elastic energy.
 template <class Change>
 void change_row(const Model<3>& model, State<3>& state, Work<3>& work, std::size_t row, Change&& change) {
   const double before = energy_of_row(model, state, work, row);
@@ -74,7 +74,7 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
     const NearPair& pair = work.pairs[row];
     if (std::max(model.piece_body[pair.piece_a], model.piece_body[pair.piece_b]) < first_body) continue;
     if (model.piece_solid[pair.piece_a].is_sphere() || model.piece_solid[pair.piece_b].is_sphere()) continue;
-    // A joint that holds all over is left as it is, so this may be called again. A bearing stands for flat faces.
+    // A joint bonded all over remains unchanged, so the function can be called again. A bearing replaces flat faces.
     if (pair.replaced || !may_bond(model.laws[pair.law]) || holds_all_over(state.contacts.joint_at(row))) continue;
     const double size = size_of_smaller(model, pair);
     FaceOverlap3 faces;
@@ -91,7 +91,7 @@ void set_bonds(const Model<3>& model, State<3>& state, double reach, int first_b
   }
 }
 
-/// The shear of a joint goes on in the one slider of faces without bonds.
+/// The shear of a joint continues in the single slider of faces without bonds.
 void lift_bonds(const Model<3>& model, State<3>& state) {
   Work<3> work;
   find_near_solids(model, state, work);

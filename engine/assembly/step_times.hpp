@@ -1,4 +1,5 @@
-// Where the time of a step goes, for profiles. Nothing is measured where nobody asks: one branch for each part.
+// Run times of the parts of a step, for profiles. Without a request nothing is measured; the cost is one branch for
+// each part.
 #pragma once
 
 #include <array>
@@ -45,15 +46,15 @@ inline constexpr std::array<const char*, step_parts> step_part_names{"place",
                                                                      "implicit: shorter tries",
                                                                      "handlers and listeners"};
 
-/// Wall clock spent in each part [s].
+/// Wall-clock time of each part [s].
 struct StepTimes {
   std::array<double, step_parts> part{};
-  std::vector<double> law;  ///< of the faces, by contact law
+  std::vector<double> law;  ///< of face contacts, by contact law
   std::int64_t steps = 0;
   double all = 0;  ///< of whole stages
 };
 
-/// Adds the time since the last mark to a part. `times` may be nullptr: then it does nothing.
+/// Adds the time after the last mark to a part. Does nothing if `times` is nullptr.
 class StepClock {
  public:
   explicit StepClock(StepTimes* times) : times_(times) {
@@ -62,7 +63,7 @@ class StepClock {
   void mark(StepPart part) {
     if (times_ != nullptr) times_->part[static_cast<std::size_t>(part)] += lap();
   }
-  /// The same for faces of one law.
+  /// Adds it to the faces of one law.
   void mark_law(int law) {
     if (times_ == nullptr) return;
     const auto row = static_cast<std::size_t>(law);
@@ -71,7 +72,7 @@ class StepClock {
     times_->law[row] += took;
     times_->part[static_cast<std::size_t>(StepPart::faces)] += took;
   }
-  /// Leaves out the time since the last mark: another clock has it.
+  /// Ignores the time after the last mark, which another clock measures.
   void skip() {
     if (times_ != nullptr) last_ = Clock::now();
   }

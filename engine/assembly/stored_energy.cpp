@@ -11,8 +11,7 @@
 namespace trilith {
 namespace {
 
-/// Of one half.
-/// T^2 / (2 ks l), l the length that carries shear.
+/// Elastic shear energy of one half: T^2 / (2 ks l), with l the length that carries shear.
 double shear_energy(const ContactMemory& m, int half, double ks) {
   if (!(m.active[half] > 0 && ks > 0)) return 0;
   return 0.5 * m.shear_elastic[half] * m.shear_elastic[half] / (ks * m.active[half]);
@@ -47,9 +46,8 @@ double general_energy(const PlacedPiece& a, const PlacedPiece& b, const Remember
   return normal + (stiffness > 0 ? 0.5 * shear * shear / stiffness : 0);
 }
 
-/// Faces by row, then contacts of general shape, which this evaluation has listed.
-/// Sum of the elastic energies of all that touches: normal overlap and elastic slip; of faces by their closed form, of
-/// general contacts by the integral over the shared area.
+/// Sum of the elastic energies of all touching contacts, from normal overlap and elastic slip. Faces come first, by
+/// row, in closed form; then the general contacts of this evaluation, by the integral over the shared area.
 double contact_energy(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   double sum = 0;
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
@@ -61,7 +59,7 @@ double contact_energy(const Model<2>& model, const State<2>& state, const Work<2
   return sum;
 }
 
-/// The same in space: of a bonded joint by its patches, of all else by the volume that is shared and the shear held.
+/// In space: a bonded joint by its patches, all other contacts by the shared volume and the stored shear.
 double contact_energy(const Model<3>& model, const State<3>& state, const Work<3>& work) {
   SolidOverlapBuffer shared, cell;
   double sum = 0;

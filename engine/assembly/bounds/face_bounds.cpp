@@ -1,4 +1,4 @@
-// Bodies in the plane on their stiffest faces: what the longest stable step is ready for.
+// Bounds of bodies in the plane in contact along their stiffest faces, for which the stable step must be short enough.
 #include "assembly/bounds/face_bounds.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// A face of a deformable body in full contact: what its end with the smaller mass feels, per mass.
+/// Keeps the stiffer face of a deformable body in full contact: stiffness per mass at its end with the smaller mass.
 void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
   const double length = (model.start_position[to] - model.start_position[from]).norm();
   const double k =
@@ -21,7 +21,7 @@ void add_stiffer_face(const Model<2>& model, int from, int to, const ContactTang
   stiffest.c(0, 0) = law.beta * k;
 }
 
-/// A face of a frame in full contact: what the sections at its ends feel, per mass.
+/// Keeps the stiffer face of a frame in full contact: stiffness per mass at the sections of its ends.
 void add_stiffer_section(const Model<2>& model, int from, int to, const ContactTangent& law, Local& stiffest) {
   const double length = (skin_start(model, to) - skin_start(model, from)).norm();
   for (const int skin : {from, to}) {
@@ -35,8 +35,8 @@ void add_stiffer_section(const Model<2>& model, int from, int to, const ContactT
   }
 }
 
-/// The stiffest face of a body under the stiffest law its surface has, as if in full contact with a body like it. In
-/// the body's own axes.
+/// The stiffest face of a body under the stiffest law of its surface, as if in full contact with an equal body, in the
+/// axes of the body.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
   const Body& b = model.bodies[body];
@@ -56,7 +56,7 @@ Local on_stiffest_face(const Model<2>& model, int body) {
           add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
           continue;
         }
-        // Weight 2: against a body that moves as well.
+        // Weight 2: the other body moves too.
         const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
         const double length = (q - p).norm();
         const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
@@ -69,8 +69,8 @@ Local on_stiffest_face(const Model<2>& model, int body) {
   return stiffest;
 }
 
-/// Springs all around a body of elements as if it were rigid, half as stiff as in full contact with bodies that move:
-/// at least as much as its longest side gives, as no side is longer than half the outline.
+/// Springs all around a meshed body as if it were rigid, half as stiff as in full contact with moving bodies. This is
+/// at least the stiffness of its longest side, because no side is longer than half the outline.
 RateBound around_outline(const Model<2>& model, int body) {
   const WholeBody<2> whole = whole_body(model, model.start_position, body);
   if (!whole.moves()) return {};

@@ -1,5 +1,5 @@
-// Stiffness bounds of bodies lying on their stiffest faces: a contact that forms before the next estimate of the stable
-// step finds a step that is short enough.
+// Stiffness bounds of bodies in contact along their stiffest faces. With them the step is short enough for a contact
+// that forms before the next estimate of the stable step.
 #pragma once
 
 #include "model/model.hpp"
@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// Fills work.face_bound (every body on its stiffest face) and work.around_bound.
+/// Fills work.face_bound (each body in contact along its stiffest face) and work.around_bound.
 void bound_faces(const Model<2>& model, Work<2>& work);
 void bound_faces(const Model<3>& model, Work<3>& work);
 

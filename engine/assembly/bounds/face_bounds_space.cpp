@@ -1,4 +1,4 @@
-// Solids in space on their stiffest faces: what the longest stable step is ready for.
+// Bounds of bodies in space in contact along their stiffest faces, for which the stable step must be short enough.
 #include "assembly/bounds/face_bounds.hpp"
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace trilith {
 namespace {
 
-/// Depth of the contacts that a sphere in none is ready for, as a share of its radius: deeper than any should be. A
-/// blow begins without stiffness, and it takes several steps for its energy to come out right.
+/// Penetration assumed for a sphere without contact, as a share of its radius: deeper than in any valid run. An impact
+/// begins without stiffness, and several steps are needed to resolve its energy.
 constexpr double usual_cap = 0.3;
 
 /// Area, middle and second moments of a face of a piece, in the axes of its body.
@@ -40,14 +40,14 @@ AreaSprings face_springs(const ConvexSolid& solid, int face, const ContactTangen
           law};
 }
 
-/// The disc in which a plane cuts a sphere as deep as usual_cap of its radius, lowest of it.
+/// The disc in which a plane cuts a sphere at the depth usual_cap times its radius, at its lowest point.
 AreaSprings cap_springs(const ConvexSolid& solid, const ContactTangent& law) {
   const double r = solid.radius, area = std::numbers::pi * usual_cap * (2 - usual_cap) * r * r;
   const Vec3 n = Vec3::UnitZ(), lowest = solid.shape.corners[0] - (1 - usual_cap) * r * n;
   return {lowest, n, area, 8.0 / 15 * std::sqrt(area / std::numbers::pi), {Vec3::Zero(), Vec3::Zero()}, law};
 }
 
-/// The stiffest law that a body's surface has with any other.
+/// The stiffest law between the surface of a body and any other.
 ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   ContactTangent most{0, 0, 0};
   for (int other = 0; other < model.surfaces; ++other) {
@@ -59,7 +59,7 @@ ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   return most;
 }
 
-/// The same of the faces of a piece that deforms.
+/// Adds the stiffest face of a piece that deforms.
 void add_stiffest_fit(const Model<3>& model, int piece, const ContactTangent& law, NodeRows& rows, RateBound& most) {
   const ConvexSolid& solid = model.piece_solid[static_cast<std::size_t>(piece)];
   const Vec3& origin = model.start_position[static_cast<std::size_t>(model.node_of_piece(piece))];
@@ -77,7 +77,7 @@ void add_stiffest_fit(const Model<3>& model, int piece, const ContactTangent& la
   }
 }
 
-/// On its stiffest face, against a body that moves as well.
+/// The stiffest face of a body, against a body that moves too.
 RateBound on_stiffest_face(const Model<3>& model, const Body& body, NodeRows& rows) {
   const ContactTangent law = stiffest_law(model, body);
   RateBound most;
@@ -106,8 +106,8 @@ RateBound on_stiffest_face(const Model<3>& model, const Body& body, NodeRows& ro
   return most;
 }
 
-/// A body of elements as if it were rigid, in contact all around and half as stiff as in full contact with bodies that
-/// move: at least as much as its largest side gives, as no flat side is larger than half of the surface.
+/// A meshed body as if it were rigid, in contact all around, half as stiff as in full contact with moving bodies. This
+/// is at least the stiffness of its largest side, because no flat side is larger than half of the surface.
 RateBound around_surface(const Model<3>& model, int body) {
   const Body& b = model.bodies[static_cast<std::size_t>(body)];
   const ContactTangent law = stiffest_law(model, b);

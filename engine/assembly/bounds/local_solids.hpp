@@ -1,4 +1,4 @@
-// Springs of contacts and bearings on nodes of solids in space: what bounds of the longest stable step are made of.
+// Springs of contacts and bearings on nodes in space, from which the stable step is bounded.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -15,7 +15,7 @@ namespace trilith {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Stiffness and damping of one body over its mass and principal moments: columns of sqrt(k) b and sqrt(c) b.
+/// Stiffness and damping of one body over its mass and principal moments: sums over columns sqrt(k) b and sqrt(c) b.
 struct LocalSolid {
   Matrix6 k = Matrix6::Zero(), c = Matrix6::Zero();
 
@@ -23,27 +23,27 @@ struct LocalSolid {
     const Matrix6 m = stiffness * b * b.transpose();
     k += m, c += beta * m;
   }
-  /// The same of a turn alone.
+  /// Adds a purely rotational spring.
   void add_turn(const Vec3& b, double stiffness, double beta) {
     const Eigen::Matrix3d m = stiffness * b * b.transpose();
     k.bottomRightCorner<3, 3>() += m, c.bottomRightCorner<3, 3>() += beta * m;
   }
 };
 
-/// A body as springs see it: how a motion of 1 along each of its own axes moves what hangs on it.
+/// Scaled body: displacement of a point for a unit motion along each of the body's axes.
 struct ScaledNode {
   Turn3 turn;
-  double mass;   ///< root of it
-  Vec3 inertia;  ///< roots of the principal moments
+  double mass;   ///< square root of the mass
+  Vec3 inertia;  ///< square roots of the principal moments
 
-  /// A translation e at `arm` from the node, both in the axes of the world.
+  /// Translation along e at `arm` from the node, both in world axes.
   [[nodiscard]] Vector6 along(const Vec3& e, const Vec3& arm) const {
     Vector6 b;
     b.head<3>() = turn.undo(e) / mass;
     b.tail<3>() = turn.undo(cross(arm, e)).cwiseQuotient(inertia);
     return b;
   }
-  /// A turn about e.
+  /// Rotation about e.
   [[nodiscard]] Vec3 about(const Vec3& e) const { return turn.undo(e).cwiseQuotient(inertia); }
 };
 
@@ -51,10 +51,11 @@ inline ScaledNode scaled_node(const Model<3>& model, int node, const UnitQuatern
   return {turn_of(rotation), std::sqrt(model.mass[node]), model.inertia[node].cwiseSqrt()};
 }
 
-/// A body of elements likewise, as if it were rigid: any root of its inertia will do, as no eigenvalue depends on it.
+/// Scaled meshed body, as if it were rigid. Any root of its inertia is valid, because eigenvalues do not depend on the
+/// choice.
 struct ScaledWhole {
-  double mass;              ///< root of it
-  Eigen::Matrix3d unscale;  ///< of the inertia L L', the inverse of L
+  double mass;              ///< square root of the mass
+  Eigen::Matrix3d unscale;  ///< inverse of L, for the inertia L L'
   Vec3 centre;
 
   explicit ScaledWhole(const WholeBody<3>& whole) : mass(std::sqrt(whole.mass)), centre(whole.centre) {
@@ -69,7 +70,7 @@ struct ScaledWhole {
   [[nodiscard]] Vec3 about(const Vec3& e) const { return unscale * e; }
 };
 
-/// An area under pressure, at `arm` from the node; where its force points nowhere, as stiff along every line.
+/// An area in contact, at `arm` from the node. If its normal is zero, it is equally stiff along every direction.
 struct AreaSprings {
   Vec3 arm, normal;
   double area, radius;
@@ -77,13 +78,13 @@ struct AreaSprings {
   ContactTangent law;
 };
 
-/// Springs on the nodes of a fit: sums of rows of the stiffness, scaled by the masses, of the largest of all
-/// directions. A motion of the nodes moves the middle of the area by sum w_i u_i, and its second moments by the arms; a
-/// dyad of weights v v' has the row |v_i| sum |v_j|, and is added for each.
+/// Springs on the nodes of a fit: row sums of the stiffness, scaled by the masses, for the largest of all directions. A
+/// motion of the nodes moves the middle of the area by sum w_i u_i, and its second moments by the arms. A dyad of
+/// weights v v' has the row sum |v_i| sum |v_j|, added for each node.
 struct NodeRows {
   std::vector<double> k, c;  ///< [node] 1/s2, 1/s
 
-  /// `weight`: [node of the fit] what a unit force gives each.
+  /// `weight`: [node of the fit] nodal force per unit force.
   void add(const Model<3>& model, const Fit& fit, const std::array<double, most_fit_nodes>& weight, double stiffness,
            double dashpot) {
     double sum = 0;
@@ -103,7 +104,7 @@ inline NodeRows rows_of(const Model<3>& model) {
   return {std::vector<double>(nodes), std::vector<double>(nodes)};
 }
 
-/// What a unit force at a point [m] gives each node of a fit, and a unit force along `arm` less one at its foot.
+/// Nodal forces of a fit per unit force at a point [m], or per unit force along `arm` minus one at its foot.
 inline std::array<double, most_fit_nodes> weights_at(const Model<3>& model, const Fit& fit, const Fitted& now,
                                                      const Vec3& at, bool is_arm) {
   const Vec3 s = now.axes.transpose() * (is_arm ? at : Vec3(at - now.place));
@@ -115,7 +116,7 @@ inline std::array<double, most_fit_nodes> weights_at(const Model<3>& model, cons
   return out;
 }
 
-/// An area under pressure on a fit: it stands as stiff along every line as along its stiffest.
+/// Adds a contact area on a fit. It counts as stiff along every direction as along its stiffest one.
 inline void add_area_to_fit(const Model<3>& model, const Fit& fit, const Fitted& now, const AreaSprings& s,
                             double weight, NodeRows& rows) {
   const double stiffness = weight * s.area * std::max(s.law.normal, s.law.shear), dashpot = s.law.beta * stiffness;
@@ -136,7 +137,8 @@ void add_area(const AreaSprings& s, const Scaled& node, double weight, LocalSoli
   local.add_turn(node.about(n), shear * s.radius * s.radius, s.law.beta);
 }
 
-/// At least the largest eigenvalue of a matrix that has none below 0: the fourth root of the norm of its fourth power.
+/// Upper bound of the largest eigenvalue of a positive semidefinite matrix: the fourth root of the norm of its fourth
+/// power.
 inline double largest_bound(const Matrix6& m) {
   const Matrix6 square = m * m, fourth = square * square;
   return std::sqrt(std::sqrt(fourth.norm()));

@@ -1,4 +1,4 @@
-// Springs of contacts on one node or one body of the plane: what bounds of the longest stable step are made of.
+// Springs of contacts on one node or one body in the plane, from which the stable step is bounded.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace trilith {
 
-/// Symmetric 3 x 3 of one body about its node: (x, y, rotation).
+/// Symmetric 3 x 3 matrices of one body about its node: (x, y, rotation).
 struct Local {
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
 };
 
-/// A spring of stiffness k along unit direction e at `arm` from the node, spread over `length` along `spread`. Without
-/// matrices in between: this is done four times for every contact.
+/// Adds a spring of stiffness k along unit direction e at `arm` from the node, distributed over `length` along
+/// `spread`. Written without temporary matrices, because it runs four times for every contact.
 inline void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, double beta, double length,
                        const Vec2& spread, double weight) {
-  // K += k b b', b = (e, arm x e) as the spring is stretched by e . (u + theta x arm); springs spread over `length`
-  // turn about their middle with k length^2 / 12 more.
+  // K += k b b', b = (e, arm x e), because the elongation of the spring is e . (u + theta x arm). Distributed springs
+  // rotate about their middle with k length^2 / 12 in addition.
   const double stiffness = weight * k, lever = cross(spread, e);
   const double b[3] = {e.x(), e.y(), cross(arm, e)};
   for (int column = 0; column < 3; ++column)
@@ -34,7 +34,7 @@ inline void add_spring(Local& local, const Vec2& e, const Vec2& arm, double k, d
     }
 }
 
-/// A spring along unit direction e that turns nothing: the same but for what is 0.
+/// Adds a spring along unit direction e without rotation: the same sums without the zero terms.
 inline void add_spring(Local& local, const Vec2& e, double k, double beta, double weight) {
   const double stiffness = weight * k;
   for (int column = 0; column < 2; ++column)
@@ -45,19 +45,20 @@ inline void add_spring(Local& local, const Vec2& e, double k, double beta, doubl
     }
 }
 
-/// Where a contact is and how stiff: `length` along left_of(normal), its middle at `at`.
+/// Position and stiffness of a contact: `length` along left_of(normal), with its middle at `at`.
 struct ContactSprings {
   Vec2 at, normal;
   double length;
   ContactTangent law;
 };
 
-/// Of law `law` at an overlap of `depth` [m] or less.
+/// Largest tangent of law `law` at an overlap of at most `depth` [m].
 inline ContactTangent spring_tangent(const Model<2>& model, int law, double depth) {
   return with_kernel(law_in_use(model, law), [&](const auto& kernel) { return kernel.tangent(depth); });
 }
 
-/// x^3 - sum x^2 + minors x - product of a symmetric matrix, and the largest root's bound that Newton's steps begin at.
+/// Characteristic polynomial x^3 - sum x^2 + minors x - product of a symmetric matrix, and the bound of its largest
+/// root at which Newton's steps begin.
 struct CharacteristicCubic {
   double sum, minors, product, from;
   explicit CharacteristicCubic(const Eigen::Matrix3d& m)
@@ -67,9 +68,10 @@ struct CharacteristicCubic {
   }
 };
 
-/// The largest eigenvalues of two symmetric matrices that have none below 0, from above: Newton's steps on their
-/// characteristic polynomials from the largest row sum on, which is at least as much, never pass them but by rounding.
-/// A few are enough, as what they leave is on the safe side. Of two, as each step waits for the one before.
+/// Upper bounds of the largest eigenvalues of two symmetric positive semidefinite matrices. Newton's steps on their
+/// characteristic polynomials start at the largest row sum, which is an upper bound, and stay above the root except for
+/// rounding. A few steps are sufficient, because the remaining error is on the safe side. Two matrices are processed
+/// together, because each step depends on the one before.
 inline std::array<double, 2> largest_eigenvalues(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   const CharacteristicCubic of_a(a), of_b(b);
   const LanePair sum{of_a.sum, of_b.sum}, minors{of_a.minors, of_b.minors}, product{of_a.product, of_b.product};
@@ -83,8 +85,8 @@ inline std::array<double, 2> largest_eigenvalues(const Eigen::Matrix3d& a, const
   return {x[0], x[1]};
 }
 
-/// ... of stiffness and damping `of` what is free, scaled by mass and inertia. `is_free`: along x, along y, turning;
-/// what is held or driven does not swing.
+/// Rate bound of stiffness and damping `of` on the free directions, scaled by mass and inertia. `is_free`: along x,
+/// along y, rotation; fixed and driven directions do not vibrate.
 inline RateBound rate_bound(const Local& of, double mass, double inertia, const std::array<bool, 3>& is_free) {
   const std::array<double, 3> scale = {1 / std::sqrt(mass), 1 / std::sqrt(mass), 1 / std::sqrt(inertia)};
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), c = Eigen::Matrix3d::Zero();
@@ -98,8 +100,8 @@ inline RateBound rate_bound(const Local& of, double mass, double inertia, const 
   return {stiffness, damping};
 }
 
-/// The larger of `known` and the rate bounds of a node's own springs. Where their traces, which are no less than any
-/// eigenvalue, are below what is known there is nothing to be found.
+/// The larger of `known` and the rate bounds of a node's own springs. If the traces, which bound all eigenvalues, are
+/// below the known bounds, no eigenvalue is computed.
 inline RateBound larger_rates(const Model<2>& model, int node, const Local& of, const RateBound& known) {
   const double mass = model.mass[node], inertia = model.inertia[node];
   const auto trace = [&](const Eigen::Matrix3d& m) {

@@ -1,4 +1,4 @@
-// The figure that the event of a bond tells: the force it carried, or what broke it where that force did not.
+// Value in the event of a bond: the force it carried, or the stress or couple that broke it.
 #pragma once
 
 #include <cmath>
@@ -8,23 +8,23 @@
 
 namespace trilith {
 
-/// What a bond stood for as it broke or cracked.
+/// Loads and limits of a bond at its failure or first damage.
 struct BondLimits {
-  double tension, cohesion;  ///< of the whole joint [N]
-  double stress;             ///< its tension [Pa]
-  double couple = 0;         ///< that it carried about its normal [N m]
+  double tension, cohesion;  ///< strengths of the whole joint [N]
+  double stress;             ///< tensile strength [Pa]
+  double couple = 0;         ///< couple about its normal [N m]
   double arm = 0;            ///< mean distance of its area from its middle [m]
-  bool softened = false;     ///< it lost its strength by and by: of the last that broke, no limit is known
+  bool softened = false;     ///< it softened before; the limit of the last part is unknown
 };
 
-/// A net force this much below the strength of the joint has not broken it: stresses that hold each other in balance
-/// did, or a blow within one step.
+/// A net force below this share of the joint strength did not break the joint. Self-balanced stresses, or an impact
+/// within one step, did.
 inline constexpr double idle_share = 1e-2;
-/// ... and one this much below it is rounding.
+/// A net force below this share of the strength is rounding.
 inline constexpr double rounding_share = 1e-9;
 
-/// Completes an event that has its mode and its force: by the stress that a bond broke at where moments broke it, by
-/// the couple where it was twisted off, and by no figure where none is known.
+/// Completes an event that has a mode and a force. The value becomes the failure stress if moments broke the bond, the
+/// couple if torsion did, and is removed if no limit is known.
 inline void tell_figure(Event& e, const BondLimits& limits) {
   const double strength = e.mode == JointMode::tension ? limits.tension : limits.cohesion;
   if (e.value < rounding_share * strength) e.value = 0;

@@ -1,4 +1,4 @@
-// The pairs of pieces that may touch, and what the state remembers of their contacts.
+// Contact pairs: candidate pairs of pieces, and their contact memories from the state.
 #include <algorithm>
 
 #include "assembly/bounds/face_bounds.hpp"
@@ -12,8 +12,8 @@
 namespace trilith {
 namespace {
 
-/// Where the laws of the pairs keep what they remember: one after the other in one array, each as long as its law asks.
-/// Returns how long that is.
+/// Assigns each pair its part of the array of law memories, contiguous, with the size that its law requires. Returns
+/// the total size.
 std::uint32_t lay_law_rows(const Model<2>& model, const Work<2>& work, std::vector<LawRow>& rows) {
   make_room(rows, work.pairs.size());
   rows.resize(work.pairs.size());
@@ -26,8 +26,8 @@ std::uint32_t lay_law_rows(const Model<2>& model, const Work<2>& work, std::vect
   return numbers;
 }
 
-/// match_contacts for the rows of the pairs from `first` to before `last`. Both lists are sorted by key, the pieces of
-/// a pair: one pass over both.
+/// match_contacts() for the pairs from `first` to before `last`. Both lists are sorted by key (the two pieces), so one
+/// pass over both is sufficient.
 void match_rows(const Work<2>& work, const ContactHistory& state, std::size_t first, std::size_t last,
                 ContactHistory& now) {
   if (first == last) return;
@@ -45,17 +45,17 @@ void match_rows(const Work<2>& work, const ContactHistory& state, std::size_t fi
   }
 }
 
-/// Room for so many rows, whatever is in them.
+/// Resizes the rows; their content is undefined.
 void resize_rows(std::size_t count, ContactHistory& rows) {
   make_room(rows.key, count), make_room(rows.memory, count);
   rows.key.resize(count), rows.memory.resize(count);
 }
 
-/// Rows that threads match at a time: some ten microseconds.
+/// Rows per chunk of a thread, about 10 microseconds.
 constexpr int matched_stretch = 512;
 
-/// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
-/// What a law remembers is of no use to one of another kind. As many rows of the trial are empty.
+/// Transfers the contact memories of the state to the rows of the new pairs; new pairs start empty. A memory is reset
+/// if the law of the pair is of another kind. The trial gets the same number of empty rows.
 void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>& work) {
   ContactHistory &now = work.matched, &trial = work.contacts;
   resize_rows(work.pairs.size(), now), resize_rows(work.pairs.size(), trial);
@@ -73,8 +73,8 @@ void match_contacts(const Model<2>& model, const ContactHistory& state, Work<2>&
 
 }  // namespace
 
-/// Does nothing while all pieces keep within their boxes, as in nearly every step of what stands; nothing but to look
-/// at faces again where those that left theirs have the same neighbours as before.
+/// Does nothing while all pieces remain in their fat boxes, as in nearly every step of a standing structure. If the
+/// pieces that left their boxes have the same neighbours as before, only their faces are updated.
 void update_contact_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   if (!pairs_outdated(model, state, work)) return;
   if (!work.valid) bound_faces(model, work), list_masses(model, work), work.ridges = shared_edges(model);
@@ -82,7 +82,7 @@ void update_contact_pairs(const Model<2>& model, const State<2>& state, Work<2>&
   match_contacts(model, state.contacts, work);
   work.changed_rows.clear();
   work.row_shares.forget();
-  if (work.threads > 1)  // what partition_face_contacts() will fill within a step
+  if (work.threads > 1)  // buffers that partition_face_contacts() fills within a step
     make_room(work.row_shares.border, work.pairs.size()), make_room(work.row_shares.share_of, model.bodies.size());
   make_room(work.general_now, work.pairs.size());
   work.general_touching.reserve(work.pairs.size());

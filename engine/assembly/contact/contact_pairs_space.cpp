@@ -1,4 +1,4 @@
-// The pairs of solids that may touch, and what the state remembers of their contacts.
+// Contact pairs in space: candidate pairs of pieces, and their contact memories from the state.
 #include <algorithm>
 
 #include "assembly/bounds/face_bounds.hpp"
@@ -11,8 +11,8 @@
 namespace trilith {
 namespace {
 
-/// Brings what the state remembers into the rows of the pairs just found: kept memories move, the rest start empty.
-/// Both lists are sorted by key.
+/// Transfers the contact memories of the state to the rows of the new pairs; new pairs start empty. Both lists are
+/// sorted by key.
 void match_solids(const SolidHistory& state, Work<3>& work) {
   SolidHistory& now = work.matched;
   make_room(now.key, work.pairs.size()), make_room(now.memory, work.pairs.size());
@@ -32,7 +32,7 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
   work.is_matched = true;
 }
 
-/// As many rows and joints, and all empty. In the room that is there: a flow has a new list every few steps.
+/// Copies the size of rows and joints, all empty. The memory is reused: granular flow has a new list every few steps.
 void copy_emptied(const SolidHistory& rows, SolidHistory& out) {
   make_room(out.key, rows.size()), make_room(out.memory, rows.size());
   out.key = rows.key, out.joint_of = rows.joint_of;
@@ -42,7 +42,7 @@ void copy_emptied(const SolidHistory& rows, SolidHistory& out) {
 
 }  // namespace
 
-/// Does nothing while the list of pairs still holds, or those that were looked up have the same neighbours as before.
+/// Does nothing while the list of pairs is valid, or if the updated pieces have the same neighbours as before.
 void update_contact_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!solids_are_due(model, state, work)) return;
   if (!work.valid) bound_faces(model, work), list_masses(model, work), work.ridges = shared_edges(model);

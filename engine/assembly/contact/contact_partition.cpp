@@ -9,10 +9,10 @@
 namespace trilith {
 namespace {
 
-/// Evaluations after which pairs are taken to stand for more: then the shares cost next to nothing.
+/// Evaluations after which pairs are assumed to last longer; the partition then costs very little in comparison.
 constexpr int settled_after = 8;
 
-/// Rows that are worth a run of their own.
+/// Least number of rows in a partition.
 constexpr int least_run = 64;
 
 constexpr int nobody = -1, several = -2;

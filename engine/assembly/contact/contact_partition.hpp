@@ -1,4 +1,4 @@
-// The rows of faces parted between threads.
+// Partition of the rows of face contacts between threads.
 #pragma once
 
 #include "model/model.hpp"
@@ -6,12 +6,12 @@
 
 namespace trilith {
 
-/// True where the rows of faces are parted between work.threads: made where the pairs have been the same for long
-/// enough to be worth it.
+/// True if the rows of face contacts are partitioned between work.threads. The partition is made after the pairs have
+/// been unchanged for several evaluations.
 ///
-/// Comes in: the pairs, in the order of rows. Goes out: some runs of rows for each thread, all as long, and which sides
-/// of rows are at a border: those of bodies that have rows in two runs. All other bodies get their forces from one run
-/// alone, whose thread can add them as it goes, in the order of rows.
+/// Input: the pairs, in the order of rows. Output: some runs of rows of equal length for each thread, and the border
+/// sides of rows, whose bodies have rows in two runs. All other bodies receive their forces from one run alone, so its
+/// thread can add them directly, in the order of rows.
 bool partition_face_contacts(const Model<2>& model, Work<2>& work);
 
 }  // namespace trilith

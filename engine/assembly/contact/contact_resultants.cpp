@@ -8,16 +8,16 @@
 namespace trilith {
 namespace {
 
-/// Bonded while either half is; else by how near the shear is to mu N.
+/// Bonded if one of both halves is bonded; otherwise the shear is compared with mu N.
 ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, double mu) {
   if (memory.bonds != 0) return ContactHold::bonded;
-  // Sliding shear stands at the limit, up to rounding.
+  // Sliding shear equals the limit, up to rounding.
   return std::abs(r.shear) >= (1 - 1e-9) * mu * r.normal ? ContactHold::sliding : ContactHold::sticking;
 }
 
 }  // namespace
 
-/// Normal force, shear and the place they act at, by the law's own equations of the stresses over the common length.
+/// Normal force, shear and their point of action, from the law's own equations of the stresses over the shared length.
 ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,
                                 const ContactMemory& memory, const double* law_numbers) {
   return with_kernel(law_in_use(model, pair.law), [&]<class K>(const K& law) {
@@ -28,14 +28,14 @@ ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, cons
 
 void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out) {
   out.clear();
-  // Of general contacts it is the list of this evaluation that is read: their force is not remembered.
+  // The resultants of general contacts are in the list of this evaluation; their memory does not contain the force.
   const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
     const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);
     out.push_back(
         {row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.contacts.memory[row], r, mu)});
   };
-  std::size_t general = 0;  // both lists rise with the row
+  std::size_t general = 0;  // both lists are sorted by row
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     const ContactMemory& memory = work.contacts.memory[row];
     if ((memory.state & contact_touching) == 0) continue;

@@ -1,4 +1,4 @@
-// The contacts that carry force at this instant, for recording and for scripts.
+// Resultants of the touching contacts at this instant, for recordings and scripts.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace trilith {
 
-/// How a contact holds: by its bond, by friction not used up, or sliding.
+/// State of a contact: bonded, sticking (friction not exhausted), or sliding.
 enum class ContactHold { bonded, sticking, sliding };
 
 struct TouchingContact {
-  int row;             ///< of Work::pairs
-  int body_a, body_b;  ///< force acts on body_b; body_a feels the opposite
+  int row;             ///< index in Work::pairs
+  int body_a, body_b;  ///< the force acts on body_b, the opposite on body_a
   ContactResultant resultant;
   ContactHold hold;
 };
 
-/// Every touching contact, in the order of Work::pairs. `work` must hold the evaluation of the present instant.
-/// `out` is overwritten; its memory is reused.
+/// Lists every touching contact, in the order of Work::pairs. `work` must be evaluated at the present instant. `out` is
+/// overwritten; its memory is reused.
 void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out);
 
-/// Of two faces that remember `memory` and, by their law, `law_numbers`.
+/// Resultant of two faces with the contact memory `memory` and the law memory `law_numbers`.
 ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,
                                 const ContactMemory& memory, const double* law_numbers);
 

@@ -1,5 +1,5 @@
-// What the contact stages, the step estimate and the ledger share: laws in use, what they remember, and pieces where
-// they stand.
+// Functions shared by the contact stages, the step estimate and the ledger: laws in use, contact memories, and pieces
+// in their present position.
 #pragma once
 
 #include <algorithm>
@@ -15,24 +15,24 @@ inline LawInUse law_in_use(const Model<2>& model, int law, double dt = 0) {
   return {model.laws[law], model.thickness, dt};
 }
 
-/// The ends of the face between two skin points, as Work is placed.
+/// The ends of the face between two skin points, in the kinematics of Work.
 inline FaceEnds<double> face_ends(const Work<2>& work, int from, int to) {
   const SkinMotion<2>&p = work.skin[from], &q = work.skin[to];
   return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
 }
 
-/// Where the two faces of a pair share length, as Work is placed.
+/// The shared length of the two faces of a pair, in the kinematics of Work.
 inline FaceOverlap<double> face_overlap(const Work<2>& work, const NearPair& p) {
   return {face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1)};
 }
 
-/// Where a piece's corners go, and where its body deforms or an implicit step was taken, their velocities.
+/// Buffers for the corners of a piece and, for a deformable body or after an implicit step, for their velocities.
 struct PieceRoom {
   Vec2 *place, *velocity, *mean;
   PlacedPiece* over_step;  ///< with the mean velocities of an implicit step
 };
 
-/// Such room for any piece.
+/// Buffers for any piece.
 struct PieceCorners {
   std::array<Vec2, max_piece_corners> place, velocity, mean;
   PlacedPiece over_step;
@@ -40,13 +40,14 @@ struct PieceCorners {
   PieceRoom room() { return {place.data(), velocity.data(), mean.data(), &over_step}; }
 };
 
-/// Makes `placed` a piece that move_piece() will find: views into Model and `room`, which stay from step to step.
+/// Connects `placed` with the data of a piece: views into Model and `room`, which remain valid from step to step.
+/// move_piece() fills them.
 void lay_piece(const Model<2>& model, const Work<2>& work, int piece, const PieceRoom& room, PlacedPiece& placed);
-/// Writes to `room` and to `placed`, which was laid in it, where a piece stands and how it moves. Where an implicit
-/// step was taken it comes with its mean velocities over the step, by which slip and losses go.
+/// Writes the present position and motion of a piece to `room` and to `placed`, which lay_piece() connected. After an
+/// implicit step this includes the mean velocities over the step, which determine slip and dissipation.
 void move_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, const PieceRoom& room,
                 PlacedPiece& placed);
-/// Both, as a value.
+/// lay_piece() and move_piece(), returned as a value.
 PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
                          const PieceRoom& room);
 inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece,
@@ -54,10 +55,10 @@ inline PlacedPiece placed_piece(const Model<2>& model, const State<2>& state, co
   return placed_piece(model, state, work, piece, corners.room());
 }
 
-/// None of the pieces of work.placed is placed; there is room for all.
+/// Marks all pieces of work.placed as not placed, and sizes the buffers.
 void place_none(const Model<2>& model, Work<2>& work);
-/// A piece as it stands now, with its edges, in work.placed: placed by the first of its contacts that asks, in whatever
-/// thread.
+/// Places a piece in its present position, with its edges, in work.placed. The first contact that needs it does so, in
+/// any thread.
 void place_once(const Model<2>& model, const State<2>& state, Work<2>& work, int piece);
 
 }  // namespace trilith

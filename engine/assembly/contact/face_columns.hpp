@@ -1,4 +1,4 @@
-// Rows of four contacts as columns, one lane for each.
+// Rows of four contacts as columns, one SIMD lane for each contact.
 #pragma once
 
 #include "base/simd/lanes.hpp"
@@ -12,7 +12,7 @@ static_assert(lane_count == 4, "columns and rows are written for four lanes");
 TRILITH_INLINE Lanes join(const LanePair& low, const LanePair& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 }
-/// Numbers 0 and 2, or 1 and 3, of both in turn.
+/// Elements 0 and 2, or 1 and 3, of both vectors in turn.
 TRILITH_INLINE Lanes even(const Lanes& a, const Lanes& b) {
   return __builtin_shufflevector(a, b, 0, 4, 2, 6);
 }
@@ -20,15 +20,15 @@ TRILITH_INLINE Lanes odd(const Lanes& a, const Lanes& b) {
   return __builtin_shufflevector(a, b, 1, 5, 3, 7);
 }
 
-/// Two neighbouring numbers of four rows, as two columns.
+/// Loads two neighbouring numbers of four rows as two columns.
 TRILITH_INLINE void load_columns(const double* const* row, Lanes& c0, Lanes& c1) {
   const Lanes r02 = join(load_pair(row[0]), load_pair(row[2])), r13 = join(load_pair(row[1]), load_pair(row[3]));
   c0 = even(r02, r13);
   c1 = odd(r02, r13);
 }
 
-/// Two columns as a pair for each of four rows.
-/// Lanes 0 and 2 of both columns lie in `row02`, 1 and 3 in `row13`: of(row) is then two neighbouring numbers.
+/// Two columns as a pair for each of four rows. Lanes 0 and 2 of both columns are in `row02`, 1 and 3 in `row13`;
+/// of(row) returns two neighbouring numbers.
 struct RowPairs {
   Lanes row02, row13;
   RowPairs() = default;
@@ -42,7 +42,7 @@ struct RowPairs {
   }
 };
 
-/// Positions or velocities of one end of the faces of four pairs, by columns.
+/// Loads positions or velocities of one end of the faces of four pairs, by columns.
 TRILITH_INLINE void load_ends(const SkinMotion<2>* skin, const NearPair* const* p, int NearPair::*end,
                               double SkinMotion<2>::*first, Lanes& c0, Lanes& c1) {
   const double* place[lane_count];
@@ -50,7 +50,7 @@ TRILITH_INLINE void load_ends(const SkinMotion<2>* skin, const NearPair* const* 
   load_columns(place, c0, c1);
 }
 
-/// What is next in line of the faces a and b of four pairs.
+/// Neighbours in line of the faces a and b of four pairs.
 TRILITH_INLINE NextInLine<Lanes> load_next(const FaceLine& line, const SkinMotion<2>* skin, const NearPair* const* p,
                                            const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b) {
   NextInLine<Lanes> next;

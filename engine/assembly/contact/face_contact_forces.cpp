@@ -1,4 +1,4 @@
-// Contacts of two faces, by law, several rows at once.
+// Contacts of two faces, by law, several rows at a time.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@
 namespace trilith {
 namespace {
 
-/// What stays where the faces of a row part.
+/// Sets the memory of a row whose faces have separated.
 template <class K>
 void part_row(const FacePass& pass, int row) {
   pass.after[row] = pass.before[row].parted();
@@ -28,19 +28,19 @@ void part_row(const FacePass& pass, int row) {
   keep_law_memory<K>(K::parted(law_memory<K>(pass.law_before + first)), pass.law_after + first);
 }
 
-/// Energy given off by rows [J], added one after the other: a row that gives nothing changes no bit of a sum, so which
-/// pairs are near and do not touch, and with it when they were found, does not either.
+/// Dissipated energies of rows [J], summed one after the other. A row without dissipation changes no bit of the sum. So
+/// the sum does not depend on pairs that are near but do not touch, nor on when they were found.
 struct GivenOff {
   double damping = 0, friction = 0, fracture = 0;
 };
 
-/// One lane after the other, not by a tree: the sum has the bits that single rows would give.
+/// Adds the lanes one after the other instead of by a tree: the sum has the same bits as for single rows.
 TRILITH_INLINE void add_lanes(double& sum, const LaneMask& counts, const Lanes& lost) {
   const Lanes v = select(counts, lost, Lanes{});
   for (int i = 0; i < lane_count; ++i) sum += v[i];
 }
 
-/// Energies as they are added later.
+/// Stores energies that are added later.
 TRILITH_INLINE void keep_lanes(std::array<double, 4>& kept, const LaneMask& counts, const Lanes& lost) {
   const Lanes v = select(counts, lost, Lanes{});
   for (int i = 0; i < lane_count; ++i) kept[static_cast<std::size_t>(i)] = v[i];
@@ -59,13 +59,14 @@ TRILITH_INLINE void dissipate(const LaneMask& counts, const R& r, GivenOff& give
   }
 }
 
-/// What is known of four rows before it is known which of them are pairs of faces.
+/// Initialises four rows before it is known which of them are pairs of faces.
 TRILITH_INLINE void begin_four(const FourRows& rows, const KeptFour& kept) {
   kept.four->later = {}, kept.four->turns = kept.four->is_general = {};
   for (int i = 0; i < lane_count; ++i) kept.four->row[static_cast<std::size_t>(i)] = rows.row[i];
 }
 
-/// Tells `row`, in lane i: too tilted or too deep for faces, it is found by overlap in this same evaluation.
+/// Marks `row`, in lane i, as general: its faces are too tilted or too deep, so its overlap is computed in the same
+/// evaluation.
 template <class Kept>
 TRILITH_INLINE void tell_general(const FacePass& pass, int row, int i, const Kept& kept) {
   if constexpr (Kept::is_asked)
@@ -73,7 +74,7 @@ TRILITH_INLINE void tell_general(const FacePass& pass, int row, int i, const Kep
   else
     pass.work.general_now.push_back(row);
 }
-/// ... a contact made or lost, a bond or the mortar that changes.
+/// Marks a change in `row`, in lane i: a contact made or lost, or a change of bond or mortar.
 template <class Kept>
 TRILITH_INLINE void tell_turn(const FacePass& pass, int row, int i, const Kept& kept) {
   if constexpr (Kept::is_asked)
@@ -88,10 +89,10 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   using M = typename K::template Memory<Lanes>;
   const LaneMemory<M> memory = load_memory<M>(pass, rows);
   FaceResponse<Lanes, M> r = respond_face_motion<K>(motion, memory.face, memory.own, law);
-  // A contact that has just parted still gives off what it held.
+  // A contact that has just separated dissipates its remaining energy.
   const LaneMask found = rows.valid & r.is_face_pair, counts = found & (r.touching | memory.touching);
   dissipate<K>(counts, r, given, kept);
-  // What may be an event or needs care, row by row.
+  // Rows with possible events are processed one by one.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
   if constexpr (Kept::is_asked) begin_four(rows, kept);
@@ -114,7 +115,7 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   }
 }
 
-/// Adds what four rows came to, as it would have been added at once.
+/// Adds the results of four rows, with the same sums as without the delay.
 template <class K>
 TRILITH_INLINE void take_up(const FacePass& pass, const FourFaces& four, const FourForces& force, GivenOff& given) {
   for (std::size_t i = 0; i < four.row.size(); ++i) {
@@ -131,12 +132,12 @@ TRILITH_INLINE void take_up(const FacePass& pass, const FourFaces& four, const F
   }
 }
 
-/// In blocks, motions first: two short loops leave the processor more to do at once than one long one. `Motion`,
-/// `Kept`: see load_motion and write_row; what a step on one thread does not need is not in its copy.
+/// Processes blocks, motions first: two short loops allow more instruction-level parallelism than one long loop.
+/// `Motion`, `Kept`: see load_motion and write_row; the copy for one thread omits the code for delayed sums.
 template <class K, class Motion, class Kept>
 TRILITH_INLINE void respond_as(const FacePass& pass, const K& kernel, Kept kept, std::span<const int> rows,
                                GivenOff& sums) {
-  // Copies of its own: nothing that the loops write can change them.
+  // Local copies, so that the compiler knows that the loops do not change them.
   const K law = kernel;
   GivenOff given = sums;
   constexpr std::size_t block = 16;
@@ -162,7 +163,8 @@ TRILITH_INLINE void respond_batch(const FacePass& pass, const K& law, std::span<
   respond_as<K, FaceMotion<Lanes>>(pass, law, AddedAtOnce{}, rows, given);
 }
 
-// For each law one copy for wide registers and one for any machine: the same operations, so the same bits.
+// One copy of the code of each law for wide registers and one for any machine, with the same operations and so the same
+// bits.
 
 template <class K>
 void respond_narrow(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
@@ -200,8 +202,8 @@ KeptFour kept_at(Work<2>& work, std::size_t four) {
   return {&work.four_faces[four], &work.four_forces[four]};
 }
 
-/// `touched` of the rows come first and then the rest, both in their order: what of either belongs to each run of
-/// rows, in the order in which they are added.
+/// Lists the runs. The first `touched` rows come first and then the others, both in their order; each run of rows
+/// contains its part of either, in the order of summation.
 void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t touched, std::vector<RowRun>& runs) {
   runs.clear();
   std::size_t four = 0;
@@ -216,8 +218,8 @@ void list_runs(const RowShares& shares, std::span<const int> rows, std::size_t t
     }
 }
 
-/// Each thread answers its runs of the rows and adds forces where no other run does; what else they come to is added in
-/// the order of rows.
+/// Each thread processes its runs of rows and adds the forces of bodies that no other run contains. All other results
+/// are added in the order of rows.
 template <class K>
 void respond_shares(const FacePass& pass, const K& law, std::span<const int> rows, std::size_t touched,
                     GivenOff& given) {
@@ -233,21 +235,21 @@ void respond_shares(const FacePass& pass, const K& law, std::span<const int> row
         FacePass own = pass;
         own.kept = kept_at(work, run.four), own.border = shares.border.data();
         GivenOff none;
-        // One that ends within the list reads beyond its end what is not its own, and leaves it out.
+        // A run that ends within the list reads further rows beyond its end and ignores them.
         respond_as_here<K>(own, law, rows.subspan(run.first, run.last - run.first), none);
       }
   });
-  GivenOff sums = given;  // kept in registers: no force that is written can change it
+  GivenOff sums = given;  // kept in registers: no written force can change it
   for (const RowRun& run : work.row_runs)
     for (std::size_t i = run.first, four = run.four; i < run.last; i += lane_count, ++four)
       take_up<K>(pass, work.four_faces[four], work.four_forces[four], sums);
   given = sums;
 }
 
-/// Rows that threads take at a time: some five microseconds.
+/// Rows per chunk of a thread, about 5 microseconds.
 constexpr int face_stretch = 128;
 
-/// Each stretch of rows as single rows would be answered; what they come to is added in the order of rows.
+/// Processes chunks of rows; their results are added in the order of rows.
 template <class K>
 void respond_stretches(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
   Work<2>& work = pass.work;
@@ -271,7 +273,8 @@ void respond_stretches(const FacePass& pass, const K& law, std::span<const int> 
       });
 }
 
-/// The rows of a law, of which `touched` come first: by this thread, or by several with the same bits.
+/// Processes the rows of a law, the first `touched` of which touched before: by this thread, or by several with the
+/// same bits.
 template <class K>
 void respond_all(const FacePass& pass, const K& law, std::span<const int> rows, std::size_t touched, bool are_shared) {
   Work<2>& work = pass.work;
@@ -285,10 +288,10 @@ void respond_all(const FacePass& pass, const K& law, std::span<const int> rows, 
   work.given[EnergyTerm::contact_fracture] += given.fracture;
 }
 
-/// Rows of which threads choose faces at a time: some five microseconds.
+/// Rows per chunk of a thread when faces are chosen, about 5 microseconds.
 constexpr int chosen_stretch = 256;
 
-/// Which rows of several pairs of faces have one now, and which. Each row asks its own pieces and writes itself alone.
+/// Chooses the face pair of rows with several possible ones. Each row reads its own pieces and writes only itself.
 void choose_faces(const Model<2>& model, const State<2>& state, const ContactHistory& before, Work<2>& work,
                   FaceBatch& batch) {
   batch.has_faces.resize(batch.choice.size());
@@ -305,8 +308,8 @@ void choose_faces(const Model<2>& model, const State<2>& state, const ContactHis
   });
 }
 
-/// Rows of a batch: those with one pair of facing faces, and those of several of which one is chosen now. In the
-/// order of rows either way, so that sums do not depend on when the pairs were found.
+/// Rows of a batch with a face pair: rows with one pair of opposed faces, and rows with several of which one is chosen
+/// now. They are in the order of rows, so that sums do not depend on when the pairs were found.
 const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state, const ContactHistory& before,
                                    Work<2>& work, FaceBatch& batch) {
   if (batch.choice.empty()) return batch.row;
@@ -314,7 +317,7 @@ const std::vector<int>& facing_now(const Model<2>& model, const State<2>& state,
   batch.chosen.clear();
   for (std::size_t i = 0; i < batch.choice.size(); ++i)
     (batch.has_faces[i] != 0 ? batch.chosen : work.general_now).push_back(batch.choice[i]);
-  // Both lists rise, and so does what they are merged to.
+  // Both lists are sorted, and so is the merged list.
   batch.now.resize(batch.row.size() + batch.chosen.size());
   std::merge(batch.row.begin(), batch.row.end(), batch.chosen.begin(), batch.chosen.end(), batch.now.begin());
   return batch.now;
@@ -327,7 +330,8 @@ void respond_face_rows(const FacePass& pass, const LawInUse& law, std::span<cons
   with_kernel(law, [&]<class K>(const K& kernel) { respond_as_here<K>(pass, kernel, rows, none); });
 }
 
-/// Law by law: which of its rows are pairs of faces now, which of those are worth the kernel, and the kernel on them.
+/// For each law: selects the rows that are pairs of faces now, excludes pairs that are clearly apart, and applies the
+/// kernel of the law to the others.
 void face_contact_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, StepTimes* times) {
   StepClock clock(times);
   const ContactHistory& before = contacts_before(state, work);

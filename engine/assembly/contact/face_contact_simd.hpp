@@ -1,4 +1,4 @@
-// Four rows of contacts of faces into the columns of a kernel, and what it answers back into the rows.
+// Transfer of four rows of face contacts to the columns of a kernel, and of its results back to the rows.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@
 
 namespace trilith {
 
-// Rows of one law go through its kernel four at once, a lane each. What comes in is gathered row by row and turned:
+// The kernel of a law processes four rows at a time, one per lane. The input is gathered row by row and transposed.
 //
 //     row 0   x0 y0                  x: x0 x1 x2 x3
 //     row 1   x1 y1   load_columns   y: y0 y1 y2 y3     kernel     columns of forces   RowPairs    rows again
 //     row 2   x2 y2  ------------>                    -------->    and memories        -------->   to be written
 //     row 3   x3 y3
 //
-// A lane that is no row (`valid`), or whose faces are no pair of faces now, or that does not touch, is computed with
-// the others and left out as its results are written. Each row writes its own memory; forces are added to skin points
-// row by row, in the order of the list, so that the bits do not depend on the lanes.
+// Some lanes are computed and ignored when results are written: lanes without a row (`valid`), rows that are no pair of
+// faces now, and rows that do not touch. Each row writes its own memory. Forces are added to skin points row by row, in
+// the order of the list, so that the bits do not depend on the lanes.
 
 static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + sizeof(double) &&
                   offsetof(ContactMemory, state) == offsetof(ContactMemory, bonds) + sizeof(std::uint32_t),
               "slip, bonds and state are moved as one pair");
-// ... as (slip, word), the bonds in the lower half of the word and the state in the upper.
+// Loaded as (slip, word), with the bonds in the lower half of the word and the state in the upper half.
 static_assert(std::endian::native == std::endian::little, "bonds and state are read as one number");
 
 TRILITH_INLINE LaneMask bits_of(const Lanes& v) {
@@ -50,22 +50,22 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
                        general_bit = std::int64_t{contact_general} << 32, kept_bit = std::int64_t{contact_kept} << 32;
 
-/// Where what four rows come to is kept; nowhere if it is added at once.
+/// Buffer for delayed results of four rows; empty if they are added at once.
 struct KeptFour {
   static constexpr bool is_asked = true;
   FourFaces* four = nullptr;
   FourForces* force = nullptr;
   void to_next() { ++four, ++force; }
 };
-/// In its place for rows that one thread answers: known as the kernel is compiled.
+/// Replaces KeptFour for rows of one thread; known at compile time.
 struct AddedAtOnce {
   static constexpr bool is_asked = false;
 };
 
-/// Arrays of State and Work that the rows of a batch are read from and written to.
+/// Arrays of State and Work that the rows of a batch read and write.
 struct FacePass {
   const SkinMotion<2>* skin;
-  const Vec2* skin_mean;  // nullptr: velocities over the step are those of now
+  const Vec2* skin_mean;  // nullptr: velocities over the step equal the present ones
   const NearPair* pairs;
   const ContactMemory* before;
   ContactMemory* after;
@@ -75,12 +75,13 @@ struct FacePass {
   Vec2* skin_force;
   Work<2>& work;
   FaceLine line;                        // faces of meshes in line ...
-  const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat by that
-  KeptFour kept{};  // where threads share the rows: forces, energies and lists are kept, to be added in order
-  const std::uint8_t* border = nullptr;  // ... forces on these sides of rows alone, see RowShares; nullptr: on all
+  const std::uint8_t* known = nullptr;  // ... or, instead, for each row whether its faces are flat with their
+                                        // neighbours in line
+  KeptFour kept{};  // if threads share the rows: forces, energies and lists are stored, to be added in order
+  const std::uint8_t* border = nullptr;  // forces on these sides of rows only, see RowShares; nullptr: on all
 };
 
-/// Four rows of a list at once. Beyond its end the list holds its last row again, which is not `valid` there.
+/// Four rows of a list. Beyond its end the list repeats its last row, which is not `valid` there.
 struct FourRows {
   const int* row;
   LaneMask valid{-1, -1, -1, -1};
@@ -90,8 +91,8 @@ struct FourRows {
   }
 };
 
-/// Rows that are no pairs of faces by themselves and are so with their neighbours in line: flat, or where they share no
-/// length open. What a bond holds together goes by itself. `p`, `a`, `b`: their pairs, and the ends of the faces.
+/// Extends rows that are no pairs of faces by themselves, but are flat with their neighbours in line, or open without
+/// shared length. Bonded rows are not extended. `p`, `a`, `b`: their pairs, and the ends of the faces.
 TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const NearPair* const* p,
                                const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b, LeapfrogMotion<Lanes>& motion) {
   FaceOverlap<Lanes>& o = motion.overlap;
@@ -113,8 +114,8 @@ TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const
   o.gap_lo = select(opens, zero + open, o.gap_lo), o.gap_hi = select(opens, zero + open, o.gap_hi);
 }
 
-/// Places and velocities of the four face ends of each row, as columns. `Motion`: FaceMotion after an implicit step, of
-/// which the mean velocities are read too; in a leapfrog step both are the same and nothing more is read.
+/// Positions and velocities of the four face ends of each row, as columns. `Motion`: FaceMotion after an implicit step,
+/// which contains the mean velocities too; in a leapfrog step both are equal and nothing more is read.
 template <class Motion>
 TRILITH_INLINE Motion load_motion(const FacePass& pass, const FourRows& rows) {
   const NearPair* p[lane_count];
@@ -144,7 +145,7 @@ TRILITH_INLINE Motion load_motion(const FacePass& pass, const FourRows& rows) {
   return motion;
 }
 
-/// What four contacts and their law remember.
+/// Memories of four contacts and of their law.
 template <class M>
 struct LaneMemory {
   FaceMemory<Lanes> face;
@@ -170,14 +171,14 @@ TRILITH_INLINE LaneMemory<M> load_memory(const FacePass& pass, const FourRows& r
   load(&ContactMemory::shear_total, m.face.shear_total[0], m.face.shear_total[1]);
   load(&ContactMemory::damping_force, m.face.damping_force[0], m.face.damping_force[1]);
   load(&ContactMemory::active, m.face.active[0], m.face.active[1]);
-  // Slip and the word of bonds and state lie side by side and are moved as one pair of numbers.
+  // Slip and the word of bonds and state are adjacent and moved as one pair of numbers.
   load(&ContactMemory::slip, m.face.slip, bits);
   const LaneMask word = bits_of(bits);
   m.face.bonds[0] = has_bit(word, 1);
   m.face.bonds[1] = has_bit(word, 2);
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
-  // What a law remembers is read two by two; each law has an even count of numbers.
+  // The memory of a law is read in pairs of numbers; each law has an even count.
   int number = 0;
   m.own.fields([&](Lanes& c0, Lanes& c1) {
     const double* row[lane_count];
@@ -188,12 +189,12 @@ TRILITH_INLINE LaneMemory<M> load_memory(const FacePass& pass, const FourRows& r
   return m;
 }
 
-/// A response as rows again, to be written where they belong. `pairs`: of numbers of the law's memory.
+/// Response as rows, for writing. `pairs`: pairs of numbers of the law's memory.
 template <std::size_t pairs>
 struct RowResponse {
   RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
   std::array<RowPairs, pairs> own;
-  /// Bonds in bits 0 and 1, touching always: a row that does not touch is not written from here.
+  /// Bonds in bits 0 and 1, touching always set: rows that do not touch are not written here.
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m, const LaneMask& kept) {
     const LaneMask none{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (kept & (none + kept_bit)) |
@@ -215,10 +216,11 @@ struct RowResponse {
   }
 };
 
-/// The sides of a row, as bits.
+/// Sides of a row, as bits.
 constexpr std::uint8_t side_a = 1, side_b = 2, both_sides = side_a | side_b;
 
-/// One row after the other: two of four may have a skin point in common. `sides`: to which forces are added.
+/// Adds forces one row after the other: two of four rows may share a skin point. `sides`: the sides that receive
+/// forces.
 TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0, const LanePair& a1,
                                const LanePair& b0, const LanePair& b1, unsigned sides = both_sides) {
   const NearPair& p = pass.pairs[row];
@@ -236,7 +238,7 @@ TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0
   }
 }
 
-/// Lane i of a response to the row it belongs to. `Kept`: KeptFour, see FacePass, or AddedAtOnce.
+/// Writes lane i of a response to its row. `Kept`: KeptFour, see FacePass, or AddedAtOnce.
 template <std::size_t pairs, class Kept>
 TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, const Kept& kept) {
   ContactMemory& after = pass.after[row];

@@ -9,18 +9,17 @@
 namespace trilith {
 namespace {
 
-/// Makes the last rows of a list good to be read by fours.
+/// Pads the last rows of a list for reading in groups of four.
 template <class List>
 void pad(List&& rows, std::size_t count) {
   if (count == 0) return;
   for (std::size_t i = 0; i + 1 < lane_count; ++i) rows[count + i] = rows[count - 1];
 }
 
-/// True where the line along one of the two faces keeps the two pieces apart, for certain: both ends of the other face
-/// lie beyond it, and no corner next to them can reach back. What does not touch now remembers nothing and does
-/// nothing.
+/// True if the line along one of the two faces certainly separates the two pieces: both ends of the other face lie
+/// beyond it, and no corner next to them can reach back. A row that does not touch has no memory and no effect.
 TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair* const* p) {
-  const Lanes slack = Lanes{} + 1e-12;  // of the face's length, far above the rounding of positions
+  const Lanes slack = Lanes{} + 1e-12;  // times the length of the face, far above the rounding of positions
   Lanes ax0, ay0, ax1, ay1, bx0, by0, bx1, by1;
   load_ends(skin, p, &NearPair::a0, &SkinMotion<2>::x, ax0, ay0);
   load_ends(skin, p, &NearPair::a1, &SkinMotion<2>::x, ax1, ay1);
@@ -30,16 +29,16 @@ TRILITH_INLINE LaneMask clearly_apart(const SkinMotion<2>* skin, const NearPair*
   const Lanes ax = ax1 - ax0, ay = ay1 - ay0, bx = bx1 - bx0, by = by1 - by0;
   const Lanes x0 = bx0 - ax0, y0 = by0 - ay0, x1 = bx1 - ax0, y1 = by1 - ay0;
   const Lanes cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
-  // Height of b's ends over a's face, and of a's ends over b's, times its length.
+  // Height of b's ends over a's face, and of a's ends over b's face, times the length of the face.
   const Lanes over_a = smaller(ay * x0 - ax * y0, ay * x1 - ax * y1);
   const Lanes over_b = smaller(bx * y0 - by * x0, bx * y0 - by * x0 + sine);
-  // With `corner` at most 1 the surface edges next to a face turn away by 45 degrees or more, so at a tilt below
-  // atan(1/2) they do not lead back over the line.
+  // With `corner` at most 1 the surface edges next to a face turn away by 45 degrees or more. At a tilt below atan(1/2)
+  // they do not lead back over the line.
   const LaneMask parallel = (corner <= 1.0 + Lanes{}) & (magnitude(sine) < -0.5 * cosine);
   return parallel & ((over_a > slack * (ax * ax + ay * ay)) | (over_b > slack * (bx * bx + by * by)));
 }
 
-/// The faces of four pairs, where they are.
+/// The faces of four pairs in their present position.
 struct FourFacePairs {
   FaceEnds<Lanes> a{}, b{};
   FaceOverlap<Lanes> overlap;
@@ -55,17 +54,17 @@ struct FourFacePairs {
   }
 };
 
-/// True of faces that share no length and are flat with their neighbours in line: a pair of faces, as the kernel would
-/// find (see join_lines), and one that does not touch. Each face of a mesh that lies in a joint has two such beside the
-/// one across.
+/// True for faces that share no length and are flat with their neighbours in line. The kernel would find a pair of
+/// faces (see join_lines) that does not touch. Each face of a mesh in a joint has two such neighbours next to the
+/// opposite face.
 TRILITH_INLINE LaneMask lie_beside(const FaceLine& line, const SkinMotion<2>* skin, const NearPair* const* p) {
   const FourFacePairs faces(skin, p);
   return flip(faces.overlap.sane) &
          are_flat_in_line<Lanes>(faces.overlap, load_next(line, skin, p, faces.a, faces.b), faces.corner);
 }
 
-/// Of the first `count` of a padded list of rows that did not touch keeps those that may, in their order. `before`:
-/// what a bond holds is looked at in any case.
+/// Keeps the rows that may touch among the first `count` rows of a padded list that did not touch, in their order.
+/// `before`: contact memories; bonded rows are always kept.
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] std::size_t keep_near(const FaceLine& line,
                                                                                   const ContactMemory* before,
                                                                                   const SkinMotion<2>* skin,
@@ -90,7 +89,7 @@ TRILITH_INLINE LaneMask lie_beside(const FaceLine& line, const SkinMotion<2>* sk
   return kept;
 }
 
-/// Bit i: the faces of row i of four are a pair of faces where no bond holds them, as the kernel will ask.
+/// Bit i: the faces of row i of four form a pair of faces without regard to bonds, as the kernel tests.
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] unsigned are_faces(const SkinMotion<2>* skin,
                                                                                const NearPair* pairs, const int* row) {
   const NearPair* const p[lane_count] = {&pairs[row[0]], &pairs[row[1]], &pairs[row[2]], &pairs[row[3]]};
@@ -105,13 +104,13 @@ TRILITH_INLINE LaneMask lie_beside(const FaceLine& line, const SkinMotion<2>* sk
 
 namespace {
 
-/// Rows that threads take at a time: some five microseconds.
+/// Rows per chunk of a thread, about 5 microseconds.
 constexpr int sorted_stretch = 512;
-/// Room of a stretch, with what its padding takes.
+/// Buffer size of a chunk, padding included.
 constexpr std::size_t stretch_room = sorted_stretch + lane_count;
 
-/// A list that grows downwards from `end`, of `count` rows that were of general shape at the last step: keeps those
-/// that still are, which need no kernel to find that out. Returns how many.
+/// A list that grows downwards from `end` with `count` rows that were of general shape in the last step. Keeps the rows
+/// that still are, which the kernel need not test. Returns their number.
 std::size_t keep_tumbling(const FaceLine& line, const Work<2>& work, int* end, std::size_t count) {
   std::size_t kept = 0;
   for (std::size_t from = 0; from < count; from += lane_count) {
@@ -126,8 +125,8 @@ std::size_t keep_tumbling(const FaceLine& line, const Work<2>& work, int* end, s
   return kept;
 }
 
-/// Takes the rows of such a list, which come in the same order, out of the first `count` of `rows`; returns what is
-/// left.
+/// Removes the rows of such a list, which are in the same order, from the first `count` of `rows`; returns the number
+/// of remaining rows.
 std::size_t without(const int* end, std::size_t tumbling, int* rows, std::size_t count) {
   std::size_t left = 0, next = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -140,9 +139,9 @@ std::size_t without(const int* end, std::size_t tumbling, int* rows, std::size_t
   return left;
 }
 
-/// `count` facing rows: those that touched go to `rows`, of the rest those that may touch now to `fresh`, and those
-/// that are of general shape, as they were at the last step, to the end of the room of `fresh`; both lists have room
-/// for all of them and for the padding.
+/// Sorts `count` rows of opposed faces. Rows that touched are written to `rows`, rows that may touch now to `fresh`.
+/// Rows that remain of general shape are written to the end of the buffer of `fresh`. Both buffers can hold all rows
+/// and the padding.
 SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, const Work<2>& work, const int* facing,
                         std::size_t count, int* rows, int* fresh) {
   constexpr std::uint32_t shapeless = contact_touching | contact_general;
@@ -150,7 +149,7 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
   std::size_t touched = 0, rest = 0, tumbling = 0;
   std::uint32_t seen = 0;
   static_assert(contact_touching == 1 && contact_kept == 4);
-  for (std::size_t i = 0; i < count; ++i) {  // without branches: which rows touch is hard to guess
+  for (std::size_t i = 0; i < count; ++i) {  // without branches: touching rows are hard to predict
     const int row = facing[i];
     const std::uint32_t state = before.memory[row].state, was = (state | state >> 2) & 1;
     rows[touched] = fresh[rest] = row;
@@ -158,7 +157,7 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
     rest += was ^ 1;
     seen |= state;
   }
-  if ((seen & contact_general) != 0) {  // in a wall that stands there is none
+  if ((seen & contact_general) != 0) {  // in a standing wall there are none
     for (std::size_t i = 0; i < touched; ++i) {
       const ContactMemory& memory = before.memory[rows[i]];
       if ((memory.state & shapeless) == shapeless && memory.bonds == 0) *(end - ++tumbling) = rows[i];
@@ -172,8 +171,9 @@ SortedRows sort_stretch(const FaceLine& line, const ContactHistory& before, cons
 
 }  // namespace
 
-/// Rows that touched, or keep something, go first and are always worked on; of the rest only what may touch now. Both
-/// in their order, whatever stretches threads take them by. What comes out is padded to be read by fours.
+/// Rows that touched, or have a memory, come first and are always processed; of the others only the rows that may touch
+/// now. Both are in their order, independent of the chunks of the threads. The output is padded for reading in groups
+/// of four.
 NearRows sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
                   std::vector<int>& rows, std::vector<int>& fresh) {
   const std::size_t stretches = (facing.size() + sorted_stretch - 1) / sorted_stretch;
@@ -190,7 +190,7 @@ NearRows sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& w
   });
   std::size_t count = 0;
   const auto append = [&](std::size_t stretch, const std::vector<int>& from, std::size_t many) {
-    // In `rows` to the left of where it is.
+    // Within `rows`, to the left of the present position.
     std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(stretch * room), many,
                 rows.begin() + static_cast<std::ptrdiff_t>(count));
     count += many;
@@ -200,7 +200,7 @@ NearRows sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& w
     work.general_now.insert(work.general_now.end(), end - static_cast<std::ptrdiff_t>(work.sorted_rows[s].tumbling),
                             end);
   }
-  count = stretches == 0 ? 0 : work.sorted_rows[0].touched;  // they are where they belong
+  count = stretches == 0 ? 0 : work.sorted_rows[0].touched;  // they are in their final position
   for (std::size_t s = 1; s < stretches; ++s) append(s, rows, work.sorted_rows[s].touched);
   const std::size_t touched = count;
   for (std::size_t s = 0; s < stretches; ++s) append(s, fresh, work.sorted_rows[s].fresh);

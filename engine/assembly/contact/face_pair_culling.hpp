@@ -1,4 +1,4 @@
-// Which pairs of facing faces are worth the contact kernel at this step.
+// Culling of face pairs: selects the pairs of opposed faces that need the contact kernel in this step.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace trilith {
 
-/// How many rows a list holds, and how many of them, which come first, touched at the last step or are crushed.
+/// Number of rows in a list, and number of the first ones, which touched in the last step or are crushed.
 struct NearRows {
   std::size_t count, touched;
 };
 
-/// Of the `facing` rows those that touched at the last step or are crushed, and then those that may touch now: `rows`.
-/// Beyond their count the list repeats its last row, so that it can be read by fours. `fresh`:
-/// room. Rows that were of general shape at the last step, and are so now, go to Work::general_now at once. Threads
-/// share it.
+/// Selects `facing` rows into `rows`: first the rows that touched in the last step or are crushed, then the rows that
+/// may touch now. Beyond its end the list repeats its last row, so that it can be read in groups of four. `fresh`:
+/// buffer. Rows that were and remain of general shape are written to Work::general_now directly. Threads share the
+/// loop.
 NearRows sort_out(const FaceLine& line, const ContactHistory& before, Work<2>& work, const std::vector<int>& facing,
                   std::vector<int>& rows, std::vector<int>& fresh);
 

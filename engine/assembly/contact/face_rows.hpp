@@ -1,4 +1,4 @@
-// Contacts of faces from arrays of any origin, for whom wants to know what rows would answer elsewhere.
+// Contacts of faces from arrays of any origin, to evaluate rows in positions other than the present one.
 #pragma once
 
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace trilith {
 
-/// Rows of one law: forces and flags go to `pass.kept`, one entry for each four of `rows`, memories to its arrays.
-/// Work is not written. `rows` can be read by fours: beyond its end it holds its last row again.
+/// Evaluates rows of one law. Forces and flags are written to `pass.kept`, one entry for each four of `rows`, and
+/// memories to its arrays. Work is not modified. `rows` is padded for reading in groups of four: beyond its end it
+/// repeats its last row.
 void respond_face_rows(const FacePass& pass, const LawInUse& law, std::span<const int> rows);
 
 }  // namespace trilith

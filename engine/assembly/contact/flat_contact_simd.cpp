@@ -13,14 +13,14 @@
 namespace trilith {
 namespace {
 
-/// One of each of four placed solids' corners or normals.
+/// One corner or normal of each of four placed polyhedra.
 using FourOf = std::array<const Vec3*, lane_count>;
 
 TRILITH_INLINE Triple<Lanes> four_at(const FourOf& of) {
   return four_of(*of[0], *of[1], *of[2], *of[3]);
 }
 
-/// Faces of few corners, of each of four solids, into lanes. Returns the most corners of any.
+/// Loads faces with few corners, one of each of four polyhedra, into lanes. Returns the largest number of corners.
 TRILITH_INLINE int load_few(const FourOf& first, const std::array<const std::uint8_t*, lane_count>& corner,
                             std::array<Triple<Lanes>, max_face_corners>& corners) {
   bool four = false;
@@ -33,7 +33,7 @@ TRILITH_INLINE int load_few(const FourOf& first, const std::array<const std::uin
   return four ? few_corners : few_corners - 1;
 }
 
-/// A face of each of four solids into lanes; corners beyond a face's own repeat its last.
+/// Loads a face of each of four polyhedra into lanes; corners beyond the end of a face repeat its last corner.
 struct FourFacesOfSolids {
   std::array<const PlacedSolid*, lane_count> solid;
   std::array<int, lane_count> face;
@@ -54,7 +54,7 @@ struct FourFacesOfSolids {
   }
 };
 
-/// What nodes have, of four of them.
+/// Nodal vectors of four nodes.
 TRILITH_INLINE Triple<Lanes> four_nodes(const std::vector<Vec3>& of, const std::array<int, lane_count>& n) {
   return four_of(of[static_cast<std::size_t>(n[0])], of[static_cast<std::size_t>(n[1])],
                  of[static_cast<std::size_t>(n[2])], of[static_cast<std::size_t>(n[3])]);
@@ -63,7 +63,7 @@ TRILITH_INLINE MovingInLanes moving_nodes(const State<3>& state, const std::arra
   return {four_nodes(state.position, n), four_nodes(state.velocity, n), four_nodes(state.spin, n)};
 }
 
-// Rows of numbers are read and written by whole registers, in this order.
+// Rows of numbers are read and written as whole registers, in this order.
 static_assert(std::is_standard_layout_v<SolidMemory> && offsetof(SolidMemory, normal) == 7 * sizeof(double) &&
               offsetof(SolidMemory, damping_moment) == 13 * sizeof(double) &&
               offsetof(SolidMemory, slip) == 16 * sizeof(double));
@@ -73,7 +73,7 @@ static_assert(std::is_standard_layout_v<ContactArea> && offsetof(ContactArea, ar
               offsetof(ContactArea, face_a) == 15 * sizeof(double));
 static_assert(offsetof(LawNumbers, beta) == 3 * sizeof(double));
 
-/// What four contacts remember into lanes.
+/// Loads the memories of four contacts into lanes.
 TRILITH_INLINE void load_memories(const std::array<const double*, lane_count>& of, FlatMemory& out) {
   const FourRowsOf<const double> row(of);
   Triple<Lanes>&elastic = out.shear.elastic, &total = out.shear.total, &moment = out.damping_moment;
@@ -98,7 +98,7 @@ TRILITH_INLINE void store_answers(const FlatResponses& out, const std::array<dou
   const FourRowsOf<double> row(to);
   const Triple<Lanes>&f = out.force, &a = out.moment_a, &b = out.moment_b, &n = out.normal_force, &c = out.centre;
   row.store(0, out.area, out.depth, out.lost_damping, out.lost_friction);
-  row.store(4, Lanes{}, f.x, f.y, f.z);  // nothing breaks
+  row.store(4, Lanes{}, f.x, f.y, f.z);  // no fracture energy
   row.store(8, a.x, a.y, a.z, b.x);
   row.store(12, b.y, b.z, n.x, n.y);
   row.store(16, n.z, c.x, c.y, c.z);
@@ -113,7 +113,7 @@ TRILITH_INLINE void store_areas(const FlatResponses& out, const std::array<doubl
   row.store(12, aside.x), row.store(13, aside.y), row.store(14, aside.z);
 }
 
-/// The faces of four rows into lanes.
+/// Loads the faces of four rows into lanes.
 TRILITH_INLINE void load_faces(const Work<3>& work, const std::array<const NearPair*, lane_count>& pair,
                                const std::array<const FacePair*, lane_count>& pair_of_faces, FacesInLanes& out) {
   FourFacesOfSolids a, b;

@@ -1,5 +1,5 @@
-// Rows of solids whose faces may lie flat, four into the lanes of their kernel (contact/space/flat_contact.hpp) and out
-// again.
+// Rows of polyhedra whose faces may lie flat: transfer of four rows to the lanes of their kernel
+// (contact/space/flat_contact.hpp) and back.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace trilith {
 
-/// Where what four rows came to goes; of a lane that is no row, or does not touch, to a place that nobody reads.
+/// Destinations of the results of four rows. Lanes without a row, or without contact, write to a scratch location.
 struct FlatPlaces {
   std::array<double*, lane_count> answer, memory, area;
 
-  /// All of them `nowhere`, which has room for any.
+  /// Sets all destinations to `nowhere`, which is large enough for any.
   explicit FlatPlaces(std::array<double, 20>& nowhere) {
     answer.fill(nowhere.data()), memory.fill(nowhere.data()), area.fill(nowhere.data());
   }
-  /// Of one that touches. What is the same of all such is written at once.
+  /// Sets the destinations of a row that touches. Data common to all touching rows are written at once.
   void set(std::size_t lane, SolidAnswer& to, SolidMemory& remembered, ContactArea& lies) {
     answer[lane] = &to.area, memory[lane] = remembered.shear.elastic.data(), area[lane] = lies.middle.data();
     remembered.state = contact_touching | contact_general;
@@ -28,10 +28,10 @@ struct FlatPlaces {
   }
 };
 
-/// What four rows came to, out of lanes.
+/// Writes the results of four rows from lanes to their destinations.
 void store_flat(const FlatResponses& out, const FlatPlaces& to);
 
-/// All that the kernel of flat faces asks of four rows, in a step of `dt` [s].
+/// Loads all inputs of the kernel for flat faces for four rows, in a step of `dt` [s].
 void load_flat(const State<3>& state, const Work<3>& work, const std::array<int, lane_count>& row, double dt,
                FlatContacts& in);
 

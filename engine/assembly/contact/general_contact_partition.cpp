@@ -12,11 +12,11 @@
 namespace trilith {
 namespace {
 
-/// Rows that are worth a run of their own.
+/// Least number of rows in a run.
 constexpr int least_general_run = 32;
-/// Rows whose bodies several threads mark: some five microseconds.
+/// Least number of rows for which several threads mark the border bodies; about 5 microseconds.
 constexpr int least_marked = 2048;
-/// Of the last run: no body is of one that follows.
+/// Border of the last run: no body belongs to a following run.
 constexpr int no_end = std::numeric_limits<int>::max();
 
 template <int D>
@@ -26,13 +26,13 @@ void empty_run(int first, int last, GeneralRun<D>& run) {
   run.later.clear(), run.losses.clear(), run.touching.clear(), run.changed.clear();
 }
 
-/// True where one run has all rows, so that nobody else adds to anything.
+/// True if one run contains all rows, so that no other run adds to any body.
 template <int D>
 bool one_has_all(const Work<D>& work) {
   return work.general_runs.front().end_body == no_end;
 }
 
-/// Marks the bodies of a run's rows that belong to runs after it. Several threads may say so of one body.
+/// Marks the bodies of a run's rows that belong to later runs. Several threads may mark the same body.
 template <int D, class PairAt>
 void mark_border(const Model<D>& model, const GeneralRun<D>& run, Work<D>& work, PairAt&& pair_at) {
   for (int i = run.first; i < run.last; ++i) {
@@ -43,11 +43,11 @@ void mark_border(const Model<D>& model, const GeneralRun<D>& run, Work<D>& work,
   }
 }
 
-/// partition_general_contacts() of so many rows, the i-th of which is of pair_at(i).
+/// Implements partition_general_contacts() for `rows` rows; row i belongs to pair_at(i).
 template <int D, class PairAt>
 int part_rows(const Model<D>& model, Work<D>& work, int rows, PairAt&& pair_at) {
   const int parts = work.threads <= 1 ? 1 : std::clamp(rows / least_general_run, 1, runs_a_thread * work.threads);
-  // Those that are too many now have no rows: lists that came and went would ask for their room within a step.
+  // Surplus runs become empty instead of being deleted: repeated deletion would allocate memory within a step.
   if (work.general_runs.size() < static_cast<std::size_t>(parts))
     work.general_runs.resize(static_cast<std::size_t>(parts));
   work.general_touching.begin_anew(static_cast<std::size_t>(rows));
@@ -64,7 +64,7 @@ int part_rows(const Model<D>& model, Work<D>& work, int rows, PairAt&& pair_at) 
   return parts;
 }
 
-/// Where forces on the corners of a body go: to its skin points at once.
+/// Sink that adds forces on the corners of a body to its skin points directly.
 struct ForcesNow {
   Vec2* on;
   TRILITH_INLINE void add(int skin, const Vec2& force) const {
@@ -73,10 +73,10 @@ struct ForcesNow {
   }
 };
 
-/// The same, or to a list of what is added later.
+/// Sink that adds forces directly, or stores them in a list to be added later.
 struct ForcesByBorder {
   ForcesNow now;
-  std::vector<LaterForce<2>>* later;  ///< nullptr: at once
+  std::vector<LaterForce<2>>* later;  ///< nullptr: directly
   TRILITH_INLINE void add(int skin, const Vec2& force) const {
     later != nullptr ? void(later->push_back({skin, force})) : now.add(skin, force);
   }
@@ -88,7 +88,7 @@ void add_to_piece(const Model<2>& model, int piece, const Vec2* force, const Sin
   for (int c = 0; c < count; ++c) sink.add(skin[c], force[c]);
 }
 
-/// To the corners at both ends of edge e.
+/// Adds forces to the corners at both ends of edge e.
 template <class Sink>
 TRILITH_INLINE void add_to_edge(const Model<2>& model, int piece, int e, const std::array<Vec2, 2>& force,
                                 const Sink& sink) {
@@ -96,7 +96,7 @@ TRILITH_INLINE void add_to_edge(const Model<2>& model, int piece, int e, const s
   sink.add(skin[e], force[0]), sink.add(skin[next], force[1]);
 }
 
-/// `sink_of(piece)`: where forces on it go.
+/// `sink_of(piece)`: sink for the forces on a piece.
 template <class SinkOf>
 TRILITH_INLINE void add_forces(const Model<2>& model, const NearPair& pair, const OverlapAnswer& answer,
                                SinkOf&& sink_of) {
@@ -123,7 +123,7 @@ RowLoss loss_of(const OverlapAnswer& answer) {
   return {r.lost_damping, answer.let_go.friction + r.lost_friction, answer.let_go.fracture + r.lost_fracture};
 }
 
-/// Lists of what a row that counts came to, and its forces.
+/// Adds the results of a row that counts to the lists, and its forces.
 template <class SinkOf>
 TRILITH_INLINE void take_up_row(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int i,
                                 const OverlapAnswer& answer, SinkOf&& sink_of) {
@@ -136,14 +136,14 @@ TRILITH_INLINE void take_up_row(const Model<2>& model, Work<2>& work, GeneralRun
   run.touching.push_back(i);
 }
 
-/// To the sums of a carrier: see LaterForce.
+/// Adds to the sums of a contact frame: see LaterForce.
 TRILITH_INLINE void add_to_carrier(int contact_frame, const Vec3& force, const Vec3& moment, SolidWork<3>& solids) {
   const auto i = static_cast<std::size_t>(contact_frame < 0 ? -1 - contact_frame : contact_frame);
   (contact_frame < 0 ? solids.fit_force : solids.force)[i] += force;
   (contact_frame < 0 ? solids.fit_moment : solids.moment)[i] += moment;
 }
 
-/// Lists of what a row came to, and its forces: add(piece, carrier, force, moment).
+/// Adds the results of a row to the lists, and its forces by add(piece, contact frame, force, moment).
 template <class Add>
 TRILITH_INLINE void take_up_row(Work<3>& work, GeneralRun<3>& run, const SolidAnswer& answer, Add&& add) {
   const int row = answer.row;
@@ -163,7 +163,7 @@ void add_later(const LaterForce<3>& f, Work<3>& work) {
   add_to_carrier(f.contact_frame, f.force, f.moment, work.solids);
 }
 
-/// Run by run, which is in the order of rows.
+/// Joins the runs one after the other, which is the order of rows.
 template <int D>
 void join_runs(Work<D>& work) {
   Energy given = work.given;

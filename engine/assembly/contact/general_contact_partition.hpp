@@ -1,10 +1,10 @@
-// The rows of general shape parted between threads.
+// Partition of the rows of general contacts between threads.
 //
-// Comes in: the rows that are worked on, in space all, in their order, sorted by their first piece. Each thread has
-// runs of them side by side, all as long, so that what it places and answers stays in its own cache. Goes out: forces
-// at skin points, lists of what touches and what changed, sums of energy, with the bits of one row after the other: a
-// body all of whose rows are in one run gets their forces as they are found, in the order of rows; those on others are
-// kept, and added run by run once all are answered. What rows give off is added in their order too.
+// Input: the active rows (in space all rows), sorted by their first piece. Each thread has neighbouring runs of equal
+// length, so that the pieces it places and its results stay in its own cache. Output: forces at skin points, lists of
+// touching and changed rows, and energy sums. They have the same bits as if one row were processed after the other. A
+// body with all rows in one run receives their forces directly, in the order of rows. Forces on other bodies are stored
+// and added run by run after all rows are done. Dissipated energies are added in the same order.
 #pragma once
 
 #include "model/model.hpp"
@@ -12,17 +12,17 @@
 
 namespace trilith {
 
-/// Parts Work::awake_rows, in space all rows, into Work::general_runs: some for each thread, or one where more are not
-/// worth it. None touches yet. Returns how many of them have rows: the first ones.
+/// Partitions Work::awake_rows, in space all rows, into Work::general_runs: some runs for each thread, or one run for
+/// few rows. No row touches yet. Returns the number of runs with rows, which come first.
 int partition_general_contacts(const Model<2>& model, Work<2>& work);
 int partition_general_contacts(const Model<3>& model, Work<3>& work);
 
-/// Adds what rows of a run came to, from `first` on to before `last`, one answer each.
+/// Adds the results of the rows of a run from `first` to before `last`, one answer each.
 void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first, int last,
              const OverlapAnswer* answers);
 void take_up(const Model<3>& model, Work<3>& work, GeneralRun<3>& run, int first, int last, const SolidAnswer* answers);
 
-/// Adds what runs have kept, once all rows are answered.
+/// Adds the stored results of the runs after all rows are done.
 void join_general_partitions(Work<2>& work);
 void join_general_partitions(Work<3>& work);
 

@@ -1,4 +1,4 @@
-// Pieces in space where they stand, as contact asks for them.
+// Pieces in space in their present position, as input of the contact functions.
 #pragma once
 
 #include "assembly/contact/solid_joints.hpp"
@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// A piece where its body is now, with the velocity and spin of the node that it goes with, or of its fit.
+/// A piece in its present position, with the velocity and spin of its node, or of its fit.
 inline MovingSolid moving_solid(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   if (model.is_fitted(piece)) {
     const auto first = static_cast<std::size_t>(model.piece_fit[static_cast<std::size_t>(piece)]);
@@ -23,7 +23,7 @@ inline MovingSolid moving_solid(const Model<3>& model, const State<3>& state, co
   return {work.solids.placed[piece], state.position[n], state.velocity[n], state.spin[n], step_behind(work, n)};
 }
 
-/// One of the two is a ball.
+/// True if one of the two pieces is a sphere.
 inline bool has_sphere(const Work<3>& work, const NearPair& pair) {
   const std::vector<Sphere>& sphere = work.solids.sphere;
   return !sphere.empty() && (sphere[pair.piece_a].radius > 0 || sphere[pair.piece_b].radius > 0);

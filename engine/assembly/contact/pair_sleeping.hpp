@@ -1,5 +1,5 @@
-// What two solids do not have to be asked anew before they have gone some way: each by its own, so that what flies past
-// wakes none that stand.
+// Pair sleeping in space: pairs that are apart are skipped until their own motion may have brought them together. The
+// motion is measured for each piece, so that a fast piece wakes only its own pairs.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace trilith {
 
-/// How far the two pieces of a pair have gone together, each by its corner that went farthest [m].
+/// Sum of the travels of the two pieces of a pair, each by its farthest corner [m].
 inline double way_of(const Work<3>& work, const NearPair& pair) {
   return work.solids.way[static_cast<std::size_t>(pair.piece_a)] +
          work.solids.way[static_cast<std::size_t>(pair.piece_b)];
 }
 
-/// A pair that was found apart sleeps until both may have gone far enough to have come together.
+/// True while a pair that was found apart cannot have come together.
 inline bool sleeps(const Work<3>& work, std::size_t row) {
   return way_of(work, work.pairs[row]) < work.asleep_until[row];
 }

@@ -1,4 +1,4 @@
-// Contacts of general shape: corners, deep overlap, pieces that tumble.
+// Contacts of general shape: corners, deep overlap, tumbling pieces.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,15 +20,15 @@ namespace trilith {
 
 namespace {
 
-/// What two faces held that their contact does not as one of general shape.
-/// Dilation that faces held open, halves crushed unlike: neither has a place in the overlap of areas.
+/// Energy that two faces stored and their general contact does not: the effects of dilation and of halves crushed
+/// unequally have no counterpart in the overlap of areas.
 ShapeLoss change_of_shape(const Work<2>& work, const NearPair& pair, const Remembered& before, const LawInUse& use) {
   return with_kernel(use, [&]<class K>(const K& law) {
     return law.leave_faces(face_overlap(work, pair), before.contact, law_memory<K>(before.law));
   });
 }
 
-/// What stays where the pieces of a row do not touch.
+/// Sets the memory of a row whose pieces do not touch.
 void part_row(const ContactHistory& before, ContactHistory& after, int row) {
   after.memory[row] = before.memory[row].parted();
   with_kernel_type(before.law_row[row].place, [&]<class K>() {
@@ -36,26 +36,26 @@ void part_row(const ContactHistory& before, ContactHistory& after, int row) {
   });
 }
 
-/// True of laws that remember nothing of pieces that are apart.
+/// True if no law has a memory for pieces that are apart.
 bool forgets_all(const Model<2>& model) {
   return std::all_of(model.laws.begin(), model.laws.end(), [](const ContactLaw& law) {
     return std::visit([]<class L>(const L&) { return !L::Kernel::bonds && !L::Kernel::crushes; }, law);
   });
 }
 
-/// One evaluation's rows. Each is found from what State and its own row hold, and writes its own row alone.
+/// The rows of one evaluation. Each depends on State and its own row, and writes only its own row.
 struct GeneralPass {
   const Model<2>& model;
   const State<2>& state;
   const ContactHistory& before;
   Work<2>& work;
   double dt;
-  bool forgets;  ///< see forgets_all: then only rows that remember nothing sleep
+  bool forgets;  ///< see forgets_all: if false, only rows without memory sleep
 
-  /// False where there is nothing to be found out: the two were apart, and still are. What did not touch and remembers
-  /// nothing has an empty row before and after already.
+  /// False if the pieces were apart and still are. A row that did not touch and has no memory is already empty before
+  /// and after.
   [[nodiscard]] bool wakes(int row) const {
-    // A pair found apart sleeps until the fastest point has gone far enough to have brought it together.
+    // A pair found apart sleeps until the travel of the fastest point may have brought it together.
     const bool awake = work.travel >= work.asleep_until[row];
     if (forgets) return awake;
     const ContactMemory& memory = before.memory[row];
@@ -64,7 +64,7 @@ struct GeneralPass {
     if (!memory.empty()) part_row(before, work.contacts, row);
     return awake;
   }
-  /// The distance at which the edge that kept two pieces apart last still does; else 0 [m].
+  /// Distance at the edge that separated two pieces last; 0 if it does not separate them now [m].
   [[nodiscard]] double still_apart(const PlacedPiece& a, const PlacedPiece& b, int row) const {
     const int by = work.pairs[row].apart_by, e = by % max_piece_corners;
     const PlacedPiece &owner = by < max_piece_corners ? a : b, &other = by < max_piece_corners ? b : a;
@@ -72,10 +72,11 @@ struct GeneralPass {
     return distance_outside(owner.sides.row[e], other.corner);
   }
   void sleep(int row, double distance) const {
-    // Each of the two may come nearer by the path of the fastest point.
+    // Each of the two may approach by the travel of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * distance;
   }
-  /// Whether one corner under one face has an answer of its own under the law of a pair, which remembers `memory`.
+  /// True if the special case of one corner below one face is implemented for the law of a pair with the memory
+  /// `memory`.
   [[nodiscard]] bool knows_corners(const NearPair& pair, const ContactMemory& memory) const {
     return is_plain_friction(model.laws[pair.law]) && !pair.replaced &&
            (memory.empty() || (memory.state & contact_general) != 0);
@@ -93,8 +94,8 @@ struct GeneralPass {
   void finish(int row, OverlapAnswer& answer) const;
 };
 
-/// Rows of one law in which one corner is below a face, or one of each piece in the other, or was last: to be answered
-/// together.
+/// Rows of one law with one corner below a face, or one corner of each piece in the other, now or before; they are
+/// evaluated together.
 struct CornerRows {
   std::array<CornerCase, most_corner_cases> pair;
   std::array<int, most_corner_cases> row;
@@ -109,8 +110,8 @@ struct CornerRows {
   }
 };
 
-/// One corner of a pair under one face of it, or one of each, as it was last; there may be no such corner or face. With
-/// the pieces in the places of each other the bits would be others.
+/// True if the corner and face of the last evaluation, or one corner of each piece, still exist. With the pieces
+/// exchanged the bits would differ, so that case is excluded.
 bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b) {
   if (at.both && !at.wedge_is_b) return false;
   const PlacedPiece &wedge = at.wedge_is_b ? b : a, &owner = at.wedge_is_b ? a : b;
@@ -121,7 +122,7 @@ std::span<Vec2> forces_on(Vec2* on, const PlacedPiece& piece) {
   return {on, piece.corner.size()};
 }
 
-/// Makes an answer ready to be written, with room for the forces on both pieces from `force` on; returns its end.
+/// Prepares an answer for writing, with its forces on both pieces from `force` on; returns the end of these.
 Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece& b, Vec2* force) {
   answer.counts = true;
   answer.changed = answer.touching = false;
@@ -131,13 +132,13 @@ Vec2* make_ready(OverlapAnswer& answer, const PlacedPiece& a, const PlacedPiece&
   return answer.on_b + b.corner.size();
 }
 
-/// Asks for what rows to come begin with, while others are worked on: they are too far apart in memory for the
-/// processor to see by itself which will be next.
+/// Prefetches the pairs of the next rows while others are processed. They are too far apart in memory for hardware
+/// prefetching.
 void GeneralPass::fetch_pairs(std::span<const int> rows) const {
   for (const int row : rows) ask_for<Asked::read, sizeof(NearPair)>(&work.pairs[row]);
 }
 
-/// The same of what they remember, and of their pieces what placing reads and writes.
+/// Prefetches the memories of the next rows, and the data that placing their pieces reads and writes.
 void GeneralPass::fetch(std::span<const int> rows) const {
   PlacedPieces& placed = work.placed;
   for (const int row : rows) {
@@ -145,7 +146,7 @@ void GeneralPass::fetch(std::span<const int> rows) const {
     ask_for<Asked::read, sizeof(ContactMemory)>(&before.memory[row]);
     ask_for<Asked::write, sizeof(ContactMemory)>(&work.contacts.memory[row]);
     for (const int piece : {pair.piece_a, pair.piece_b}) {
-      // Another thread may be placing it; then nothing is lost but the asking.
+      // If another thread is placing it, the prefetch is merely useless.
       if (std::atomic_ref(placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
       const PieceSource& source = placed.source[piece];
       ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[source.skin]);
@@ -160,16 +161,16 @@ void GeneralPass::fetch(std::span<const int> rows) const {
   }
 }
 
-/// One corner below one face, or one of each piece in the other, is answered for several rows at once: for those in
-/// which it was so last, and those in which it is found to be so now. What it does not hold for is looked at by itself.
-/// `answers`: one for each row; `force`: room for the forces of all of them.
+/// Evaluates the case of one corner below one face, or of one corner of each piece in the other, for several rows at a
+/// time. These are rows with this case in the last step, and rows that have it now. All other rows are evaluated one by
+/// one. `answers`: one for each row; `force`: buffer for the forces of all rows.
 void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const {
-  // Pieces of all of them first: a short loop leaves the processor more to fetch at once.
+  // All pieces first: a short loop allows more parallel memory accesses.
   for (const int row : rows) {
     const NearPair& pair = work.pairs[row];
     place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
   }
-  std::array<CornerRows, 2> kinds;  // of one corner, of one of each
+  std::array<CornerRows, 2> kinds;  // one corner; one corner of each piece
   const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
@@ -211,8 +212,9 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
   for (CornerRows& waiting : kinds) answer_waiting(waiting);
 }
 
-/// A bearing carries what its two faces would: flat contact is held off, and the depth that it has then is noted, for
-/// what tilts presses only by what goes deeper. What such a contact still holds as it lies flat again is given off.
+/// True if a bearing carries the load of its two faces. Flat contact is suppressed and its depth is stored; a tilted
+/// piece presses only with the additional depth. The remaining energy of the contact is dissipated when it lies flat
+/// again.
 bool GeneralPass::holds_off(int row, OverlapAnswer& answer) const {
   const NearPair& pair = work.pairs[row];
   const PlacedPiece &a = work.placed.piece[static_cast<std::size_t>(pair.piece_a)],
@@ -231,8 +233,8 @@ bool GeneralPass::holds_off(int row, OverlapAnswer& answer) const {
   return true;
 }
 
-/// A row in which the corner that was `tried` does not answer it. What one corner comes to is found in one way,
-/// remembered or not, or bits would depend on it.
+/// Evaluates a row that the corner `tried` does not describe. The result for one corner is computed in one way,
+/// remembered or not, so that the bits do not depend on it.
 void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) const {
   const CornerOnFace at = respond_any(row, answer, true);
   if (!at.is_there()) return;
@@ -244,8 +246,8 @@ void GeneralPass::respond(int row, CornerOnFace tried, OverlapAnswer& answer) co
   respond_any(row, answer, false);
 }
 
-/// A row of any shape, whose pieces are placed. Where just one corner of either lies in the other, or one of both, and
-/// the row `may_be_corner`, that is returned and noted, and nothing is answered. `along`: see
+/// Evaluates a row of any shape with placed pieces. If `may_be_corner` and exactly one corner of either piece, or one
+/// of each, lies in the other, this case is stored and returned without evaluation. `along`: see
 /// direction_at_shared_edges.
 CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_be_corner, const Vec2* along) const {
   NearPair& pair = work.pairs[row];
@@ -268,7 +270,7 @@ CornerOnFace GeneralPass::respond_any(int row, OverlapAnswer& answer, bool may_b
   return {};
 }
 
-/// The pair of a row with that corner, and where its answer goes.
+/// The corner case of a row, with the destination of its answer.
 CornerCase GeneralPass::corner_case(int row, CornerOnFace at, OverlapAnswer& answer) const {
   const NearPair& pair = work.pairs[row];
   const std::vector<PlacedPiece>& placed = work.placed.piece;
@@ -276,7 +278,7 @@ CornerCase GeneralPass::corner_case(int row, CornerOnFace at, OverlapAnswer& ans
           &work.contacts.memory[row], &answer.response,      &answer.push};
 }
 
-/// As finish(), of a row that was answered by a corner: it touches, and what it remembers is written.
+/// finish() for a row that the corner case has evaluated: it touches, and its memory is written.
 void GeneralPass::finish_corner(int row, CornerOnFace at, OverlapAnswer& answer) const {
   const ContactMemory& memory = before.memory[row];
   answer.changed = (memory.state & contact_touching) == 0 || memory.bonds != 0 || (memory.state & contact_kept) != 0;
@@ -284,7 +286,7 @@ void GeneralPass::finish_corner(int row, CornerOnFace at, OverlapAnswer& answer)
   answer.corner_at = at;
 }
 
-/// What a response means for its row: whether anything changed, what is remembered, how long it may sleep.
+/// Completes a row after its response: change flag, memory, and sleep limit.
 void GeneralPass::finish(int row, OverlapAnswer& answer) const {
   const ContactMemory& memory = before.memory[row];
   const OverlapResponse& r = answer.response;
@@ -300,16 +302,16 @@ void GeneralPass::finish(int row, OverlapAnswer& answer) const {
   if (!was || !forgets) sleep(row, r.separation);
 }
 
-/// Rows that are answered before what they came to is taken up.
+/// Rows that are evaluated before their results are added.
 constexpr int general_stretch = 32;
 
-/// What a run has of the stretch that begins there, nothing beyond its end.
+/// Rows of a run in the chunk from `first`, not beyond its end.
 std::span<const int> rows_from(const Work<2>& work, const GeneralRun<2>& run, int first) {
   const int from = std::min(first, run.last), to = std::min(first + general_stretch, run.last);
   return std::span(work.awake_rows).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
 }
 
-/// `answers`: room for a stretch, `force` for the forces of its rows.
+/// `answers`: buffer for a chunk; `force`: buffer for the forces of its rows.
 void GeneralPass::respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* force) const {
   fetch_pairs(rows_from(work, run, run.first + general_stretch));
   fetch(rows_from(work, run, run.first));
@@ -322,8 +324,8 @@ void GeneralPass::respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* 
   }
 }
 
-/// Rows of general shape, and those that were to be faces and are not now, of a stretch of all: those that are worked
-/// on, in their order, to where the stretch begins in Work::awake_rows. Returns how many there are.
+/// Lists the active rows of a chunk of all rows: rows of general shape, and rows whose faces are no pair of faces now.
+/// They are in order, from the begin of the chunk in Work::awake_rows. Returns their number.
 int list_stretch(const GeneralPass& pass, Work<2>& work, int first, int last) {
   std::fill(work.is_general.begin() + first, work.is_general.begin() + last, std::uint8_t{0});
   const auto begin = std::lower_bound(work.general.begin(), work.general.end(), first);
@@ -339,7 +341,7 @@ int list_stretch(const GeneralPass& pass, Work<2>& work, int first, int last) {
   return count;
 }
 
-/// The same of all rows: threads list as many each, and their lists are moved together.
+/// Lists the active rows of all chunks: threads list equal shares, and their lists are moved together.
 void list_rows(const GeneralPass& pass, Work<2>& work) {
   constexpr int least_listed = 1024;
   const int count = static_cast<int>(work.pairs.size());
@@ -361,7 +363,7 @@ void list_rows(const GeneralPass& pass, Work<2>& work) {
 
 }  // namespace
 
-/// Each thread answers its run of the rows (see assembly/contact/general_contact_partition.hpp).
+/// Each thread processes its runs of rows (see assembly/contact/general_contact_partition.hpp).
 void polygon_contact_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt) {
   begin_to_stand(model, work);
   if (work.general.empty() && work.general_now.empty()) return work.general_touching.begin_anew(0);

@@ -1,4 +1,4 @@
-// Contacts of solids in space: of faces, bonded or not, of any other shape, or apart by the axis that parted them last.
+// Contacts in space: faces with or without bond, any other shape, or apart by the last separating axis.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -23,20 +23,20 @@
 namespace trilith {
 namespace {
 
-/// Rows that threads take at a time: some twenty microseconds of what touches. In so many there are mostly four of a
-/// kind (FlatResponses::kind) and four more.
+/// Rows per chunk of a thread, about 20 microseconds if they touch. A chunk of this size usually contains four rows of
+/// a kind (FlatResponses::kind) and four more.
 constexpr int solid_row_stretch = 64;
 static_assert(solid_row_stretch <= RowsByKind::most);
-/// Of an answer: the row is left to those of faces that lie flat.
+/// Mark of an answer: the row is left to the kernel of flat faces.
 constexpr int faces_to_come = -2;
 
-/// Where a carrier (model/contact/contact_frame.hpp) is [m].
+/// Position of a contact frame (model/contact/contact_frame.hpp) [m].
 const Vec3& place_of(const State<3>& state, const Work<3>& work, int contact_frame) {
   return contact_frame < 0 ? work.solids.fitted[static_cast<std::size_t>(-1 - contact_frame)].place
                            : state.position[static_cast<std::size_t>(contact_frame)];
 }
 
-/// What the rows of one evaluation are found from. Each writes what is its own row's alone, and `room`.
+/// Input of the rows of one evaluation. Each row writes its own data alone, and `room`.
 struct SolidPass {
   const Model<3>& model;
   const State<3>& state;
@@ -60,7 +60,7 @@ struct SolidPass {
   void finish(int row, bool joint_changed, const SolidResponse& response, SolidAnswer& answer) const;
 };
 
-/// Faces that mortar holds together, or did until now.
+/// Evaluates faces that mortar bonds, or did until now.
 void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
@@ -72,7 +72,8 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& ro
                     body_motion(model, state, work, pair.piece_b, before.plan->face_b), contact, before, law, after);
   joint.contact.face_a = before.plan->face_a, joint.contact.face_b = before.plan->face_b;
   if (joint.ends) {
-    // What the joint stores more than two other solids there do is given off as it ends.
+    // If the joint stores more energy than an unbonded contact in this position, the difference is dissipated when it
+    // ends.
     const double left = !joint.contact.touching
                             ? 0.0
                             : solid_contact_energy(work.solids.placed[pair.piece_a], work.solids.placed[pair.piece_b],
@@ -85,14 +86,15 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& ro
   answer.was_touching = true;
 }
 
-/// moving_solid() of a piece that may be a sphere: its centre and radius beside its corners, of which a sphere has one.
+/// moving_solid() of a piece that may be a sphere: its centre and radius in addition to its corners, of which a sphere
+/// has one.
 SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   const MovingSolid moving = moving_solid(model, state, work, piece);
   return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
 }
 
-/// Leaves the answer empty where there is nothing to be found out (the two were apart, and still are), and tells where
-/// the row is left to those of faces that lie flat.
+/// Evaluates a row by itself. The answer remains empty if the pieces were apart and still are. Marks rows that are left
+/// to the kernel of flat faces.
 void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const Contacts<3>& contacts = contacts_before(state, work);
@@ -102,7 +104,7 @@ void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   }
   const SolidMemory& before = contacts.memory[r];
   const bool was = (before.state & contact_touching) != 0;
-  // One that remembers crushed mortar is answered in every step, so that both sides of the history have it.
+  // A row with crushed mortar is evaluated in every step, so that both sides of the history have its memory.
   const bool may_sleep = !was && before.crushed == 0;
   if (may_sleep && sleeps(work, r)) return;
   const NearPair& pair = work.pairs[r];
@@ -122,7 +124,7 @@ void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   respond_shapes(row, work.solids.faces[r].a != FacePair::none, room, answer);
 }
 
-/// Two polyhedra of any shape and pose.
+/// Evaluates two polyhedra of any shape and position.
 void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
@@ -135,16 +137,17 @@ void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, Solid
   const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat,
                                                  before.crushed, met ? &along : nullptr);
   if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, a, b, pressed, room, answer);
-  // Of two that did not touch and do not there is nothing to let go.
+  // Two pieces that did not touch and do not touch have no memory to reset.
   const bool never = !(pressed.area > 0) && (before.state & contact_touching) == 0 && before.crushed == 0;
   if (never) return finish(row, false, {}, answer);
   const SolidResponse response = polyhedron_contact_forces(a, b, before, law, pressed, room);
   finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }
 
-/// Two that overlap and between which a live bearing sits; `whole` is what they would press by without it. The bearing
-/// carries what its two faces would: flat contact is held off, and its depth is noted, for what tilts or strikes from
-/// the side presses only by what goes deeper. What a contact still holds as it lies flat again is given off.
+/// Evaluates two overlapping pieces with a live bearing between them; `whole` is their pressure without the bearing.
+/// The bearing carries the load of its two faces. Flat contact is suppressed and its depth is stored; a piece that
+/// tilts or hits from the side presses only with the additional depth. The remaining energy of the contact is
+/// dissipated when it lies flat again.
 void SolidPass::respond_beside_bearing(int row, const MovingSolid& a, const MovingSolid& b, const SolidPressure& whole,
                                        SolidRoom& room, SolidAnswer& answer) const {
   const NearPair& pair = work.pairs[row];
@@ -166,8 +169,8 @@ void SolidPass::respond_beside_bearing(int row, const MovingSolid& a, const Movi
   finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }
 
-/// Whether two that were apart are so still by more than rounding, mostly along the axis that parted them last: then no
-/// faces need to be looked at. Who goes on is asked with every figure, so the axis remembered changes no answer.
+/// True if two pieces that were apart remain apart by more than rounding, usually along the last separating axis; then
+/// their faces need no test. If the axis fails, the full test follows, so the stored axis does not change any result.
 bool SolidPass::stays_apart(int row) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
@@ -181,11 +184,11 @@ bool SolidPass::stays_apart(int row) const {
   return true;
 }
 
-/// Whether a row may be one of two faces that lie flat, and no other pair of faces of the two. Who asks anew, and when,
-/// changes no answer.
+/// True if a row may be two faces that lie flat, and no other pair of faces of the two pieces. The time of a repeated
+/// test does not change any result.
 bool SolidPass::looks_flat(int row) const {
   const NearPair& pair = work.pairs[row];
-  // Bodies of elements, and what an implicit scheme moves, are answered one by one.
+  // Meshed bodies, and all bodies under an implicit scheme, are evaluated one by one.
   if (model.is_fitted(pair.piece_a) || model.is_fitted(pair.piece_b) || !work.solids.behind.empty()) return false;
   if (pair.replaced || !work.solids.law[static_cast<std::size_t>(pair.law)].is_linear) return false;
   FacePair& faces = work.solids.faces[static_cast<std::size_t>(row)];
@@ -198,17 +201,17 @@ bool SolidPass::looks_flat(int row) const {
   return faces.a >= 0;
 }
 
-/// Whether that is known at a glance, as of most rows of a wall: nothing of what would send a row elsewhere changes in
-/// a list of pairs without bearings, so that one which looked flat and may not have changed looks so. Of others nothing
-/// is said.
+/// True if a row is known to lie flat without a test, as most rows of a wall. In a list of pairs without bearings, a
+/// row that looked flat keeps the properties that looks_flat() tests until it may have changed. False leaves the
+/// question open.
 bool SolidPass::is_flat_still(std::size_t row, const Contacts<3>& before) const {
   const FacePair& faces = work.solids.faces[row];
   return (before.memory[row].state & contact_touching) != 0 && way_of(work, work.pairs[row]) < faces.until &&
          faces.a >= 0 && before.joint_at(row) == nullptr && model.bearings.empty() && work.solids.behind.empty();
 }
 
-/// Forces about the places of what carries the two, what is remembered and how the area lies: of rows that are answered
-/// one by one.
+/// Completes rows that are evaluated one by one: forces about the positions of their contact frames, memory, and
+/// contact area.
 void SolidPass::finish(int row, bool joint_changed, const SolidResponse& r, SolidAnswer& answer) const {
   const auto i = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[i];
@@ -228,13 +231,14 @@ void SolidPass::finish(int row, bool joint_changed, const SolidResponse& r, Soli
   work.solids.areas[i] = {r.middle, r.normal, area, r.radius, r.friction_arm, r.arm, r.face_a, r.face_b};
 }
 
-/// Faces lie flat, and rounding keeps the kernel from nothing.
+/// True if the faces lie flat and rounding does not prevent the result of the kernel.
 bool is_answered(const FlatResponses& out, std::size_t i) {
   const auto lane = static_cast<int>(i);
   return out.rough[lane] == 0 && out.flat[lane] != 0;
 }
 
-/// Of a row whose faces lie flat all but what is the more of it, for which `places` says where it goes.
+/// Writes the answer of a row with flat faces except for its largest part; `places` receives the destination of that
+/// part.
 void SolidPass::begin_answer(const FlatResponses& out, std::size_t i, int row, SolidAnswer& answer,
                              FlatPlaces& places) const {
   const auto r = static_cast<std::size_t>(row);
@@ -245,7 +249,7 @@ void SolidPass::begin_answer(const FlatResponses& out, std::size_t i, int row, S
   answer.was_touching = (contacts_before(state, work).memory[r].state & contact_touching) != 0;
   answer.touching = out.presses[lane] != 0;
   answer.carrier_a = faces.node_a, answer.carrier_b = faces.node_b;
-  // Of those that touch it is 0 already.
+  // For touching rows it is 0 already.
   if (!answer.was_touching || !answer.touching) work.solids.separation[r].distance = 0;
   if (answer.touching) return places.set(i, answer, memory, work.solids.areas[r]);
   answer.lost_damping = out.lost_damping[lane], answer.lost_friction = out.lost_friction[lane];
@@ -253,7 +257,7 @@ void SolidPass::begin_answer(const FlatResponses& out, std::size_t i, int row, S
   memory = {};
 }
 
-/// Four rows of faces into lanes and their answers out of them. Lanes beyond the last row repeat it.
+/// Evaluates four rows of faces in lanes. Lanes beyond the last row repeat it.
 void SolidPass::face_contact_forces(std::span<const int> rows, int first, SolidRoom& room, SolidAnswer* answers) const {
   FlatContacts in;
   FlatResponses out;
@@ -273,7 +277,7 @@ void SolidPass::face_contact_forces(std::span<const int> rows, int first, SolidR
   }
 }
 
-/// Asks for what a row of faces that lie flat remembers and writes, which lies far in memory in large models.
+/// Prefetches the memory of a row with flat faces, which is scattered in large models.
 void SolidPass::ask_early(int row) const {
   const auto r = static_cast<std::size_t>(row);
   ask_for<Asked::read, sizeof(SolidMemory)>(&contacts_before(state, work).memory[r]);
@@ -281,8 +285,8 @@ void SolidPass::ask_early(int row) const {
   ask_for<Asked::write, sizeof(ContactArea)>(&work.solids.areas[r]);
 }
 
-/// Rows one by one, and those of faces that lie flat four of a kind at a time, those of few corners and those of many
-/// apart. Which go together changes no bit.
+/// Evaluates rows one by one, except flat faces: these are evaluated four of a kind at a time, separately for faces
+/// with few and with many corners. The grouping changes no bit.
 void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
   RowsByKind flat;
   const Contacts<3>& before = contacts_before(state, work);
@@ -310,7 +314,7 @@ void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answe
   }
 }
 
-/// What faces that lie flat ask of the laws.
+/// Parameters of the laws for the kernel of flat faces.
 void list_law_numbers(const Model<3>& model, std::vector<LawNumbers>& numbers) {
   numbers.clear();
   for (const ContactLaw& law : model.laws) {
@@ -326,7 +330,7 @@ void contact_row_forces(const Model<3>& model, const State<3>& state, Work<3>& w
   SolidPass{model, state, work, dt}.respond(row, row + 1, work.solids.room.front(), &answer);
 }
 
-/// Each thread answers its runs of the rows (see assembly/contact/general_contact_partition.hpp).
+/// Each thread processes its runs of rows (see assembly/contact/general_contact_partition.hpp).
 void polygon_contact_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt) {
   begin_to_stand(model, work);
   work.solids.force.assign(model.mass.size(), Vec3::Zero());

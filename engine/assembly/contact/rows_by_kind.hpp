@@ -1,5 +1,5 @@
-// Which rows of faces that lie flat go four at a time through their kernel: those of one kind (FlatResponses::kind),
-// which it answers by the same branches.
+// Grouping of rows with flat faces for their kernel: groups of four rows of one kind (FlatResponses::kind), which
+// follow the same branches.
 #pragma once
 
 #include <array>
@@ -12,12 +12,11 @@
 
 namespace trilith {
 
-/// Places of rows in their stretch, put in order by kind. By counting: comparisons of kinds that no processor foresees
-/// cost more than half of what it saves that those of a kind go together. Now and then two kinds share a drawer; which
-/// rows go together changes no bit.
+/// Positions of rows in their chunk, sorted by kind. A counting sort, because comparisons of kinds mispredict and would
+/// cost more than half of the gain. Two kinds may share a bucket; the grouping changes no bit.
 class RowsByKind {
  public:
-  static constexpr std::size_t most = 256;  ///< a place is a byte
+  static constexpr std::size_t most = 256;  ///< a position is a byte
 
   void put(int place, const FacePair& faces) {
     const std::uint32_t many = faces.few ? 0 : std::uint32_t{flat_kinds},
@@ -25,7 +24,7 @@ class RowsByKind {
     place_[count_] = static_cast<std::uint8_t>(place), drawer_[count_++] = static_cast<std::uint8_t>(drawer);
     ++next_[drawer];
   }
-  /// To be asked for once.
+  /// Call it once.
   std::span<const std::uint8_t> ordered() {
     std::uint32_t sum = 0;
     for (std::uint16_t& next : next_) {
@@ -38,7 +37,7 @@ class RowsByKind {
   }
 
  private:
-  static constexpr std::uint32_t golden = 0x9E3779B1;  // 2^32 over the golden ratio: neighbours come far apart
+  static constexpr std::uint32_t golden = 0x9E3779B1;  // 2^32 over the golden ratio: spreads neighbouring kinds
   static constexpr int drawer_bits = 7;
   std::array<std::uint16_t, 1 << drawer_bits> next_{};
   std::array<std::uint8_t, most> place_, drawer_, ordered_;

@@ -13,10 +13,10 @@
 namespace trilith {
 namespace {
 
-/// Rows that threads take at a time.
+/// Rows per chunk of a thread.
 constexpr int met_stretch = 64;
 
-/// Whether a ridge of one piece lies in another one.
+/// True if a shared edge of one piece lies in another piece.
 bool lies_in(const Work<2>& work, int owner, const SharedEdgePart& part, int other) {
   const PlacedPiece &of = work.placed.piece[static_cast<std::size_t>(owner)],
                     &in = work.placed.piece[static_cast<std::size_t>(other)];
@@ -28,7 +28,7 @@ bool lies_in(const Work<2>& work, int owner, const SharedEdgePart& part, int oth
   return true;
 }
 
-/// An edge does so with some part of its length.
+/// In space a part of the length of the edge is sufficient.
 bool lies_in(const Work<3>& work, int owner, const SharedEdgePart& part, int other) {
   const PlacedSolid &of = work.solids.placed[owner], &in = work.solids.placed[other];
   const Vec3 &p = of.corners[static_cast<std::size_t>(part.from)], &q = of.corners[static_cast<std::size_t>(part.to)];
@@ -43,7 +43,7 @@ bool lies_in(const Work<3>& work, int owner, const SharedEdgePart& part, int oth
   return from < to || part.from == part.to;
 }
 
-/// Calls f(ridge, owner, other) for each ridge of either piece of a pair that lies in the other.
+/// Calls f(shared edge, owner, other) for each shared edge of either piece of a pair that lies in the other piece.
 template <int D, class F>
 void for_met(const Work<D>& work, const NearPair& pair, F&& f) {
   for (const bool of_a : {true, false}) {
@@ -65,8 +65,8 @@ bool has_ridges(const Work<D>& work, const NearPair& pair) {
   return !work.ridges.parts_of(pair.piece_a).empty() || !work.ridges.parts_of(pair.piece_b).empty();
 }
 
-/// Lists in work.met those of so many rows, the i-th of which is row_of(i), for which meets(row) holds, and writes each
-/// its push(row, thread).
+/// Lists in work.met the rows for which meets(row) holds, out of `rows` rows with row_of(i), and stores push(row,
+/// thread) for each.
 template <int D, class RowOf, class Meets, class Push>
 void list_met(Work<D>& work, std::size_t rows, RowOf&& row_of, Meets&& meets, Push&& push) {
   work.met.clear();
@@ -86,7 +86,7 @@ void list_met(Work<D>& work, std::size_t rows, RowOf&& row_of, Meets&& meets, Pu
   });
 }
 
-/// What the springs of a row push b by. As it is found, the row's own room is written, which its answer writes anew.
+/// Spring force of a row on b. It uses the trial memory of the row, which its evaluation overwrites later.
 Vec2 push_of(const Model<2>& model, const State<2>& state, Work<2>& work, int row, double dt) {
   const NearPair& pair = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);
@@ -97,7 +97,7 @@ Vec2 push_of(const Model<2>& model, const State<2>& state, Work<2>& work, int ro
                       work.contacts.law_numbers(r));
 }
 
-/// A row in work.met, nullptr: not there.
+/// The entry of a row in work.met; nullptr if there is none.
 template <int D>
 const MetRow<D>* find_met(const Work<D>& work, int row) {
   const auto met =
@@ -105,7 +105,7 @@ const MetRow<D>* find_met(const Work<D>& work, int row) {
   return met != work.met.end() && met->row == row ? &*met : nullptr;
 }
 
-/// That of two pieces.
+/// The entry of two pieces.
 template <int D>
 const MetRow<D>* find_met(const Work<D>& work, int piece, int other) {
   return find_met(work, work.contacts.find(contact_key(std::min(piece, other), std::max(piece, other))));
@@ -143,7 +143,7 @@ void join_shared_edges(const Model<3>& model, const State<3>& state, Work<3>& wo
 
 Vec2 spring_force(const PlacedPiece& a, const PlacedPiece& b, const Remembered& before, const LawInUse& law,
                   double* law_after) {
-  std::array<Vec2, max_piece_corners> on_a, on_b;  // asked for, and left
+  std::array<Vec2, max_piece_corners> on_a, on_b;  // required by the function and not used
   on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
   const OverlapResponse response = respond_overlap(a, b, before, law, std::span(on_a).first(a.corner.size()),
                                                    std::span(on_b).first(b.corner.size()), law_after);

@@ -7,9 +7,8 @@
 
 namespace trilith {
 
-/// Sliding force stands at its limit, up to rounding.
-/// The force of a contact in space, split along its normal: f = N n + T with T the shear of the sliding element. It
-/// slides where T stands on the limit of its whole area, shear and couple about the normal together
+/// Resultant of a contact in space, split along its normal: f = N n + T with the shear T of the sliding element. It
+/// slides if T equals the limit of its whole area up to rounding, shear and couple about the normal combined
 /// (contact/joint/friction_limit.hpp).
 SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::size_t place) {
   const GeneralContact<3>& contact = work.general_touching[place];
@@ -17,7 +16,7 @@ SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::
   const SlidingForce& shear = work.contacts.memory[contact.row].shear;
   const double normal = contact.force.norm(), mu = std::visit([](const auto&l) { return l.mu; }, model.laws[pair.law]),
                limit = (1 - 1e-9) * mu * normal;
-  const Vec3& n = work.contacts.memory[contact.row].normal;  // mortar may pull
+  const Vec3& n = work.contacts.memory[contact.row].normal;  // mortar may be in tension
   const JointMemory* joint = work.contacts.joint_at(static_cast<std::size_t>(contact.row));
   const bool bonded = joint != nullptr && joint->bonds != 0;
   const ContactArea& area = work.solids.areas[static_cast<std::size_t>(contact.row)];

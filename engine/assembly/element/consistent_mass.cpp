@@ -8,14 +8,14 @@
 namespace trilith {
 namespace {
 
-/// The beam's ends from its nodes: each is carried by its node, `arm` away.
+/// Matrix from nodal motion to the motion of the beam's ends, each at `arm` from its node.
 BeamMatrix carried_by(const std::array<Vec2, 2>& arm) {
   BeamMatrix g = BeamMatrix::Identity();
   for (const int end : {0, 1}) g(3 * end, 3 * end + 2) = -arm[end].y(), g(3 * end + 1, 3 * end + 2) = arm[end].x();
   return g;
 }
 
-/// Where the beam lies: its chord and arms.
+/// Position of the beam: its chord and arms.
 struct Lie {
   std::array<Vec2, 2> arm;
   Vec2 along;
@@ -28,7 +28,7 @@ struct Lie {
   }
 };
 
-/// Translations and turns of the two nodes as one vector of six.
+/// Translations and rotations of the two nodes as a vector of six.
 BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std::vector<double>& about) {
   BeamVector out;
   for (const int end : {0, 1}) {
@@ -38,14 +38,14 @@ BeamVector of_nodes(const Beam& beam, const std::vector<Vec2>& along, const std:
   return out;
 }
 
-/// What the nodes' own masses and inertias hold of the beam already, and is taken off what is added.
+/// Lumped masses and inertias of the beam at its nodes, which are subtracted from the added mass.
 BeamVector lumped_of(const BeamInertia& inertia) {
   BeamVector out;
   out << inertia.lumped, inertia.lumped, inertia.turning[0], inertia.lumped, inertia.lumped, inertia.turning[1];
   return out;
 }
 
-/// ... in space as one of twelve.
+/// Translations and rotations of the two nodes in space as a vector of twelve.
 BeamVector3 of_nodes(const Beam3& beam, const std::vector<Vec3>& along, const std::vector<Vec3>& about) {
   BeamVector3 out;
   for (const int end : {0, 1}) {
@@ -55,13 +55,13 @@ BeamVector3 of_nodes(const Beam3& beam, const std::vector<Vec3>& along, const st
   return out;
 }
 
-/// Where a beam in space lies: its chord, and how its ends are carried by its nodes.
+/// Position of a beam in space: its chord, and the offsets of its ends from the nodes.
 struct Lie3 {
   Vec3 along;
   double length;
   bool on_arms;
   std::array<Vec3, 2> arm;
-  BeamMatrix3 carried;  ///< motion of the ends by that of the nodes: an end goes with v + w x arm
+  BeamMatrix3 carried;  ///< motion of the ends from the motion of the nodes: an end moves with v + w x arm
 
   Lie3(const State<3>& state, const Beam3& beam) : on_arms(has_arm(beam, 0) || has_arm(beam, 1)) {
     const Vec3 chord = end_of(state, beam, 1).place - end_of(state, beam, 0).place;
@@ -74,14 +74,14 @@ struct Lie3 {
         carried.block<3, 1>(6 * end, 6 * end + 3 + k) = cross(Vec3::Unit(k), arm[static_cast<std::size_t>(end)]);
     }
   }
-  /// Inertia that a node has of the lumped half of the beam's mass at its arm.
+  /// Rotary inertia of a node due to the lumped half of the beam's mass at its arm.
   [[nodiscard]] Eigen::Matrix3d lumped_turning(double mass, int end) const {
     return inertia_at(0.5 * mass, arm[static_cast<std::size_t>(end)]);
   }
 };
 
-/// Of a beam on arms: an arm that turns with its node brings w x (w x arm), and what the node has of the lumped mass by
-/// its own tensor, I a + w x I w, is taken off.
+/// Inertia forces of a beam on arms. An arm that rotates with its node adds w x (w x arm). The term of the lumped mass
+/// in the node's tensor, I a + w x I w, is subtracted.
 BeamVector3 forces_on_arms(const BeamInertia3& inertia, const Lie3& lie, const BeamVector3& v, const BeamVector3& a) {
   BeamMotion3 motion{lie.along, lie.length, lie.carried * v, lie.carried * a};
   for (const int end : {0, 1}) {
@@ -97,7 +97,7 @@ BeamVector3 forces_on_arms(const BeamInertia3& inertia, const Lie3& lie, const B
   return force;
 }
 
-/// The mass of a node by itself on the motion v of it; in space turns meet its tensor as it stands.
+/// Momentum of a node's own mass for the motion v; in space rotations are multiplied by its present tensor.
 Dofs<2> own_momentum(const Model<2>& model, const State<2>& state, int n, const Dofs<2>& v) {
   const Dofs<2> mass = mass_of(model, state, n);
   return {mass[0] * v[0], mass[1] * v[1], mass[2] * v[2]};
@@ -118,7 +118,7 @@ double dot_free(const Model<D>& model, const std::vector<Dofs<D>>& a, const std:
   return sum;
 }
 
-/// M of all beams as they lie, for products with it.
+/// Mass matrix M of all beams in their present position, for matrix-vector products.
 template <int D>
 class MassMatrix {
  public:
@@ -139,7 +139,7 @@ class MassMatrix {
     add_rotary_momentum(model_, state_, v, out);
     return out;
   }
-  /// Of M on its diagonal.
+  /// Diagonal of M.
   [[nodiscard]] std::vector<Dofs<D>> diagonal() const {
     std::vector<Dofs<D>> out(model_.mass.size());
     for (int n = 0; n < model_.nodes(); ++n)
@@ -162,7 +162,8 @@ class MassMatrix {
 
 }  // namespace
 
-/// G' R' M R G - diag(lumped): M in the axes of the chord, turned to the world, carried to the nodes by their arms.
+/// G' R' M R G - diag(lumped): M in the axes of the chord, rotated to the world, transferred to the nodes by their
+/// arms.
 BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& beam) {
   const BeamInertia& inertia = model.beam_inertias[beam.inertia];
   const Lie lie(state, beam);
@@ -172,8 +173,8 @@ BeamMatrix added_mass(const Model<2>& model, const State<2>& state, const Beam& 
   return out;
 }
 
-/// Forces that the added mass puts on the nodes, by its acceleration and by its own change as the chord turns: the
-/// Lagrange equation of its kinetic energy, d/dt (dT/dv) - dT/dx. An arm that turns with its node brings -w^2 arm.
+/// Forces of the added mass on the nodes, from its acceleration and from its change as the chord rotates: the Lagrange
+/// equation of its kinetic energy, d/dt (dT/dv) - dT/dx. An arm that rotates with its node adds -w^2 arm.
 void added_inertia(const Model<2>& model, const State<2>& state, bool rising, std::vector<Dofs<2>>& out) {
   out.clear();
   if (!has_added_mass(model)) return;
@@ -194,8 +195,8 @@ void added_inertia(const Model<2>& model, const State<2>& state, bool rising, st
   }
 }
 
-/// M carried to the nodes by arms, less the lumped half of the beam's mass on either node; its sections' turning
-/// inertia is the nodes' own.
+/// M transferred to the nodes by arms, minus the lumped half of the beam's mass at either node. The rotary inertia of
+/// its sections is already part of the nodes.
 BeamMatrix3 added_mass(const Model<3>& model, const State<3>& state, const Beam3& beam) {
   const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
   const Lie3 lie(state, beam);
@@ -271,7 +272,7 @@ std::vector<NodeForces<D>> implicit_forces(const Model<D>& model, const State<D>
 template std::vector<NodeForces<2>> implicit_forces(const Model<2>&, const State<2>&, const Work<2>&);
 template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State<3>&, const Work<3>&);
 
-/// v' (M - lumped) v / 2, beside the sum of m v^2 / 2 over the nodes.
+/// v' (M - lumped) v / 2, in addition to the sum of m v^2 / 2 over the nodes.
 template <int D>
 double added_kinetic(const Model<D>& model, const State<D>& state) {
   double sum = rotary_energy(model, state);
@@ -298,7 +299,7 @@ double work_on_support(const Model<D>& model, int node, const std::type_identity
 template double work_on_support(const Model<2>&, int, const Dofs<2>&, const Dofs<2>&);
 template double work_on_support(const Model<3>&, int, const Dofs<3>&, const Dofs<3>&);
 
-/// Scaled by the diagonal, M is so well-conditioned that some twenty products reach its last digits.
+/// Scaled by its diagonal, M is so well conditioned that about 20 products reach full precision.
 template <int D>
 std::vector<Dofs<D>> accelerations(const Model<D>& model, const State<D>& state, const std::vector<Dofs<D>>& force) {
   const MassMatrix<D> mass(model, state);

@@ -8,13 +8,13 @@ namespace {
 BeamResponse respond_elastic(const Beam& beam, const BeamNow& now) {
   BeamResponse out{stress_of(beam.stiffness, now.strain), {}, stored_in(beam.stiffness, now.strain), 0};
   if (!(beam.damping > 0)) return out;
-  // K alone on the rates: what the bow does to the normal force is not damped.
+  // Only K acts on the rates; the effect of curvature on the normal force is not damped.
   out.damping = linear_stress(beam.stiffness, now.rate);
   for (double& v : out.damping) v *= beam.damping;
   return out;
 }
 
-/// Hinges and fibres read what they remember of the last commit and write what they come to into Work.
+/// Hinges and fibres read the memory of the last commit and write the trial memory in Work.
 BeamResponse respond_yielding(const Model<2>& model, const State<2>& state, Work<2>& work, const Beam& beam,
                               const BeamNow& now) {
   return respond(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)),
@@ -27,16 +27,17 @@ bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double>
   return beam.yield == BeamYield::at_hinges && hinge_memory(memory_of(model, beam, memories)).gone[0] > 1;
 }
 
-/// Forces and moments on the nodes are the derivatives of a beam's energy where it is elastic
-/// (element/beam/beam_element.hpp), and what its fibres or hinges carry where it yields (element/beam/beam_yield.hpp);
-/// the ends go with their nodes rigidly.
+/// Adds forces and moments of beams on the nodes. For an elastic beam they are the derivatives of its energy
+/// (element/beam/beam_element.hpp); for a yielding beam they follow from its fibres or hinges
+/// (element/beam/beam_yield.hpp). The ends move rigidly with their nodes.
 void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<2> bands(model, state, work, dt);
   for (const Beam& beam : model.beams) {
     std::array<Vec2, 2> arm;
     const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
     const BeamNow now(from, to, beam.length, beam.angle);
-    // On the nodes: the force brings its moment by the arm; M_0 and M_1 resist the bends, so nodes get their opposite.
+    // On the nodes: the force adds its moment by the arm. M_0 and M_1 resist the bends, so the nodes receive their
+    // opposite.
     const auto add = [&](const BeamStress& stress, std::vector<Vec2>& force, std::vector<double>& moment) {
       const Vec2 start = now.force_on_start(stress);
       force[beam.node[0]] += start, force[beam.node[1]] -= start;

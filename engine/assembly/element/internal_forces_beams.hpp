@@ -1,4 +1,4 @@
-// Beams of frames: what the motion of their nodes makes of them.
+// Internal forces of beams from the motion of their nodes.
 #pragma once
 
 #include <algorithm>
@@ -10,24 +10,24 @@
 
 namespace trilith {
 
-/// Adds to the forces and dampings on the nodes, and writes the trial memories of beams that yield or are damped over a
-/// band, of a step of `dt` [s].
+/// Adds the forces and damping forces on the nodes, and writes the trial memories of beams that yield or have band
+/// damping, for a step of `dt` [s].
 void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ElementEnergy& sums);
 
-/// The same of a frame in space; `work` has its arrays.
+/// Adds the forces of a frame in space; the arrays of `work` are allocated.
 void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ElementEnergy& sums);
 
-/// True where the beam is gone for good.
+/// True if the beam is removed permanently.
 bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double> memories);
 bool is_removed(const Model<3>& model, const Beam3& beam, std::span<const double> memories);
 
-/// Normal force and end moments of a beam at a state that has been committed, without damping.
+/// Normal force and end moments of a beam at a committed state, without damping.
 BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now);
 
-/// Of a beam in space likewise.
+/// Section forces of a beam in space at a committed state, without damping.
 BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now);
 
-/// What the branches of a beam's damping over a band remember.
+/// Memory of the branches of a beam's band damping.
 template <class Number>
 std::span<Number> branches_of(const Model<2>& model, const Beam& beam, std::span<Number> memories) {
   return memories.subspan(beam.first_branch, model.bands[beam.band].memory_size());
@@ -40,7 +40,7 @@ std::span<Number> branches_of(const Model<3>& model, const Beam3& beam, std::spa
                               static_cast<int>(BeamStress3{}.size()))));
 }
 
-/// Damping over a band: its branches over a step, found once for all beams that share them.
+/// Band damping: its branches over a step, computed once for all beams that share them.
 template <int D>
 class BandRelaxation {
  public:
@@ -69,7 +69,7 @@ class BandRelaxation {
   BranchStep step_;
 };
 
-/// What a beam that yields remembers.
+/// Memory of a beam that yields.
 template <class Number>
 std::span<Number> memory_of(const Model<2>& model, const Beam& beam, std::span<Number> memories) {
   return memories.subspan(beam.first_memory, memory_size(model.yields, beam));

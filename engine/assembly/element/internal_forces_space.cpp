@@ -1,4 +1,4 @@
-// Bodies in space that deform: what the motion of their nodes makes of their elements and beams.
+// Internal forces of elements and beams in space from the motion of their nodes.
 #include <algorithm>
 #include <array>
 
@@ -13,7 +13,7 @@
 namespace trilith {
 namespace {
 
-/// Force and moments on the two nodes of a beam.
+/// Adds force and moments to the two nodes of a beam.
 void add_action(const Beam3& beam, const BeamAction3& action, double share, std::vector<Vec3>& force,
                 std::vector<Vec3>& moment) {
   const auto a = static_cast<std::size_t>(beam.node[0]), b = static_cast<std::size_t>(beam.node[1]);
@@ -27,9 +27,9 @@ bool is_removed(const Model<3>& model, const Beam3& beam, std::span<const double
   return beam.yield == BeamYield::at_hinges && space_hinge_memory(memory_of(model, beam, memories)).gone[0] > 1;
 }
 
-/// s = K(d) of the strains d in axes that go with the chord, and beta K d' of their rates, which brakes; of beams that
-/// yield what they carry, and what is left of K. Branches of a band brake with the stress they remember. The transpose
-/// of d' brings all of it to the nodes.
+/// Beam stress s = K(d) of the strains d in axes that rotate with the chord, plus damping beta K d' of their rates.
+/// Yielding beams use the stress of their law and its tangent instead of K. Band branches add damping by their stored
+/// stress. The transpose of d' maps all of it to the nodes.
 void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<3> bands(model, state, work, dt);
   const auto add_band = [&](const Beam3& beam, const BeamNow3& now, const BeamStress3& stress) {
@@ -70,7 +70,7 @@ BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam
 
 namespace {
 
-/// k d for a stiffness of 3 N x 3 N, column by column.
+/// k d for a 3 N x 3 N stiffness, column by column.
 template <int N>
 void multiply(const double* k, const double* d, double* out) {
   std::fill_n(out, 3 * N, 0.0);
@@ -78,7 +78,8 @@ void multiply(const double* k, const double* d, double* out) {
     for (int i = 0; i < 3 * N; ++i) out[i] += k[3 * N * j + i] * d[j];
 }
 
-/// Strain e = B d at each point in, stress s and the memory of the trial out; h = sum over the points of B' s V.
+/// Integrates an inelastic element. Input: strain e = B d at each integration point; output: stress s and trial memory.
+/// Returns h = sum over the points of B' s V.
 template <int N, class Law>
 void respond_at_points(const Model<3>& model, const SpaceElement& e, const Law& law, const State<3>& state,
                        const double* d, Work<3>& work, double* h, SpaceElementAnswer& out) {
@@ -99,9 +100,9 @@ void respond_at_points(const Model<3>& model, const SpaceElement& e, const Law& 
   }
 }
 
-/// In the element's own axes the forces h of the deformation d: k d of an elastic one, energy d . k d / 2, else those
-/// of the stress at its points; damping is beta k times the rate of d. element/corotation_3d.hpp brings both to the
-/// nodes.
+/// Nodal forces h of the deformation d in the element axes. For an elastic element h = k d with the energy d . k d / 2;
+/// otherwise h follows from the stress at the integration points. The damping is beta k times the rate of d.
+/// element/corotation_3d.hpp maps both to the nodes.
 template <int N>
 [[gnu::always_inline]] inline void element_forces(const Model<3>& model, const SpaceElement& e, const State<3>& state,
                                                   Work<3>& work, SpaceElementAnswer& out) {
@@ -131,7 +132,7 @@ template <int N>
   now.to_nodes(number, h.data(), out.damping.data());
 }
 
-// One copy for wide registers and one for any machine: the same operations in the same order, so the same bits.
+// One copy for wide registers and one for any machine, with the same operations in the same order and so the same bits.
 [[gnu::target_clones("avx2", "default")]] void resist_one(const Model<3>& model, const SpaceElement& e,
                                                           const State<3>& state, Work<3>& work,
                                                           SpaceElementAnswer& out) {
@@ -147,10 +148,10 @@ template <int N>
   }
 }
 
-/// Elements that threads take at a time: some microseconds.
+/// Elements per chunk of a thread; some microseconds.
 constexpr int space_stretch = 16;
 
-/// Threads answer elements; forces and energies are taken up in the order of elements, whoever answered.
+/// Threads compute elements; forces and energies are added in the order of elements, independent of the threads.
 void resist_elements(const Model<3>& model, const State<3>& state, Work<3>& work, ElementEnergy& sums) {
   work.element_answer.resize(static_cast<std::size_t>(stretches_under_way(work.threads)) * space_stretch);
   const auto answer_of = [&](int slot, int i) -> SpaceElementAnswer& {

@@ -13,10 +13,10 @@
 namespace trilith {
 namespace {
 
-/// Bodies that a thread takes at a time: some ten microseconds.
+/// Bodies per chunk of a thread, about 10 microseconds.
 constexpr int bodies_at_a_time = 128;
 
-/// The first element of a body, where it is its only one; else null. Elements stand body by body.
+/// The element of a body with a single one, otherwise null. Elements are stored body by body.
 template <class E>
 const E* only_element(const std::vector<E>& elements, int body) {
   const auto at = std::lower_bound(elements.begin(), elements.end(), body,
@@ -54,7 +54,7 @@ Lumped<D> lumped_inertia(const Model<D>& model, const State<D>& state, const Bod
 constexpr std::array<std::array<double, 3>, 8> corner{
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
-/// A brick's place as a polynomial of its natural coordinates.
+/// Position in a brick as a polynomial of its natural coordinates.
 struct BrickShape {
   Vec3 x = Vec3::Zero(), y = x, z = x, yz = x, zx = x, xy = x, xyz = x;
 
@@ -66,7 +66,7 @@ struct BrickShape {
       yz += b * c * part, zx += c * a * part, xy += a * b * part, xyz += a * b * c * part;
     }
   }
-  /// Faces are parallelograms, within a part in a thousand.
+  /// True if the faces are parallelograms within 0.1 %.
   [[nodiscard]] bool is_parallelepiped() const {
     constexpr double share = 1e-6;  // of squares
     const double size = std::min({x.squaredNorm(), y.squaredNorm(), z.squaredNorm()});
@@ -74,7 +74,7 @@ struct BrickShape {
   }
 };
 
-/// Of a brick of mass 1 about its centroid, by 2 x 2 x 2 points of Gauss, as its masses at the nodes have them.
+/// Inertia of a brick of mass 1 about its centroid, by 2 x 2 x 2 Gauss points, relative to the mean of its nodes.
 Eigen::Matrix3d brick_inertia(const BrickShape& s, const Vec3& from_mean) {
   const double at = 1 / std::sqrt(3.0);
   double volume = 0;
@@ -112,8 +112,8 @@ TurnVector<D> angular_momentum(const Model<D>& model, const State<D>& state, con
   return sum;
 }
 
-/// What turning axes ask of y: with H the lumped angular momentum and s = Jl^-1 H, Jl^-1 (J Jl^-1 (s x H) - s x J s).
-/// Nothing where J is a multiple of Jl, and so in the plane.
+/// Gyroscopic term of y: with the lumped angular momentum H and s = Jl^-1 H, it is Jl^-1 (J Jl^-1 (s x H) - s x J s).
+/// It is zero if J is a multiple of Jl, and so in the plane.
 template <int D>
 TurnVector<D> gyroscopic_part(const RotaryInertia<D>& of, const TurnVector<D>& momentum) {
   if constexpr (D == 2) {
@@ -126,8 +126,8 @@ TurnVector<D> gyroscopic_part(const RotaryInertia<D>& of, const TurnVector<D>& m
   }
 }
 
-/// y, with `free` Jf and `sum` the moment of forces and of driven masses. Velocities are those of half a step ago; the
-/// angular momentum of now follows from how it changes.
+/// Computes y, with `free` = Jf and `sum` the moment of forces and of driven masses. Velocities refer to half a step
+/// before; the present angular momentum follows from its rate.
 template <int D>
 TurnVector<D> turning_answer(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
                              const TurnMatrix<D>& free, const TurnVector<D>& sum) {
@@ -140,7 +140,7 @@ TurnVector<D> turning_answer(const Model<D>& model, const State<D>& state, const
   return y + left * gyroscopic_part(of, momentum);
 }
 
-/// y of a free body. force(n): on a node [N].
+/// Adds y of a free body. force(n): on a node [N].
 template <int D, class Force>
 void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
                  Force&& force, std::vector<Vec<D>>& added) {
@@ -162,8 +162,8 @@ void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInert
   }
 }
 
-/// add_to_free of a quad that is free and whose forces are all known, with fewer operations: most are parallelograms,
-/// whose inertia is a third of that of their lumped masses. False where it is held or of another shape.
+/// Fast form of add_to_free for a free quad with known forces. Most quads are parallelograms, whose inertia is a third
+/// of the inertia of their lumped masses. False if the quad is constrained or of another shape.
 bool add_to_plain_quad(const Model<2>& model, const State<2>& state, const Work<2>& work, const Body& body,
                        std::vector<Vec2>& added) {
   const auto first = static_cast<std::size_t>(body.first_node);
@@ -236,7 +236,7 @@ bool has_one_element_bodies(const Model<D>& model) {
   return false;
 }
 
-/// A polygon between its nodes, which go once around it.
+/// Inertia of a polygon whose nodes follow its outline.
 RotaryInertia<2> rotary_inertia(const Model<2>& model, const State<2>& state, int body) {
   const Body& b = model.bodies[body];
   const Lumped<2> lumped = lumped_inertia(model, state, b);
@@ -353,7 +353,7 @@ void add_rotary_diagonal(const Model<D>& model, const State<D>& state, std::vect
   });
 }
 
-/// -D T B T' D a, and in space what turning axes ask.
+/// -D T B T' D a, and in space the gyroscopic term.
 template <int D>
 void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising, std::vector<Dofs<D>>& out) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {

@@ -1,4 +1,4 @@
-// An element in space in its own turning axes: deformation and rate of its nodes, see element/corotation_3d.hpp.
+// An element in space in its co-rotating axes: deformation and rate of its nodes, see element/corotation_3d.hpp.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// Of N nodes. `number`: its rows of Model::element_number.
+/// `number`: its rows of Model::element_number.
 template <int N>
 struct SpaceElementNow {
   FittedTurn turn;
@@ -39,7 +39,7 @@ struct SpaceElementNow {
     }
   }
 
-  /// Forces on the nodes, in world axes, that do the work of h in the rate of d.
+  /// Forces on the nodes in world axes, which do the work of h in the rate of d.
   void to_nodes(const double* number, const double* h, Vec3* out) const {
     const double *const shape = number, *const gradient = number + 3 * N;
     Vec3 moment = Vec3::Zero();

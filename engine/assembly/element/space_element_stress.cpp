@@ -1,4 +1,4 @@
-// Stress in elements of space, for recordings and scripts.
+// Stress in elements in space, for recordings and scripts.
 #include "assembly/element/element_stress.hpp"
 #include "assembly/element/space_element_now.hpp"
 
@@ -32,7 +32,7 @@ Eigen::VectorXd deformation_of(const Model<3>& model, const SpaceElement& e, con
 
 }  // namespace
 
-/// A reading: B is made anew, as elastic elements keep only their stiffness.
+/// B is computed again, because elastic elements store only their stiffness.
 SpaceElementStress element_stress(const Model<3>& model, const State<3>& state, int element) {
   const SpaceElement& e = model.space_elements[static_cast<std::size_t>(element)];
   const Solid& solid = model.solids[static_cast<std::size_t>(e.solid)];

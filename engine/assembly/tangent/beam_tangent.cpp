@@ -7,14 +7,14 @@
 namespace trilith {
 namespace {
 
-/// Of the stretch and the bends, by place and rotation of both nodes: the chord's end-to-end way D goes with the nodes
-/// and with the arms that turn with them.
+/// Derivatives of stretch and bends with respect to position and rotation of both nodes. The vector D between the ends
+/// of the chord moves with the nodes and with the arms that rotate with them.
 struct BeamShape {
   Eigen::Matrix<double, 3, 6> strain;
-  Eigen::Matrix<double, 2, 6> way, way_rate;  // dD; d(dD/dt) by place, where arms turn
+  Eigen::Matrix<double, 2, 6> way, way_rate;  // dD; derivative of dD/dt by position, if arms rotate
 };
 
-/// Columns x_0, y_0, turn_0, x_1, y_1, turn_1. D = x_1 + arm_1 - x_0 - arm_0, and an arm turns by left_of(arm):
+/// Columns x_0, y_0, turn_0, x_1, y_1, turn_1. D = x_1 + arm_1 - x_0 - arm_0, and an arm rotates by left_of(arm):
 ///   d stretch = along . dD,   d theta_i = d turn_i - across . dD / l.
 BeamShape shape_of(const BeamNow& now, const std::array<Vec2, 2>& arm, const std::array<double, 2>& spin) {
   BeamShape s;
@@ -33,24 +33,24 @@ BeamShape shape_of(const BeamNow& now, const std::array<Vec2, 2>& arm, const std
   return s;
 }
 
-/// What stress adds where its own directions change: of N along the chord and of M_0 + M_1 that turn it, and of arms.
+/// Geometric stiffness: N along the rotating chord, M_0 + M_1 that rotate it, and the arms.
 BeamBlock geometric(const BeamNow& now, const BeamShape& shape, const std::array<Vec2, 2>& arm,
                     const BeamStress& stress) {
   const Vec2 across = left_of(now.along);
   const double moments = stress[1] + stress[2];
-  // With D the way from end to end, l = |D|: d2 l = across across' / l, and for the turn of the chord
-  // d2 turn = -(along across' + across along') / l^2. The bends have it with the opposite sign.
+  // With D from end to end, l = |D|: d2 l = across across' / l, and for the turn of the chord d2 turn = -(along across'
+  // + across along') / l^2. The bends have it with the opposite sign.
   const Eigen::Matrix2d both = now.along * across.transpose() + across * now.along.transpose();
   const Eigen::Matrix2d chord =
       stress[0] / now.length * (across * across.transpose()) + moments / (now.length * now.length) * both;
   BeamBlock out = shape.way.transpose() * chord * shape.way;
   const Vec2 pull = now.force_on_start(stress);
-  // An arm that turns by w goes by w left_of(arm) - w^2 arm / 2: its second derivative against the force.
+  // An arm that rotates by w moves by w left_of(arm) - w^2 arm / 2: its second derivative times the force.
   out(2, 2) += pull.dot(arm[0]), out(5, 5) -= pull.dot(arm[1]);
   return out;
 }
 
-/// How the rates of stretch and bends change with place: `speed` is dD/dt.
+/// Derivative of the rates of stretch and bends with respect to position; `speed` is dD/dt.
 Eigen::Matrix<double, 3, 6> rate_by_place(const BeamNow& now, const BeamShape& shape, const Vec2& speed) {
   const Vec2 across = left_of(now.along);
   const double along = now.along.dot(speed), aside = across.dot(speed), per = 1 / now.length;
@@ -63,7 +63,7 @@ Eigen::Matrix<double, 3, 6> rate_by_place(const BeamNow& now, const BeamShape& s
   return out;
 }
 
-/// The branches take part in a change of stress within the step; of a beam that is removed there is none.
+/// The branches contribute to a change of stress within the step; a removed beam has none.
 void add_branches(const Model<2>& model, const State<2>& state, const Beam& beam, double dt, BeamTangent& t) {
   if (t.by_strain.isZero(0)) return;
   const DampingBranches& branches = model.bands[beam.band];
@@ -77,7 +77,7 @@ void add_branches(const Model<2>& model, const State<2>& state, const Beam& beam
 
 }  // namespace
 
-/// With s the stretch and bends, J = ds/dq and stress S(s) + C ds/dt the forces are -J^T S, so that
+/// With s the stretch and bends, J = ds/dq and stress S(s) + C ds/dt, the forces are -J^T S, so that
 ///   dF = -(J^T T J + dJ^T S) dq - J^T C (J rate + d(ds/dt)/dq) dq.
 BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt) {
   std::array<Vec2, 2> arm;
@@ -97,7 +97,7 @@ BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& b
 
 namespace {
 
-/// Both ends of a beam in space, as its nodes move.
+/// Both ends of a beam in space, with the motion of its nodes.
 struct BeamNodes3 {
   std::array<Vec3, 2> place, velocity, spin;
   std::array<UnitQuaternion, 2> rotation;
@@ -109,7 +109,7 @@ struct BeamNodes3 {
       rotation[i] = state.rotation[n];
     }
   }
-  /// Moved along one of the twelve unknowns, at `rate` times that.
+  /// Moves along one of the twelve unknowns, with a velocity of `rate` times the displacement.
   void move(int unknown, double by, double rate) {
     const auto i = static_cast<std::size_t>(unknown / 6);
     const int k = unknown % 6;
@@ -124,7 +124,7 @@ struct BeamNodes3 {
     const auto end = [&](std::size_t i) { return carried_end(beam, i, place[i], rotation[i], velocity[i], spin[i]); };
     return {end(0), end(1), beam.length};
   }
-  /// Forces and moments on the nodes of what the beam does to its ends.
+  /// Forces and moments on the nodes from the action on the beam's ends.
   [[nodiscard]] Eigen::Matrix<double, 12, 1> forces(const Beam3& beam, const BeamAction3& action) const {
     const auto carried = [&](std::size_t i) {
       return has_arm(beam, i) ? cross(turn_of(rotation[i]).apply(beam.arm[i]), action.force) : Vec3(0, 0, 0);
@@ -135,7 +135,7 @@ struct BeamNodes3 {
   }
 };
 
-/// What the branches of a beam's band add to its stress within a step.
+/// Contribution of the branches of a beam's band damping to its stress within a step.
 class BandAnswer {
  public:
   BandAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, double dt) {
@@ -149,7 +149,7 @@ class BandAnswer {
     std::array<double, 6 * (1 + DampingBranches::most)> after;
     return relax(*branches_, step_, stress, before_, after);
   }
-  /// Of the stress with its damping over the stress alone, for changes.
+  /// Ratio of the stress with damping to the stress alone, for increments.
   [[nodiscard]] double stiffening() const { return branches_ == nullptr ? 1 : 1 + step_.sum; }
 
  private:
@@ -158,7 +158,7 @@ class BandAnswer {
   std::span<const double> before_;
 };
 
-/// What an elastic beam carries as it stands and moves.
+/// Stress of an elastic beam in a given position and motion.
 struct ElasticAnswer {
   const Beam3& beam;
   BandAnswer band;
@@ -173,7 +173,7 @@ struct ElasticAnswer {
   }
 };
 
-/// What a beam that yields carries, by its tangent from where it is: the differences of it have no kinks of its laws.
+/// Stress of a yielding beam, linearised by its tangent at the present state: differences of it have no kinks.
 struct YieldingAnswer {
   BeamAnswer3 answer;
   BeamStrain3 strain, rate;
@@ -183,7 +183,7 @@ struct YieldingAnswer {
     const std::span before = memory_of(model, beam, std::span(state.beam_memory));
     std::vector<double> after(before.size());
     answer = respond(model.yields_3d, beam, strain, rate, before, after);
-    if (answer.by_strain.isZero(0)) return;  // it is removed
+    if (answer.by_strain.isZero(0)) return;  // removed
     const BandAnswer band(model, state, beam, dt);
     const BeamStress3 remembered = band.damping(answer.stress);
     for (std::size_t k = 0; k < remembered.size(); ++k) answer.damping[k] += remembered[k];
@@ -203,8 +203,8 @@ struct YieldingAnswer {
   }
 };
 
-/// Of a beam's length, and of a turn [rad]: of differences of fourth order what they leave out and what rounding makes
-/// are both small then.
+/// Perturbation, as a share of the beam's length, or as a rotation [rad]. For differences of fourth order, truncation
+/// and rounding errors are both small then.
 constexpr double beam_disturbance = 1e-4;
 
 template <class Answer>

@@ -1,4 +1,5 @@
-// How the forces of a beam on its two nodes answer to their motion: in the plane by hand, in space by differences.
+// Derivative of the forces of a beam on its two nodes with respect to their motion: analytic in the plane, by
+// differences in space.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,17 +9,17 @@
 
 namespace trilith {
 
-/// Rows: force along x, y and moment on its first node, then on its second; columns: their places and rotations.
+/// Rows: force along x, y and moment on its first node, then on its second; columns: their positions and rotations.
 using BeamBlock = Eigen::Matrix<double, 6, 6>;
 
-/// dF/dx + rate dF/dv at the present motion, for what the beam remembers in `state` [N/m] and so on. Damping of fibres
-/// goes with their own tangent; how that changes is left out. `dt`: of the step that ends here [s], for damping over a
-/// band; 0 leaves that out.
+/// dF/dx + rate dF/dv at the present motion, with the memory of the beam in `state` [N/m] and so on. The damping of
+/// fibres uses their tangent; its change is neglected. `dt`: length of the step that ends here [s], for band damping; 0
+/// ignores it.
 BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt = 0);
 
-/// The same in space: forces and moments on both nodes, by their places and by turns about the axes of the world. By
-/// differences of fourth order of the beam alone, exact to some 1e-12 of its largest entry; of one that yields by its
-/// tangent.
+/// The version for space: forces and moments on both nodes, by their positions and by rotations about world axes. It
+/// uses differences of fourth order of the beam alone, accurate to about 1e-12 of its largest entry; a yielding beam
+/// uses its tangent.
 using BeamBlock3 = Eigen::Matrix<double, 12, 12>;
 BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt = 0);
 

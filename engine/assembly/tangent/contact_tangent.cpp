@@ -1,5 +1,5 @@
-// The tangent of contacts of faces: by copies of their rows in which one unknown is moved, many at once through the
-// kernels of the laws.
+// The tangent of face contacts, from copies of their rows with one unknown moved, many at a time through the kernels of
+// the laws.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t ends = 4;  // of the two faces of a row
 
-/// Copies of rows of one law, each with skin points of its own, and what they answer.
+/// Copies of rows of one law, each with its own skin points, and their responses.
 class FaceCopies {
  public:
   FaceCopies(const Model<2>& model, Work<2>& work, const ContactHistory& before, bool means)
@@ -30,22 +30,22 @@ class FaceCopies {
   }
   [[nodiscard]] std::size_t size() const { return pairs_.size(); }
 
-  /// A copy of `row` as it stands, but for one unknown that is moved by `by` and its rate by `rate` times that.
+  /// A copy of `row` with one unknown moved by `by` and its rate changed by `rate` times that.
   struct Move {
     Freedom unknown;
     double by, rate;
   };
   void add(const State<2>& state, int row, const Move* move);
-  /// Moves the second face of the copies from `first` on against the first one by `depth` [m].
+  /// Moves the second face of the copies from `first` on towards the first one by `depth` [m].
   void press(std::size_t first, double depth);
-  /// Asks the law of all copies.
+  /// Evaluates the law for all copies.
   void respond(const LawInUse& law);
-  /// False where the copy is no pair of faces.
+  /// False if the copy is no pair of faces.
   [[nodiscard]] bool is_faces(std::size_t copy) const {
     return !answer_[copy / lane_count].is_general[copy % lane_count];
   }
   [[nodiscard]] bool touches(std::size_t c) const { return answer_[c / lane_count].later[c % lane_count] != 0; }
-  /// Its forces at the nodes: the force as it is, its moment by the arm.
+  /// Its forces at the nodes: the force directly, its moment by the arm.
   void take(std::size_t copy, const TermNodes& nodes, TermForces& out) const;
 
  private:
@@ -54,20 +54,20 @@ class FaceCopies {
   const ContactHistory& history_;
   const bool means_;
   std::vector<SkinMotion<2>> skin_;  // [ends of a copy]
-  std::vector<Vec2> mean_, arm_;     // likewise; mean_ empty where velocities over the step are those of now
+  std::vector<Vec2> mean_, arm_;     // likewise; mean_ is empty if the velocities over the step equal the present ones
   std::vector<NearPair> pairs_;      // [copy]
   std::vector<std::array<int, ends>> source_;
   std::vector<ContactMemory> before_, after_;
   std::vector<LawRow> law_row_;
   std::vector<double> law_before_, law_after_;
-  std::vector<std::uint8_t> line_;  // [copy] 1: its row is flat with its neighbours in line as it stands
+  std::vector<std::uint8_t> line_;  // [copy] 1: its row is flat with its neighbours in line in the present position
   std::vector<int> list_;
   std::vector<FourFaces> answer_;
   std::vector<FourForces> force_;
 };
 
-/// What a skin point goes by as an unknown is moved: along an axis, or round the node by the turn of its arm, of which
-/// both terms are written out, as the difference of two turns has no digits left.
+/// Displacement of a skin point when an unknown is moved: along an axis, or around the node by the rotation of its arm.
+/// Both terms of the rotation are written out, because the difference of two rotations loses all digits.
 void FaceCopies::add(const State<2>& state, int row, const Move* move) {
   const NearPair& p = work_.pairs[row];
   const double per_step = state.last_dt > 0 ? 1 / state.last_dt : 0;
@@ -108,7 +108,7 @@ void FaceCopies::add(const State<2>& state, int row, const Move* move) {
   law_before_.insert(law_before_.end(), numbers, numbers + law_number_counts[of.place]);
 }
 
-/// Against the normal of the first face, as it stands in the first of these copies.
+/// Along the normal of the first face, as in the first of these copies.
 void FaceCopies::press(std::size_t first, double depth) {
   const SkinMotion<2>&a0 = skin_[ends * first], &a1 = skin_[ends * first + 1];
   const Vec2 inwards = depth * left_of(Vec2(a1.x - a0.x, a1.y - a0.y).normalized());
@@ -155,15 +155,15 @@ void FaceCopies::take(std::size_t copy, const TermNodes& nodes, TermForces& out)
   }
 }
 
-/// Rows whose copies are asked at a time: what they take stays in the processor's second cache.
+/// Rows whose copies are evaluated together; their data fit in the second-level cache.
 constexpr std::size_t rows_at_once = 16;
-/// Unknowns are moved by this share of what other terms are by: places against each other have more digits than places,
-/// and less is disturbed of what hardly touches.
+/// Perturbation as a share of the perturbation of other terms. Relative positions have more digits than positions, and
+/// barely touching contacts are disturbed less.
 constexpr double share_of_disturbance = 1.0 / 8;
-/// Faces that just meet are differentiated as if they were pressed in by so many disturbances.
+/// Faces that just meet are differentiated as if they were pressed in by this number of perturbations.
 constexpr double pressed_in = 32;
 
-/// Rows of one law, each with the copies that belong to it.
+/// Rows of one law, each with its copies.
 class FaceTerms {
  public:
   FaceTerms(TermSum<2>& sum, Work<2>& work, const ContactHistory& before, const LawInUse& law)
@@ -173,7 +173,7 @@ class FaceTerms {
     rows_.push_back(row);
     if (rows_.size() == rows_at_once) flush();
   }
-  /// All that were added, and then those that have just met.
+  /// Evaluates all added rows, and then the rows that have just met.
   void flush() {
     respond(rows_, false);
     respond(met_, true);
@@ -196,7 +196,7 @@ class FaceTerms {
     const double depth = depth_of(p);
     most_ = depth > 0 ? std::max(share_of_depth * depth, least_move) / share_of_disturbance : unbounded;
   }
-  /// Greatest depth of the second face below the first one where they lie beside each other; below 0 where apart [m].
+  /// Greatest depth of the second face below the first one over their shared extent; negative if apart [m].
   [[nodiscard]] double depth_of(const NearPair& p) const {
     const auto at = [&](int s) { return Vec2(work_.skin[s].x, work_.skin[s].y); };
     const Vec2 from = at(p.a0), along = Vec2(at(p.a1) - from).normalized();
@@ -218,7 +218,7 @@ class FaceTerms {
   [[nodiscard]] double step_of(const Freedom& f) const {
     return share_of_disturbance * perturbation_of(sum_.model, f, sum_.options, most_);
   }
-  /// One as it stands, then two for each unknown.
+  /// One unmoved copy, then two for each unknown.
   void copy_row(int row, bool pressed) {
     const std::size_t first = copies_.size();
     list_nodes(row);
@@ -234,8 +234,8 @@ class FaceTerms {
     });
     if (pressed) copies_.press(first, pressed_in * most);
   }
-  /// Where one side of a difference is no pair of faces any more, it is that between the other and the row as it
-  /// stands. A row of which some copies touch and some do not has just met: it is closed or open.
+  /// If one side of a difference is no pair of faces, a one-sided difference with the unmoved row is used. A row whose
+  /// copies touch only in part has just met: it counts as closed or open.
   std::size_t take_row(int row, std::size_t copy, bool pressed) {
     list_nodes(row);
     const std::size_t stands = copy++;
@@ -268,12 +268,12 @@ class FaceTerms {
   std::vector<int> rows_, met_;
   TermNodes nodes_;
   TermForces more_, less_;
-  double most_ = unbounded;  // see step_of, of the row whose nodes are listed
+  double most_ = unbounded;  // see step_of, for the row whose nodes are listed
 };
 
-/// The rows that evaluation asks the laws of: what touches, and what is so near that it may. Faces that just meet, as
-/// those of blocks that are put on each other do, may count as closed and sticking: with half of their stiffness, the
-/// mean of both sides, and no friction yet, statics would send what they carry far away.
+/// Adds the rows that the evaluation processes: touching rows, and rows that may touch. Faces that just meet, as of
+/// stacked blocks, may count as closed and sticking. With the mean of both sides, half of their stiffness and no
+/// friction, statics would move the supported bodies far away.
 void add_faces(TermSum<2>& sum, Work<2>& work, const ContactHistory& before) {
   for (const FaceBatch& batch : work.batches) {
     FaceTerms terms(sum, work, before, law_in_use(sum.model, batch.law, sum.options.dt));

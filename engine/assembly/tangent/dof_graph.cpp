@@ -5,7 +5,7 @@
 namespace trilith {
 namespace {
 
-/// Unknowns are numbered by node, then by direction; what is held or driven has none.
+/// Numbers the unknowns by node, then by direction; fixed and driven directions have none.
 template <int D>
 void list_freedoms(const Model<D>& model, DofGraph<D>& out) {
   std::array<int, Space<D>::dofs> none;
@@ -19,7 +19,7 @@ void list_freedoms(const Model<D>& model, DofGraph<D>& out) {
     }
 }
 
-/// Groups of nodes, each group coupled through and through.
+/// Groups of nodes; all nodes of a group are coupled.
 template <int D>
 class Groups {
  public:
@@ -54,7 +54,7 @@ class Groups {
   std::vector<int> group_;
 };
 
-/// Each node with itself, and the nodes of an element among each other.
+/// Each node with itself, and the nodes of each element.
 template <int D>
 void add_bodies(const Model<D>& model, Groups<D>& groups) {
   for (int n = 0; n < model.nodes(); ++n) groups.add(n), groups.end();
@@ -74,9 +74,9 @@ void add_beams(const Model<D>& model, Groups<D>& groups) {
   for (const Beam3& beam : model.beams_3d) groups.add(beam.node[0]), groups.add(beam.node[1]), groups.end();
 }
 
-/// Two pieces that are near each other, and those that share a ridge with either and are near the other: where a ridge
-/// is met their direction is one (assembly/contact/shared_edge_normal.hpp). `a`, `b`: the pieces of a pair, or the
-/// other way round.
+/// Couples two neighbouring pieces with the pieces that share an edge with either and are near the other: at a common
+/// edge they have one contact direction (assembly/contact/shared_edge_normal.hpp). `a`, `b`: the pieces of a pair, in
+/// either order.
 template <int D>
 void add_ridge_pieces(const Work<D>& work, int a, int b, Groups<D>& groups) {
   for (const SharedEdgePart& part : work.ridges.parts_of(a))
@@ -84,8 +84,8 @@ void add_ridge_pieces(const Work<D>& work, int a, int b, Groups<D>& groups) {
       if (work.contacts.find(contact_key(std::min(piece, b), std::max(piece, b))) >= 0) groups.add_piece(piece);
 }
 
-/// Bearings join the nodes that their ends hang on, loads that follow those of their place, and each near pair of
-/// pieces all nodes of both: which of them press can change within a step.
+/// Bearings couple the nodes of their ends, following loads the nodes of their attachment, and each candidate pair all
+/// nodes of both pieces, because the contact may change within a step.
 template <int D>
 void add_links(const Model<D>& model, const Work<D>& work, Groups<D>& groups) {
   for (const Bearing<D>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
@@ -106,7 +106,7 @@ void make_unique(std::vector<std::vector<int>>& near) {
   }
 }
 
-/// Each node takes the first colour that none has that acts on a node it acts on (Curtis, Powell and Reid, "On the
+/// Each node takes the first colour that no node has which acts on a common node (Curtis, Powell and Reid, "On the
 /// estimation of sparse Jacobian matrices", J. Inst. Maths Applics 13, 1974). The pattern is symmetric.
 template <int D>
 void choose_colours(DofGraph<D>& out) {

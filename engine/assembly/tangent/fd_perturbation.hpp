@@ -1,4 +1,4 @@
-// An unknown of a state moved a little, to see how forces answer.
+// Perturbation of one unknown of a state for finite differences of the forces.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 
 namespace trilith {
 
-/// How far an unknown is moved [m] or [rad]: small against overlaps of faces, large against rounding; over a short step
-/// less, so that its velocity is not changed much. A rotation moves what is a radius of gyration away as far. `most`:
-/// no farther than this, as of faces pressed together by little.
+/// Size of the perturbation [m] or [rad]: small compared with overlaps of faces, large compared with rounding. It is
+/// smaller for a short step, so that the velocity changes little. A rotation moves a point at the radius of gyration by
+/// the same distance. `most`: upper limit, for example for faces in slight contact.
 template <int D>
 double perturbation_of(const Model<D>& model, const Freedom& f, const TangentOptions& options, double most = unbounded);
 
-/// What is farther apart than this touches nowhere as an unknown is moved: no corner goes farther than some
-/// disturbances as its body turns [m].
+/// Pairs farther apart than this do not touch while an unknown is moved: rotation moves no corner by more than some
+/// perturbations [m].
 inline double reach_of_moves(const TangentOptions& options) {
   return 10 * (options.move > 0 ? options.move : 1e-8);
 }
 
-/// An unknown is moved by no more than this share of the depth of a contact; a larger move would open the contact on
-/// one side of the difference. It is moved by at least `least_move` [m] because of rounding.
+/// Upper limit of the perturbation as a share of the depth of a contact; a larger one would open the contact on one
+/// side of the difference. It is at least `least_move` [m] because of rounding.
 inline constexpr double share_of_depth = 0.01, least_move = 1e-13;
 
-/// Moves an unknown by `by`, its rate by `rate` times that, for as long as this lives.
+/// Moves an unknown by `by`, and its rate by `rate` times that, during its lifetime.
 template <int D>
 class Moved {
  public:

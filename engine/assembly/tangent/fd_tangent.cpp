@@ -1,4 +1,4 @@
-// What all terms share; elements and loads.
+// Common part of all terms; elements and loads.
 #include "assembly/tangent/fd_tangent.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ void TermSum<D>::add_column(const TermNodes& nodes, int column, const TermForces
   }
 }
 
-/// An element by itself: its stresses and dampings, as resist has them.
+/// Terms of single elements: stresses and damping, as in internal_forces.
 void add_element_terms(TermSum<2>& sum) {
   const Model<2>& model = sum.model;
   if (model.elements.empty()) return;
@@ -52,7 +52,7 @@ void add_element_terms(TermSum<2>& sum) {
   }
 }
 
-/// Forces at points turn with arms, those that follow in themselves too.
+/// Point loads rotate with their arms; following loads rotate themselves too.
 template <int D>
 void add_point_load_terms(TermSum<D>& sum) {
   const Model<D>& model = sum.model;
@@ -68,7 +68,7 @@ void add_point_load_terms(TermSum<D>& sum) {
   }
 }
 
-/// Pressures on faces go with these.
+/// Pressures on faces move with the faces.
 void add_load_terms(TermSum<2>& sum, Work<2>& work) {
   add_point_load_terms(sum);
   const Model<2>& model = sum.model;
@@ -88,7 +88,7 @@ void add_load_terms(TermSum<2>& sum, Work<2>& work) {
   }
 }
 
-/// A bearing by itself, in all its directions.
+/// Terms of single bearings, in all directions.
 template <int D>
 void add_bearing_terms(TermSum<D>& sum) {
   const Model<D>& model = sum.model;

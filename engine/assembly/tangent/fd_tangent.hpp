@@ -1,14 +1,14 @@
-// The tangent by single terms of the forces: a contact, a bearing, an element, a load.
+// The tangent from single terms of the forces: contacts, bearings, elements, loads.
 //
-// Each depends on the motion of a few nodes and acts on these alone. They are moved one unknown at a time, the term is
-// found again by the same code that `evaluate` finds it by, on both sides, and the central difference is added to the
-// matrix of assembly/tangent/tangent.hpp:
+// Each term depends on the motion of a few nodes and acts on these alone. One unknown is moved at a time to both sides.
+// The code of `evaluate` computes the term, and the central difference is added to the matrix of
+// assembly/tangent/tangent.hpp:
 //
-//     A_ij -= phi_f (F_i(x_j + h, v_j + c h) - F_i(x_j - h, v_j - c h)) / (2 h)
+//     A_ij -= phi_f (F_i(x_j + h, v_j + c h) - F_i(x_j - h, v_j - c h)) / (2 h).
 //
-// So it is that of every law in every branch, with what changes as normals, arms and skins turn with the nodes, and a
-// law that is added needs no line. Between two rigid bodies a term is found 12 times, in space 24 times, whatever else
-// they touch.
+// So it is the tangent of every law in every branch, including the rotation of normals, arms and skins with the nodes.
+// A new law needs no code here. Between two rigid bodies a term is evaluated 12 times, in space 24 times, independent
+// of other contacts.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -45,7 +45,7 @@ class TermNodes {
   void add_skin(const Model<2>& model, int skin) { add(model.skin_node[skin]), add(model.skin_turn[skin]); }
   [[nodiscard]] std::span<const int> list() const { return list_; }
   [[nodiscard]] std::size_t size() const { return list_.size(); }
-  /// Where a node stands in the list.
+  /// Index of a node in the list.
   [[nodiscard]] std::size_t place_of(int node) const {
     return static_cast<std::size_t>(std::find(list_.begin(), list_.end(), node) - list_.begin());
   }
@@ -57,20 +57,20 @@ class TermNodes {
 /// Forces and moments on the nodes of a term, Space<D>::dofs for each, in their order [N], [N m].
 using TermForces = std::vector<double>;
 
-/// The matrix that terms are added to, and what is moved for them.
+/// The matrix of the sum, and the state that is perturbed.
 template <int D>
 struct TermSum {
   const Model<D>& model;
-  State<D>& state;  ///< disturbed meanwhile, and left as it was to the bit
+  State<D>& state;  ///< perturbed temporarily, and restored bit for bit
   const TangentOptions& options;
   const std::vector<std::array<int, Space<D>::dofs>>& unknown;  ///< [node] see DofGraph
   Eigen::SparseMatrix<double>& matrix;                          ///< with an entry for every two unknowns of a term
 
-  /// Adds the column of an unknown: forces on `nodes` with it moved by `apart` [m] or [rad] between the two.
+  /// Adds the column of an unknown: forces on `nodes` at two positions of it that are `apart` [m] or [rad].
   void add_column(const TermNodes& nodes, int column, const TermForces& more, const TermForces& less, double apart);
 
-  /// Adds a term: respond(moved, forces) finds those on `nodes` at the state of now; they are 0 before. Unknowns are
-  /// moved by no more than `most` [m], or as much at a radius of gyration.
+  /// Adds a term: respond(moved, forces) computes the forces on `nodes` at the present state, into zeros. Unknowns are
+  /// moved by at most `most` [m], or by this distance at the radius of gyration.
   template <class Respond>
   void add(const TermNodes& nodes, Respond&& respond, double most = unbounded) {
     for (const int node : nodes.list())
@@ -89,7 +89,7 @@ struct TermSum {
   }
 
  private:
-  TermForces more_, less_;  // room
+  TermForces more_, less_;  // buffers
 
  public:
   TermSum(const Model<D>& m, State<D>& s, const TangentOptions& o,
@@ -99,7 +99,7 @@ struct TermSum {
 extern template struct TermSum<2>;
 extern template struct TermSum<3>;
 
-/// Forces and moments on all nodes, of which a term has only few: these are taken out, and put back to 0.
+/// Forces and moments on all nodes, of which a term uses only a few: these are read and reset to 0.
 template <int D>
 struct NodeArrays {
   std::vector<Vec<D>> force;
@@ -116,22 +116,22 @@ struct NodeArrays {
   }
 };
 
-/// A skin point where the nodes of `state` put it, and its arm from the node that it goes with [m].
+/// A skin point in the position that `state` determines, and its arm from its node [m].
 struct PlacedSkin {
   SkinMotion<2> motion;
   Vec2 arm;
 };
 PlacedSkin placed_skin(const Model<2>& model, const State<2>& state, int skin);
 
-/// True where the last evaluation answered the row as one of general shape.
+/// True if the last evaluation processed the row as a general contact.
 inline bool is_general(const Work<2>& work, int row) {
   if (work.general.empty() && work.general_now.empty()) return false;
   return work.is_general[static_cast<std::size_t>(row)] != 0;
 }
 
-/// Contacts of faces, those of general shape, bearings, elements and loads that follow, about the state that `work` is
-/// evaluated at. Skin points of `work` are disturbed meanwhile, and left as they were. What is not touched at this
-/// state gives nothing.
+/// Add the terms of face contacts, general contacts, bearings, elements and following loads about the state at which
+/// `work` is evaluated. Skin points of `work` are perturbed temporarily and restored. Pairs that do not touch at this
+/// state contribute nothing.
 void add_face_terms(TermSum<2>& sum, Work<2>& work);
 void add_overlap_terms(TermSum<2>& sum, Work<2>& work);
 void add_element_terms(TermSum<2>& sum);
@@ -141,8 +141,8 @@ void add_bearing_terms(TermSum<D>& sum);
 template <int D>
 void add_point_load_terms(TermSum<D>& sum);
 
-/// In space: all contacts, after which pieces stand in `work` as before and what these rows answered does not;
-/// elements; damping by mass.
+/// In space: all contacts, elements, and damping by mass. Afterwards the pieces in `work` are restored, but not the
+/// answers of its contact rows.
 void add_solid_terms(TermSum<3>& sum, Work<3>& work);
 void add_element_terms(TermSum<3>& sum);
 void add_mass_damping_terms(TermSum<3>& sum);

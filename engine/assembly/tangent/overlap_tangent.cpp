@@ -1,4 +1,4 @@
-// The tangent of contacts of general shape, piece by piece; with those whose springs turn the direction of a row.
+// The tangent of general contacts, piece by piece, including the rows whose springs change the contact direction.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -13,7 +13,7 @@
 namespace trilith {
 namespace {
 
-/// A row, and those whose springs turn its direction at a ridge that pieces share.
+/// A row, and the rows whose springs change its direction at a shared edge.
 std::vector<int> rows_with(const Work<2>& work, int row) {
   const SharedEdgeRows<2> ridge = rows_at_shared_edges(work, row);
   if (!ridge.has_others()) return {row};
@@ -22,7 +22,8 @@ std::vector<int> rows_with(const Work<2>& work, int row) {
   return rows;
 }
 
-/// The skin points of the pieces of rows; those that go with a node are placed anew, and all are put back.
+/// The skin points of the pieces of rows. Points that move with a perturbed node are placed again, and all are
+/// restored.
 class RowSkins {
  public:
   RowSkins(const Model<2>& model, Work<2>& work, std::span<const int> rows) : model_(model), work_(work) {
@@ -74,7 +75,7 @@ class RowSkins {
   std::vector<Vec2> mean_was_;
 };
 
-/// Forces at the corners of a piece, at its nodes.
+/// Forces at the corners of a piece, transferred to its nodes.
 void take_corners(const TermSum<2>& sum, const Work<2>& work, int piece, const Vec2* force, const TermNodes& nodes,
                   TermForces& out) {
   const Model<2>& model = sum.model;
@@ -88,8 +89,8 @@ void take_corners(const TermSum<2>& sum, const Work<2>& work, int piece, const V
   }
 }
 
-/// The contact of two pieces by the overlap of their areas, as they are placed in `work`. `rows`: its own, then those
-/// whose springs turn its direction.
+/// The contact of two pieces by the overlap of their areas, as placed in `work`. `rows`: the row itself, then the rows
+/// whose springs change its direction.
 class GeneralTerm {
  public:
   GeneralTerm(const TermSum<2>& sum, const Work<2>& work, const ContactHistory& before, std::span<const int> rows)
@@ -109,7 +110,7 @@ class GeneralTerm {
   }
 
  private:
-  /// Calls f with the two pieces of a row as they stand, what it remembers, and its law.
+  /// Calls f with the two pieces of a row in their present position, its memory, and its law.
   template <class F>
   void ask(int row, F&& f) {
     const NearPair& pair = work_.pairs[row];
@@ -133,7 +134,7 @@ class GeneralTerm {
   const Work<2>& work_;
   const ContactHistory& before_;
   std::span<const int> rows_;
-  std::vector<double> law_after_;  // of no use
+  std::vector<double> law_after_;  // not used afterwards
   std::array<Vec2, max_piece_corners> on_a_, on_b_;
 };
 

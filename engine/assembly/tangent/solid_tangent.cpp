@@ -1,4 +1,4 @@
-// Terms of the tangent in space: contacts of solids, elements, damping by mass.
+// Terms of the tangent in space: contacts, elements, damping by mass.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -13,9 +13,9 @@
 namespace trilith {
 namespace {
 
-/// The contact of a row with those whose springs turn its direction at a ridge that pieces share
-/// (assembly/contact/shared_edge_normal.hpp). Comes in: a state with one unknown moved. Goes out: forces of the row at
-/// its nodes. As it ends, pieces stand and what is remembered of the row is as it was.
+/// The contact of a row, including the rows whose springs change its direction at a shared edge
+/// (assembly/contact/shared_edge_normal.hpp). Input: a state with one unknown moved. Output: forces of the row at its
+/// nodes. At its end the pieces and the trial memory of the row are restored.
 class SolidTerm {
  public:
   SolidTerm(const TermSum<3>& sum, Work<3>& work, int row)
@@ -25,7 +25,7 @@ class SolidTerm {
         memory_(work.contacts.memory[at()]),
         separation_(work.solids.separation[at()]),
         asleep_until_(work.asleep_until[at()]) {
-    work.asleep_until[at()] = 0;  // nobody sleeps through being moved
+    work.asleep_until[at()] = 0;  // the pair must not sleep while it is perturbed
     add_pieces(row);
     const SharedEdgeRows<3> ridge = rows_at_shared_edges(work, row);
     if (!ridge.has_others()) return;
@@ -49,7 +49,7 @@ class SolidTerm {
     for (const TermNodes& of : nodes_)
       for (const int n : of.list()) nodes.add(n);
   }
-  /// How far unknowns may be moved at the state as it stands [m].
+  /// Largest perturbation of unknowns at the present state [m].
   [[nodiscard]] double most_move() {
     SolidAnswer answer;
     contact_row_forces(sum_.model, sum_.state, work_, row_, sum_.options.dt, answer);
@@ -79,13 +79,14 @@ class SolidTerm {
       for_nodes_of_piece(sum_.model, piece, [&](int n) { of.add(n); });
     }
   }
-  /// Places pieces anew that go with `node`, which has been moved, and with the one moved last, which is back.
+  /// Places the pieces again that move with the perturbed `node`, and the pieces of the node perturbed before, which is
+  /// restored.
   void place(int node) {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       if (nodes_[i].has(node) || nodes_[i].has(moved_)) place_again(sum_.model, sum_.state, work_, pieces_[i]);
     moved_ = node;
   }
-  /// A force and a moment about a carrier's place.
+  /// Adds a force and a moment about the position of a contact frame.
   void push(int contact_frame, const Vec3& force, const Vec3& moment, NodeArrays<3>& to) const {
     if (const auto n = static_cast<std::size_t>(contact_frame); contact_frame >= 0) {
       to.force[n] += force, to.moment[n] += moment;
@@ -100,9 +101,9 @@ class SolidTerm {
   const int row_;
   std::vector<int> pieces_;
   std::vector<TermNodes> nodes_;  // of these
-  int moved_ = -1;                // the node whose pieces do not stand as they were
+  int moved_ = -1;                // node whose pieces are displaced
   std::vector<std::size_t> met_;  // rows of Work::met
-  std::vector<Vec3> push_;        // theirs
+  std::vector<Vec3> push_;        // their spring forces
   const SolidMemory memory_;
   const Separation3 separation_;
   const double asleep_until_;
@@ -130,7 +131,7 @@ void add_solid_terms(TermSum<3>& sum, Work<3>& work) {
   }
 }
 
-/// An element by itself: its stresses and dampings, as resist has them.
+/// Terms of single elements: stresses and damping, as in internal_forces.
 void add_element_terms(TermSum<3>& sum) {
   Work<3> own;
   own.plastic.resize(sum.state.plastic.size());

@@ -8,9 +8,9 @@
 namespace trilith {
 namespace {
 
-/// A pivot below this share of its diagonal entry and of the largest one of its row and column has no digits left.
+/// A pivot below this share of its diagonal entry and of the largest one of its row and column has lost all digits.
 constexpr double least_pivot = 1e-12;
-/// What a solution may leave of the right side, as a share of the largest term of a row.
+/// Largest residual of a solution, as a share of the largest term of a row.
 constexpr double good_solution = 1e-9;
 
 }  // namespace
@@ -32,7 +32,7 @@ bool SparseFactors::compute(const Eigen::Map<const Eigen::SparseMatrix<double>>&
   return pivoted_->info() == Eigen::Success;
 }
 
-/// The order of least degree of A + A', and the elimination tree and the columns of L in it.
+/// Minimum degree order of A + A', and its elimination tree and columns of L.
 void SparseFactors::choose_order() {
   const auto size = static_cast<std::size_t>(matrix_.cols());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> from;
@@ -40,7 +40,8 @@ void SparseFactors::choose_order() {
   order_.assign(from.indices().data(), from.indices().data() + size);
   place_.resize(size);
   for (std::size_t k = 0; k < size; ++k) place_[order_[k]] = static_cast<int>(k);
-  // Entry (i, k) above the diagonal leads from i up the tree to k, and all on the way have an entry in row k of L.
+  // Entry (i, k) above the diagonal leads from i up the tree to k, and all nodes on this path have an entry in row k of
+  // L.
   std::vector<std::vector<int>> above(size);
   for (int c = 0; c < matrix_.cols(); ++c)
     for (Matrix::InnerIterator at(matrix_, c); at; ++at) {
@@ -65,9 +66,9 @@ void SparseFactors::choose_order() {
 
 /// With w = D u for column k of U and z = l D for row k of L:
 ///
-///     L w = a(:, k),   z U = a(k, :),   d_k = a_kk - sum z_i w_i / d_i
+///     L w = a(:, k),   z U = a(k, :),   d_k = a_kk - sum z_i w_i / d_i.
 ///
-/// Both are 0 but along the paths that lead from the entries of row and column k up the tree.
+/// Both are 0 except along the paths from the entries of row and column k up the tree.
 bool SparseFactors::factorise() {
   const int size = static_cast<int>(matrix_.cols());
   std::vector<double> w(size, 0.0), z(size, 0.0);
@@ -122,7 +123,8 @@ Eigen::VectorXd SparseFactors::solve_once(const Eigen::VectorXd& right) const {
   return out;
 }
 
-/// By a right side that no symmetry of a structure has: what is left of it tells whether pivots were good enough.
+/// Solves for a right side without the symmetry of any structure; the residual shows whether the pivots were
+/// sufficient.
 bool SparseFactors::is_good() {
   Eigen::VectorXd right(matrix_.cols());
   for (Eigen::Index i = 0; i < right.size(); ++i) right[i] = 1 + 0.37 * static_cast<double>(i % 7);

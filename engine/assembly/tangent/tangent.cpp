@@ -16,7 +16,7 @@
 
 namespace trilith {
 
-/// A rotation moves what is a radius of gyration away as far as a place is moved.
+/// A rotation moves a point at the radius of gyration by the same distance as a translation.
 template <int D>
 double perturbation_of(const Model<D>& model, const Freedom& f, const TangentOptions& options, double most) {
   const double move = std::min(most, options.move > 0 ? options.move : std::clamp(1e-5 * options.dt, 1e-12, 1e-8));
@@ -31,8 +31,8 @@ double net_force(const Model<D>& model, const State<D>& state, const Work<D>& wo
   return force - damping_by_mass(model, state, f.node)[f.k];
 }
 
-/// The pattern holds as long as the pairs do; entries of pairs that do not touch are 0 and there all the same, so that
-/// a contact made within a step needs no new pattern.
+/// The pattern is valid while the pairs are. Pairs that do not touch have entries of 0, so that a contact made within a
+/// step needs no new pattern.
 template <int D>
 void Tangent<D>::shape(const Model<D>& model, const Work<D>& work) {
   std::vector<std::pair<int, int>> pairs;
@@ -51,7 +51,7 @@ void Tangent<D>::shape(const Model<D>& model, const Work<D>& work) {
   matrix_.makeCompressed();
 }
 
-/// Forces on all unknowns while direction k of `nodes` is moved to one side.
+/// Forces on all unknowns with direction k of `nodes` moved to one side.
 template <int D>
 void Tangent<D>::disturbed(const Model<D>& model, State<D>& state, Work<D>& work, const std::vector<int>& nodes, int k,
                            double side, const TangentOptions& options, Eigen::VectorXd& force) const {
@@ -64,13 +64,14 @@ void Tangent<D>::disturbed(const Model<D>& model, State<D>& state, Work<D>& work
   for (int i = 0; i < coupling_.size(); ++i) force[i] = net_force(model, state, work, coupling_.freedom[i]);
 }
 
-/// Column by column, but all nodes of a colour at once:
+/// Column by column, with all nodes of a colour at once:
 ///
-///     A e_j = -phi_f (F(x + h e_j, v + c h e_j) - F(x - h e_j, v - c h e_j)) / (2 h) + a_m M e_j
+///     A e_j = -phi_f (F(x + h e_j, v + c h e_j) - F(x - h e_j, v - c h e_j)) / (2 h) + a_m M e_j.
 ///
-/// with phi_f the share of forces in the scheme's equation, a_m its coefficient of the mass and c its change of
-/// velocity per change of place. Central differences leave out the second derivative; what is left is h^2 of the third,
-/// and rounding of F over h. Two evaluations for each colour and direction: some 20 to 60 in all, however many nodes.
+/// Here phi_f is the share of forces in the scheme's equation, a_m its coefficient of the mass and c its change of
+/// velocity per change of position. Central differences have no error from the second derivative. The remaining errors
+/// are h^2 times the third derivative, and rounding of F over h. Each colour and direction needs two evaluations: some
+/// 20 to 60 in all, independent of the number of nodes.
 template <int D>
 void Tangent<D>::assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work,
                                          const TangentOptions& options) {
@@ -95,7 +96,7 @@ void Tangent<D>::assemble_by_differences(const Model<D>& model, State<D>& state,
   add_beams(model, state, options);
 }
 
-/// Adds a block of the forces on a beam's two nodes by their unknowns, which it has one node after the other.
+/// Adds a block of the forces on a beam's two nodes by their unknowns, one node after the other.
 template <int D>
 template <class Block>
 void Tangent<D>::add_block(const std::array<int, 2>& node, const Block& block) {
@@ -106,11 +107,10 @@ void Tangent<D>::add_block(const std::array<int, 2>& node, const Block& block) {
       if (unknown(row) >= 0) matrix_.coeffRef(unknown(row), unknown(column)) += block(row, column);
 }
 
-/// In the plane term by term, see assembly/tangent/fd_tangent.hpp; what is of a node by itself is inertia and damping
-/// by mass.
+/// In the plane term by term, see assembly/tangent/fd_tangent.hpp. Single nodes contribute inertia and damping by mass.
 template <>
 void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options) {
-  shape(model, work);  // pairs may have been found since
+  shape(model, work);  // the pairs may have changed
   matrix_.coeffs().setZero();
   const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
   for (int i = 0; i < coupling_.size(); ++i)
@@ -123,8 +123,8 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   add_beams(model, state, options);
 }
 
-/// The same in space, where inertia and damping by mass of a turn are a block. What rows of contact answered last is
-/// that of a place beside, so all is evaluated once more.
+/// In space inertia and damping by mass of a rotation are blocks. The last responses of the contact rows belong to a
+/// perturbed state, so everything is evaluated once more.
 template <>
 void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options) {
   shape(model, work);
@@ -147,8 +147,8 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
 
 namespace {
 
-/// Beams have their block by themselves, in the order of unknowns of one node, then of the other; consistent mass adds
-/// its own.
+/// Beams have separate blocks, in the order of the unknowns of one node, then of the other; consistent mass adds its
+/// own.
 template <int D, class Add>
 void each_beam_block(const Model<D>& model, const State<D>& state, const TangentOptions& options, const Add& add) {
   const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
@@ -185,7 +185,7 @@ void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const T
   add_rotary_blocks(model, state, options, coupling_, matrix_);
 }
 
-/// Without entries of 0, which are there for pairs that do not touch: so that it is the same whenever these were found.
+/// Removes entries of 0 of pairs that do not touch, so that the matrix does not depend on when they were found.
 template <int D>
 bool Tangent<D>::find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
                       StepTimes* times) {
@@ -207,8 +207,8 @@ bool Tangent<D>::find(const Model<D>& model, State<D>& state, Work<D>& work, con
   return true;
 }
 
-/// Modified Newton: a tangent is good for as long as steps converge by it. It is part of State, so that a run that is
-/// saved and continued takes the same steps.
+/// Modified Newton: a tangent is reused while steps converge with it. It is part of State, so that a restarted run
+/// takes the same steps.
 template <int D>
 bool Tangent<D>::take(const State<D>& state, const TangentOptions& options) {
   const KeptTangent* const kept = state.tangent.get();
@@ -218,7 +218,7 @@ bool Tangent<D>::take(const State<D>& state, const TangentOptions& options) {
   return ready_ == state.tangent || factorise(state.tangent);
 }
 
-/// Without pivots, see assembly/tangent/sparse_factors.hpp; friction and following loads make the matrix unsymmetric.
+/// Without pivoting, see assembly/tangent/sparse_factors.hpp; friction and following loads make the matrix unsymmetric.
 template <int D>
 bool Tangent<D>::factorise(const std::shared_ptr<const KeptTangent>& kept) {
   ready_.reset();

@@ -1,14 +1,14 @@
-// The tangent of a step: how the forces on free nodes answer to a change of the place the step ends at.
+// The tangent of a step: derivative of the forces on free nodes with respect to the position at the end of the step.
 //
 //   A = m (1 - alpha_m) / (b dt^2) - (1 - alpha_f) (dF/dx + c dF/dv),   c = g / (b dt)
 //
-// with b, g, alpha of assembly/alpha_scheme.hpp. dF is found by central differences of single terms
-// (assembly/tangent/fd_tangent.hpp). So it is that of every law, branch and load there is, one that is added included;
-// rounding leaves it exact to about 1e-6. Beams have theirs by themselves (assembly/tangent/beam_tangent.hpp), which
-// costs less; in the plane by hand, of one side of a kink where a fibre or a hinge begins to yield.
+// with b, g, alpha of assembly/alpha_scheme.hpp. dF is the central difference of single terms
+// (assembly/tangent/fd_tangent.hpp). So it contains every law, branch and load, also new ones; rounding limits its
+// accuracy to about 1e-6. Beams have analytic or separate blocks (assembly/tangent/beam_tangent.hpp), which cost less.
+// In the plane these are taken on one side of a kink where a fibre or a hinge begins to yield.
 //
-// In space a rotation is changed by a turn about an axis of the world, after those it has made (from the left): the
-// unknown of a rotation is that rotation vector, and m is the block that assembly/implicit_turn.hpp gives.
+// In space a rotation is changed by a further rotation about a world axis (from the left). The unknown of a rotation is
+// this rotation vector, and m is the block in assembly/implicit_turn.hpp.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -25,39 +25,39 @@
 
 namespace trilith {
 
-/// What the tangent is taken of.
+/// Options of the tangent.
 struct TangentOptions {
-  double dt = 0;        ///< of the step that the trial state ends [s]
-  double rate = 0;      ///< change of velocity per change of place [1/s]
+  double dt = 0;        ///< length of the step that the trial state ends [s]
+  double rate = 0;      ///< change of velocity per change of position [1/s]
   double force = 1;     ///< share of the forces in the equation of motion
   double inertia = 0;   ///< coefficient of the mass [1/s2]
-  double move = 0;      ///< how far nodes are moved [m]; 0: as suits the step
-  bool bands = true;    ///< with what damping over a band adds to the stiffness
-  bool closes = false;  ///< faces that just meet count as closed and sticking; else as they are
+  double move = 0;      ///< perturbation of nodes [m]; 0: chosen by the step
+  bool bands = true;    ///< include the stiffness of band damping
+  bool closes = false;  ///< faces that just meet count as closed and sticking; otherwise their present state counts
 };
 
-/// The force [N] or moment [N m] on an unknown at an evaluated state: weight, loads and all dampings with it.
+/// The force [N] or moment [N m] on an unknown at an evaluated state, including weight, loads and all dampings.
 template <int D>
 double net_force(const Model<D>& model, const State<D>& state, const Work<D>& work, const Freedom& f);
 
 template <int D>
 class Tangent {
  public:
-  /// Finds the pattern for the pairs that `work` holds, where it is not that already.
+  /// Finds the pattern for the pairs in `work`, unless it is known already.
   void shape(const Model<D>& model, const Work<D>& work);
-  /// The model has changed: the pattern is looked for anew.
+  /// Resets the pattern after a change of the model.
   void forget() { shaped_ = false; }
   [[nodiscard]] const DofGraph<D>& coupling() const { return coupling_; }
 
-  /// At a trial state that `work` is evaluated at. Both are as before afterwards.
+  /// Assembles at a trial state at which `work` is evaluated. Both are restored afterwards.
   void assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
-  /// The same by differences of `evaluate`, many nodes at a time, where nodes that act on no common node move together
-  /// (Curtis, Powell and Reid 1974): what the other is checked against. `work` is then evaluated elsewhere.
+  /// As above by differences of `evaluate`, many nodes at a time: nodes that act on no common node move together
+  /// (Curtis, Powell and Reid 1974). It serves as a check of the other. `work` is evaluated elsewhere afterwards.
   void assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
-  /// The same, made ready to solve with and kept in the state. False where it is singular.
+  /// Assembles and factorises the tangent, and stores it in the state. False if it is singular.
   bool find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,
             StepTimes* times = nullptr);
-  /// Makes that of the state ready to solve with. False where it has none that was taken for the same step.
+  /// Factorises the tangent of the state. False if the state has none for an equal step.
   bool take(const State<D>& state, const TangentOptions& options);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factors_.solve(right); }
   [[nodiscard]] const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
@@ -67,7 +67,7 @@ class Tangent {
                  double side, const TangentOptions& options, Eigen::VectorXd& force) const;
 
   DofGraph<D> coupling_;
-  std::vector<std::pair<int, int>> pairs_;  // that it was found for
+  std::vector<std::pair<int, int>> pairs_;  // pairs of the pattern
   bool shaped_ = false;
   void add_beams(const Model<D>& model, const State<D>& state, const TangentOptions& options);
   template <class Block>
@@ -75,7 +75,7 @@ class Tangent {
   bool factorise(const std::shared_ptr<const KeptTangent>& kept);
 
   Eigen::SparseMatrix<double> matrix_;
-  std::shared_ptr<const KeptTangent> ready_;  // what is solved with
+  std::shared_ptr<const KeptTangent> ready_;  // the factorised tangent
   SparseFactors factors_;
 };
 
