@@ -77,7 +77,7 @@ def is_prose(text):
 def code(source, extension, strings):
     """Comments, neighbouring ones as one paragraph; with `strings` literals of three words and more instead.
 
-    Each line of a formula or drawing, which a comment indents, is a paragraph of its own."""
+    Each item of a list begins a paragraph, and each line of a formula or drawing, which a comment indents, is one of its own."""
     pieces, last = [], 0
     for hit in LANGUAGES[extension].finditer(source):
         is_comment, string = hit["comment"] is not None, hit["string"] or hit.groupdict().get("quoted")
@@ -98,6 +98,9 @@ def code(source, extension, strings):
                 yield from paragraph([(number + offset, text.strip())])
                 pieces = []
             else:
+                if is_comment and text.lstrip().startswith("- "):
+                    yield from paragraph(pieces)
+                    pieces = []
                 pieces.append((number + offset, text.strip() if is_comment else text))
     yield from paragraph(pieces)
 

@@ -33,6 +33,7 @@ FILES = [
     ("cpp", "int a; // a body\n// holds what stands\nint what;\n", {("what", 1)}),
     ("cpp", 'auto s = "this is // what it " // no\n  "holds of .5 m";', set()),
     ("cpp", "// The sum:\n//\n//     " + "x + " * 20 + "\n" + "// more words " * 9 + "\n", set()),
+    ("cpp", "// " + "word " * 20 + "\n// - " + "word " * 20 + "\n", set()),
     ("cpp", "//     holds what stands\n", {("what", 1)}),
     ("lua", "-- a body\n-- who stands\nlocal who = 'who is not read'\n", {("who", 1)}),
     ("lua", "--[[ a body who\nstands ]]\n", {("who", 1)}),
