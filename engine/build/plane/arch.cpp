@@ -15,11 +15,11 @@ namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
 
-/// A place along the arch. On the way from the last radial joint to a pointed crown, intrados and extrados turn by
-/// different angles: `to_crown` is the share of that way.
+/// A position along the arch. From the last radial joint to a pointed crown, intrados and extrados rotate by different
+/// angles; `to_crown` is the fraction of this segment.
 struct Mark {
   int side;      ///< -1 left, +1 right
-  double angle;  ///< from the vertical through the centre of its circle, rad; of the last joint where to_crown > 0
+  double angle;  ///< from the vertical through the centre of its circle [rad]; of the last joint if to_crown > 0
   double to_crown = 0;
 };
 
@@ -27,10 +27,10 @@ double crown_angle(const Arch& arch, double radius) {
   return portable::asin(arch.offset / radius);
 }
 
-///           crown          Each side has a circle of its own, with its centre c on the other side of the middle:
+///           crown          Each side has its own circle, with its centre c on the other side of the middle:
 ///          .-'|`-.         x = side (r sin(angle) - offset), y = r cos(angle). The sides meet where the sine is
-///        .'   |   `.       offset / r, so at another angle for each r; towards a pointed crown `to_crown` is the
-///       +---c-+-c---+      share of the way to that angle.
+///        .'   |   `.       offset / r, at a different angle for each r. Towards a pointed crown `to_crown` is the
+///       +---c-+-c---+      fraction of the segment to that angle.
 Vec2 point_at(const Arch& arch, const Mark& mark, double radius) {
   if (mark.to_crown == 1) return arch.centre + Vec2(0, std::sqrt(radius * radius - arch.offset * arch.offset));
   double angle = mark.angle;
@@ -84,8 +84,9 @@ void check(const Arch& arch, const std::string& owner) {
                     owner, edge_angle));
 }
 
-/// Angles of the joints of one side from the crown outwards, those of the key or the crown first.
-/// Even along the mid line: from the crown to the springing lie `count` voussoirs and, of an odd number, half the key.
+/// Joint angles of one side from the crown outwards, beginning with the joint of the key or the crown. The joints are
+/// evenly spaced along the mid line: from the crown to the springing there are `count` voussoirs and, for an odd
+/// number, half of the key.
 std::vector<double> joint_angles(const Arch& arch, const std::string& owner) {
   const bool odd = arch.voussoirs % 2 == 1;
   const int count = arch.voussoirs / 2;  // whole voussoirs of a side
@@ -108,9 +109,9 @@ std::vector<double> joint_angles(const Arch& arch, const std::string& owner) {
   return angles;
 }
 
-/// The joints' angles from left to right; at the ends and at a crown without key nothing is moved.
+/// Joint angles; the ends, and a crown without key, are not moved by jitter.
 struct Joints {
-  std::vector<double> left, right;  ///< from the crown outwards, rad
+  std::vector<double> left, right;  ///< from the crown outwards [rad]
 };
 
 Joints moved_joints(const Arch& arch, const std::vector<double>& angles) {
@@ -123,8 +124,8 @@ Joints moved_joints(const Arch& arch, const std::vector<double>& angles) {
   return joints;
 }
 
-/// Marks of voussoir i of one side, counted from the crown, from its inner to its outer joint.
-/// Beside a pointed crown without a key the marks are shares of the way to it, as it lies at no common angle.
+/// Positions of voussoir i of one side, counted from the crown, from its inner to its outer joint. Next to a pointed
+/// crown without key the positions are fractions of the segment to the crown, because it lies at no common angle.
 std::vector<Mark> side_marks(const Arch& arch, const std::vector<double>& joints, std::size_t i, int side) {
   const int k = arch.sub_edges;
   const double from = joints[i], to = joints[i + 1];
@@ -138,8 +139,8 @@ std::vector<Mark> side_marks(const Arch& arch, const std::vector<double>& joints
   return marks;
 }
 
-/// Marks of the middle voussoir from left to right.
-/// Under a pointed crown up the left side and down the right; else in even steps of the angle through the middle.
+/// Positions of the middle voussoir from left to right: under a pointed crown up the left side and down the right side,
+/// otherwise in even steps of the angle.
 std::vector<Mark> key_marks(const Arch& arch, double left, double right) {
   const int k = arch.sub_edges;
   std::vector<Mark> marks;
@@ -153,7 +154,7 @@ std::vector<Mark> key_marks(const Arch& arch, double left, double right) {
     const double middle = (right - left) / 2, half = (right + left) / 2;
     marks.push_back({1, middle + half * twice / k});
   }
-  // the joints as their neighbours have them
+  // the same joints as in the neighbours
   marks.front() = {-1, left}, marks.back() = {1, right};
   return marks;
 }
@@ -161,7 +162,7 @@ std::vector<Mark> key_marks(const Arch& arch, double left, double right) {
 Part make_voussoir(const Arch& arch, int number, const std::vector<Mark>& marks) {
   const double low = inner(arch), high = arch.radius + arch.thickness / 2;
   Part part{part_name(arch.name, fmt::format("v{}", number)), {}, {"voussoirs"}};
-  // left to right along the intrados is counter-clockwise only with the extrados coming back
+  // from left to right along the intrados and back along the extrados is clockwise
   for (const Mark& mark : marks) part.outline.push_back(point_at(arch, mark, low));
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) part.outline.push_back(point_at(arch, *mark, high));
   return part;
@@ -171,7 +172,7 @@ Part make_voussoir(const Arch& arch, int number, const std::vector<Mark>& marks)
 Part make_abutment(const Arch& arch, int side, double low, double high, double depth) {
   const Mark springing{side, arch.half_angle};
   const Vec2 inside = point_at(arch, springing, low), outside = point_at(arch, springing, high);
-  // Away from the arch, square to the springing joint.
+  // Away from the arch, perpendicular to the springing joint.
   const Vec2 behind = (-side * depth) * left_of((outside - inside).normalized());
   Polygon outline{inside, inside + behind, outside + behind, outside};
   if (side < 0) outline = {outside, outside + behind, inside + behind, inside};
@@ -197,7 +198,7 @@ void set_span_and_rise(Arch& arch, double span, double rise) {
   require_positive(span, owner + ": span", "m");
   require_positive(rise, owner + ": rise", "m");
   require_positive(arch.thickness, owner + ": thickness", "m");
-  // A rise above half the span takes two circles, which meet in a point.
+  // A rise above half of the span requires two circles that meet in a point.
   const double half = span / 2;
   const bool pointed = rise > half;
   // Pythagoras: segmental (low - rise)^2 + half^2 = low^2; pointed low - offset = half and low^2 - offset^2 = rise^2

@@ -9,47 +9,50 @@
 
 namespace trilith {
 
-/// An arch of one circle, or, pointed, of two whose centres lie on one level.
+/// An arch of one circle, or a pointed arch of two circles with centres on one level.
 struct Arch {
   std::string name = {};
   int voussoirs = 15;                        ///< 1 to 10000
-  double radius = 1;                         ///< of the line midway between intrados and extrados, m
-  double thickness = 0.15;                   ///< m, below twice the radius
-  double half_angle = std::numbers::pi / 2;  ///< from the vertical through a circle's centre to a springing, rad: above
-                                             ///< 0, at most pi/2 (semicircle, or pointed arch that springs level)
-  double offset = 0;  ///< by which the centre of each side's circle lies beyond the middle, on the other side, m, not
-                      ///< below 0; above 0 the arch is pointed: radius/2 makes it equilateral about its mid line
-  double key = 1;     ///< width of the middle one of an odd number of voussoirs over that of the others, above 0
+  double radius = 1;                         ///< of the line midway between intrados and extrados [m]
+  double thickness = 0.15;                   ///< [m], below twice the radius
+  double half_angle = std::numbers::pi / 2;  ///< from the vertical through a circle's centre to a springing [rad],
+                                             ///< above 0, at most pi/2 (semicircle, or pointed arch with level
+                                             ///< springings)
+  double offset = 0;  ///< distance of the centre of each side's circle beyond the middle, on the other side [m], not
+                      ///< below 0; above 0 the arch is pointed: radius/2 makes its mid line equilateral
+  double key = 1;     ///< width of the middle voussoir of an odd number over the width of the others, above 0
   int sub_edges = 1;  ///< straight edges per voussoir and side, 1 to 1000; 1: straight-sided voussoirs
-  Vec2 centre = Vec2::Zero();   ///< of the circle; of a pointed arch: midway between the centres, m
+  Vec2 centre = Vec2::Zero();   ///< of the circle; of a pointed arch: midway between the centres [m]
   bool abutments = true;        ///< with a block behind each springing
-  double abutment_depth = 0;    ///< of these, away from the arch, m; 0: the thickness
-  double abutment_margin = -1;  ///< by which they reach beyond intrados and extrados in the plane of the springing
-                                ///< joint, m, below the inner radius; negative: half the thickness or half
-                                ///< the inner radius, whichever is less
-  double jitter = 0;            ///< every joint between voussoirs but that at a pointed crown is moved along the mid
-                                ///< line by up to this much, m, below a quarter of a voussoir
-  int seed = 1;                 ///< of the jitter: the same number gives the same bits everywhere
+  double abutment_depth = 0;    ///< of the abutments, away from the arch [m]; 0: the thickness
+  double abutment_margin = -1;  ///< by which the abutments extend beyond intrados and extrados in the plane of the
+                                ///< springing joint [m], below the inner radius; negative: half of the thickness or
+                                ///< half of the inner radius, whichever is less
+  double jitter = 0;            ///< every joint between voussoirs, except at a pointed crown, is moved along the mid
+                                ///< line by up to this distance [m], below a quarter of a voussoir
+  int seed = 1;                 ///< seed of the jitter: the same number gives the same bits everywhere
 };
 
-/// Sets radius, half angle and offset so that the intrados has this clear span and rise, m: segmental where the rise
-/// is below half the span, a semicircle where it is equal, pointed with level springings above. The thickness must be
+/// Sets radius, half angle and offset for a clear span and rise of the intrados [m]. The arch is segmental for a rise
+/// below half of the span, a semicircle for equality, and pointed with level springings above. The thickness must be
 /// set. Throws InputError for sizes that are not above 0.
 void set_span_and_rise(Arch& arch, double span, double rise);
 
-/// Parts "v1" (left) to "vn" (right), group "voussoirs", the middle one of an odd number in group "key" too, and "left"
-/// and "right", group "abutments". Neighbouring voussoirs share the two corners of their joint to the bit; the arch is
-/// its own mirror image to the bit where its centre is at x = 0 (and nothing is jittered). All corners lie on the
-/// circles, equally spaced along the mid line: without key or offset, and with k sub-edges, a voussoir has the area of
-/// the curved one times sin(d)/d, d = 2 half_angle/(n k), so 1 - d^2/6. The crown of a pointed arch of an even number
-/// is a vertical joint; of an odd number the middle voussoir has sub_edges on either side of the crown. Face i of any
-/// other outline: 0 .. k-1 intrados from left to right, k right joint, k+1 .. 2k extrados from right to left, 2k+1 left
-/// joint. Without a margin an abutment shares the corners of the springing joint to the bit, with one its face is one
-/// straight edge through them (to rounding). Throws InputError for numbers out of range.
+/// Parts "v1" (left) to "vn" (right), group "voussoirs", the middle one of an odd number also in group "key", and
+/// "left" and "right", group "abutments". Neighbouring voussoirs share the two corners of their joint to the bit. The
+/// arch is its own mirror image to the bit if its centre is at x = 0 and nothing is jittered. All corners lie on the
+/// circles, equally spaced along the mid line. Without key or offset, and with k sub-edges, the area of a voussoir is
+/// the curved area times sin(d)/d, d = 2 half_angle/(n k), so 1 - d^2/6.
+///
+/// The crown of a pointed arch of an even number is a vertical joint; for an odd number the middle voussoir has
+/// sub_edges on either side of the crown. Faces i of any other outline: 0 .. k-1 intrados from left to right, k right
+/// joint, k+1 .. 2k extrados from right to left, 2k+1 left joint. Without a margin an abutment shares the corners of
+/// the springing joint to the bit. With a margin its face is one straight edge through them, to rounding. Throws
+/// InputError for numbers out of range.
 std::vector<Part> build_arch(const Arch& arch);
 
-/// The same as the profile of something larger: names of parts are without that of the arch, and `owner` begins
-/// messages.
+/// The arch as the profile of a larger structure: names of parts do not contain the name of the arch, and `owner`
+/// begins messages.
 std::vector<Part> build_profile(Arch arch, std::string_view owner);
 
 }  // namespace trilith

@@ -64,7 +64,7 @@ class BeamRowPlan {
     clear_room();
   }
 
-  /// Walls along the beams in which the part of the plan ends leave the room between their faces.
+  /// Walls along the beams at which the part of the plan ends reduce it to the distance between their faces.
   void clear_room() {
     const Stretch all = room_;
     for (const PlannedWall& wall : plan_.walls) {
@@ -78,7 +78,7 @@ class BeamRowPlan {
                                    along(), across(), all.low, all.high));
   }
 
-  /// Where the beams lie across their span: in the middle of the room, half a spacing or more from its sides.
+  /// Positions of the beams across their span: centred, at half a spacing or more from the sides.
   [[nodiscard]] std::vector<Stretch> lines() const {
     const double room = room_.high - room_.low, width = require_positive(row_.width, owner_ + ": width", "m");
     const int count = beams_in(room);
@@ -128,7 +128,7 @@ class BeamRowPlan {
     storey().beams.push_back(made);
   }
 
-  /// Walls that a line crosses within the part of the plan, rising; at least two.
+  /// Walls that a line crosses within the part of the plan, sorted by coordinate; at least two.
   [[nodiscard]] std::vector<PlannedWall*> walls_across(const Stretch& line, const std::string& beam) const {
     std::vector<PlannedWall*> found;
     for (PlannedWall& wall : plan_.walls) {
@@ -157,7 +157,7 @@ class BeamRowPlan {
                                  above ? "+" : "-", along(), reach, found[0]->name, hint));
   }
 
-  /// The coordinate of a beam's end, in the wall at its low or its high end.
+  /// Coordinate of a beam's end, in the wall at its low or its high end.
   [[nodiscard]] double end_in(const PlannedWall& wall, bool at_low, const std::string& beam) const {
     const double thickness = wall.across.high - wall.across.low;
     if (!row_.bearing) return at_low ? wall.across.low : wall.across.high;
@@ -217,7 +217,7 @@ class BeamRowPlan {
     refuse_thin_filling(wall, pocket, beam);
   }
 
-  /// Beams that end in a wall at either face share a pocket.
+  /// Beams that end at opposite faces of a wall share a pocket.
   void require_in_line(const BeamPocket& other, const BeamPocket& made, const PlannedWall& wall,
                        const std::string& beam) const {
     if (std::abs(other.along.low - made.along.low) <= same_ && std::abs(other.along.high - made.along.high) <= same_ &&
@@ -229,7 +229,7 @@ class BeamRowPlan {
         beam, other.beam, wall.name, other.along.low, other.along.high));
   }
 
-  /// Openings and lintels in the courses of a pocket, and openings that end right under it.
+  /// Rejects openings and lintels in the courses of a pocket, and openings that end directly below it.
   void refuse_voids(const PlannedWall& wall, const PlannedBeam& made, const std::string& beam) const {
     const std::vector<WallVoid>& voids = wall.voids[s_];
     const auto where = [&](const WallVoid& v) {
@@ -277,7 +277,7 @@ class BeamRowPlan {
   double same_ = 1e-6 * plan_.unit;
   int first_ = 0, end_ = 0;  // courses of the storey
   Stretch span_;             // of the part of the plan, along the beams
-  Stretch room_;             // across them, where they lie
+  Stretch room_;             // across the beams, between the walls
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace trilith {
 namespace {
 
-// Quarter laps of English and Flemish bond come from a closer next to the corner header (the usual arrangement, as in
-// BS 5606 and every bricklayer's handbook).
+// Quarter laps of English and Flemish bond result from a closer next to the corner header (the usual arrangement, as in
+// BS 5606 and handbooks of bricklaying).
 constexpr std::array patterns{
     BondPattern{"running", "stretchers, each over the joint of two below", {{{"", "S", ""}, {"B", "S", ""}}}, 2},
     BondPattern{"stack", "stretchers, joint over joint", {{{"", "S", ""}}}, 1},
@@ -56,11 +56,11 @@ const BondPattern& find_bond(std::string_view name, std::string_view owner) {
   throw InputError(fmt::format("{}: there is no bond '{}'{}", owner, name, name_hint(name, known)));
 }
 
-/// The units of the start, then the repeat as often as it goes, then those of the end, which are measured from the
-/// right: what does not fit between is the last unit of the repeat, cut.
+/// Lays the units of the start, then the repeat as often as it fits, then the units of the end, which are measured from
+/// the right. The remaining length is filled by the last unit of the repeat, cut.
 std::vector<double> head_joints(const BondCourse& course, const BondUnits& units, double length) {
   const double same = 1e-9 * length;
-  double right = length;  // where the end's units begin
+  double right = length;  // begin of the end units
   std::vector<double> last;
   for (auto letter = course.end.rbegin(); letter != course.end.rend(); ++letter)
     last.insert(last.begin(), right -= length_of(*letter, units));

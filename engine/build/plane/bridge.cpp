@@ -31,7 +31,7 @@ void check_pier(const Pier& pier, const std::string& owner) {
                                  pier.height, pier.footing_thickness + pier.cap_thickness));
 }
 
-/// Seat and joint as they were given: both, or a joint alone.
+/// Checks seat and joint as given: both, or a joint alone.
 void check_seat(double seat, const std::optional<double>& gap, const std::string& owner) {
   require_not_negative(seat, owner + ": seat", "m");
   if (gap) require_not_negative(*gap, owner + ": gap", "m");
@@ -50,7 +50,7 @@ Pier with_seats(const Pier& pier) {
     if (p.top_width > 0)
       throw InputError(
           fmt::format("{}: both top width, {:g} m, and seat, {:g} m, are given; keep one", owner, p.top_width, p.seat));
-    // Top = seat + joint + seat; it is the stem's own width where that is not given.
+    // Top = seat + joint + seat; it is the stem's width too if that is not given.
     (p.stem_width > 0 ? p.top_width : p.stem_width) = 2 * p.seat + *p.gap;
   } else if (p.gap) {
     const double top = p.top_width > 0 ? p.top_width : p.stem_width;
@@ -103,7 +103,7 @@ Abutment with_seats(const Abutment& abutment) {
       throw InputError(fmt::format("{}: width is {:g} m, must be above seat and joint together, {:g} m", owner, a.width,
                                    a.seat + *a.gap));
     if (a.back_wall_height > 0) a.back_wall_width = wall;
-    // x is the edge of the seat: half the joint and the seat away from its axis, towards the span.
+    // x is the edge of the seat: half of the joint plus the seat away from its axis, towards the span.
     if (a.axis) a.x = *a.axis + (a.side == AbutmentSide::left ? 1 : -1) * (*a.gap / 2 + a.seat);
   } else if (a.gap) {
     a.seat = a.width - a.back_wall_width - *a.gap;
@@ -129,13 +129,13 @@ Part build_abutment(const Abutment& given) {
   if (abutment.back_wall_width >= abutment.width)
     throw InputError(fmt::format("{}: back wall width is {:g} m, must be below the width of {:g} m or no seat is left",
                                  owner, abutment.back_wall_width, abutment.width));
-  // as for the right side: x grows away from the span
+  // for the right side: x increases away from the span
   //
   //             +----+ top
   //             |    |      back wall
   //   seat +----+    |
   //        |         |
-  //        +---------+      x = 0 is the face towards the span, x = step that of the back wall
+  //        +---------+      x = 0 is the face towards the span, x = step the face of the back wall
   const double seat = abutment.ground_level + abutment.height, step = abutment.width - abutment.back_wall_width;
   Polygon outline{{0, abutment.ground_level}, {abutment.width, abutment.ground_level}};
   if (abutment.back_wall_height > 0) {

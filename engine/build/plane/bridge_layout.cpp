@@ -11,12 +11,12 @@
 namespace trilith {
 namespace {
 
-/// By which two levels may differ and still be one, m: far above rounding, far below what a bearing gives way.
+/// Largest difference of two equal levels [m]: far above rounding, far below the deformation of a bearing.
 constexpr double same_level = 1e-6;
 
 constexpr std::array<const char*, 2> side_names{"left", "right"};
 
-/// The joint as the support has it, or of the width that the span gives.
+/// The joint of the support, or a joint of the width that the span gives.
 SupportJoint joint_on(const SupportTop& top, const std::optional<double>& gap, const std::string& owner) {
   if (top.joint) return *top.joint;
   if (!gap)
@@ -38,8 +38,8 @@ SupportJoint joint_on(const SupportTop& top, const std::optional<double>& gap, c
   return joint;
 }
 
-/// The left (0) or right (1) end of a span, but for the level. `into`: towards the middle of the span.
-/// From the axis half the joint to the deck's end, from there the seat's length to its edge, the bearing midway.
+/// The left (0) or right (1) end of a span, except its level. The end of the deck is half of the joint from the axis;
+/// then follows the seat up to its edge, with the bearing at its middle. `into`: towards the middle of the span.
 SpanEnd lay_end(const SupportTop& top, const SupportJoint& joint, std::size_t side) {
   const double into = side == 0 ? 1 : -1, end = joint.axis + into * joint.gap / 2;
   SpanEnd e;
@@ -64,11 +64,11 @@ void check_sides(const SupportTop& from, const SupportTop& to, const std::string
         fmt::format("{}: to is '{}', an abutment at the left end of a bridge; give it as from", owner, to.name));
 }
 
-/// Throws where a bearing of this type on this support has the underside of the deck elsewhere.
+/// Throws if a bearing of this type on this support gives another soffit level.
 void check_level(double soffit, const SupportTop& top, const BearingType& type, const std::string& owner) {
   const double here = top.level + type.height;
   if (std::abs(here - soffit) <= same_level) return;
-  const auto told = [](double level) { return std::abs(level) < same_level ? 0 : level; };  // 0 for 1e-16
+  const auto told = [](double level) { return std::abs(level) < same_level ? 0 : level; };  // prints 0 for 1e-16
   throw InputError(
       fmt::format("{}: its underside is at y = {:g} m, but on '{}' (seat at {:g} m, bearing type '{}' "
                   "{:g} m high) it would be at {:g} m; make seats or bearings fit",
@@ -160,7 +160,7 @@ LaidSpan BridgeLayout::lay(const SpanPlan& plan) const {
   const std::array types{&require_type(plan.left, owner + ": left"), &require_type(plan.right, owner + ": right")};
   check_sides(*tops[0], *tops[1], owner);
   const std::array joints{joint_on(*tops[0], plan.gap, owner), joint_on(*tops[1], plan.gap, owner)};
-  // The left bearing sets the level, and the right one has to fit.
+  // The left bearing determines the level, and the right one must match it.
   const double soffit = plan.soffit_level.value_or(tops[0]->level + types[0]->height);
   LaidSpan span;
   for (const std::size_t side : {0, 1}) {
@@ -175,7 +175,7 @@ LaidSpan BridgeLayout::lay(const SpanPlan& plan) const {
   return span;
 }
 
-/// Each seat carries one span, and decks do not overlap.
+/// Each seat carries one span, and decks must not overlap.
 void BridgeLayout::require_free(const LaidSpan& span, const std::string& owner) const {
   const Box2 box = bounding_box(span.deck.outline);
   for (const LaidSpan& other : spans_) {

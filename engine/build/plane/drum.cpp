@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_sides = 1000;
 
-/// Radius of the corners of a regular polygon for which `radius` is that of `of`.
+/// Radius of the corners of a regular polygon whose `radius` refers to `of`.
 double corner_radius(double radius, int sides, DrumRadius of) {
   const double half = std::numbers::pi / sides;
   switch (of) {
@@ -84,7 +84,7 @@ SolidPart build_cylinder_drum(const Drum& drum) {
 
 namespace {
 
-/// Lays the parts of a column on each other.
+/// Stacks the parts of a column.
 class ColumnLayers {
  public:
   explicit ColumnLayers(const Column& column) : column_(column), owner_(builder_title("column", column.name)) {

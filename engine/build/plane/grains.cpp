@@ -21,7 +21,7 @@ constexpr int most_in_clump = 1000, most_grains = 200000;
 /// Width of a cell of the lattice over the diameter of the largest grain.
 constexpr double cell_width = 1.01;
 
-/// Every sphere has to touch another and to lie within none.
+/// Every sphere must touch another one and must not lie within one.
 void check_shape(const std::vector<Sphere>& spheres, const std::string& owner) {
   const auto count = static_cast<int>(spheres.size());
   if (count < 1 || count > most_in_clump)
@@ -48,7 +48,7 @@ void check_shape(const std::vector<Sphere>& spheres, const std::string& owner) {
   }
 }
 
-/// The ball about the centroid of a clump that holds it.
+/// Radius of the sphere about the centroid of a clump that contains it.
 double reach_of(const std::vector<Sphere>& spheres, const Vec3& centroid) {
   double reach = 0;
   for (const Sphere& s : spheres) reach = std::max(reach, (s.centre - centroid).norm() + s.radius);
@@ -81,7 +81,7 @@ class Pouring {
   }
 
  private:
-  /// About its centroid, in a ball of radius 1.
+  /// Scales the shape of clumps to a sphere of radius 1 about its centroid.
   void take_shape() {
     check_shape(pour_.shape, owner_ + ": clump");
     const Vec3 centroid = sphere_moments(pour_.shape).centroid;
@@ -111,7 +111,8 @@ class Pouring {
                       owner_, room, 2 * pour_.most, pour_.count, room));
   }
 
-  /// Even in radius, or by volume: then the number of grains falls with r^3, and 1 / r^2 is even.
+  /// Random radius, uniform by number, or uniform by volume: the number of grains then decreases with r^3, and 1 / r^2
+  /// is uniform.
   double radius() {
     const double a = pour_.least, b = pour_.most, share = random_between(bits_, 0, 1);
     if (pour_.grading == Grading::number || a == b) return a + share * (b - a);

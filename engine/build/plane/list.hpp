@@ -1,5 +1,5 @@
-// The builders that declared numbers alone describe: a new one is its own file and a row here. Builders that take
-// outlines, lists or choices too are read in lua/bindings/geometry/part_makers.cpp.
+// Builders that are described by declared numbers alone. A new builder is a file and a row here. Builders that need
+// outlines, lists or choices are read in lua/bindings/geometry/part_makers.cpp.
 #pragma once
 
 #include <concepts>
@@ -15,7 +15,7 @@ namespace trilith {
 
 using DeclaredBuilders = TypeList<Span>;
 
-/// What each is asked: how scripts call it, whether it always makes one part, its numbers, and the parts.
+/// Requirements of a builder: its name in scripts, whether it always makes one part, its numbers, and the parts.
 template <class B>
 concept DeclaredBuilder = Declared<B> && std::default_initializable<B> && requires(const B& builder) {
   { B::kind } -> std::convertible_to<std::string_view>;

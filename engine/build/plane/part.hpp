@@ -1,4 +1,4 @@
-// What every geometry builder returns: plain outlines with names and groups, to be made bodies of by the caller.
+// Result of all geometry builders: outlines with names and groups, from which the caller makes bodies.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace trilith {
 
-/// One piece of a structure. The outline is simple and counter-clockwise, m, in the structure's own coordinates.
+/// One part of a structure. The outline is simple and counter-clockwise [m], in the coordinates of the structure.
 struct Part {
   std::string name;
   Polygon outline;
   std::vector<std::string> groups;
 };
 
-/// "wall.c3.u2" from "wall" and "c3.u2"; just "c3.u2" where the owner has no name.
+/// "wall.c3.u2" from "wall" and "c3.u2"; only "c3.u2" if the owner has no name.
 std::string part_name(std::string_view owner, std::string_view piece);
 
-/// "arch 'A'" from "arch" and "A", just "arch" where there is no name: how a builder's messages begin.
+/// "arch 'A'" from "arch" and "A"; only "arch" without a name. Messages of a builder begin with it.
 std::string builder_title(std::string_view kind, std::string_view name);
 
 /// Throws InputError unless low <= value <= high. `what` names the number with its owner.

@@ -13,7 +13,7 @@
 namespace trilith {
 namespace {
 
-/// Places tried for each stone, of which an outline takes its share of the box around it.
+/// Trial positions for each stone; a narrow outline covers only a share of its box.
 constexpr std::size_t most_trials = 100000;
 
 bool is_inside(const Polygon& outline, const Vec2& p) {
@@ -39,7 +39,7 @@ class Filling {
         owner_(builder_title("rubble", rubble.name)),
         bits_(static_cast<std::uint64_t>(static_cast<std::int64_t>(rubble.seed))) {
     check_counts();
-    // cells of about equal width and height in a world squeezed along x become long ones in ours
+    // cells of about equal width and height in a space compressed along x become long ones in real space
     outline_ = stretched(check_polygon(rubble.outline, owner_).outline, 1 / rubble.aspect);
     size_ = std::sqrt(signed_area(outline_) / rubble.stones);
     check_lengths();
@@ -77,7 +77,7 @@ class Filling {
     check(rubble_.jitter, "jitter", 0.5);
   }
 
-  /// Even over the outline, by trial; none on top of another.
+  /// Uniformly distributed over the outline, by rejection; without coincident points.
   void scatter() {
     const Box2 box = bounding_box(outline_);
     const auto stones = static_cast<std::size_t>(rubble_.stones);
@@ -95,8 +95,8 @@ class Filling {
     }
   }
 
-  /// Each point goes to the centroid of its cell's largest piece.
-  /// Lloyd's step: evens out size and shape.
+  /// Lloyd's iteration: each point moves to the centroid of the largest piece of its cell, which evens out size and
+  /// shape.
   void relax() {
     const auto cells = voronoi_cells(outline_, points_, 0);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -108,7 +108,7 @@ class Filling {
     }
   }
 
-  /// One that would leave the outline stays.
+  /// A point that would leave the outline is not moved.
   void shift() {
     if (rubble_.jitter == 0) return;
     for (Vec2& p : points_) {
@@ -137,8 +137,8 @@ class Filling {
     return false;
   }
 
-  /// A convex stone without faces shorter than the least edge: one of their corners is cut off, which stays within the
-  /// stone, but none on the outline.
+  /// Removes faces shorter than the least edge from a convex stone by cutting off one of their corners, which keeps it
+  /// within the stone. Corners on the outline remain.
   Polygon without_short_faces(Polygon stone) const {
     for (std::size_t i = 0; i < stone.size() && stone.size() > 3;) {
       const std::size_t next = (i + 1) % stone.size();
@@ -153,7 +153,7 @@ class Filling {
     return stone;
   }
 
-  /// Stones set back from each other.
+  /// Stones separated by the joint width.
   std::vector<Polygon> apart() const {
     std::vector<Polygon> stones;
     for (const Polygon& piece : all_pieces(rubble_.joint / 2))
@@ -181,7 +181,7 @@ class Filling {
   const Rubble& rubble_;
   std::string owner_;
   std::mt19937_64 bits_;
-  Polygon outline_;  ///< squeezed along x by the aspect
+  Polygon outline_;  ///< compressed along x by the aspect
   double size_ = 0, least_edge_ = 0;
   std::vector<Vec2> points_;
 };

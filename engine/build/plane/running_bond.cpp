@@ -13,7 +13,7 @@ namespace {
 /// A field on the grid: half units from the left end, courses counted from 1.
 struct GridField {
   int from, to, first, last;
-  int number;  ///< among the lintels, from 1; 0 for an opening
+  int number;  ///< index among the lintels, from 1; 0 for an opening
 };
 
 class Panel {
@@ -22,7 +22,7 @@ class Panel {
     check_sizes();
     for (const PanelField& opening : bond.openings) add_field(opening, "opening", 0);
     for (std::size_t i = 0; i < bond.lintels.size(); ++i) add_field(bond.lintels[i], "lintel", static_cast<int>(i) + 1);
-    // every grid line once, so that all parts that meet there have the same bits
+    // each grid line is computed once, so that all parts that meet there have the same bits
     for (int i = 0; i <= 2 * bond.columns; ++i) x_.push_back(bond.at.x() + i * (bond.unit_width / 2));
     for (int i = 0; i <= bond.courses; ++i) y_.push_back(bond.at.y() + i * bond.unit_height);
   }
@@ -52,7 +52,7 @@ class Panel {
     require_finite(bond_.at.y(), owner_ + ": y");
   }
 
-  /// The number of the grid line at x; fields that lie beside the grid are refused, not moved.
+  /// Index of the grid line at x; a field off the grid is rejected, not moved.
   int grid_line(double x, const std::string& what) const {
     const double half = bond_.unit_width / 2, lines = require_finite(x, what) / half, nearest = std::round(lines);
     if (std::abs(lines - nearest) > 1e-6)
@@ -102,7 +102,11 @@ class Panel {
     parts_.push_back(std::move(part));
   }
 
-  /// Walks along the course by half units; a unit ends at its own joint and at the edge of a field.
+  /// Lays the units of a course along its half units; a unit ends at its joint and at the edge of a field. Grid lines
+  /// are half units; courses with halves have their joints at odd lines, the others at even ones.
+  ///
+  ///     line 0   1   2   3   4   5   6        joint_parity 1:  |half|  unit  |  unit  |half|
+  ///                                           joint_parity 0:  |  unit  |  unit  |  unit   |
   // Grid lines are half units; courses with halves have their joints at odd lines, the others at even ones.
   //
   //     line 0   1   2   3   4   5   6        joint_parity 1:  |half|  unit  |  unit  |half|

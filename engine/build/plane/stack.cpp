@@ -46,9 +46,9 @@ std::vector<Part> build_harmonic_stack(const HarmonicStack& stack) {
                                  owner, stack.factor));
   Stack blocks{
       stack.name, {require_finite(stack.at.x(), owner + ": x"), require_finite(stack.at.y(), owner + ": y")}, {}};
-  blocks.at.x() -= stack.length / 2;  // a block whose right end is flush with the table's
-  // From below: block k from the top reaches out by length / 2k beyond the next, at which all above it just balance on
-  // the edge; `factor` of that.
+  blocks.at.x() -= stack.length / 2;  // a block whose right end is aligned with the end of the table
+  // From below: block k from the top projects by length / 2k beyond the next, times `factor`. At this distance all
+  // blocks above it just balance on the edge.
   for (int k = stack.count; k >= 1; --k)
     blocks.blocks.push_back({stack.length, stack.height, stack.factor * stack.length / (2 * k)});
   std::vector<Part> parts = build_stack(blocks);

@@ -10,14 +10,14 @@
 namespace trilith {
 namespace {
 
-/// Indices of the other points from near to far; sorted as far as asked for.
+/// Indices of the other points from near to far, sorted as far as needed.
 class Neighbours {
  public:
   Neighbours(const std::vector<Vec2>& points, std::size_t of) {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (i != of) order_.push_back({(points[i] - points[of]).squaredNorm(), i});
   }
-  /// The k-th nearest, as (squared distance, index); nothing where there are no more.
+  /// The k-th nearest, as (squared distance, index); none if there are no more.
   std::optional<std::pair<double, std::size_t>> at(std::size_t k) {
     if (k >= order_.size()) return {};
     if (k >= sorted_) {
@@ -41,8 +41,9 @@ double farthest_corner(const std::vector<Polygon>& pieces, const Vec2& point) {
   return most;
 }
 
-/// Cut by the bisectors with the other points, near ones first, each set back. A point at a distance d cuts at d/2 less
-/// the set-back: once that is beyond the farthest corner left, no farther point can cut.
+/// Cuts the outline by the bisectors with the other points, nearest first, each offset by `set_back`. A point at a
+/// distance d cuts at d/2 minus the set-back: once that is beyond the farthest remaining corner, no farther point can
+/// cut.
 std::vector<Polygon> cell_of(const Polygon& outline, const std::vector<Vec2>& points, std::size_t i, double set_back,
                              double same) {
   std::vector<Polygon> pieces{outline};
@@ -60,12 +61,12 @@ std::vector<Polygon> cell_of(const Polygon& outline, const std::vector<Vec2>& po
   return pieces;
 }
 
-/// What of the outline a corner lies on, and may be moved along only.
+/// Part of the outline on which a corner lies, and along which it may move.
 enum class OutlinePart { none, side, corner };
 
-/// Cells as indices into shared corners.
-/// Corners are merged by giving them the same index, so neighbours have the same bits. Which of two stays: one at a
-/// corner of the outline before one on a side of it before a free one, as the outline must keep its shape.
+/// Cells as indices into shared corners. Corners are merged by assigning the same index, so neighbours have the same
+/// bits. Corners at a corner of the outline take precedence over corners on its sides, and these over free ones,
+/// because the outline must keep its shape.
 class Corners {
  public:
   Corners(const std::vector<Polygon>& cells, const Polygon& outline, double same) : outline_(outline), same_(same) {
@@ -80,7 +81,7 @@ class Corners {
   void take_out_short_edges(double least) {
     while (const auto edge = shortest_edge(least)) {
       const auto [a, b] = *edge;
-      // the corner that is held stays where it is; two on one side meet between
+      // the constrained corner remains in place; two on one side meet in the middle
       const bool middle = lies_on_[a] == lies_on_[b];
       const std::size_t keep = lies_on_[a] >= lies_on_[b] ? a : b, drop = keep == a ? b : a;
       if (middle) place_[keep] = (place_[a] + place_[b]) / 2;
@@ -100,8 +101,8 @@ class Corners {
   }
 
  private:
-  /// Corners are looked up in a list sorted by x, so that all are not compared with all.
-  /// The first within `same` is taken, which is far below any face.
+  /// Corners are searched in a list sorted by x, to avoid comparing all pairs. The first one within `same`, which is
+  /// far below any face, is taken.
   std::size_t index_of(const Vec2& p) {
     const auto by_x = [&](std::size_t i, double x) { return place_[i].x() < x; };
     auto found = std::lower_bound(sorted_.begin(), sorted_.end(), p.x() - same_, by_x);
@@ -147,7 +148,7 @@ class Corners {
     return found;
   }
 
-  /// Corners that follow each other twice become one; cells without area are emptied.
+  /// Merges repeated consecutive corners, and empties cells without area.
   void tidy() {
     for (std::vector<std::size_t>& cell : cells_) {
       cell.erase(std::unique(cell.begin(), cell.end()), cell.end());

@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// Vertical lines of the wall: positions that differ by rounding alone are one line with the same bits.
+/// Vertical lines of the wall: positions that differ only by rounding form one line with the same bits.
 class Lines {
  public:
   explicit Lines(double same) : same_(same) {}
@@ -27,7 +27,7 @@ class Lines {
 
  private:
   double same_;
-  std::set<double> lines_;  // of a wall whose joints jitter there are as many as joints
+  std::set<double> lines_;  // a wall with jittered joints has as many lines as joints
 };
 
 class Laying {
@@ -74,7 +74,7 @@ class Laying {
           storey.top, {"slabs", fmt::format("storey {}", number)});
   }
 
-  /// A lintel or a sill.
+  /// Lays a lintel or a sill.
   void lay_block(int number, const StoreyPlan& storey, const WallField& field) {
     std::vector<std::string> groups{fmt::format("{}s", name_of(field.kind)), fmt::format("storey {}", number)};
     for (int course = field.first; course <= field.last; ++course) groups.push_back(fmt::format("course {}", course));
@@ -84,7 +84,7 @@ class Laying {
         std::move(groups));
   }
 
-  /// The pier or spandrel that holds `x`, where the storey has openings.
+  /// Adds the groups of the pier or spandrel that contains `x`, if the storey has openings.
   void add_place(const StoreyPlan& storey, double x, std::vector<std::string>& groups) const {
     if (storey.strips.empty()) return;
     int spandrel = 0, pier = storey.strips.front().from > same_ ? 1 : 0;
@@ -100,14 +100,14 @@ class Laying {
     groups.insert(groups.end(), {"piers", fmt::format("pier {}", pier)});
   }
 
-  /// The bond's head joints over the whole length, cut off by openings, lintels and sills: each stretch of masonry
-  /// between two of them is laid by itself, on the joints that fall into it.
+  /// Lays a course. The bond's head joints over the whole length are interrupted by openings, lintels and sills. Each
+  /// stretch of masonry between two of them is laid separately, with the joints within it.
   ///
   ///     |  unit  |  unit  |un|  opening  |it |  unit  |
   void lay_course(int number, const StoreyPlan& storey, int course) {
     const auto row = static_cast<std::size_t>((course - 1 + wall_.first_row - 1) % plan_.bond->courses);
     const std::vector<double> joints = head_joints(plan_.bond->course[row], plan_.units, plan_.length);
-    std::vector<WallStrip> gaps;  // where the course is not laid with units
+    std::vector<WallStrip> gaps;  // stretches without units
     for (const WallField& field : storey.fields)
       if (field.first <= course && course <= field.last) gaps.push_back({field.from, field.to});
     std::sort(gaps.begin(), gaps.end(), [](const WallStrip& a, const WallStrip& b) { return a.from < b.from; });
@@ -132,7 +132,7 @@ class Laying {
         storey.line[static_cast<std::size_t>(course)], std::move(groups));
   }
 
-  /// Ends of the units between two edges, both edges among them; none is shorter than the least length.
+  /// Ends of the units between two edges, including both; none is shorter than the least length.
   std::vector<double> cut_stretch(double from, double to, const std::vector<double>& joints, const std::string& what) {
     std::vector<double> cuts{from};
     for (const double joint : joints)
@@ -144,7 +144,7 @@ class Laying {
           fmt::format("{}: the masonry from x = {:g} to {:g} m is {:g} m long, less than the least length of a unit, "
                       "{:g} m; move the opening, or give a smaller least_length",
                       what, from, to, to - from, plan_.least_length));
-    // A piece too short is merged with its shorter neighbour, and the stretch is looked at from its begin again.
+    // A short piece is merged with its shorter neighbour, and the stretch is checked again from its begin.
     for (std::size_t i = 0; i + 1 < cuts.size();) {
       if (cuts[i + 1] - cuts[i] >= least) {
         ++i;
@@ -164,7 +164,7 @@ class Laying {
     return cuts;
   }
 
-  /// Takes out the joint between piece i and its shorter neighbour.
+  /// Removes the joint between piece i and its shorter neighbour.
   static void drop_joint_of(std::vector<double>& cuts, std::size_t i) {
     const bool first = i == 0, last = i + 2 == cuts.size();
     const bool left = last || (!first && cuts[i] - cuts[i - 1] < cuts[i + 2] - cuts[i + 1]);
@@ -173,7 +173,7 @@ class Laying {
 
   const Wall& wall_;
   WallPlan plan_;
-  double same_;  ///< positions this near are one, m
+  double same_;  ///< positions within this distance are equal [m]
   Lines lines_;
   std::mt19937_64 bits_;
   std::vector<Part> parts_;

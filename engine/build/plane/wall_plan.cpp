@@ -38,13 +38,13 @@ double wall_length(const Wall& wall, const WallPlan& plan) {
   return require_count(wall.units, 1, 100'000, plan.owner + ": number of units in a course") * plan.units.stretcher;
 }
 
-/// Number of courses in `height`, or -1 where it is no whole number of them.
+/// Number of courses in `height`, or -1 if it is no whole number of them.
 int whole_courses(double height, double course_height) {
   const double courses = height / course_height, nearest = std::round(courses);
   return std::abs(courses - nearest) <= whole_within && nearest < 1e6 ? static_cast<int>(nearest) : -1;
 }
 
-/// Height or number of courses; where both are given they have to agree.
+/// Height or number of courses; if both are given they must agree.
 int count_courses(const WallStorey& storey, double slab, double course_height, const std::string& what) {
   require_not_negative(storey.height, what + ": height", "m");
   if (storey.height == 0) return require_count(storey.courses, 1, 100'000, what + ": number of courses");
@@ -83,7 +83,7 @@ void plan_storeys(const Wall& wall, WallPlan& plan) {
     throw InputError(fmt::format("{}: has about {:g} units, at most 1000000 are built", plan.owner, units));
 }
 
-/// The course line (0: the lowest) at `height` above the storey's first course, snapped where that is asked for.
+/// The course line (0: the lowest) at `height` above the storey's first course, snapped if requested.
 int course_line(const Wall& wall, WallPlan& plan, double height, const std::string& what) {
   require_finite(height, what);
   const double step = plan.course_height, low = std::floor(height / step) * step;
@@ -98,7 +98,7 @@ int course_line(const Wall& wall, WallPlan& plan, double height, const std::stri
   return static_cast<int>(nearest);
 }
 
-/// Whether two fields share an area; a length below `same` is none.
+/// True if two fields share an area; lengths below `same` do not count.
 bool meet(const WallField& a, const WallField& b, double same) {
   return a.from < b.to - same && b.from < a.to - same && a.first <= b.last && b.first <= a.last;
 }
@@ -127,8 +127,8 @@ WallField plan_opening(const Wall& wall, WallPlan& plan, const WallOpening& give
   return field;
 }
 
-/// Whether masonry of course `course` is beside or below the stretch from `from` to `to`.
-/// That is, no opening: a block's ends must lie on something.
+/// True if masonry of course `course` fills the stretch from `from` to `to`, without an opening: the ends of a block
+/// need a support.
 bool is_masonry(const StoreyPlan& storey, double from, double to, int course) {
   const WallField stretch{from, to, course, course, FieldKind::opening, 0};
   return std::none_of(storey.fields.begin(), storey.fields.end(), [&](const WallField& f) {
@@ -136,7 +136,8 @@ bool is_masonry(const StoreyPlan& storey, double from, double to, int course) {
   });
 }
 
-/// The block over (lintel) or under (sill) an opening, reaching `bearing` beyond its sides; `what` begins messages.
+/// The block above (lintel) or below (sill) an opening, extending by `bearing` beyond its sides; `what` begins
+/// messages.
 WallField plan_block(const WallPlan& plan, const StoreyPlan& storey, const WallField& opening, FieldKind kind,
                      int courses, double bearing, const std::string& what) {
   const int number = 1 + static_cast<int>(std::count_if(storey.fields.begin(), storey.fields.end(),
@@ -175,7 +176,7 @@ void plan_lintel(const Wall& wall, WallPlan& plan, const WallOpening& given, con
   double bearing = given.lintel_bearing < 0 ? wall.lintel_bearing : given.lintel_bearing;
   height = height == 0 ? plan.course_height : require_finite(height, what + " height");
   bearing = bearing == 0 ? plan.units.stretcher / 2 : require_finite(bearing, what + " bearing");
-  // At least one course, however it is snapped.
+  // At least one course after snapping.
   const int courses = std::max(1, course_line(wall, plan, height, what + " height"));
   const WallField block = plan_block(plan, storey, opening, FieldKind::lintel, courses, bearing, what);
   if (!is_masonry(storey, block.from, opening.from, opening.last) ||
@@ -196,7 +197,7 @@ void plan_sill(const Wall& wall, WallPlan& plan, const WallOpening& given, const
   storey.fields.push_back(plan_block(plan, storey, opening, FieldKind::sill, courses, given.sill_bearing, what));
 }
 
-/// All openings first: lintels and sills must not run into any.
+/// Openings first: lintels and sills must not intersect any of them.
 void plan_openings(const Wall& wall, WallPlan& plan) {
   std::vector<WallField> made;
   std::vector<std::string> names;
@@ -215,8 +216,7 @@ void plan_openings(const Wall& wall, WallPlan& plan) {
   }
 }
 
-/// Openings that are above each other, or lap over each other in x, are one strip: piers stand beside it, spandrels in
-/// it.
+/// Openings above each other, or with overlapping x ranges, form one strip: piers are next to it, spandrels within it.
 std::vector<WallStrip> strips_of(const std::vector<WallField>& fields) {
   std::vector<WallStrip> all, strips;
   for (const WallField& field : fields)

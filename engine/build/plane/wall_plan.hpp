@@ -1,4 +1,4 @@
-// What a wall's description comes to once it is checked: levels, and the rectangles that are no units.
+// The checked plan of a wall: levels, and the rectangles without units.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace trilith {
 
 enum class FieldKind { opening, lintel, sill };
 
-/// A rectangle of a storey that is not laid with units: empty, or one block.
+/// A rectangle of a storey without units: empty, or one block.
 struct WallField {
   double from, to;  ///< m from the wall's left end
   int first, last;  ///< courses
   FieldKind kind;
-  int number;  ///< among those of its kind in the storey, from 1
+  int number;  ///< index among the fields of its kind in the storey, from 1
 };
 
 /// "opening", "lintel" or "sill".
@@ -25,16 +25,16 @@ constexpr const char* name_of(FieldKind kind) {
   return names[static_cast<int>(kind)];
 }
 
-/// A stretch of a storey's length that has openings, m from the wall's left end.
+/// A stretch of a storey's length with openings, from the wall's left end [m].
 struct WallStrip {
   double from, to;
 };
 
 struct StoreyPlan {
-  std::vector<double> line;       ///< heights of the course lines above the wall's foot, m: one more than courses
-  double top;                     ///< of the slab, or of the last course where there is none, m above the wall's foot
+  std::vector<double> line;       ///< heights of the course lines above the wall's foot [m]: one more than courses
+  double top;                     ///< of the slab, or of the last course without a slab, above the wall's foot [m]
   std::vector<WallField> fields;  ///< openings, then lintels and sills
-  std::vector<WallStrip> strips;  ///< from left to right, apart from each other
+  std::vector<WallStrip> strips;  ///< from left to right, separate from each other
 
   [[nodiscard]] int courses() const { return static_cast<int>(line.size()) - 1; }
   [[nodiscard]] bool has_slab() const { return top > line.back(); }
@@ -42,16 +42,16 @@ struct StoreyPlan {
 
 struct WallPlan {
   std::string owner;  ///< begins messages
-  double length;      ///< m
+  double length;      ///< [m]
   BondUnits units;
-  double course_height;  ///< m
+  double course_height;  ///< [m]
   const BondPattern* bond;
-  double least_length;  ///< m
+  double least_length;  ///< [m]
   std::vector<StoreyPlan> storeys;
   std::vector<std::string> notes;
 };
 
-/// Checks everything that can be checked before units are laid; throws InputError as build_wall does.
+/// Makes all checks that need no units; throws InputError as build_wall does.
 WallPlan plan_wall(const Wall& wall);
 
 }  // namespace trilith

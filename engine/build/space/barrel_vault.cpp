@@ -9,12 +9,12 @@
 namespace trilith {
 namespace {
 
-/// Joints along y are whole numbers of half stones, so that those of all courses have the same bits.
+/// Joints along y are whole numbers of half stones, so that joints of all courses have the same bits.
 double joint_of_halves(const BarrelVault& vault, int halves) {
   return vault.from + 0.5 * vault.stone_length * halves;
 }
 
-/// Where stones of a course end, in half stones from the start.
+/// Ends of the stones of a course, in half stones from the start.
 std::vector<int> course_joints(const BarrelVault& vault, bool shifted) {
   std::vector<int> joints{0};
   for (int at = shifted ? 1 : 2; at < 2 * vault.stones; at += 2) joints.push_back(at);

@@ -1,10 +1,9 @@
-// Barrel vaults: an arch of the plane as a vault of stones along y, course over course in bond.
+// Barrel vaults: a plane arch profile extended along y in courses of stones with a bond.
 //
 //          ___________________
 //        /____/_________/____/|     Courses run along y, one for each voussoir of the arch. Every second one begins
 //       /_________/_________/ |     with half a stone.
 //      |                    | /
-//
 #pragma once
 
 #include <string>
@@ -15,24 +14,24 @@
 
 namespace trilith {
 
-/// A barrel vault. Its stones have plane faces because they are prisms: the ends lie in planes of constant y, and each
-/// side goes through an edge of the arch's outline and y.
+/// A barrel vault. Its stones are prisms with plane faces: the ends lie in planes of constant y, and each side contains
+/// an edge of the arch's outline and the direction y.
 struct BarrelVault {
   std::string name = {};
-  Arch arch = {};           ///< its profile, x stays and y becomes z; its name is not used. Pointed and segmental too
-  double stone_length = 0;  ///< along y, m, above 0
+  Arch arch = {};           ///< its profile, y becomes z; its name is not used. Pointed and segmental arches too
+  double stone_length = 0;  ///< along y [m], above 0
   int stones = 1;           ///< whole stones in a course, 1 to 10000
-  bool bond = true;         ///< false: joint behind joint, rings that stand for themselves
+  bool bond = true;         ///< false: continuous joints, so that the rings are independent
   bool half_first = false;  ///< the first course, not the second, begins with half a stone
-  double from = 0;          ///< y where it begins, m
-  SolidTurn turn = {};      ///< about the origin, before it is moved
-  Vec3 at = Vec3::Zero();   ///< by which it is moved, m
+  double from = 0;          ///< y of its begin [m]
+  SolidTurn turn = {};      ///< about the origin, before translation
+  Vec3 at = Vec3::Zero();   ///< translation [m]
 };
 
-/// Course by course from the left, along y: "c2.s1" for the first stone of the second course, in groups "voussoirs",
-/// "course 2", "key" (of the middle course of an odd number) and the vault's name; "left" and "right" in "abutments",
-/// as long as the vault, where the arch has them. Stones that meet share the coordinates of their faces to the bit.
-/// Throws InputError as build_arch does, and for numbers out of range.
+/// Parts course by course from the left, along y. Stone "c2.s1" (first of the second course) is in groups "voussoirs",
+/// "course 2", "key" (middle course of an odd number) and the vault's name. Parts "left" and "right" in "abutments"
+/// extend over the length of the vault, if the arch has abutments. Stones that meet share the coordinates of their
+/// faces to the bit. Throws InputError as build_arch does, and for numbers out of range.
 std::vector<SolidPart> build_barrel_vault(const BarrelVault& vault);
 
 }  // namespace trilith

@@ -17,7 +17,8 @@ struct CourseUnit {
   char letter;
 };
 
-/// Units of a whole wall in one of its two kinds of courses, as if nothing stopped it, m from the wall's start.
+/// Units of a whole wall in one of its two kinds of courses, without regard to interruptions, from the wall's start
+/// [m].
 class CourseLayout {
  public:
   CourseLayout(const BuildingPlan& plan, const PlannedWall& wall) : plan_(plan), wall_(wall) {}
@@ -49,8 +50,8 @@ class CourseLayout {
                                      : wall_.junctions.back().high < wall_.along.high;
   }
 
-  /// A shifted course would leave less than a header at a free end, and a header next to it: they change places, so
-  /// that a whole header ends the wall and a closer lies behind it, as bricklayers have it.
+  /// A shifted course would leave less than a header at a free end, next to a header. These are exchanged, so that a
+  /// whole header ends the wall and a closer lies behind it, as in bricklaying practice.
   void close_ends(std::vector<CourseUnit>& units) const {
     const double h = plan_.header, least = h * (1 - 1e-6);
     if (units.size() < 2) return;
@@ -79,7 +80,7 @@ class BuildingCourses {
   SolidParts run() {
     out_.notes = std::move(plan_.notes);
     base();
-    int course = 0;  // from the very bottom, for walls take turns from storey to storey too
+    int course = 0;  // from the very bottom, because walls alternate from storey to storey too
     for (std::size_t s = 0; s < plan_.storeys.size(); ++s) {
       for (int c = 0; c < plan_.storeys[s].courses(); ++c, ++course)
         for (const PlannedWall& wall : plan_.walls)
@@ -124,8 +125,8 @@ class BuildingCourses {
     return box_between({x.low, y.low, low}, {x.high, y.high, high});
   }
 
-  /// One course of a wall: its stretches between walls that run through, openings, lintels and pockets, the units of
-  /// each, and what fills pockets behind the ends of beams.
+  /// Lays one course of a wall: its stretches between walls that run through, openings, lintels and pockets, the units
+  /// of each, and the filling of pockets behind the ends of beams.
   void lay(const PlannedWall& wall, std::size_t s, int c, bool through) {
     const double same = 1e-9 * plan_.unit;
     std::vector<Stretch> taken;
@@ -151,13 +152,13 @@ class BuildingCourses {
     lintels(wall, s, c);
   }
 
-  /// What is left of the thickness where beams do not go through it.
+  /// Fills the thickness that beams do not occupy.
   void fill(const PlannedWall& wall, const BeamPocket& pocket, std::size_t s, int c, int& number) {
     for (const Stretch& across : between(wall.across, pocket.beams, 1e-6 * plan_.unit))
       unit_box(wall, pocket.along, across, s, c, std::to_string(++number));
   }
 
-  /// Of a stretch of masonry that is too short: beside a pocket, an opening or a lintel it is refused.
+  /// Handles a stretch of masonry that is too short: next to a pocket, an opening or a lintel it is rejected.
   void refuse_short(const PlannedWall& wall, const std::vector<const BeamPocket*>& pockets, const Stretch& run,
                     std::size_t s, int c) const {
     for (const BeamPocket* pocket : pockets)
@@ -177,7 +178,7 @@ class BuildingCourses {
             plan_.least, v.lintel ? "give its lintel another bearing, " : ""));
   }
 
-  /// Units of the whole course cut to a run, in the direction of the axis, its ends to the bit.
+  /// Units of the whole course cut to a run, in the direction of the axis, with its exact ends.
   [[nodiscard]] std::vector<CourseUnit> units_in(const PlannedWall& wall, const std::vector<CourseUnit>& whole,
                                                  const Stretch& run, double same) const {
     std::vector<CourseUnit> units;
@@ -193,7 +194,7 @@ class BuildingCourses {
     return units;
   }
 
-  /// A short piece becomes part of the shorter of its neighbours, and what the longer of both was.
+  /// A short piece becomes part of its shorter neighbour, with the letter of the longer of both.
   std::vector<CourseUnit> without_short(std::vector<CourseUnit> units) {
     const auto length = [&](std::size_t i) { return units[i].along.high - units[i].along.low; };
     for (std::size_t i = 0; i < units.size() && units.size() > 1;) {
@@ -242,7 +243,7 @@ class BuildingCourses {
           {"beams", "floors", fmt::format("storey {}", s + 1)}, "");
   }
 
-  /// Those that begin in this course.
+  /// Lays the lintels that begin in this course.
   void lintels(const PlannedWall& wall, std::size_t s, int c) {
     const PlannedStorey& storey = plan_.storeys[s];
     int number = 0;
@@ -281,7 +282,7 @@ SolidParts build_solid_wall(const SolidWall& wall) {
   building.walls.push_back(
       {.name = {}, .start = {0, 0}, .end = {wall.length, 0}, .thickness = wall.thickness, .openings = wall.openings});
   BuildingPlan plan = plan_building(building, owner);
-  // the plan's line is the middle of the thickness, a wall alone has its front there
+  // the line of a plan is the middle of the thickness; for a single wall it is its front
   PlannedWall& only = plan.walls[0];
   only.across = {0, only.across.high - only.across.low};
   plan.low.y() = 0, plan.high.y() = only.across.high;

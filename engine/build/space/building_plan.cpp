@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-// Headers of the second course lie over the middle of what is below: a stretcher in English and Flemish bond.
+// Headers of the second course lie over the middle of the unit below: a stretcher in English and Flemish bond.
 constexpr std::array leaf_patterns{
     LeafBond{"stretcher", "stretchers as thick as the wall, each over the joint of two below", "S", "S", 0.5, 0, 1},
     LeafBond{"header", "headers through the wall, each over the joint of two below", "H", "H", 0, 0.5, 1},
@@ -92,7 +92,7 @@ class Planner {
     require_finite(b_.angle, owner + ": angle");
   }
 
-  /// By number, by height, or by both where they agree.
+  /// By number, by height, or by both if they agree.
   [[nodiscard]] int count_courses(const MasonryStorey& storey, double slab, const std::string& owner) const {
     require_not_negative(storey.height, owner + ": height", "m");
     if (storey.courses == 0) return courses_within(storey.height, slab, owner);
@@ -103,7 +103,7 @@ class Planner {
     return courses;
   }
 
-  /// Lines of all storeys above the foot of the first.
+  /// Levels of all storeys above the foot of the first one.
   void storeys() {
     require_count(static_cast<int>(b_.storeys.size()), 1, 1000, plan_.owner + ": number of storeys");
     double foot = 0, all = 0;
@@ -123,7 +123,7 @@ class Planner {
     }
   }
 
-  /// Units of all walls in all courses.
+  /// Counts the units of all walls in all courses.
   void refuse_too_many() const {
     double courses = 0, leaves = 0;
     for (const PlannedStorey& storey : plan_.storeys) courses += storey.courses();
@@ -181,14 +181,14 @@ class Planner {
     p.across = {middle - thickness / 2, middle + thickness / 2};
   }
 
-  /// Whether the end of a wall's line at `end` lies in the thickness of another.
+  /// True if the end of a wall's line at `end` lies in the thickness of another wall.
   [[nodiscard]] bool ends_in(const PlannedWall& wall, double end, const PlannedWall& other) const {
     const double same = 1e-6 * plan_.unit;
     return wall.axis != other.axis && end >= other.across.low - same && end <= other.across.high + same &&
            wall.across.high >= other.along.low - same && wall.across.low <= other.along.high + same;
   }
 
-  /// By the lines as they were given, so that the order of walls does not matter.
+  /// Uses the lines as given, so that the order of walls does not matter.
   void extend_ends() {
     const std::vector<PlannedWall> given = plan_.walls;
     for (std::size_t w = 0; w < given.size(); ++w)
@@ -197,7 +197,7 @@ class Planner {
         if (ends_in(given[w], given[w].along.low, other)) along.low = std::min(along.low, other.across.low);
         if (ends_in(given[w], given[w].along.high, other)) along.high = std::max(along.high, other.across.high);
       }
-    // the same face may have been given by two walls: an end next to a face lies in it
+    // the same face may be given by two walls: an end close to a face is moved onto it
     for (PlannedWall& wall : plan_.walls)
       for (const PlannedWall& other : given)
         if (wall.axis != other.axis)
@@ -322,7 +322,7 @@ class Planner {
         for (std::size_t w = 0; w < plan_.walls.size(); ++w) check_foot(w, s);
   }
 
-  /// A wall stands on the slab under its storey, not on the wall below, from which the slab's height parts it.
+  /// A wall must stand on the slab below its storey: the thickness of the slab separates it from the wall below.
   void check_foot(std::size_t w, std::size_t s) {
     const PlannedWall& wall = plan_.walls[w];
     std::vector<Stretch> doors;
@@ -355,7 +355,7 @@ class Planner {
 }  // namespace
 
 std::string title_of(const BuildingPlan& plan, const PlannedWall& wall) {
-  // A wall that stands for itself has no name here.
+  // The wall of a single-wall structure has no name here.
   return wall.name.empty() ? plan.owner : fmt::format("{}: wall '{}'", plan.owner, wall.name);
 }
 

@@ -15,12 +15,12 @@
 namespace trilith {
 namespace {
 
-/// Work that one pair of pieces may take: faces of one times corners of the other.
+/// Limit of the work for one pair of pieces: faces of one times corners of the other.
 constexpr double most_pair_work = 1e8;
-/// Solids of more faces are not asked for the distance of their edges.
+/// The distance of edges is not computed for solids with more faces.
 constexpr int most_faces_for_edges = 200;
 
-/// Why a surface cannot be looked at as a solid, or "".
+/// Reason for which a surface is no closed solid, or "".
 std::string broken_loops(const Polyhedron& solid) {
   if (solid.faces.count() < 4) return fmt::format("has {} faces, a solid has at least 4", solid.faces.count());
   for (const Vec3& p : solid.corners)
@@ -34,7 +34,7 @@ std::string broken_loops(const Polyhedron& solid) {
   return {};
 }
 
-/// A piece that is sound, as the search for pairs takes it.
+/// A valid piece, as input of the pair search.
 struct SoundPiece {
   int part, piece;
   ConvexSolid solid;
@@ -58,7 +58,7 @@ class SolidChecker {
       const auto& pieces = parts_[static_cast<std::size_t>(p)].pieces;
       for (int k = 0; k < static_cast<int>(pieces.size()); ++k) look_at(p, k);
     }
-    for (SoundPiece& s : sound_) s.placed.solid = &s.solid;  // they no longer move
+    for (SoundPiece& s : sound_) s.placed.solid = &s.solid;  // addresses are final
     pairs();
     if (check_.touching && parts_.size() > 1) lonely();
     std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.part < b.part; });
@@ -104,7 +104,7 @@ class SolidChecker {
     keep(solid, size, part, piece);
   }
 
-  /// False where faces run the wrong way and stay so.
+  /// False if faces are inverted and are not repaired.
   bool turned(Polyhedron& solid, const Shells& shells, int part, int piece) {
     const auto wrong = std::count(shells.turn.begin(), shells.turn.end(), 1);
     if (wrong == 0) return true;
@@ -115,7 +115,7 @@ class SolidChecker {
          what + (check_.repair ? "; they were turned round" : "; give their corners the other way round"), -1,
          check_.repair);
     if (check_.repair) {
-      // in place, so that corners keep their numbers
+      // in place, so that corners keep their indices
       FaceLoops faces;
       for (int f = 0; f < solid.faces.count(); ++f) {
         std::vector<int> loop(solid.faces[f].begin(), solid.faces[f].end());
@@ -189,11 +189,11 @@ class SolidChecker {
     return most;
   }
 
-  /// Of two pieces, at least; exact where a face is nearest, or where edges were looked at.
+  /// Lower bound of the distance of two pieces; exact if a face is nearest, or if edges were tested.
   static double distance(const SoundPiece& a, const SoundPiece& b, double enough) {
     const double by_faces = std::max(over_faces(a.placed, b.placed, enough), over_faces(b.placed, a.placed, enough));
     if (by_faces > enough || a.solid.edges.empty() || b.solid.edges.empty()) return by_faces;
-    if (by_faces > -1e-9 * std::min(a.solid.size, b.solid.size)) return by_faces;  // they touch by a face
+    if (by_faces > -1e-9 * std::min(a.solid.size, b.solid.size)) return by_faces;  // they touch at a face
     return std::max(by_faces, separation(a.placed, b.placed, enough).distance);
   }
 
@@ -223,7 +223,7 @@ class SolidChecker {
     const double size = std::min(a.solid.size, b.solid.size), apart = distance(a, b, check_.reach * size);
     if (apart > check_.reach * size) return;
     touch(a, b);
-    // what shares volume is in each other by more than the corners' rounding
+    // pieces with a shared volume overlap by more than the rounding of corners
     if (apart > -1e-12 * size) return;
     const double shared = solid_overlap(a.placed, b.placed, buffer_).volume, least = std::min(a.volume, b.volume);
     if (shared > check_.overlap * least)

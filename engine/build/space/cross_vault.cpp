@@ -12,13 +12,13 @@
 namespace trilith {
 namespace {
 
-/// The stones of one course of the north web: whole ones from its end on, and what reaches to the diagonals.
+/// The stones of one course of the north web: whole ones from its end on, and the pieces that extend to the diagonals.
 struct WebCourse {
   std::vector<std::vector<Polyhedron>> stones;
   std::vector<Polyhedron> to_diagonal;
 };
 
-/// Turned by quarters about z, to the bit.
+/// Rotated by quarter turns about z, exactly.
 Polyhedron quarter_turned(Polyhedron solid, int quarters) {
   for (Vec3& p : solid.corners)
     for (int q = 0; q < quarters; ++q) p = Vec3(-p.y(), p.x(), p.z());
@@ -55,7 +55,7 @@ class CrossVaultLayout {
   }
 
  private:
-  /// Joints stay a quarter of a stone away from where the course meets the diagonal.
+  /// Joints keep a quarter of a stone distance from the point where the course meets the diagonal.
   [[nodiscard]] WebCourse course(const Polygon& outline, bool shifted) const {
     double reach = 0;
     for (const Vec2& p : outline) reach = std::max(reach, std::abs(p.x()));
@@ -71,7 +71,7 @@ class CrossVaultLayout {
     return made;
   }
 
-  /// What has y at least as large as x and -x; corners on the diagonal planes are so to the bit.
+  /// The part with y >= x and y >= -x; corners on the diagonal planes satisfy the equality exactly.
   [[nodiscard]] std::optional<Polyhedron> between_diagonals(const Polyhedron& piece) const {
     const double half = std::sqrt(0.5), same = 1e-12 * half_bay_;
     const std::array<CuttingPlane, 2> planes{CuttingPlane{Vec3(half, -half, 0), 0},
@@ -98,7 +98,7 @@ class CrossVaultLayout {
       }
   }
 
-  /// Left of the north web, as it is turned, the right courses of the next web meet its own.
+  /// At the left of the north web, in its rotated position, the right courses of the next web meet its own.
   void groin(int quarters) {
     for (std::size_t c = 0; c < courses_.size() / 2; ++c) {
       std::vector<Polyhedron> pieces;

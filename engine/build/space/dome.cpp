@@ -32,7 +32,7 @@ void check_dome(const Dome& dome, const std::string& owner) {
   require_place(dome.centre, owner + ": centre");
 }
 
-/// Corners of a dome, each found once.
+/// Corners of a dome, each computed once.
 class DomeGrid {
  public:
   explicit DomeGrid(const Dome& dome) : sectors_(static_cast<std::size_t>(dome.sectors)) {
@@ -47,13 +47,13 @@ class DomeGrid {
     }
   }
 
-  /// Of bed `ring` (from 0), inside or outside, at joint `sector`, which goes round.
+  /// Corner of bed `ring` (from 0), inside or outside, at joint `sector` (cyclic).
   [[nodiscard]] const Vec3& at(int ring, bool outside, int sector) const {
     const std::size_t row = 2 * static_cast<std::size_t>(ring) + (outside ? 1 : 0);
     return corners_[row * sectors_ + static_cast<std::size_t>(sector) % sectors_];
   }
 
-  /// The bed under ring `ring` of one sector, counter-clockwise seen from above.
+  /// The bed below ring `ring` of one sector, counter-clockwise seen from above.
   [[nodiscard]] std::array<Vec3, 4> bed(int ring, int sector) const {
     return {at(ring, false, sector), at(ring, true, sector), at(ring, true, sector + 1), at(ring, false, sector + 1)};
   }

@@ -2,9 +2,9 @@
 //
 //            key, or open          Corners lie on two spheres about the centre, at equal steps of colatitude (the angle
 //           _____|_____            from the vertical) and of angle about the vertical axis.
-//         /_|__|___|__|_\          A stone has eight of them.
-//        /__|__|___|__|__\         Its sides lie in planes through the axis. Its beds, inside and outside are each
-//       |___|__|___|__|___|        bounded by two chords between the same two sectors, which are parallel: so all six
+//         /_|__|___|__|_\          A stone has eight corners.
+//        /__|__|___|__|__\         Its sides lie in planes through the axis. Its beds, intrados and extrados are each
+//       |___|__|___|__|___|        bounded by two parallel chords between the same two sectors. So all six
 //                                  faces are plane to rounding, and stones above each other share their beds.
 #pragma once
 
@@ -16,25 +16,25 @@
 
 namespace trilith {
 
-/// What closes a dome.
+/// Closure of a dome.
 enum class DomeTop {
   key,    ///< a stone with as many sides as there are sectors
-  oculus  ///< nothing
+  oculus  ///< open
 };
 
-/// A dome of stones with plane faces. All rings have their joints in the same planes: shifted joints would lay a bed of
-/// chords on others that cross them.
+/// A dome of stones with plane faces. All rings have their joints in the same planes: with shifted joints, the chords
+/// of adjacent beds would cross.
 struct Dome {
   std::string name = {};
-  double radius = 1;                        ///< midway between the two spheres, m
-  double thickness = 0.1;                   ///< between them, m, below twice the radius
+  double radius = 1;                        ///< midway between the two spheres [m]
+  double thickness = 0.1;                   ///< between them [m], below twice the radius
   int rings = 8;                            ///< 1 to 1000
   int sectors = 16;                         ///< 3 to 1000
-  double springing = std::numbers::pi / 2;  ///< colatitude of the lowest bed, rad, at most pi/2 (a half sphere)
-  double crown = std::numbers::pi / 18;     ///< colatitude of the uppermost bed, rad, above 0, below the springing
-  DomeTop top = DomeTop::key;               ///< what is within the uppermost bed
-  double phase = 0;                         ///< angle of the first joint from x, rad
-  Vec3 centre = Vec3::Zero();               ///< of the spheres, m
+  double springing = std::numbers::pi / 2;  ///< colatitude of the lowest bed [rad], at most pi/2 (a half sphere)
+  double crown = std::numbers::pi / 18;     ///< colatitude of the uppermost bed [rad], above 0, below the springing
+  DomeTop top = DomeTop::key;               ///< part within the uppermost bed
+  double phase = 0;                         ///< angle of the first joint from x [rad]
+  Vec3 centre = Vec3::Zero();               ///< of the spheres [m]
 };
 
 /// "r2.s5" (second ring from below, fifth sector) in groups "voussoirs", "ring 2", "sector 5" and the dome's name, then

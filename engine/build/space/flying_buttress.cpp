@@ -36,10 +36,10 @@ void check(const FlyingButtress& f, const std::string& owner) {
 }
 
 /// The intrados: a circle through (0, 0) and (span, rise), and the angles of its ends from the vertical through its
-/// centre, rising to the right.
+/// centre, increasing to the right.
 struct Circle {
   Vec2 centre;
-  double radius, from, to;  ///< m, rad
+  double radius, from, to;  ///< m [rad]
 };
 
 Circle intrados(const FlyingButtress& f, const std::string& owner) {
@@ -66,19 +66,19 @@ Circle intrados(const FlyingButtress& f, const std::string& owner) {
   return {centre, radius, angle_of(Vec2::Zero()), f.radius > 0 ? angle_of(Vec2(f.span, f.rise)) : 0};
 }
 
-/// Where the ray from the circle's centre at an angle meets the extrados.
+/// Intersection of a ray from the circle's centre with the extrados.
 class Extrados {
  public:
   Extrados(const FlyingButtress& f, const Circle& circle) : f_(f), circle_(circle) {}
   [[nodiscard]] Vec2 at(double angle) const {
     const Vec2 out(portable::sin(angle), portable::cos(angle));
     if (f_.slope == 0) return circle_.centre + (circle_.radius + f_.thickness) * out;
-    // From the centre the line rises to its height over the head at the wall.
+    // Height of the coping line above the centre, from its height above the head at the wall.
     const double rises = portable::tan(f_.slope), x = circle_.centre.x(), y = circle_.centre.y();
     const double over = f_.rise + f_.thickness - rises * (f_.span - x) - y;
     return circle_.centre + over / (out.y() - rises * out.x()) * out;
   }
-  /// Upright over the head.
+  /// Vertically above the head.
   [[nodiscard]] Vec2 at_wall() const {
     if (f_.slope > 0) return {f_.span, f_.rise + f_.thickness};
     const double high = circle_.radius + f_.thickness, aside = f_.span - circle_.centre.x();
@@ -90,7 +90,7 @@ class Extrados {
   const Circle& circle_;
 };
 
-/// Corners of the intrados, those of each voussoir and its last joint, and of the extrados likewise.
+/// Corners of the intrados, for each voussoir and its last joint, and of the extrados likewise.
 struct Ring {
   std::vector<Vec2> low, high;
 };
@@ -109,7 +109,7 @@ Ring ring_of(const FlyingButtress& f, const Circle& circle) {
   return ring;
 }
 
-/// Joints have some length and lie side by side.
+/// Joints must have a length and must not cross.
 void check(const FlyingButtress& f, const Circle& circle, const Ring& ring, const std::string& owner) {
   for (std::size_t i = 0; i < ring.low.size(); ++i) {
     const double length = (ring.high[i] - circle.centre).norm() - circle.radius;
@@ -154,7 +154,7 @@ std::vector<Part> build_flying_buttress(const FlyingButtress& f) {
     Part part{part_name(f.name, fmt::format("v{}", v + 1)), {}, {"voussoirs"}};
     for (std::size_t i = v * k; i <= (v + 1) * k; ++i) part.outline.push_back(ring.low[i]);
     for (std::size_t i = (v + 1) * k + 1; i-- > v * k;)
-      // The line of a coping has corners at the joints alone.
+      // The coping line has corners at the joints only.
       if (f.slope == 0 || i % k == 0) part.outline.push_back(ring.high[i]);
     parts.push_back(std::move(part));
   }

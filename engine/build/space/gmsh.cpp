@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t largest_mesh = std::size_t{1} << 30;  // [bytes]
 
-/// Goes through a text line by line and word by word.
+/// Reads a text line by line and word by word.
 class Words {
  public:
   Words(std::string_view text, std::string_view owner) : text_(text), owner_(owner) {}
@@ -43,7 +43,7 @@ class Words {
       fail(fmt::format("{} is '{}', must be a whole number", what, shown(w)));
     return value;
   }
-  /// A count that cannot be more than the file has room for.
+  /// A count that cannot exceed the size of the file.
   std::int64_t count(const char* what) {
     const std::int64_t n = whole(what);
     if (n < 0 || n > static_cast<std::int64_t>(text_.size()))
@@ -87,7 +87,7 @@ class Words {
   int line_ = 1;
 };
 
-/// Kinds of elements by the number Gmsh has for them.
+/// Element types by their number in Gmsh.
 struct ElementType {
   std::int64_t type;
   int nodes;
@@ -96,7 +96,7 @@ struct ElementType {
 constexpr std::array<ElementType, 4> known_types{
     {{1, 2, "line"}, {2, 3, "triangle"}, {3, 4, "quadrilateral"}, {15, 1, "point"}}};
 
-/// Those of a mesh in space; of what lies on its skin the number of nodes is known, to pass them over.
+/// Element types of a mesh in space; for elements of its surface only the number of nodes is needed, to skip them.
 constexpr std::array<ElementType, 10> types_in_space{{{4, 4, "tetrahedron"},
                                                       {5, 8, "hexahedron"},
                                                       {6, 6, "prism"},
@@ -125,8 +125,8 @@ void read_format(Words& words) {
   words.expect("$EndMeshFormat");
 }
 
-/// Blocks of nodes: first all their tags, then all their places, x y z and, where the block says so, as many parameters
-/// as the block's dimension. Tags may be any numbers.
+/// Blocks of nodes: first all their tags, then all their positions x y z and, if the block has parameters, as many of
+/// them as its dimension. Tags may be any numbers.
 void read_nodes(Words& words, GmshNodes& nodes) {
   const std::int64_t blocks = words.count("the number of node blocks"), all = words.count("the number of nodes");
   words.whole("the smallest node tag"), words.whole("the largest node tag");
@@ -161,13 +161,13 @@ const ElementType& known_type(const Words& words, const std::array<ElementType, 
   words.fail(fmt::format("elements of type {} cannot be used; take {}", type, usable));
 }
 
-/// Points and lines are of the mesh's construction, and left out.
+/// Points and lines serve the construction of the mesh and are skipped.
 void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, Mesh& mesh) {
   if (type.nodes < 3) return;
   mesh.element.push_back({node[0], node[1], node[2], type.nodes > 3 ? node[3] : -1});
 }
 
-/// ... and in space surfaces too. Nodes come in Gmsh's order, which is that of element/solid/space_element.hpp.
+/// In space surfaces are skipped too. Nodes are in Gmsh's order, which is the order of element/solid/space_element.hpp.
 void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, SpaceMesh& mesh) {
   constexpr std::array<std::pair<int, ElementShape>, 4> shapes{{{4, ElementShape::tetrahedron},
                                                                 {5, ElementShape::brick},
@@ -213,7 +213,7 @@ void read_elements(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
   words.expect("$EndElements");
 }
 
-/// Leaves out nodes of no element, so that what lies beside the mesh does not count.
+/// Removes nodes without elements, so that points outside the mesh do not count.
 void keep_used(Mesh& mesh, const GmshNodes& nodes, std::string_view owner) {
   std::vector<int> number(nodes.place.size(), -1);
   double low = 0, high = 0;

@@ -25,7 +25,7 @@ class ObjReader {
   ObjReader(std::string_view text, const SolidFile& how, std::string_view owner)
       : text_(text), owner_(owner), axes_(how, owner) {}
 
-  /// Told of the first object whose name comes twice; "" where none does.
+  /// The first object whose name appears twice; "" if none does.
   [[nodiscard]] const std::string& again() const { return again_; }
 
   std::vector<NamedSurfaces> run() {
@@ -48,8 +48,8 @@ class ObjReader {
     throw InputError(fmt::format("{}: line {}: {}", owner_, number_, what));
   }
 
-  /// The next line without its end and without what follows a #; empty ones too. A line that ends with a \ goes on in
-  /// the next.
+  /// The next line without its end and without a comment after #, including empty ones. A line that ends with \
+  /// continues in the next.
   bool next_line() {
     if (at_ >= text_.size()) return false;
     line_ = one_line();
@@ -75,7 +75,7 @@ class ObjReader {
     return last != std::string_view::npos && line[last] == '\\';
   }
 
-  /// An object whose name came before goes on with the faces of that one.
+  /// An object with an earlier name adds to the faces of that object.
   void begin_object(const std::string& name) {
     const std::size_t known = objects_.list.size();
     object_ = objects_.of(name), current_ = -1;
@@ -131,7 +131,7 @@ class ObjReader {
     if (const std::string why = why_beyond_reach(points_.back()); !why.empty()) fail(why);
   }
 
-  /// Of a corner such as 7, 7/1, 7//3, 7/1/3, and -1 for the last point so far.
+  /// Index of a corner such as 7, 7/1, 7//3, 7/1/3, or -1 for the last point so far.
   int index(std::string_view w) const {
     w = w.substr(0, w.find('/'));
     int i = 0;
@@ -157,7 +157,7 @@ class ObjReader {
     patches_[static_cast<std::size_t>(current_)].faces.add(loop);
   }
 
-  /// Points of some patches alone.
+  /// Surface of some patches, with their points only.
   [[nodiscard]] Polyhedron surface(const std::vector<const ObjPatch*>& of) const {
     Polyhedron made;
     std::unordered_map<int, int> number;
@@ -174,7 +174,7 @@ class ObjReader {
     return made;
   }
 
-  /// Whether some named group has faces of more than one object.
+  /// True if a named group contains faces of several objects.
   [[nodiscard]] bool groups_hold_objects() const {
     std::unordered_map<int, int> object;
     for (const ObjPatch& patch : patches_)
@@ -192,7 +192,7 @@ class ObjReader {
       const auto [place, is_new] = body.emplace(key, made.size());
       if (is_new) made.push_back(named(key, by_group)), parts.emplace_back();
       auto& surfaces = parts[place->second];
-      if (surfaces.empty() || by_group) surfaces.emplace_back();  // each object of a group closes for itself
+      if (surfaces.empty() || by_group) surfaces.emplace_back();  // each object of a group is closed separately
       surfaces.back().push_back(&patch);
       if (!by_group && patch.group >= 0)
         add_groups(made[place->second], groups_.list[static_cast<std::size_t>(patch.group)]);
@@ -213,7 +213,7 @@ class ObjReader {
     }
   }
 
-  /// A group of several names is called by the first of them.
+  /// A group with several names is called by the first of them.
   [[nodiscard]] NamedSurfaces named(int key, bool by_group) const {
     NamedSurfaces body;
     if (key < 0) return body;
@@ -234,13 +234,13 @@ class ObjReader {
   ObjNames objects_, groups_;
   std::vector<ObjPatch> patches_;
   std::map<std::pair<int, int>, int> patch_of_;  ///< by object and group
-  int current_ = -1;                             ///< patch of the faces that come, -1: to be found
+  int current_ = -1;                             ///< patch of the next faces, -1: to be determined
 };
 
 }  // namespace
 
 SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_view owner) {
-  constexpr std::string_view behind("\x1a\0 \t\r\n", 6);  // marks that some programs end a file with
+  constexpr std::string_view behind("\x1a\0 \t\r\n", 6);  // bytes that some programs append to a file
   text = text.substr(0, text.find_last_not_of(behind) + 1);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
     throw InputError(

@@ -66,7 +66,7 @@ NotedSolid build_hull(const HullSolid& hull) {
     throw InputError(fmt::format("{}: flat is {:g}, must be from 1e-12 to 0.01 of the size", owner, hull.flat));
   Polyhedron solid = convex_hull(hull.points, owner, hull.flat);
   NotedSolid out{{hull.name, {}, hull.groups}, {}};
-  // What the hull calls plane may be off by its `flat`, what bodies take may not.
+  // The faces of the hull may deviate by its `flat`; bodies require a smaller value.
   if (hull.flat > kFlatFace / 4) {
     PlanarSolid planar = with_plane_faces(solid);
     if (planar.moved > kFlatFace / 4 * solid_size(solid.corners)) {

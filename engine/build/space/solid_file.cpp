@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t largest_solid_file = std::size_t{1} << 30;  // [bytes]
 
-/// Checks of convexity go with faces times corners.
+/// The run time of convexity checks grows with faces times corners.
 constexpr int most_faces = 5000;
 /// Hulls of more points take too long.
 constexpr std::size_t most_hull_corners = 500;
@@ -33,7 +33,7 @@ std::string place_text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 
-/// An edge that an odd number of faces have, more than one, and that number; 0 where there is none.
+/// An edge with an odd number of faces above one, and that number; 0 if there is none.
 struct CrowdedEdge {
   int faces = 0, from = 0, to = 0;
 };
@@ -53,7 +53,7 @@ CrowdedEdge crowded_edge(const FaceLoops& faces) {
   return {};
 }
 
-/// What may be told of many solids of one file, and is told of the first.
+/// Notes that may apply to many solids of a file and are reported for the first.
 enum class FileNote { inside_out, partly_turned, shells, same_name, count };
 
 class SolidMaker {
@@ -103,7 +103,7 @@ class SolidMaker {
   }
 
  private:
-  /// A file of a thousand solids that are alike gets one line, not a thousand.
+  /// A file with a thousand equal solids gets one line, not a thousand.
   void tell(FileNote kind, const std::string& text) {
     ToldOnce& told = told_[static_cast<std::size_t>(kind)];
     if (++told.more > 0) return;
@@ -111,7 +111,7 @@ class SolidMaker {
     out_.notes.push_back(text);
   }
 
-  /// Of its own in the file.
+  /// Makes the name unique in the file.
   std::string named(const std::string& given) {
     const std::string base = given.empty() ? std::string() : part_name(how_.name, given);
     const std::string wanted = !base.empty() ? base : how_.name.empty() ? std::string("solid") : how_.name;
@@ -132,7 +132,7 @@ class SolidMaker {
     out_.parts.push_back({name, std::move(pieces), std::move(once)});
   }
 
-  /// Every shell as a convex solid of plane faces.
+  /// Every shell as a convex solid with plane faces.
   std::vector<Polyhedron> closed_solids(const Polyhedron& surface, const std::string& title) {
     Polyhedron joined = with_joined_corners(surface, how_.weld * solid_size(surface.corners));
     if (joined.faces.count() == 0) throw InputError(fmt::format("{} has no face with an area", title));
@@ -159,7 +159,7 @@ class SolidMaker {
     return std::count(shells.whole.begin(), shells.whole.end(), 1) == shells.count;
   }
 
-  /// The least weld of 1, 2 or 5 times a power of ten with which the surface closes; 0 where none does.
+  /// The least weld of 1, 2 or 5 times a power of ten with which the surface closes; 0 if there is none.
   [[nodiscard]] double closing_weld(const Polyhedron& surface) const {
     constexpr int most_tried = 20000;  // faces: each try sorts them
     if (surface.faces.count() > most_tried) return 0;
@@ -221,7 +221,7 @@ class SolidMaker {
         crossing->a == crossing->b ? "two sides of one face cross" : "two of its faces pass through each other"));
   }
 
-  /// What is thinner than what counts as one plane has no faces of its own on its two sides.
+  /// A solid thinner than the planarity tolerance has no separate faces on its two sides.
   void refuse_flat(const Polyhedron& closed, const std::string& title) const {
     double surface = 0;
     for (int f = 0; f < closed.faces.count(); ++f) surface += area_vector(closed.corners, closed.faces[f]).norm();
@@ -255,8 +255,9 @@ class SolidMaker {
     return solid;
   }
 
-  /// Corners go to where planes meet. Where a face is so narrow that rounding has turned its plane, they would go far:
-  /// then the solid becomes the hull of its corners, whose faces are triangles where four corners are in no plane.
+  /// Moves corners to the intersections of planes. If a face is so narrow that rounding has rotated its plane, they
+  /// would move far. Then the solid is replaced by the hull of its corners, with triangles where four corners lie in no
+  /// plane.
   void make_plane(Polyhedron& solid, double size, const std::string& title) {
     PlanarSolid planar = with_plane_faces(solid);
     if (planar.moved <= 8 * how_.flat * size && is_convex_solid(planar.solid)) {
@@ -274,7 +275,7 @@ class SolidMaker {
     ++hulls_;
   }
 
-  /// False where the hull of its corners is none that a body may have.
+  /// False if the hull of its corners is not valid for a body.
   static bool become_hull(Polyhedron& solid, double flat) {
     try {
       PlanarSolid hull{convex_hull(solid.corners, "", flat), 0};
@@ -296,7 +297,7 @@ class SolidMaker {
     }
   }
 
-  /// Whether corners stand off or out of the planes of faces by more than a quarter of what a body may have.
+  /// True if corners deviate from the planes of faces by more than a quarter of the limit for a body.
   static bool is_rough(const Polyhedron& solid, double size) {
     const std::vector<Vec3> normals = face_normals(solid);
     for (int f = 0; f < solid.faces.count(); ++f) {
@@ -315,8 +316,8 @@ class SolidMaker {
   SolidParts out_;
   std::unordered_set<std::string> names_;
   struct ToldOnce {
-    std::size_t note = 0;  ///< its place among the notes
-    int more = -1;         ///< solids it was not told of; -1: none has told it
+    std::size_t note = 0;  ///< its index among the notes
+    int more = -1;         ///< number of further solids; -1: not yet reported
   };
   std::array<ToldOnce, static_cast<std::size_t>(FileNote::count)> told_;
   double moved_ = 0;

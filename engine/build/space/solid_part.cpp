@@ -103,7 +103,7 @@ Polyhedron loft_of(std::span<const Vec3> low, std::span<const Vec3> high, const 
   return solid;
 }
 
-/// Halves a convex polygon until no part has more corners than a face may have.
+/// Bisects a convex polygon until no part has more corners than a face may have.
 void part_corners(const std::vector<int>& of, std::vector<std::vector<int>>& parts) {
   if (of.size() <= static_cast<std::size_t>(max_face_corners)) {
     parts.push_back(of);
@@ -128,7 +128,7 @@ std::vector<Polyhedron> lofted(std::span<const Vec3> low, std::span<const Vec3> 
   return pieces;
 }
 
-/// An upright outline that runs counter-clockwise is so as seen from its near end, where y is least.
+/// An upright outline that is counter-clockwise appears so from its near end, where y is least.
 std::vector<Polyhedron> prisms_between(const Polygon& outline, OutlinePlane plane, double low, double high) {
   const bool upright = plane == OutlinePlane::upright;
   std::vector<Polyhedron> pieces;

@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// Places tried for each stone, of which an outline takes its share of the box around it.
+/// Trial positions for each stone; a narrow solid covers only a share of its box.
 constexpr std::size_t most_trials = 100000;
 
 /// Smallest area of a face over the square of a stone's mean size.
@@ -22,7 +22,7 @@ constexpr double least_face = 1e-7;
 /// Shortest edge over that size.
 constexpr double least_edge = 1e-5;
 
-/// The other points from near to far; sorted as far as asked for.
+/// The other points from near to far, sorted as far as needed.
 class NearestFirst {
  public:
   NearestFirst(const std::vector<Vec3>& points, std::size_t of) {
@@ -114,7 +114,7 @@ class SolidFilling {
     return p;
   }
 
-  /// Even over the solid, by trial; none on top of another.
+  /// Uniformly distributed over the solid, by rejection; without coincident points.
   void scatter() {
     Vec3 low = solid_.corners[0], high = low;
     for (const Vec3& p : solid_.corners) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -131,7 +131,8 @@ class SolidFilling {
     }
   }
 
-  /// Distances are those of a world squeezed along x and y, so that cells of about equal sides there become wide ones.
+  /// Distances are measured in a space compressed along x and y, so that cells with about equal sides there become
+  /// wide.
   std::vector<Vec3> squeezed() const {
     std::vector<Vec3> made;
     for (const Vec3& p : points_) made.push_back(p.cwiseProduct(squeeze_));
@@ -144,8 +145,9 @@ class SolidFilling {
     return std::sqrt(most);
   }
 
-  /// Cut by the planes midway to the other points, near ones first, each set back. In the squeezed world a point at a
-  /// distance d cuts at d/2 less the set-back: once that is beyond the farthest corner left, none farther can cut.
+  /// Cuts the solid by the planes midway to the other points, nearest first, each offset. In the compressed space a
+  /// point at a distance d cuts at d/2 minus the offset: once that is beyond the farthest remaining corner, no farther
+  /// point can cut.
   [[nodiscard]] std::optional<Polyhedron> cell_of(const std::vector<Vec3>& points, std::size_t i,
                                                   double set_back) const {
     const double back = set_back * std::max(1.0, 1 / rubble_.aspect);
@@ -168,7 +170,7 @@ class SolidFilling {
       if (const auto cell = cell_of(points, i, 0)) points_[i] = solid_moments(*cell).centroid;
   }
 
-  /// One that would leave the solid stays.
+  /// A point that would leave the solid is not moved.
   void shift() {
     if (rubble_.jitter == 0) return;
     for (Vec3& p : points_) {
@@ -190,8 +192,8 @@ class SolidFilling {
     return false;
   }
 
-  /// Of very many stones a few have a face or an edge that is next to nothing. Their points are moved a little until
-  /// none has. Cells are found anew where a point that has moved was or is so near that it may cut them.
+  /// Among very many stones a few have a very small face or edge. Their points are moved slightly until none has. Cells
+  /// are recomputed if a moved point is or was near enough to cut them.
   std::vector<std::optional<Polyhedron>> cells_without_tiny_parts() {
     const double back = rubble_.joint / 2;
     std::vector<Vec3> points = squeezed(), moved;

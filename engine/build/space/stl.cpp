@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// A binary file: 80 bytes of anything, the number of triangles, and 50 bytes for each: normal, three corners in single
+/// A binary file: 80 arbitrary bytes, the number of triangles, and 50 bytes for each: normal, three corners in single
 /// precision, two bytes.
 constexpr std::size_t stl_head = 84, stl_triangle = 50;
 
@@ -25,8 +25,8 @@ std::uint32_t whole_at(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Bytes that its triangles leave at the end of a binary file; less than 0 for a text and for a file that is cut short.
-/// Some programs pad their files.
+/// Number of bytes after the triangles of a binary file, because some programs pad their files; negative for a text and
+/// for a truncated file.
 std::ptrdiff_t bytes_behind(std::string_view bytes) {
   if (bytes.size() < stl_head) return -1;
   const auto rest = static_cast<std::ptrdiff_t>(bytes.size() - stl_head) -
@@ -35,15 +35,15 @@ std::ptrdiff_t bytes_behind(std::string_view bytes) {
   return rest == 0 || padded ? rest : -1;
 }
 
-/// A text without empty lines before it, and without the marks (Ctrl-Z, zero bytes) that some programs set behind it.
+/// The text without empty lines before it, and without the bytes (Ctrl-Z, zeros) that some programs append.
 std::string_view stl_text(std::string_view bytes) {
   constexpr std::string_view behind("\x1a\0 \t\r\n", 6);
   const std::size_t last = bytes.find_last_not_of(behind);
   return last == std::string_view::npos ? std::string_view() : bytes.substr(0, last + 1);
 }
 
-/// A file that is neither binary nor a text that begins as it must. Many binary files begin with "solid" too, but they
-/// hold bytes that are 0.
+/// Rejects a file that is neither binary nor a text with the required begin. Many binary files begin with "solid" too,
+/// but contain zero bytes.
 void refuse_damaged(std::string_view bytes, std::string_view owner) {
   const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   std::string word(bytes.substr(first, bytes.find_first_of(" \t\r\n", first) - first));
@@ -95,7 +95,7 @@ std::vector<NamedSurfaces> binary_stl(std::string_view bytes, const FileAxes& ax
   return {body};
 }
 
-/// Goes through the words of a text, and knows the line.
+/// Reads the words of a text and tracks the line number.
 class StlText {
  public:
   StlText(std::string_view text, const FileAxes& axes, std::string_view owner)
@@ -150,7 +150,7 @@ class StlText {
       fail(fmt::format("a coordinate is '{}', must be a finite number", shown(whole)));
     return value;
   }
-  /// What is left of this line.
+  /// The rest of this line.
   std::string rest_of_line() {
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
     std::string_view rest = text_.substr(at_, end - at_);
@@ -176,7 +176,7 @@ class StlText {
     return body;
   }
 
-  /// Normals are passed over: many programs leave them 0.
+  /// Normals are skipped: many programs leave them 0.
   std::array<Vec3, 3> facet() {
     expect("normal");
     for (int k = 0; k < 3; ++k) word();
