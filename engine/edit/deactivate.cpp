@@ -26,7 +26,7 @@ Event event_of(const State<D>& state, EventType type, int body) {
   return e;
 }
 
-/// Where the body is and how fast it was as it went; one that is added has no speed to tell.
+/// Event with the position and speed of the body; an added body has no speed.
 Event body_event(const Model<2>& model, const State<2>& state, EventType type, int body) {
   const Pose pose = body_pose(model, state, body);
   Event e = event_of(state, type, body);
@@ -58,7 +58,7 @@ Event bearing_event_of(const Model<D>& model, const State<D>& state, EventType t
   return e;
 }
 
-/// Ends the bearings of bodies that are out: they fail as the bodies leave the bounds, else they are removed.
+/// Ends the bearings of deactivated bodies: they fail if the bodies left the bounds, otherwise they are removed.
 template <int D>
 void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, BearingStatus as,
                   std::vector<Event>& events) {
@@ -76,7 +76,7 @@ void end_bearings(const Model<D>& model, State<D>& state, const Work<D>& work, B
   }
 }
 
-/// Its acceleration and the step behind it too, or implicit steps would begin with a motion it has not.
+/// Also resets the acceleration and the last step, which would give implicit steps a wrong initial motion.
 template <int D>
 void stop(const Model<D>& model, State<D>& state, int body) {
   const Body& b = model.bodies[body];
@@ -89,7 +89,7 @@ void stop(const Model<D>& model, State<D>& state, int body) {
   }
 }
 
-/// What is out touches nothing, and so it parts from nothing.
+/// A deactivated body touches nothing, so its recent separations are forgotten.
 template <int D>
 void forget_parting(const Model<D>& model, State<D>& state) {
   std::erase_if(state.parted, [&](const Parted& p) {
@@ -98,7 +98,7 @@ void forget_parting(const Model<D>& model, State<D>& state) {
   });
 }
 
-/// The ledger's balance after a change that has made all pairs stale [J].
+/// Balance of the ledger after a change that makes all pairs stale [J].
 template <int D>
 double balance_anew(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options) {
   hold_left(model, state);
@@ -108,7 +108,7 @@ double balance_anew(Model<D>& model, State<D>& state, Work<D>& work, const StepO
   return energy_now(model, state, work, options).balance();
 }
 
-/// `term` takes what the balance has lost, or put in what it has won, so that it goes on as it was.
+/// Books the difference of the balance under `term`, so that the balance continues without a jump.
 template <int D>
 void book(State<D>& state, Work<D>& work, EnergyTerm term, double lost) {
   const double amount = energy_term_info[static_cast<std::size_t>(term)].sign * lost;
@@ -116,7 +116,7 @@ void book(State<D>& state, Work<D>& work, EnergyTerm term, double lost) {
   work.given[term] += amount;
 }
 
-/// Whether a body that is back is free to move.
+/// True if a reactivated body is free to move.
 template <int D>
 bool comes_free(const Model<D>& model, std::span<const int> bodies) {
   return std::any_of(model.set_aside.begin(), model.set_aside.end(), [&](const SetAside<D>& s) {
@@ -128,7 +128,7 @@ bool comes_free(const Model<D>& model, std::span<const int> bodies) {
   });
 }
 
-/// A body that is back stands still where it is, held as it was before.
+/// A reactivated body is at rest in its position, with its previous supports.
 template <int D>
 void bring_back(Model<D>& model, State<D>& state, int body) {
   state.left[body] = 0;
@@ -144,8 +144,8 @@ void bring_back(Model<D>& model, State<D>& state, int body) {
 
 }  // namespace
 
-/// Held where it is, the body is like ground. The energy that goes with it, of motion, contacts, bearings and its
-/// weight, is what the balance differs by before and after; it is booked, so that the balance goes on.
+/// A deactivated body is fixed in its position, like ground. The energy that leaves with it (motion, contacts,
+/// bearings, weight) is the difference of the balance before and after; it is booked, so that the balance continues.
 template <int D>
 std::vector<Event> deactivate(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                               std::span<const int> bodies) {
@@ -162,8 +162,8 @@ std::vector<Event> deactivate(Model<D>& model, State<D>& state, Work<D>& work, c
   return events;
 }
 
-/// As deactivate, but by order and not by the bounds: bodies and bearings are marked as removed with their time, so
-/// that they can be put back, and the ledger has a term of its own for them.
+/// As deactivate, but requested by the user instead of the bounds. Bodies and bearings are marked as removed with their
+/// time, so that they can be reactivated, and the ledger has a separate term for them.
 template <int D>
 std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                           const Parts& parts) {
@@ -177,7 +177,7 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
   }
   end_bearings(model, state, work, BearingStatus::removed, events);
   for (const int i : parts.bearings) {
-    if (state.bearing[i].status == BearingStatus::removed) continue;  // it went with a body
+    if (state.bearing[i].status == BearingStatus::removed) continue;  // removed with a body
     state.bearing[i].status = BearingStatus::removed;
     events.push_back(bearing_event_of(model, state, EventType::bearing_removed, static_cast<std::size_t>(i)));
   }
@@ -187,8 +187,9 @@ std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const
   return events;
 }
 
-/// Bodies come back where they were left, at rest, and may overlap a little what has moved there meanwhile: the energy
-/// of that is found by the same two balances. Displacements of bearings count from now on, or from the first place.
+/// Bodies are reactivated in their last position, at rest, and may overlap slightly with bodies that have moved there.
+/// The same two balances give the energy of the overlap. Displacements of bearings count from now on, or from the first
+/// position.
 template <int D>
 std::vector<Event> reactivate(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                               const Parts& parts) {
@@ -213,8 +214,8 @@ std::vector<Event> reactivate(Model<D>& model, State<D>& state, Work<D>& work, c
   return events;
 }
 
-/// Any other change of parameters: what is stored under the new ones less what was under the old is put in or taken
-/// out.
+/// Any other change of parameters: the energy stored under the new parameters minus the energy under the old ones is
+/// added or removed.
 template <int D>
 void modify(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
             const std::function<void(Model<D>&)>& change, std::span<const int> begun) {
@@ -230,8 +231,8 @@ void modify(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& 
 
 namespace {
 
-/// Degrees of freedom that were held begin at the speed that they have by their motions, 0 where they stood. Returns
-/// the energy of motion that this is [J]: of what is driven the ledger knows none.
+/// Degrees of freedom that are freed start with the speed of their prescribed motion, or 0. Returns their kinetic
+/// energy [J]: the ledger does not contain the energy of driven nodes.
 template <int D>
 double begin_freed(const Model<D>& model, const Model<D>& changed, State<D>& state) {
   double moved = 0;
@@ -259,8 +260,9 @@ SupportChange support_change(const Model<D>& model, const Model<D>& changed) {
   return out;
 }
 
-/// Contacts between bodies that are held hold no energy, so that one that is freed brings what it presses, and one that
-/// is stopped takes that along with its motion. What a motion has moved comes from its supports.
+/// Contacts between constrained bodies store no energy. A freed body therefore adds the energy of its contacts, and a
+/// stopped body removes it together with its kinetic energy. Energy of a prescribed motion was supplied by its
+/// supports.
 template <int D>
 std::vector<Event> change_supports(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                                    Model<D> changed) {
@@ -277,8 +279,8 @@ std::vector<Event> change_supports(Model<D>& model, State<D>& state, Work<D>& wo
   return anew->events();
 }
 
-/// The grown model holds all that was there under the same numbers, so the state is only made longer. Contacts within
-/// `reach` of a new body are bonded as they would be at the start.
+/// The grown model contains all previous parts under the same indices, so the state is only extended. Contacts within
+/// `reach` of a new body are bonded as at the start.
 template <int D>
 std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
                         double reach) {
@@ -301,7 +303,8 @@ std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const S
 
 namespace {
 
-/// Holds a node. How it was held is kept, the latest that was asked for; nothing where it was held for good.
+/// Fixes a node. Its previous supports are stored, including later requests; nothing is stored if it was fixed
+/// permanently.
 template <int D>
 void set_aside(Model<D>& model, int node) {
   SetAside<D> held;

@@ -1,5 +1,5 @@
-// Bodies that leave the step, as they have left the bounds or are removed, and those that come back. What is out stands
-// still where it is; no row of the model goes, so that all others keep their places.
+// Bodies that are deactivated because they leave the bounds or are removed, and bodies that are reactivated. A
+// deactivated body is at rest in its position. No row of the model is deleted, so all others keep their indices.
 #pragma once
 
 #include <functional>
@@ -13,65 +13,65 @@
 
 namespace trilith {
 
-/// Takes `bodies` out of the step at an evaluated instant, as they have left the bounds; that is evaluated anew. They
-/// touch nothing from then on, their bearings fail, and what they held (motion, elastic energy of what they touched)
-/// goes to the ledger's EnergyTerm::left_bounds. Gives what is to be told: body.left, and bearing.failed of those that
-/// were live.
+/// Deactivates `bodies` that have left the bounds, at an evaluated instant, and evaluates again. They touch nothing
+/// from then on and their bearings fail. Their energy (motion, and elastic energy of their contacts) is booked under
+/// EnergyTerm::left_bounds. Returns the events: body.left, and bearing.failed for live bearings.
 template <int D>
 std::vector<Event> deactivate(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                               std::span<const int> bodies);
 
-/// Which bodies and bearings a change of the model is about.
+/// Bodies and bearings that a change of the model applies to.
 struct Parts {
   std::span<const int> bodies, bearings;
-  /// Of reactivate: displacements of the bearings count from where they were placed first, not from where they are now.
+  /// For reactivate: displacements of the bearings count from their first position instead of the present one.
   bool from_start = false;
 };
 
-/// The same of bodies and bearings that are removed: bearings of the bodies are removed too. The energy goes to
-/// EnergyTerm::removed. Gives body.removed and bearing.removed.
+/// Removes bodies and bearings, including the bearings of these bodies. The energy is booked under EnergyTerm::removed.
+/// Returns the events body.removed and bearing.removed.
 template <int D>
 std::vector<Event> remove(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                           const Parts& parts);
 
-/// Puts back what was removed: bodies at rest where they stood, with the supports they had; bearings, whose bodies must
-/// be there, begin anew where they are, free of force; with Parts::from_start springs act from where the bearing was
-/// placed first. The energy that this puts in goes to EnergyTerm::added. Gives body.added and bearing.added.
+/// Reactivates removed parts: bodies at rest in their position, with their previous supports; bearings, whose bodies
+/// must be active, without force in the present position. With Parts::from_start springs act from the first position of
+/// the bearing. The added energy is booked under EnergyTerm::added. Returns the events body.added and bearing.added.
 template <int D>
 std::vector<Event> reactivate(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                               const Parts& parts);
 
-/// Changes numbers of laws. Bearings of `begun`, whose laws are others now, forget what theirs remembered. What that
-/// puts in goes to EnergyTerm::added; it may be negative.
+/// Changes parameters of laws. Bearings in `begun`, whose laws are replaced, reset their memory. The added energy,
+/// which may be negative, is booked under EnergyTerm::added.
 template <int D>
 void modify(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
             const std::function<void(Model<D>&)>& change, std::span<const int> begun);
 
-/// What a change of supports and motions does to degrees of freedom.
+/// Effect of a change of supports and motions on degrees of freedom.
 struct SupportChange {
-  bool frees = false;  ///< some were held or driven, and are free
-  bool stops = false;  ///< some were free, and are held or driven
+  bool frees = false;  ///< fixed or driven ones become free
+  bool stops = false;  ///< free ones become fixed or driven
 };
 template <int D>
 SupportChange support_change(const Model<D>& model, const Model<D>& changed);
 
-/// Takes over `changed`, the model with other supports, motions and loads, where support_change is not nothing. What is
-/// freed begins at this instant, at rest or at the speed of its motion, whose energy goes to EnergyTerm::support, and
-/// what its contacts press to EnergyTerm::added. What is stopped takes the energy of its motion and its contacts along,
-/// to EnergyTerm::removed. Gives what the step behind has led to, where that had to be ended here.
+/// Replaces the model by `changed`, with other supports, motions and loads, if support_change is not empty. Freed
+/// degrees of freedom start at this instant, at rest or with the speed of their motion. This kinetic energy is booked
+/// under EnergyTerm::support, and the energy of their contacts under EnergyTerm::added. Stopped ones remove their
+/// kinetic and contact energy, under EnergyTerm::removed. Returns the events of the last step if it had to be ended
+/// here.
 template <int D>
 std::vector<Event> change_supports(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options,
                                    Model<D> changed);
 
-/// Takes over `grown`, the model with further bodies, bearings and seats at the ends of its arrays. Mortar is put
-/// between new bodies and what they meet within `reach` (see set_bonds). What that puts in goes to EnergyTerm::added.
-/// Gives body.added and bearing.added.
+/// Replaces the model by `grown`, with further bodies, bearings and seats at the ends of its arrays. Mortar bonds new
+/// bodies to all faces they meet within `reach` (see set_bonds). The added energy is booked under EnergyTerm::added.
+/// Returns the events body.added and bearing.added.
 template <int D>
 std::vector<Event> grow(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
                         double reach);
 
-/// Holds all that is out by the state, whatever the model says of its supports, which are set aside. True where
-/// something is out and nothing is free to move any more.
+/// Fixes all deactivated bodies of the state; the supports in the model are stored. True if a body is deactivated and
+/// no body is free to move any more.
 template <int D>
 bool hold_left(Model<D>& model, const State<D>& state);
 

@@ -7,7 +7,7 @@
 namespace trilith {
 namespace {
 
-/// What was let go of one node: the accelerations that its supports gave it [m/s2] [rad/s2], 0 where it was free.
+/// Released degrees of freedom of one node: accelerations under its supports [m/s2], [rad/s2]; 0 if it was free.
 template <int D>
 struct Freed {
   int node;
@@ -23,7 +23,7 @@ double& component(Vec3& turn, int k) {
   return turn[k];
 }
 
-/// Frees them in the model, and tells what acceleration each node had.
+/// Frees the nodes in the model, and returns the acceleration of each.
 template <int D>
 std::vector<Freed<D>> free_nodes(Model<D>& model, double time, int body, const std::array<bool, Space<D>::dofs>& on) {
   constexpr int along = Space<D>::translations;
@@ -46,7 +46,7 @@ std::vector<Freed<D>> free_nodes(Model<D>& model, double time, int body, const s
   return freed;
 }
 
-/// The moment that gives a node the angular acceleration `turn`; in space at the spin it has (Euler's equation).
+/// Moment for the angular acceleration `turn` of a node; in space at its present spin (Euler's equation).
 double moment_for(const Model<2>& model, const State<2>& /*state*/, int n, double turn) {
   return model.inertia[n] * turn;
 }
@@ -55,7 +55,8 @@ Vec3 moment_for(const Model<3>& model, const State<3>& state, int n, const Vec3&
   return momentum(turn) + cross(state.spin[n], momentum(state.spin[n]));
 }
 
-/// A support that goes at once would strike: what it carried is R = m a - F, with a the acceleration of its motion.
+/// Load in place of a support, whose sudden removal would be an impact: R = m a - F, with the acceleration a of its
+/// motion.
 template <int D>
 PointLoad<D> support_load(const Model<D>& model, const State<D>& state, const Work<D>& work, const Freed<D>& freed) {
   const int n = freed.node;
@@ -79,7 +80,7 @@ int count_of(const auto& freed) {
 
 }  // namespace
 
-/// What the supports carried is found by one evaluation, put on the nodes as a load, and faded out over `fade`.
+/// One evaluation gives the support forces; they act on the nodes as a load that fades out over `fade`.
 template <int D>
 int release_supports(Model<D>& model, const State<D>& state, int body, const std::array<bool, Space<D>::dofs>& on,
                      double fade) {

@@ -1,4 +1,4 @@
-// Quiet release: supports let go without a jolt, in the plane and in space.
+// Quiet release of supports without an impact, in the plane and in space.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace trilith {
 
-/// Frees the degrees of freedom `on` (along the axes, then turns) of a body that are held or driven. What keeps each of
-/// its nodes in its present motion stays as a load that fades smoothly within `fade` [s], so that nothing is set off:
-/// the force and moment that the supports gave, less what contacts between held bodies give, which count only once one
-/// of them is free. Gives how many degrees of freedom were freed.
+/// Frees the fixed or driven degrees of freedom `on` (translations, then rotations) of a body. The forces that keep its
+/// nodes in their present motion remain as a load that fades smoothly within `fade` [s], so that the release causes no
+/// vibration. These are the support forces and moments, minus the forces of contacts between constrained bodies, which
+/// count only after one of them is free. Returns the number of freed degrees of freedom.
 template <int D>
 int release_supports(Model<D>& model, const State<D>& state, int body, const std::array<bool, Space<D>::dofs>& on,
                      double fade);

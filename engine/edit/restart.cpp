@@ -6,8 +6,8 @@
 
 namespace trilith {
 
-/// Explicit velocities stand half a step behind those of what was held, and laws take them for the way of that step: a
-/// node that becomes free would have half a step of its acceleration too much, or would have slid where it stood.
+/// Explicit velocities lag half a step behind positions, and laws use them for the path of the step. Without a restart,
+/// a freed node would have half a step of its acceleration too much, or would have slid while it was fixed.
 template <int D>
 RestartedRun<D>::RestartedRun(const Model<D>& model, State<D>& state, Work<D>& work)
     : was_implicit_(state.implicit()), most_energy_(state.most_energy) {

@@ -1,4 +1,4 @@
-// A run that begins anew at an instant of it, so that what is free from then on has no step behind it.
+// A restart of a run at an instant, so that freed parts have no last step.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace trilith {
 
-/// Brings a state to the instant that `work` is evaluated at: what the step behind has led to is committed, velocities
-/// are those of now, no step lies behind, and the ledger is up to it. `work` is evaluated again. What changes then
-/// changes in a state of explicit steps; go_on makes it one of implicit steps where it was that.
+/// Brings a state to the instant at which `work` is evaluated: the last step is committed, velocities refer to the
+/// instant, no last step remains, and the ledger is complete. `work` is evaluated again. Changes are then made in a
+/// state of explicit steps; go_on converts it back if it was implicit.
 template <int D>
 class RestartedRun {
  public:
   RestartedRun(const Model<D>& model, State<D>& state, Work<D>& work);
-  /// After the change: `work` is evaluated with it. Implicit steps go on from the accelerations that it gives.
+  /// Call it after the change, with `work` evaluated. Implicit steps continue from its accelerations.
   void go_on(const Model<D>& model, State<D>& state, const Work<D>& work) const;
-  /// Of the step behind, to be told.
+  /// Events of the last step, to be reported.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
 
  private:
   bool was_implicit_;
-  double most_energy_;  // which the length of implicit steps goes by [J]
+  double most_energy_;  // controls the length of implicit steps [J]
   std::vector<Event> events_;
 };
 
