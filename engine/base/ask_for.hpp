@@ -1,4 +1,4 @@
-// Memory that will be used shortly and that the processor cannot see coming, as rows point to it: asked for early.
+// Software prefetch of memory that the processor cannot predict because indices point to it.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace trilith {
 
-/// How it is used.
+/// The access that follows the prefetch.
 enum class Asked : std::uint8_t { read, write };
 
-/// Of `size` bytes all lines of the cache that they lie in; of few bytes the first.
+/// Prefetches `size` bytes: all cache lines that they touch, or the first one alone where `size` is small.
 template <Asked use, std::size_t size>
 TRILITH_INLINE void ask_for(const void* from) {
   constexpr std::size_t line = 64;

@@ -1,11 +1,11 @@
-// A point that goes with the nodes of a body: the end of a bearing, the place of a load, the edge of a seat.
+// A point that moves with the nodes of a body: the end of a bearing, the point of a load, the edge of a seat.
 //
-//   x = sum of w_i (x_i + R_i r_i)
+//   x = sum of w_i (x_i + R_i r_i).
 //
-// over its nodes, where w_i are weights that sum to 1 and r_i is an arm that turns with a node (R_i). On a rigid body
-// that is one node and one arm; on a beam the two nodes of an element, with arms across it; in a finite element of
-// nodes without rotation its shape functions, and no arms. The transpose gives node i the force w_i f and the node it
-// turns with the moment w_i (R_i r_i x f + m): see model/pose.hpp, pose_at and apply_force.
+// The sum runs over the nodes; the weights w_i sum to 1, and the arm r_i rotates with a node (R_i). A rigid body has
+// one node and one arm. A beam has the two nodes of an element and arms across the axis. A finite element whose nodes
+// do not rotate has its shape functions as weights and no arms. The transpose gives node i the force w_i f, and the
+// node that rotates its arm the moment w_i (R_i r_i x f + m): see pose_at and apply_force in model/pose.hpp.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@ struct Attachment {
   static constexpr int most_nodes = D == 2 ? 4 : 8;
 
   int nodes = 0;
-  bool turns = true;                   ///< with rotations of nodes; else as its nodes go round their mean
-  std::array<int, most_nodes> node{};  ///< whose places count
-  std::array<int, most_nodes> turn{};  ///< whose rotation turns the arm; mostly the same node
+  bool turns = true;                   ///< true: arms follow nodal rotations; false: the mean rotation of the positions
+  std::array<int, most_nodes> node{};  ///< nodes whose positions have the weights w_i
+  std::array<int, most_nodes> turn{};  ///< nodes whose rotations turn the arms; mostly the same nodes
   std::array<double, most_nodes> weight{};
   std::array<Vec<D>, most_nodes> arm = no_arms();  ///< [m], in the axes of `turn`
 
-  /// To one node that it turns with.
+  /// Attached to one node, whose rotation turns the arm.
   static Attachment to_node(int node, const Vec<D>& arm) {
     Attachment attachment;
     attachment.nodes = 1, attachment.node[0] = attachment.turn[0] = node, attachment.weight[0] = 1,

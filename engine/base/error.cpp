@@ -7,7 +7,7 @@
 namespace trilith {
 namespace {
 
-/// The sign of NaN means nothing, so it is left out.
+/// The sign of NaN has no meaning, so it is left out.
 std::string figures(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{:g}", value);
 }

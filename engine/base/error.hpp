@@ -1,4 +1,4 @@
-// The user's mistake, as one exception type; our own mistakes are asserts, nature's answers are returned reports.
+// One exception type for wrong input. A defect of the engine is an assertion; a physical outcome is a returned report.
 #pragma once
 
 #include <stdexcept>
@@ -7,11 +7,12 @@
 
 namespace trilith {
 
-/// Wrong input: what was given, what is allowed, what to try. The binding to Lua adds script and line.
+/// Wrong input. The message states the given value, the allowed range and a remedy. The Lua binding adds script and
+/// line.
 class InputError : public std::runtime_error {
  public:
-  /// `message`: one line, no trailing full stop, SI values with units, e.g.
-  /// "body 'pier 3': mass is -2 kg, must be above 0; check the sign of the density".
+  /// `message`: one line without a final full stop, SI values with units, e.g. "body 'pier 3': mass is -2 kg, must be
+  /// above 0; check the sign of the density".
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 

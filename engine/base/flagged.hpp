@@ -1,9 +1,9 @@
-// A mark that something is going on, as long as a call lasts.
+// A flag that is set for the duration of a scope.
 #pragma once
 
 namespace trilith {
 
-/// `flag` is true while this lives.
+/// `flag` is true during the lifetime of this object.
 class Flagged {
  public:
   explicit Flagged(bool& flag) : flag_(flag) { flag_ = true; }

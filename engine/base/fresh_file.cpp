@@ -17,14 +17,14 @@
 namespace trilith {
 namespace {
 
-constexpr int most_links = 40;  // as the system itself follows
+constexpr int most_links = 40;  // the limit of the operating system
 constexpr int most_names = 100;
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
   throw std::system_error(errno, std::generic_category(), path.string());
 }
 
-/// Letters and digits nobody can foresee.
+/// Unpredictable letters and digits.
 std::string random_word() {
   static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz234567";
   std::array<unsigned char, 10> bytes{};
@@ -34,21 +34,21 @@ std::string random_word() {
   return word;
 }
 
-/// A file system that cannot sync at all says EINVAL or EROFS, which is no failure.
+/// A file system without sync reports EINVAL or EROFS; neither is a failure.
 void sync(int descriptor, const std::filesystem::path& path) {
   if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) fail(path);
 }
 
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;  // a folder that may be written but not listed
+  if (descriptor < 0) return;  // a folder that is writable but not readable
   ::fsync(descriptor);
   ::close(descriptor);
 }
 
 }  // namespace
 
-/// Where links lead, so that what a link points to is replaced and not the link.
+/// Follows links, so that the rename replaces the file and not the link to it.
 std::filesystem::path past_links(std::filesystem::path path) {
   std::error_code error;
   for (int i = 0; i < most_links && std::filesystem::is_symlink(path, error); ++i) {
@@ -59,8 +59,7 @@ std::filesystem::path past_links(std::filesystem::path path) {
   return path;
 }
 
-// Where a caller has closed a standard stream, the next file opened gets its number, and what is printed would go into
-// that file.
+// If a caller has closed a standard stream, the next opened file gets its number and would receive the printed text.
 int above_standard(int descriptor) {
   if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
   const int higher = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -70,8 +69,8 @@ int above_standard(int descriptor) {
   return higher;
 }
 
-/// A file of a name of its own beside the target. Nothing that is there is touched before take_place, so that a full
-/// disk or a killed program leaves the old file whole.
+/// A temporary file in the folder of the target. The old file is not touched before take_place(), so a full disk or a
+/// killed program leaves it whole.
 FreshFile::FreshFile(const std::filesystem::path& target) : target_(past_links(target)) {
   std::error_code ignored;
   const std::filesystem::file_status there = std::filesystem::status(target_, ignored);
@@ -91,7 +90,7 @@ FreshFile::~FreshFile() {
   if (!in_place_) ::unlink(path_.c_str());
 }
 
-/// A signal may cut a write short: the rest is written again.
+/// A signal may interrupt a write: the remaining bytes are written again.
 void FreshFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t done = ::write(descriptor_, bytes.data(), bytes.size());
@@ -101,7 +100,7 @@ void FreshFile::write(std::string_view bytes) {
   }
 }
 
-/// First the bytes reach the disk, then the name is moved, which is done whole or not at all, then the folder.
+/// The order makes the replacement atomic: flush the bytes, rename, then flush the folder.
 void FreshFile::take_place() {
   sync(descriptor_, target_);
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(target_);

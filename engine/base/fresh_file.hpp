@@ -1,4 +1,4 @@
-// Files written whole or not at all: under a name of their own first, then renamed over the one they replace.
+// Files that are written completely or not at all: under a temporary name first, then renamed over the target.
 #pragma once
 
 #include <filesystem>
@@ -6,33 +6,34 @@
 
 namespace trilith {
 
-/// Where a file of this name lies: symbolic links at its end are followed, whether it is there or not. What is renamed
-/// over the name of a link replaces the link; what is renamed over this keeps it.
+/// Resolves symbolic links at the end of `path`, whether or not the final file exists. A rename onto the name of a link
+/// would replace the link; a rename onto the returned path keeps it.
 std::filesystem::path past_links(std::filesystem::path path);
 
-/// `descriptor`, or another one of the same file where it is one of the three standard ones, which is then closed.
-/// Where a program begins with its output closed, the next file it opens would take its place, and what is printed
-/// would go into it. -1 stays -1, with errno as it was.
+/// Returns `descriptor`, or a duplicate of it where it is one of the three standard streams; the original is then
+/// closed. If a program starts with its standard output closed, the next opened file would get that number and receive
+/// the printed text. -1 stays -1, and errno is unchanged.
 int above_standard(int descriptor);
 
-/// A new file beside the one it is to become. Nobody else has it: it is created exclusively, follows no link, and its
-/// name ends with random letters and ".new". All members throw std::system_error.
+/// A new temporary file in the folder of its target. It is created exclusively, follows no link, and its name ends with
+/// random letters and ".new". All members throw std::system_error.
 class FreshFile {
  public:
-  /// Creates it beside `target`, or beside what `target` leads to where that is a symbolic link. Throws InputError
-  /// where something is there that is no regular file, as a device or a pipe: it would be gone.
+  /// Creates the file in the folder of `target`; symbolic links of `target` are followed. Throws InputError where the
+  /// target exists and is no regular file, such as a device or a pipe, because the rename would remove it.
   explicit FreshFile(const std::filesystem::path& target);
   FreshFile(const FreshFile&) = delete;
   FreshFile& operator=(const FreshFile&) = delete;
-  /// Removes it, unless it took its place.
+  /// Removes the temporary file, unless take_place() has renamed it.
   ~FreshFile();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Open for reading and writing; closed by this.
+  /// Open for reading and writing; this object closes it.
   [[nodiscard]] int descriptor() const { return descriptor_; }
   /// Appends `bytes`.
   void write(std::string_view bytes);
-  /// Brings it and its folder's entry to the disk, and gives it the name of `target`, replacing what has that name.
+  /// Flushes the file to the disk, renames it to `target`, which replaces an existing file, and flushes the folder's
+  /// entry.
   void take_place();
 
  private:

@@ -1,4 +1,4 @@
-// Room for lists that come and go.
+// Capacity of lists whose length varies from step to step.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace trilith {
 
-/// Room for `count` and a quarter more, where there is too little: a list that has just room for what it holds would
-/// move each time that it is longer by one.
+/// Reserves `count` and a quarter more where the capacity is too small. With exact capacity, a list that grows by one
+/// element at a time would be moved at each growth.
 template <class T>
 void make_room(std::vector<T>& list, std::size_t count) {
   if (list.capacity() < count) list.reserve(count + count / 4);

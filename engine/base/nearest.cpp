@@ -7,8 +7,8 @@
 
 namespace trilith {
 
-/// By rows of the table of all beginnings of a against all of b (Damerau, "A technique for computer detection and
-/// correction of spelling errors", Comm. ACM 7, 1964): a letter more, less, changed, or two neighbours swapped cost 1.
+/// Dynamic programming over all prefixes of a and b (Damerau, "A technique for computer detection and correction of
+/// spelling errors", Comm. ACM 7, 1964): an insertion, deletion, substitution or swap of neighbours costs 1.
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = b.size() + 1;
   std::vector<int> before(n), last(n), row(n);
@@ -27,7 +27,7 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[n - 1];
 }
 
-/// A name is meant where at most a third of its letters differ, one of them in short words; of a single letter none.
+/// A name matches if at most a third of its letters differ, one letter in short words. A single letter matches nothing.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known) {
   std::string best;
   const int letters = static_cast<int>(given.size());
@@ -40,7 +40,7 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
     }
   }
   if (!best.empty() || given.size() < 3) return best;
-  // Nothing is spelled alike: a word broken off may stand for the only one that begins so.
+  // No spelling is near: a prefix matches if only one name begins with it.
   const auto begins = [&](const std::string& name) { return name.starts_with(given); };
   if (std::count_if(known.begin(), known.end(), begins) == 1) best = *std::find_if(known.begin(), known.end(), begins);
   return best;

@@ -1,4 +1,4 @@
-// The name the user most likely meant, for messages of the form "did you mean 'height'?".
+// The name that the user most likely meant, for messages such as "did you mean 'height'?".
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace trilith {
 /// (restricted Damerau-Levenshtein distance).
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The nearest of `known` to `given`; where none is within a third of its length (at least 1), the only one that begins
-/// with it, if it has three letters; else "".
+/// The element of `known` nearest to `given`, if it is within a third of its length (at least 1 edit). Otherwise the
+/// only element that begins with `given`, if `given` has three letters or more. Otherwise "".
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
-/// "; did you mean 'height'?" or, where nothing is near, "; known: a, b, c", "; there are none".
+/// "; did you mean 'height'?", or without a near name "; known: a, b, c", or "; there are none".
 std::string name_hint(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace trilith

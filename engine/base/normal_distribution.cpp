@@ -7,13 +7,12 @@
 
 namespace trilith {
 
-/// exp(-x^2/2) / sqrt(2 pi).
 double normal_density(double x) {
   return portable::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
 }
 
-/// The series of Marsaglia ("Evaluating the normal distribution", J. Stat. Software 11, 2004) near the middle,
-/// Laplace's continued fraction in the tails, where 1 - Phi would lose its digits.
+/// Marsaglia's series (J. Stat. Software 11, 2004) near the middle, Laplace's continued fraction in the tails, where 1
+/// - Phi would lose its digits.
 double normal_share(double x) {
   const double density = normal_density(x);
   if (std::abs(x) < 3) {
@@ -28,7 +27,7 @@ double normal_share(double x) {
   return x < 0 ? density / beyond : 1 - density / beyond;
 }
 
-/// By halving: eighty times bring 18 down to rounding.
+/// Eighty bisections reduce the interval of 18 to rounding error.
 double normal_quantile(double p) {
   double low = -9, high = 9;
   for (int i = 0; i < 80; ++i) {

@@ -6,11 +6,12 @@ namespace trilith {
 /// exp(-x^2/2) / sqrt(2 pi).
 double normal_density(double x);
 
-/// How probably a standard normal variable stays below `x`, to 15 digits of the smaller side: G. Marsaglia, "Evaluating
-/// the normal distribution", Journal of Statistical Software 11, 2004; in the tails Laplace's continued fraction.
+/// Probability that a standard normal variable is below `x`, to 15 digits of the smaller tail: G. Marsaglia,
+/// "Evaluating the normal distribution", Journal of Statistical Software 11, 2004; in the tails Laplace's continued
+/// fraction.
 double normal_share(double x);
 
-/// The number below which a standard normal variable stays with probability `p`, by bisection within -9 to 9.
+/// The quantile: a standard normal variable is below it with probability `p`. By bisection within -9 to 9.
 double normal_quantile(double p);
 
 }  // namespace trilith

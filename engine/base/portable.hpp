@@ -1,8 +1,8 @@
-// Elementary functions with the same bits on every processor. Those of the C library are chosen at start among variants
-// for what the processor can (with or without a fused multiply and add), which differ in the last bit. So whatever
-// makes a model, a load or a step calls these: sums, products, quotients and square roots alone, each rounded as
-// IEEE 754 says, in a fixed order. `tests/rooms/check` finds calls of the others. Errors stay below 1 ulp but where it
-// is said.
+// Elementary functions with the same bits on every processor. The C library selects variants at start for the processor
+// at hand, with or without fused multiply-add, and these differ in the last bit. So every computation of a model, a
+// load or a step calls these functions. They use sums, products, quotients and square roots alone, each rounded as IEEE
+// 754 states, in a fixed order. `tests/rooms/check` finds calls of the C library's functions. Errors are below 1 ulp
+// unless stated.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct SineCosine {
   double sine, cosine;
 };
 
-/// Of any angle [rad]; NaN where it is not finite. The sine is odd and the cosine even to the bit.
+/// For any angle [rad]; NaN where it is not finite. The sine is odd and the cosine even to the bit.
 SineCosine sine_cosine(double angle);
 inline double sin(double angle) {
   return sine_cosine(angle).sine;
@@ -36,7 +36,7 @@ double log(double x);
 /// base^exponent; special values as in C.
 double pow(double base, double exponent);
 
-/// As `hypot`, for any size.
+/// Equals `hypot` for arguments of any magnitude.
 double hypot_of_extremes(double x, double y);
 /// Length of (x, y), to 1 part in 2^52; special values as in C.
 inline double hypot(double x, double y) {

@@ -1,7 +1,7 @@
-// Sine, cosine and tangent by reduction to +-pi/4 and Taylor's series there; arc functions by reduction to +-1/16.
-// Reduction: W. J. Cody and W. Waite, "Software Manual for the Elementary Functions", 1980, for angles to 2^20; M.
-// Payne and R. Hanek, "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983, beyond. How to sum so
-// that the last rounding alone counts: J.-M. Muller, "Elementary Functions", 3rd ed. 2016, ch. 11.
+// Sine, cosine and tangent: reduction to +-pi/4, then Taylor series. Arc functions: reduction to +-1/16. Reduction up
+// to 2^20: W. J. Cody and W. Waite, "Software Manual for the Elementary Functions", 1980. Beyond: M. Payne and R.
+// Hanek, "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983. Summation in which only the last
+// rounding matters: J.-M. Muller, "Elementary Functions", 3rd ed. 2016, ch. 11.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr TwoDoubles kHalfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54}, kPi{2 * kHalfPi.high, 2 * kHalfPi.low};
 
-/// Whole numbers as wide as the numbers of T.
+/// Integer type of the width of T.
 template <class T>
 struct BitsOf {
   using type = std::uint64_t;
@@ -37,7 +37,7 @@ TRILITH_INLINE LaneMask bits_of(const Lanes& v) {
   return LaneMask(v);
 }
 
-/// An angle less a whole number of quarter turns: within +-pi/4 (to rounding), `low` below half an ulp of `high`.
+/// An angle minus an integer number of quarter turns: within +-pi/4 up to rounding, `low` below half an ulp of `high`.
 /// `T`: double or Lanes.
 template <class T>
 struct ReducedTo {
@@ -46,17 +46,17 @@ struct ReducedTo {
 };
 using Reduced = ReducedTo<double>;
 
-/// Up to this nothing is taken off: pi/4.
+/// pi/4: smaller angles need no reduction.
 constexpr double kLeastReduced = 0x1.921fb54442d18p-1;
-/// Up to this reduce_near() does.
+/// Largest angle of reduce_near().
 constexpr double kMostNear = 0x1p20;
 
-/// For up to 2^20: pi/2 in three parts of 33 bits, so that their products are exact, and a fourth.
+/// Angles up to 2^20. pi/2 is split into three parts of 33 bits, whose products are exact, and a fourth part.
 template <class T>
 TRILITH_INLINE ReducedTo<T> reduce_near(T angle) {
   constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2ep-69,
                    fourth = 0x1.b839a252049c1p-104, to_whole = 0x1.8p52;
-  // Adding and taking off 1.5 2^52 leaves the nearest whole number; in between its last bits are those of the sum.
+  // Adding and subtracting 1.5 2^52 rounds to the nearest integer; the last bits of the intermediate sum are its bits.
   const T sum_with = angle * 0x1.45f306dc9c883p-1 + to_whole, n = sum_with - to_whole;
   const TwoOf<T> a = exact_sum<T>(angle - n * first, -n * second), b = exact_sum<T>(a.high, -n * third);
   const TwoOf<T> sum = ordered_sum<T>(b.high, (a.low + b.low) - n * fourth);
@@ -66,7 +66,7 @@ TRILITH_INLINE ReducedTo<T> reduce_near(T angle) {
 __extension__ using Wide = unsigned __int128;
 constexpr int kWord = 64;
 
-/// 192 bits of 2/pi from bit `from` after the point on (before it come zeros), the highest first.
+/// 192 bits of 2/pi, the highest first, starting at bit `from` after the point; leading bits are zeros.
 std::array<std::uint64_t, 3> bits_of_two_over_pi(int from) {
   static constexpr std::array<std::uint64_t, 20> bits{0,
                                                       0xa2f9836e4e441529,
@@ -97,7 +97,7 @@ std::array<std::uint64_t, 3> bits_of_two_over_pi(int from) {
   return out;
 }
 
-/// The value of a fraction of a turn of `word` / 2^192, at most half, in quarter turns' angle.
+/// The angle [rad] of the fraction `word` / 2^192 of a turn, at most half a turn.
 TwoDoubles angle_of(std::array<std::uint64_t, 3> word) {
   int exponent = 2;  // in quarters of a turn
   while (word[0] == 0) {
@@ -108,18 +108,18 @@ TwoDoubles angle_of(std::array<std::uint64_t, 3> word) {
   if (zeros > 0)
     word = {word[0] << zeros | word[1] >> (kWord - zeros), word[1] << zeros | word[2] >> (kWord - zeros), 0};
   exponent -= zeros;
-  // 53 bits, then the next 53; what is left counts nothing.
+  // 53 bits, then the next 53; the remaining bits are below rounding.
   const double high = static_cast<double>(word[0] >> 11);
   const double low = static_cast<double>((word[0] & 0x7ff) << 42 | word[1] >> 22);
   const TwoDoubles quarters{std::ldexp(high, exponent - 53), std::ldexp(low, exponent - 106)};
   return ordered_sum(quarters.high, quarters.low) * kHalfPi;
 }
 
-/// For any size: angle (2/pi) modulo 4 from those bits of 2/pi that count.
+/// Angles of any size: angle (2/pi) modulo 4, computed from the significant bits of 2/pi alone.
 Reduced reduce_far(double angle) {
   int exponent = 0;
   const auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(angle), &exponent), 53));
-  // |angle| = whole 2^(exponent - 53). Bits of 2/pi above 4 2^(53 - exponent) give whole turns.
+  // With |angle| = integer 2^(exponent - 53), bits of 2/pi above 4 2^(53 - exponent) give whole turns.
   const std::array<std::uint64_t, 3> bits = bits_of_two_over_pi(exponent - 53 - 2);
   std::array<std::uint64_t, 3> turn{};
   std::uint64_t carry = 0;
@@ -130,9 +130,10 @@ Reduced reduce_far(double angle) {
   auto quarters = static_cast<unsigned>(turn[0] >> 62);
   const bool above = (turn[0] >> 61 & 1) != 0;
   turn[0] &= ~std::uint64_t{0} >> 2;
-  if (above) {  // the next quarter is nearer: from there back
+  if (above) {  // the next quarter is nearer: measure backwards from it
     quarters += 1;
-    for (std::uint64_t& word : turn) word = ~word;  // the missing 1 is below what counts
+    for (std::uint64_t& word : turn)
+      word = ~word;  // two's complement without the added 1, which is below the significant bits
     turn[0] &= ~std::uint64_t{0} >> 2;
   }
   const TwoDoubles found = angle_of(turn);
@@ -147,7 +148,7 @@ Reduced reduce(double angle) {
   return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
 }
 
-/// c[0] + c[1] z + c[2] z^2 + ... + c[7] z^7, the odd and the even powers each by themselves.
+/// c[0] + c[1] z + c[2] z^2 + ... + c[7] z^7; odd and even powers are summed separately.
 template <class T>
 TRILITH_INLINE T series(const std::array<double, 8>& c, T z) {
   const T square = z * z;
@@ -156,12 +157,12 @@ TRILITH_INLINE T series(const std::array<double, 8>& c, T z) {
   return even + z * odd;
 }
 
-/// From the fourth power on.
+/// Coefficients from the fourth power on.
 constexpr std::array<double, 8> kOfCosine{
     1.0 / 24,        -1.0 / 720,         1.0 / 40320,          -1.0 / 3628800,
     1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
 
-/// Sine and cosine of a reduced angle, each as a sum.
+/// Sine and cosine of a reduced angle, each as an unevaluated sum.
 template <class T>
 struct Sums {
   TwoOf<T> sine, cosine;
@@ -179,7 +180,7 @@ TRILITH_INLINE Sums<T> sums(const ReducedTo<T>& a) {
 /// atan(small / big) for 0 <= small <= big.
 TwoDoubles arc(const TwoDoubles& small, const TwoDoubles& big) {
   if (small.high <= 0x1p-200 * big.high) return {small.high / big.high, 0};
-  // Arcs of 0, 1/8, 2/8, ... 1.
+  // atan of 0, 1/8, 2/8, ... 1.
   static constexpr std::array<TwoDoubles, 9> known{{{0, 0},
                                                     {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                                     {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
@@ -192,8 +193,7 @@ TwoDoubles arc(const TwoDoubles& small, const TwoDoubles& big) {
   const TwoDoubles t = small / big;
   const auto nearest = static_cast<std::size_t>(std::floor(8 * t.high + 0.5));
   const double place = 0.125 * static_cast<double>(nearest);
-  // c is the nearest eighth.
-  // atan t = atan c + atan((t - c) / (1 + t c)), of which the last is below 1/16.
+  // c is the nearest eighth. atan t = atan c + atan((t - c) / (1 + t c)), where the last argument is below 1/16.
   TwoDoubles rest = t;
   if (nearest > 0) rest = (TwoDoubles{t.high - place, t.low}) / (TwoDoubles{1, 0} + t * TwoDoubles{place, 0});
   static constexpr std::array<double, 8> of_arc{-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,
@@ -245,13 +245,13 @@ SineCosine sine_cosine(double angle) {
 
 namespace {
 
-/// Of four angles at once.
+/// Sines and cosines of four angles.
 struct FourTurns {
   Lanes sine, cosine;
 };
 
-/// The same of four angles that are not far: each is reduced in both of the ways that there are for those, unless all
-/// are small, and one is kept; sine and cosine change places and signs by their bits.
+/// Four angles up to kMostNear at once. Unless all are small, both reductions are computed for each angle and one is
+/// selected. Sine and cosine are exchanged and negated by bit operations.
 TRILITH_INLINE FourTurns turns_of(const Lanes& of) {
   const LaneMask sign = bits_of(-Lanes{}), small = magnitude(of) <= Lanes{} + kLeastReduced;
   ReducedTo<Lanes> reduced{of, Lanes{}, LaneMask{}};
@@ -271,7 +271,7 @@ TRILITH_INLINE FourTurns turns_of(const Lanes& of) {
 
 }  // namespace
 
-/// Four at a time; what is far, or no number, is left to the one above.
+/// Four angles at a time; larger or non-finite angles use the scalar function.
 [[gnu::target_clones("avx2", "default")]] void sines_cosines(const double* angle, std::size_t count, double* sine,
                                                              double* cosine) {
   for (std::size_t i = 0; i < count; i += lane_count) {
@@ -291,7 +291,7 @@ TRILITH_INLINE FourTurns turns_of(const Lanes& of) {
 
 double tan(double angle) {
   const Reduced a = reduce(angle);
-  if (std::abs(a.high) < 0x1p-200) return a.high;  // no double is so near to another multiple of pi/2
+  if (std::abs(a.high) < 0x1p-200) return a.high;  // no double is as near to another multiple of pi/2
   // As in sums(), with the largest terms in two doubles.
   static constexpr std::array<double, 8> of_sine{
       1.0 / 120,        -1.0 / 5040,          1.0 / 362880,          -1.0 / 39916800,
@@ -312,7 +312,7 @@ double atan2(double y, double x) {
   double a = std::abs(x), b = std::abs(y);
   if (std::isinf(a) || std::isinf(b)) a = std::isinf(a) ? 1 : 0, b = std::isinf(b) ? 1 : 0;
   const double size = std::max(a, b);
-  // Only the ratio counts: both are brought to where products neither overflow nor lose digits.
+  // Only the ratio matters: both are scaled so that products neither overflow nor lose digits.
   if (size > 0x1p500 && std::min(a, b) > 0x1p0) a *= 0x1p-600, b *= 0x1p-600;
   if (size < 0x1p-400) a *= 0x1p600, b *= 0x1p600;
   TwoDoubles angle = size > 0 ? arc_of({b, 0}, {a, 0}) : TwoDoubles{};
@@ -320,7 +320,7 @@ double atan2(double y, double x) {
   return std::copysign(angle.high, y);
 }
 
-/// The angle of the point (sqrt(1 - x^2), x) on the circle.
+/// The polar angle of the point (sqrt(1 - x^2), x) on the unit circle.
 double asin(double x) {
   if (!(std::abs(x) <= 1)) return std::numeric_limits<double>::quiet_NaN();
   if (std::abs(x) < 0x1p-400) return x;

@@ -1,4 +1,4 @@
-// Exponential by reduction to +-ln 2 / 2 and Taylor's series; powers as exp(y ln x), the logarithm in two doubles by
+// Exponential: reduction to +-ln 2 / 2, then Taylor series. Powers: exp(y ln x), with the logarithm in two doubles from
 // ln m = 2 artanh((m - 1) / (m + 1)) (J.-M. Muller, "Elementary Functions", 3rd ed. 2016, ch. 11).
 #include <algorithm>
 #include <array>
@@ -9,13 +9,13 @@
 namespace trilith::portable {
 namespace {
 
-/// ln 2: 40 bits, so that a product with an exponent is exact, and the rest.
+/// ln 2 in two parts: 40 bits, whose product with an exponent is exact, and the remainder.
 constexpr double kLogTwo = 0x1.62e42fefa2p-1, kLogTwoRest = 0x1.9ef35793c7673p-41;
 
-/// exp(x.high + x.low).
-/// x = n ln 2 + r: 2^n exp(r), the sum 1 + r in two doubles and r^2 (1/2! + r/3! + ...) on top.
+/// exp(x.high + x.low). With x = n ln 2 + r: 2^n exp(r), where 1 + r is held in two doubles and r^2 (1/2! + r/3! + ...)
+/// is added.
 double exp_of(const TwoDoubles& x) {
-  constexpr double far = 800;  // both ways out of the range of doubles
+  constexpr double far = 800;  // outside the range of doubles on both sides
   const double power = std::clamp(x.high, -far, far), n = std::floor(power * 0x1.71547652b82fep+0 + 0.5);
   const TwoDoubles near = exact_sum(power - n * kLogTwo, -n * kLogTwoRest);
   const TwoDoubles rest = exact_sum(near.high, near.low + (std::abs(x.high) < far ? x.low : 0));
@@ -29,7 +29,7 @@ double exp_of(const TwoDoubles& x) {
   return std::ldexp(one.high + (one.low + (rest.low + rest.high * rest.high * sum)), static_cast<int>(n));
 }
 
-/// 1/(2 k + 1), of the terms of the logarithm that count in two doubles.
+/// 1/(2 k + 1): coefficients of the logarithm's terms that need two doubles.
 constexpr int kLogTerms = 6;
 constexpr std::array kLogTerm = [] {
   std::array<TwoDoubles, kLogTerms + 1> term{};
@@ -38,8 +38,8 @@ constexpr std::array kLogTerm = [] {
   return term;
 }();
 
-/// x = m 2^e: e ln 2 + 2 s (1 + s^2/3 + s^4/5 + ...), s = (m - 1)/(m + 1). As s^2 is below .03, the terms from the
-/// seventh on are below 2e-12 of the sum, and one double holds them to 2e-28 of it.
+/// x = m 2^e: e ln 2 + 2 s (1 + s^2/3 + s^4/5 + ...), s = (m - 1)/(m + 1). As s^2 is below 0.03, the terms from the
+/// seventh on are below 2e-12 of the sum. One double represents them to 2e-28 of the sum.
 TwoDoubles log_of(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
@@ -61,11 +61,11 @@ double exp(double x) {
 
 double log(double x) {
   if (x > 0 && std::isfinite(x)) return log_of(x).high;
-  return std::log(x);  // of 0, infinite, negative or no number: exact everywhere
+  return std::log(x);  // 0, infinite, negative or NaN: exact on every machine
 }
 
 double pow(double base, double exponent) {
-  // Exact everywhere: of 0 or 1, of what is infinite or no number, and no root of a negative number.
+  // The C library is exact for bases 0 and 1, for infinite and NaN arguments, and for invalid roots of negative bases.
   const bool whole = std::floor(exponent) == exponent;
   if (base == 0 || base == 1 || !std::isfinite(base) || !std::isfinite(exponent) || (base < 0 && !whole))
     return std::pow(base, exponent);
@@ -79,7 +79,8 @@ double pow(double base, double exponent) {
 
 double hypot_of_extremes(double x, double y) {
   const double most = std::max(std::abs(x), std::abs(y));
-  if (std::isinf(x) || std::isinf(y) || std::isnan(most) || most == 0) return std::hypot(x, y);  // exact everywhere
+  if (std::isinf(x) || std::isinf(y) || std::isnan(most) || most == 0)
+    return std::hypot(x, y);  // exact on every machine
   int exponent = 0;
   std::frexp(most, &exponent);
   const double a = std::ldexp(x, -exponent), b = std::ldexp(y, -exponent);

@@ -6,8 +6,8 @@
 namespace trilith {
 namespace {
 
-/// One of Jacobi's rotations: turns the columns p and q of `axes` so that m(p, q) becomes 0. The smaller of the two
-/// angles is taken (Golub and Van Loan, "Matrix computations", section on Jacobi methods).
+/// One Jacobi rotation: rotates the columns p and q of `axes` so that m(p, q) becomes 0. The smaller of the two angles
+/// is used (Golub and Van Loan, "Matrix computations", section on Jacobi methods).
 void clear_term(Eigen::Matrix3d& m, Eigen::Matrix3d& axes, int p, int q) {
   const double tau = (m(q, q) - m(p, p)) / (2 * m(p, q));
   const double t = (tau < 0 ? -1 : 1) / (std::abs(tau) + std::sqrt(1 + tau * tau));
@@ -26,7 +26,7 @@ void clear_term(Eigen::Matrix3d& m, Eigen::Matrix3d& axes, int p, int q) {
 
 }  // namespace
 
-/// Plane rotations until nothing is left off the diagonal: every round squares what is left, so a few are enough.
+/// Rotates until the off-diagonal terms vanish. Convergence is quadratic, so a few sweeps are enough.
 PrincipalAxes principal_axes(const Eigen::Matrix3d& tensor, double nothing_left) {
   Eigen::Matrix3d m = tensor, axes = Eigen::Matrix3d::Identity();
   for (int round = 0; round < 16; ++round) {

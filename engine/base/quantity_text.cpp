@@ -10,10 +10,10 @@
 namespace trilith {
 namespace {
 
-/// Rounding must not cost a prefix or a power of ten that a value just reaches.
+/// A value that just reaches a prefix or a power of ten must not miss it by rounding.
 constexpr double slack = 1e-9;
 
-/// `digits` significant figures, but all of those before the point; no zeros at the end.
+/// `digits` significant figures, at least all integer digits, without trailing zeros.
 std::string figure_text(double value, int digits) {
   const double magnitude = std::abs(value);
   const int before = magnitude >= 1 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 1;
@@ -28,7 +28,7 @@ struct Prefix {
 constexpr std::array<Prefix, 8> prefixes = {
     {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}}};
 
-/// Units that take prefixes, and the largest that is usual.
+/// Units that take prefixes, with the largest usual prefix.
 struct Prefixable {
   std::string_view unit;
   int largest_power;
@@ -79,8 +79,8 @@ std::string superscript(int power) {
   return out;
 }
 
-/// The largest prefix that a magnitude reaches, so that figures stand between 1 and 1000; powers of ten where a unit
-/// takes no prefix or none is enough.
+/// Selects the largest prefix that the magnitude reaches, so that the figures are between 1 and 1000. A power of ten is
+/// used where the unit takes no prefix or no prefix is large enough.
 ShownUnit engineering_unit(double largest, std::string_view unit) {
   const std::string name = spelled(unit);
   const double magnitude = std::abs(largest);

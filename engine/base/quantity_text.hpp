@@ -1,4 +1,4 @@
-// How a quantity is written for a reader: figures, and the unit with its prefix.
+// Formats a quantity for display: significant figures and the unit with its prefix.
 #pragma once
 
 #include <string>
@@ -6,25 +6,25 @@
 
 namespace trilith {
 
-/// A unit to show values in: shown = value / `size`.
+/// A display unit: shown = value / `size`.
 struct ShownUnit {
   double size = 1;
   std::string text;
 };
 
-/// The unit with the engineering prefix (n to T) that brings `largest` (magnitude, same unit) to 1 ... 1000, e.g.
-/// (1.2e6, "N") -> {1e6, "MN"}. Units that take no prefix (%, ft, g, rad, ...; s upwards) keep their name from 0.001
-/// to 100,000 and get a power of ten such as "10⁶ lbf" beyond; a pure number, of no unit or "1", likewise. "m/s2" and
-/// "N*m" are shown as "m/s²" and "N·m".
+/// The unit with the engineering prefix (n to T) that scales `largest` (a magnitude in `unit`) to 1 ... 1000, e.g.
+/// (1.2e6, "N") -> {1e6, "MN"}. Units without prefixes (%, ft, g, rad, ...; s upwards) keep their name from 0.001 to
+/// 100,000 and get a power of ten such as "10⁶ lbf" beyond. A pure number, without unit or with "1", is treated alike.
+/// "m/s2" and "N*m" are shown as "m/s²" and "N·m".
 ShownUnit engineering_unit(double largest, std::string_view unit);
 
-/// "1.23 MN": `value` to `digits` significant figures with its engineering unit; a value that is not finite is "–".
+/// "1.23 MN": `value` to `digits` significant figures with its engineering unit; "–" where the value is not finite.
 std::string quantity_text(double value, std::string_view unit, int digits = 3);
 
-/// `text`, a written number, with minus as U+2212 and zero without a sign.
+/// `text`, a formatted number, with U+2212 as the minus sign and zero without a sign.
 std::string with_minus(std::string text);
 
-/// A whole number in raised digits, such as ⁻⁴.
+/// An integer in superscript digits, such as ⁻⁴.
 std::string superscript(int power);
 
 }  // namespace trilith

@@ -17,7 +17,7 @@ UnitQuaternion rotation_by(const Vec3& angle) {
   return {c, share * angle.x(), share * angle.y(), share * angle.z()};
 }
 
-// tan(t/2) = |(x, y, z)| / w; the sign is chosen for w not to be negative, which is the shorter way round.
+// tan(t/2) = |(x, y, z)| / w. The sign is chosen so that w is not negative, which gives the shorter rotation.
 Vec3 angle_of(const UnitQuaternion& q) {
   const double side = q.w < 0 ? -1 : 1, s = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
   if (!(s > 0)) return Vec3::Zero();
@@ -25,7 +25,8 @@ Vec3 angle_of(const UnitQuaternion& q) {
   return {scale * q.x, scale * q.y, scale * q.z};
 }
 
-// By the largest of the four (Shepperd 1978): its square is found from the diagonal, the others by division.
+// From the largest of the four components (Shepperd 1978): its square follows from the diagonal, the others by
+// division.
 UnitQuaternion rotation_of(const Eigen::Matrix3d& m) {
   const std::array<double, 4> four{1 + m(0, 0) + m(1, 1) + m(2, 2), 1 + m(0, 0) - m(1, 1) - m(2, 2),
                                    1 - m(0, 0) + m(1, 1) - m(2, 2), 1 - m(0, 0) - m(1, 1) + m(2, 2)};
@@ -41,7 +42,7 @@ UnitQuaternion rotation_of(const Eigen::Matrix3d& m) {
   return renormalised(q);
 }
 
-/// The columns of the rotation matrix: where the axes go.
+/// The columns of the rotation matrix: the rotated axes.
 Turn3::Turn3(const UnitQuaternion& q)
     : x_(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
       y_(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),

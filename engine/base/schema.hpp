@@ -1,4 +1,4 @@
-// A parameter is declared once: from that come its reading, its messages, its saving, its reference page.
+// A parameter is declared once. Reading, messages, saving and the reference page all use the declaration.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,16 +18,16 @@ namespace trilith {
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// One number of a law or material: where it lives, how it is called, what it may be.
+/// One number of a law or material: the member that holds it, its key, unit, default and range.
 template <class Owner>
 struct Parameter {
   double Owner::*member;
   std::string_view name;
   std::string_view unit;  ///< SI, "1" for none
   double preset;          ///< the default, or `no_default` where it must be given
-  double least, most;     ///< allowed range; `least` itself is allowed only where `includes_least`
+  double least, most;     ///< allowed range; `least` itself is allowed only if `includes_least`
   bool includes_least;
-  std::string_view sentence;  ///< what it is
+  std::string_view sentence;  ///< the description
 
   [[nodiscard]] bool required() const { return std::isnan(preset); }
   [[nodiscard]] bool allows(double v) const {
@@ -40,7 +40,7 @@ struct Parameter {
   }
 };
 
-/// A type whose numbers are declared: `name`, `sentence`, and `parameters`, a std::array of Parameter<T>.
+/// A type with declared parameters: `name`, `sentence`, and `parameters`, a std::array of Parameter<T>.
 template <class T>
 concept Declared = requires {
   { T::name } -> std::convertible_to<std::string_view>;
@@ -48,7 +48,7 @@ concept Declared = requires {
   T::parameters()[0].member;
 };
 
-/// Throws InputError where a declared number of `value` is outside its range.
+/// Throws InputError where a declared parameter of `value` is outside its range.
 template <Declared T>
 void check_parameters(const T& value) {
   for (const Parameter<T>& p : T::parameters())
@@ -57,7 +57,7 @@ void check_parameters(const T& value) {
           fmt::format("{}: {} is {:g} {}, must be {}", T::name, p.name, value.*(p.member), p.unit, p.range()));
 }
 
-/// "frictional{kn=1e+08 Pa/m, ...}": what was chosen, for results and messages.
+/// "frictional{kn=1e+08 Pa/m, ...}": the values in use, for results and messages.
 template <Declared T>
 std::string describe(const T& value) {
   std::string text = fmt::format("{}{{", T::name);
@@ -70,11 +70,11 @@ std::string describe(const T& value) {
   return text + "}";
 }
 
-/// A compile-time list of types: the one row per law that a room's list.hpp holds.
+/// A compile-time list of types. Each folder's list.hpp has one row per law.
 template <class... Ts>
 struct TypeList {
   static constexpr int size = sizeof...(Ts);
-  /// A value of one of them; or of none, which comes first.
+  /// A value of one of the types; VariantOrNone may also be empty, which is its first alternative.
   using Variant = std::variant<Ts...>;
   using VariantOrNone = std::variant<std::monostate, Ts...>;
   /// Calls f.template operator()<T>() for every T in order.
@@ -82,12 +82,12 @@ struct TypeList {
   static constexpr void for_each(F&& f) {
     (f.template operator()<Ts>(), ...);
   }
-  /// True where f.template operator()<T>() is for every T.
+  /// True if f.template operator()<T>() is true for every T.
   template <class F>
   static constexpr bool all(F&& f) {
     return (f.template operator()<Ts>() && ...);
   }
-  /// f.template operator()<T>() for the T at `place`, below size.
+  /// Calls f.template operator()<T>() for the T at index `place`, which is below size.
   template <class F>
   static decltype(auto) at(std::size_t place, F&& f) {
     return pick<F, Ts...>(place, f);

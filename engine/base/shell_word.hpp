@@ -1,11 +1,11 @@
-// Words of a command line of the shell.
+// Words of a shell command line.
 #pragma once
 
 #include <string>
 
 namespace trilith {
 
-/// The word as a shell reads it back, in quotes where it needs them.
+/// Quotes the word where the shell needs it.
 inline std::string shell_word(const std::string& word) {
   if (!word.empty() && word.find_first_of(" '\"$&|;<>()*?\\`#~[]{}!\n\t") == std::string::npos) return word;
   std::string out(1, '\'');

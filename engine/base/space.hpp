@@ -1,4 +1,4 @@
-// What a place, a turn and a spin are in two and in three dimensions.
+// Types of position, rotation and spin in two and three dimensions.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +9,13 @@
 
 namespace trilith {
 
-/// A rotation in space: a turn by t about the unit vector e is (cos t/2, sin t/2 e). See base/rotation_3d.hpp.
+/// A rotation in space: by the angle t about the unit vector e it is (cos t/2, sin t/2 e). See base/rotation_3d.hpp.
 struct UnitQuaternion {
   double w = 1, x = 0, y = 0, z = 0;
 };
 
-/// Types of motion in D dimensions. Rotation is the pose's turn, Spin its rate, Inertia the resistance to it, Moment
-/// what acts about an axis.
+/// Types of motion in D dimensions. Rotation is the orientation, Spin its rate, Inertia the moment of inertia, Moment
+/// the conjugate load.
 template <int D>
 struct Space;
 
@@ -33,10 +33,10 @@ struct Space<2> {
 template <>
 struct Space<3> {
   using Vec = Eigen::Vector3d;
-  using Rotation = UnitQuaternion;  ///< from the axes of the node to those of the world
-  using Spin = Eigen::Vector3d;     ///< in the axes of the world [rad/s]
-  using Moment = Eigen::Vector3d;   ///< in the axes of the world [N m]
-  using Inertia = Eigen::Vector3d;  ///< principal moments about the node; its axes are the principal ones [kg m2]
+  using Rotation = UnitQuaternion;  ///< from the node's axes to the world's axes
+  using Spin = Eigen::Vector3d;     ///< in world axes [rad/s]
+  using Moment = Eigen::Vector3d;   ///< in world axes [N m]
+  using Inertia = Eigen::Vector3d;  ///< principal moments of inertia about the node, whose axes are principal [kg m2]
   static constexpr int translations = 3;
   static constexpr int dofs = 6;
 };
@@ -52,7 +52,7 @@ using Spin = typename Space<D>::Spin;
 template <int D>
 using Moment = typename Space<D>::Moment;
 
-/// No turn, spin or moment.
+/// Zero rotation, spin or moment.
 template <class T>
 T nothing() {
   if constexpr (std::is_same_v<T, Eigen::Vector3d>)
@@ -61,7 +61,7 @@ T nothing() {
     return T{};
 }
 
-// The numbers of a place, a velocity, a turn or a spin, one after the other: f(number).
+// Calls f(number) for each component of a position, velocity, rotation or spin, in order.
 
 template <class F>
 void for_each_number(double& v, F&& f) {
@@ -92,7 +92,7 @@ void for_each_number(const UnitQuaternion& q, F&& f) {
 inline double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
-/// spin x arm: velocity of the tip of `arm` that turns with `spin`.
+/// spin x arm: velocity of the tip of `arm`, which rotates with `spin`.
 inline Vec2 cross(double spin, const Vec2& arm) {
   return {-spin * arm.y(), spin * arm.x()};
 }
@@ -102,12 +102,12 @@ requires(A::SizeAtCompileTime == 3 && B::SizeAtCompileTime == 3) Vec3
     cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
 }
-/// `v` turned by +90 degrees.
+/// `v` rotated by +90 degrees.
 inline Vec2 left_of(const Vec2& v) {
   return {-v.y(), v.x()};
 }
 
-/// Turns vectors by one angle; the cosine and sine are found once.
+/// Rotates vectors by one angle, whose cosine and sine are computed once.
 struct Turn {
   double c, s;
   explicit Turn(double angle) : Turn(portable::sine_cosine(angle)) {}

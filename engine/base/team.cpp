@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// A thread that waits for another looks so many times before it lets others have its processor.
+/// Polls of a waiting thread before it yields the processor.
 constexpr int spins_before_yielding = 1000;
 
 void rest_a_moment() {
@@ -33,15 +33,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What the one who asks has lost by waiting for others that the machine held up, and whether threads pay at all.
+/// Time that the calling thread has lost by waiting for delayed workers; decides whether threads are used.
 ///
-/// A loop is not over before all stretches are, and where other programs run on all processors a thread may be held up
-/// for milliseconds at one of microseconds. Each such wait is a loss; losses of less than a third of the time are
-/// forgotten as it goes by, as two threads bring more than that. Beyond, the one who asks works alone for a while,
-/// twice as long if it has to again soon after.
+/// A loop ends only after all chunks. If other programs occupy all processors, a worker may be delayed by milliseconds
+/// in a loop of microseconds. Each such wait is a loss. Losses below a third of the elapsed time decay, because two
+/// threads gain more than that. Above this limit the caller works alone for a while, twice as long if the limit is
+/// reached again soon.
 class Losses {
  public:
-  /// While this holds nobody is to be waited for.
+  /// True: the caller must not wait for workers.
   [[nodiscard]] bool are_high() {
     if (alone_until_ == Clock::time_point{}) return false;
     const Clock::time_point now = Clock::now();
@@ -65,7 +65,8 @@ class Losses {
   Clock::time_point last_ = Clock::now(), alone_until_{};
 };
 
-/// One wait for others, look by look; `losses` hear of it where it outlasts the first looks. nullptr: nobody does.
+/// One wait for other threads, poll by poll. Reports to `losses` where it outlasts the first polls, unless it is
+/// nullptr.
 class Wait {
  public:
   explicit Wait(Losses* losses) : losses_(losses) {}
@@ -73,7 +74,7 @@ class Wait {
     if (looks_ == spins_before_yielding && losses_ != nullptr) from_ = Clock::now();
     wait_a_moment(looks_++);
   }
-  /// What was waited for has come.
+  /// The awaited event has happened.
   void end() {
     if (looks_ > spins_before_yielding && losses_ != nullptr) losses_->add(from_, Clock::now());
     looks_ = 0;
@@ -85,13 +86,13 @@ class Wait {
   Clock::time_point from_;
 };
 
-/// Threads that wait for work: for a while awake, as the next loop of a step follows the last one in some
-/// microseconds, then asleep. Whoever asks works too and waits for none that has not come: where the machine is busy
-/// with other things the one who asked does it all. One asks at a time; who asks meanwhile works alone.
+/// Worker threads. They spin for a while after a loop, because the next loop of a step follows within microseconds, and
+/// then sleep. The caller works too and does not wait for workers that have not entered, so on a busy machine it does
+/// all the work. One caller at a time uses the workers; a concurrent caller works alone.
 class Crew {
  public:
-  /// Runs call(f, thread) in the calling thread, as thread 0, and in up to `threads` - 1 others that come before it is
-  /// through. What it throws is passed on once all have ended.
+  /// Runs call(f, thread) in the calling thread, as thread 0, and in up to `threads` - 1 workers that enter before it
+  /// has finished. An exception is rethrown after all have ended.
   void run(int threads, void (*call)(void*, int), void* f) {
     if (threads <= 1 || busy_.exchange(true)) return call(f, 0);
     call_ = call, f_ = f, thrown_ = nullptr;
@@ -100,12 +101,12 @@ class Crew {
     busy_ = false;
     if (thrown) std::rethrow_exception(thrown);
   }
-  /// Of the one who asks now.
+  /// Losses of the current caller.
   [[nodiscard]] Losses& losses() { return losses_; }
 
  private:
-  // The gate holds, from the lowest bits: how many are inside, how many have come in, how many may, whether it is open,
-  // and the number of the loop.
+  // Bit fields of the gate, from the lowest: threads inside, threads that have entered, seats, the open flag, and the
+  // number of the loop.
   static constexpr std::uint64_t count_mask = 0xff, open_bit = std::uint64_t{1} << 24;
   static constexpr int entered_shift = 8, seats_shift = 16, epoch_shift = 25;
   static constexpr auto awake = std::chrono::microseconds(300);
@@ -118,7 +119,7 @@ class Crew {
   std::mutex throwing_;
   std::exception_ptr thrown_;
   int hired_ = 0;
-  Losses losses_;  ///< of whoever has set busy_
+  Losses losses_;  ///< of the caller that has set busy_
 
   void run_with_others(int others) {
     hire(others);
@@ -143,7 +144,7 @@ class Crew {
       if (!thrown_) thrown_ = std::current_exception();
     }
   }
-  /// Comes in, works and leaves, if the gate is open, there is a seat, and this thread has not been in for this loop.
+  /// Enters, works and leaves, if the gate is open, a seat is free, and this thread has not yet entered for this loop.
   bool enter(std::uint64_t& last_epoch) {
     std::uint64_t gate = gate_;
     while ((gate & open_bit) != 0 && gate >> epoch_shift != last_epoch) {
@@ -176,7 +177,7 @@ class Crew {
   }
 };
 
-/// Never taken down: threads may still wait when the process ends, and one that parts from it has none of them.
+/// Never destroyed: workers may still wait when the process ends, and a forked child process has none of them.
 Crew& crew() {
   static Crew* const one = new Crew;
   return *one;
@@ -190,7 +191,7 @@ void together(int threads, F&& f) {
       std::min(threads, most_threads), [](void* body, int thread) { (*static_cast<Body*>(body))(thread); }, &f);
 }
 
-/// Tells the others where a thread leaves by an exception, as they may wait for what it was at.
+/// Signals to the other threads that a thread has left by an exception, because they may wait for its chunk.
 class Failing {
  public:
   explicit Failing(std::atomic<bool>& failed) : failed_(failed) {}
@@ -213,12 +214,12 @@ int threads_here() {
 
 namespace {
 
-/// Stretches [first, last) that belong to one thread: it takes them from the front, and others that have come to the
-/// end of theirs from the back.
+/// Chunks [first, last) of one thread: the owner takes them from the front; threads without chunks of their own take
+/// them from the back.
 class alignas(64) Share {
  public:
   void set(int first, int last) { ends_ = packed(first, last); }
-  /// The next one; -1 where none is left.
+  /// The next chunk; -1 if none is left.
   int take_front() {
     return take([](std::uint32_t& first, std::uint32_t& /*last*/) { return first++; });
   }
@@ -243,9 +244,8 @@ class alignas(64) Share {
 
 }  // namespace
 
-/// Each thread has a share of its own, the same in every step, so that what it works on stays in its own cache; one
-/// that comes to the end of it takes from the others, so that one that the machine holds up delays no more than the
-/// stretch it is at.
+/// Each thread has the same partition in every step, so its data stays in its cache. A thread that has finished its
+/// partition takes chunks from the others; so a delayed thread holds up its current chunk alone.
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f) {
   const int stretches = (count + stretch - 1) / stretch, shares = std::min({threads, stretches, most_threads});
   std::array<Share, most_threads> share;
@@ -264,9 +264,9 @@ void share_stretches(int threads, int count, int stretch, StretchCall call, void
 
 namespace {
 
-/// Stretches under way. Their numbers run on, and slot s % slots holds what stretch s is at. Thread t of n works on
-/// stretches t, t + n, t + 2n ..., in every step the same, so that what they hold stays in its cache, and on those of
-/// others where its own next one has to wait.
+/// The chunks of share_slots(). Their numbers increase, and slot s % slots holds the state of chunk s. Thread t of n
+/// works on chunks t, t + n, t + 2n ..., the same in every step, so that their data stays in its cache. It takes chunks
+/// of other threads where its own next chunk has to wait.
 struct Line {
   Line(int stretches, int slots, int threads) : stretches(stretches), slots(slots), threads(threads) {
     for (int t = 0; t < threads; ++t) next[static_cast<std::size_t>(t)].of = t;
@@ -276,13 +276,13 @@ struct Line {
     std::atomic<int> of = 0;
   };
   const int stretches, slots, threads;
-  std::array<Next, most_threads> next;                                       ///< [thread] to be worked on
-  alignas(64) std::atomic<int> taken = 0;                                    ///< taken up, all before it included
-  std::atomic<bool> taking = false;                                          ///< some thread takes up
-  std::array<std::atomic<int>, stretches_under_way(most_threads)> worked{};  ///< [slot] 1 + the stretch last done
+  std::array<Next, most_threads> next;                                       ///< [thread] next chunk to be worked on
+  alignas(64) std::atomic<int> taken = 0;                                    ///< chunks before this one are reduced
+  std::atomic<bool> taking = false;                                          ///< a thread is in take_up()
+  std::array<std::atomic<int>, stretches_under_way(most_threads)> worked{};  ///< [slot] 1 + the last finished chunk
 
-  /// A stretch whose slot is free, if possible of this thread; -1 where all slots are in use, `stretches` where there
-  /// are no more.
+  /// A chunk with a free slot, preferably of this thread; -1 where all slots are in use, `stretches` where no chunk is
+  /// left.
   int claim(int thread) {
     bool some_left = false;
     for (int k = 0; k < threads; ++k) {
@@ -298,8 +298,8 @@ struct Line {
     const int turn = taken;
     return turn < stretches && worked[static_cast<std::size_t>(turn % slots)] == turn + 1;
   }
-  /// Takes up what is done and has its turn, if no other thread is at that. One that comes while another is leaving is
-  /// not lost: who leaves looks once more.
+  /// Reduces finished chunks in order, unless another thread is doing so. A chunk that finishes while that thread
+  /// leaves is not lost: the thread checks once more before it leaves.
   template <class TakeUp>
   void take_up(TakeUp&& one) {
     while (has_turn() && !taking.exchange(true)) {
@@ -314,8 +314,8 @@ struct Line {
 
 }  // namespace
 
-/// Each thread takes its next stretch, works on it, and then takes up all that have come to their turn. One that
-/// waits for its turn stays in its slot; where all slots wait for one that is held up, the others wait too.
+/// Each thread takes its next chunk, works on it, and then reduces all chunks whose turn it is. A finished chunk keeps
+/// its slot until its turn. If all slots wait for one delayed chunk, the other threads wait too.
 void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both) {
   const int stretches = (count + stretch - 1) / stretch;
   const int workers = std::min({threads, stretches, most_threads});
@@ -326,7 +326,7 @@ void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall th
     const auto pass = [&](SlotCall to, int s) {
       to(both, s * stretch, std::min(count, (s + 1) * stretch), thread, s % line.slots);
     };
-    Wait wait(thread == 0 ? &crew().losses() : nullptr);  // others wait where the one who asks works
+    Wait wait(thread == 0 ? &crew().losses() : nullptr);  // the caller is thread 0, whose waits are recorded
     for (int s = line.claim(thread); s < stretches && !failed; s = line.claim(thread)) {
       if (s >= 0) {
         pass(call, s);

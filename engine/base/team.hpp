@@ -1,4 +1,4 @@
-// Loops whose items several threads share.
+// Parallel loops over worker threads.
 #pragma once
 
 #include <atomic>
@@ -7,23 +7,25 @@
 
 namespace trilith {
 
-/// Most threads that a loop may be shared by.
+/// Largest number of threads of a loop.
 inline constexpr int most_threads = 64;
 
-/// How many threads the machine has for this process, at most most_threads.
+/// Number of hardware threads available to this process, at most most_threads.
 int threads_here();
 
-// What the two loops below come to behind their templates.
+// Type-erased implementations of the two loops below.
 using StretchCall = void (*)(void* f, int first, int last, int thread);
 void share_stretches(int threads, int count, int stretch, StretchCall call, void* f);
 using SlotCall = void (*)(void* f, int first, int last, int thread, int slot);
 void share_slots(int threads, int count, int stretch, SlotCall call, SlotCall then, void* both);
 
-/// Calls f(first, last, thread) for stretches [first, last) that together are [0, count), each of `stretch` items but
-/// the last; `thread`, from 0 to threads - 1, is that of the calling thread, for room of its own. In any order and at
-/// the same time, so f writes only what belongs to its items, or to its thread and means nothing afterwards: then any
-/// number of threads gives the same bits. What is not worth two threads, up to one stretch, is one call here. What f
-/// throws is passed on once all others have ended.
+/// Calls f(first, last, thread) for chunks [first, last) that together cover [0, count). Each chunk has `stretch`
+/// items, the last one perhaps fewer. `thread`, from 0 to threads - 1, is the calling thread and selects its scratch
+/// buffer.
+///
+/// Chunks run in any order and concurrently. So f may write only data of its own items, or scratch data of its thread;
+/// then every number of threads gives the same bits. Up to one chunk runs in the caller alone. An exception from f is
+/// rethrown after all threads have ended.
 template <class F>
 void share(int threads, int count, int stretch, F&& f) {
   if (count <= 0) return;
@@ -35,15 +37,15 @@ void share(int threads, int count, int stretch, F&& f) {
   share_stretches(threads, count, stretch, call, const_cast<void*>(static_cast<const void*>(&f)));
 }
 
-/// Stretches that are worked on, or wait for their turn, at the same time.
+/// Number of chunks that run or wait for their turn at the same time.
 constexpr int stretches_under_way(int threads) {
   return threads <= 1 ? 1 : 4 * threads;
 }
 
-/// The same for what must be summed up in order: f(first, last, thread, slot) as with share(), in any order, and after
-/// it then(first, last, slot) for the same stretch, in the order of the stretches and never two at a time, while others
-/// go on with theirs. `slot`, below stretches_under_way(threads), is the stretch's own from the one to the end of the
-/// other: room for what f hands to `then`.
+/// Like share(), for an ordered reduction. Calls f(first, last, thread, slot) for the chunks in any order, and after
+/// each one then(first, last, slot) in the order of the chunks, never two at a time, while other chunks still run.
+/// `slot`, below stretches_under_way(threads), belongs to the chunk from the start of f to the end of `then`; it
+/// selects the buffer that f fills for `then`.
 template <class F, class G>
 void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
   if (threads <= 1 || count <= stretch) {
@@ -67,13 +69,11 @@ void share_in_order(int threads, int count, int stretch, F&& f, G&& then) {
       &both);
 }
 
-/// One look of a thread that waits for another, the `looks`th: it keeps its processor at first, and then lets others
-/// have it.
+/// One poll of a waiting thread, number `looks`: it spins at first and yields the processor later.
 void wait_a_moment(int looks);
 
-/// What several threads may ask for at the same time and the first one makes, by f(). `made` is 0 before and 2 after;
-/// whoever comes meanwhile waits. With one thread there is nobody to wait for, and nothing is paid for it. Where f
-/// throws it is as if nobody had asked.
+/// Lazy initialisation shared by several threads: the first caller runs f(). `made` is 0 before and 2 after; other
+/// callers wait meanwhile. With one thread there is no wait and no atomic operation. If f throws, `made` is reset.
 template <class F>
 void make_once(int threads, std::uint8_t& made, F&& f) {
   constexpr std::uint8_t being_made = 1, is_made = 2;

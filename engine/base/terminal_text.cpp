@@ -7,22 +7,22 @@
 namespace trilith {
 namespace {
 
-/// Bytes of the control character at `i`, 0 where there is none.
+/// Length of the control character at `i` [bytes]; 0 if there is none.
 std::size_t control_length(std::string_view text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
   if (byte(i) < 0x20 || byte(i) == 0x7F) return 1;
   return byte(i) == 0xC2 && byte(i + 1) >= 0x80 && byte(i + 1) <= 0x9F ? 2 : 0;
 }
 
-/// \27 and the like, as Lua writes bytes.
+/// Escapes bytes as Lua does, such as \27.
 std::string escaped(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) text += fmt::format("\\{}", static_cast<unsigned>(static_cast<unsigned char>(c)));
   return text;
 }
 
-// Control characters are those below a blank, 127, and in UTF-8 U+0080 to U+009F (0xC2 0x80 to 0x9F), which a terminal
-// may act on: names and messages could otherwise move its cursor or change its title.
+// Control characters are the bytes below a blank, 127, and in UTF-8 U+0080 to U+009F (0xC2 0x80 to 0x9F). A terminal
+// may execute them, so a name or message could move its cursor or change its title.
 std::string without_control(std::string_view text, bool keep_lines) {
   std::string out;
   std::size_t done = 0;
@@ -38,7 +38,7 @@ std::string without_control(std::string_view text, bool keep_lines) {
   return out += text.substr(done);
 }
 
-/// The beginning of UTF-8 `text`, of at most `most` bytes and whole characters.
+/// The first `most` bytes of UTF-8 `text`, shortened to whole characters.
 std::string_view first_characters(std::string_view text, std::size_t most) {
   const auto continues = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U; };
   while (most > 0 && most < text.size() && continues(most)) --most;

@@ -1,6 +1,7 @@
-// A number as the sum of two doubles, the second below half an ulp of the first: some 106 bits. T. J. Dekker, "A
-// floating-point technique for extending the available precision", Numerische Mathematik 18, 1971; D. E. Knuth, "The
-// Art of Computer Programming" 2, sec. 4.2.2. Without fused multiply and add, so that every processor has it.
+// Double-double arithmetic: a number as the sum of two doubles, the second below half an ulp of the first; about 106
+// bits. T. J. Dekker, "A floating-point technique for extending the available precision", Numerische Mathematik 18,
+// 1971; D. E. Knuth, "The Art of Computer Programming" 2, sec. 4.2.2. It needs no fused multiply-add, which some
+// processors lack.
 #pragma once
 
 #include <cfloat>
@@ -15,7 +16,7 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
 #error "sums must keep their order: no -ffast-math"
 #endif
 
-/// `T`: double, or several of them at once.
+/// `T`: double or SIMD lanes.
 template <class T>
 struct TwoOf {
   T high{}, low{};

@@ -24,7 +24,7 @@ constexpr double pound_force = pound * gravity;
 constexpr Dimension none{}, length{1, 0, 0}, time_{0, 1, 0}, mass{0, 0, 1}, frequency{0, -1, 0}, acceleration{1, -2, 0},
     force{1, -2, 1}, stress{-1, -2, 1}, energy{2, -2, 1}, unit_weight{-2, -2, 1};
 
-// Name, size in SI, dimension, what it is in words; in the order in which manuals and messages list them.
+// Name, SI value, dimension and description, in the order of manuals and messages.
 constexpr std::array units{
     Unit{"m", 1, length, "metre"},
     Unit{"mm", 1e-3, length, "millimetre"},
@@ -64,7 +64,7 @@ constexpr std::array units{
     Unit{"percent", 1e-2, none, "one in a hundred"},
 };
 
-/// Usual names of units that have another one here.
+/// Common names of units that have another name here.
 struct OtherName {
   std::string_view name, here;
 };
@@ -84,8 +84,9 @@ bool equal_but_for_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// The unit that is meant: another usual name, the same letters in another case, the only unit that begins so, or the
-/// nearest spelling. Of one or two letters nearly every unit is near, so that spelling says nothing. Else nothing.
+/// The intended unit: another common name, the same letters in another case, the only unit with this prefix, or the
+/// nearest spelling. Spelling is not tried for one or two letters, because nearly every unit is near. "" if nothing
+/// matches.
 std::string meant_unit(std::string_view name) {
   for (const OtherName& other : other_names)
     if (equal_but_for_case(other.name, name)) return std::string(other.here);
@@ -99,8 +100,8 @@ std::string meant_unit(std::string_view name) {
   return best;
 }
 
-/// InputError with the unit that is meant, for one or two letters with the others of its kind, or with all units; `lb`
-/// is asked back, as it may be a force or a mass.
+/// The message of the InputError names the intended unit, for one or two letters also the others of its dimension, or
+/// all units. `lb` is ambiguous between force and mass, so the message asks which one is meant.
 const Unit& find_unit(std::string_view name, std::string_view expression) {
   for (const Unit& u : units)
     if (u.name == name) return u;
@@ -168,15 +169,14 @@ std::vector<std::string> unit_names(const Dimension& dimension) {
   return names;
 }
 
-/// From left to right: names with an exponent behind them, after a stroke all of them below it, so that kN/m s2 is
-/// kN/(m s2).
+/// From left to right: names with an exponent after them. Everything after a stroke divides, so kN/m s2 is kN/(m s2).
 UnitProduct parse_unit(std::string_view expression) {
   const std::string_view text = trimmed(expression);
   if (text.empty()) throw InputError("an empty unit; say 1 for a pure number");
   UnitProduct product;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
-    // A 1 that stands alone, as in 1/s, is a product of nothing.
+    // A single 1, as in 1/s, is the empty product.
     const bool one = text[i] == '1' && (i + 1 == text.size() || !is_digit(text[i + 1]));
     if (is_blank(text[i]) || text[i] == '*' || text[i] == '/' || one) {
       if (text[i] == '/') sign = -1;
@@ -197,7 +197,7 @@ UnitProduct parse_unit(std::string_view expression) {
   return product;
 }
 
-/// A number in `unit`, or one with a unit of its own of the same dimension.
+/// A number in `unit`, or a number followed by a unit of the same dimension.
 double parse_quantity(std::string_view text, std::string_view unit, std::string_view what) {
   const std::string_view given = trimmed(text);
   const char* const begin = given.data();
@@ -220,7 +220,7 @@ double parse_quantity(std::string_view text, std::string_view unit, std::string_
   return value * product.factor;
 }
 
-/// By a name of its own where there is one, else as a product of kg, m and s.
+/// By its own name where there is one, else as a product of kg, m and s.
 std::string si_unit(const Dimension& d) {
   for (const std::string_view named : {"N", "Pa", "J"})
     if (find_unit(named, named).dimension == d) return std::string(named);

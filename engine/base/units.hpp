@@ -1,4 +1,4 @@
-// Units and what they are in SI: the one table that scripts, the command line and messages share.
+// Units and their SI values: one table for scripts, the command line and messages.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct Dimension {
   friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
-/// One unit: `factor` times it gives SI.
+/// One unit: a value times `factor` is in SI.
 struct Unit {
   std::string_view name;
   double factor;
@@ -22,7 +22,7 @@ struct Unit {
   std::string_view sentence;
 };
 
-/// All units there are, in the order in which a list shows them.
+/// All units, in the order of display.
 std::span<const Unit> unit_table();
 
 /// A product of units.
@@ -31,19 +31,19 @@ struct UnitProduct {
   Dimension dimension;
 };
 
-/// Factor and dimension of an expression such as "ft", "kip/ft", "m/s2", "N s/m" or "1": units with an optional whole
-/// exponent, multiplied by a blank or '*', divided by '/' (everything after it, up to the next '/', divides).
-/// Throws InputError for an unknown unit, with the nearest name.
+/// Factor and dimension of an expression such as "ft", "kip/ft", "m/s2", "N s/m" or "1". Units may have an integer
+/// exponent; a blank or '*' multiplies; '/' divides by everything up to the next '/'. Throws InputError for an unknown
+/// unit and names the nearest one.
 UnitProduct parse_unit(std::string_view expression);
 
-/// SI value of "0.6", "0.6g" or "0.6 m/s2"; a plain number is in `unit`. `what` begins the messages.
-/// Throws InputError where it is no finite number, or its unit is not of the dimension of `unit`.
+/// SI value of "0.6", "0.6g" or "0.6 m/s2"; a plain number is in `unit`. Messages begin with `what`. Throws InputError
+/// where the text is no finite number, or its unit differs from `unit` in dimension.
 double parse_quantity(std::string_view text, std::string_view unit, std::string_view what);
 
 /// The SI unit of a dimension: "m/s2", "N", "1".
 std::string si_unit(const Dimension& dimension);
 
-/// Names of all units that have this dimension, or of all.
+/// Names of all units, or of all units with this dimension.
 std::vector<std::string> unit_names();
 std::vector<std::string> unit_names(const Dimension& dimension);
 

@@ -20,7 +20,7 @@ namespace {
 
 }  // namespace
 
-/// Whole or not at all: by a fresh file that takes the place of what is there.
+/// Atomic: a temporary file replaces the existing one.
 void write_whole_file(const std::filesystem::path& path, std::string_view bytes) try {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) refuse(path, std::make_error_code(std::errc::is_a_directory));
@@ -31,7 +31,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
   refuse(path, error.code());
 }
 
-/// Read block by block with a limit: a pipe or a file that grows has no size to ask for.
+/// Reads block by block with a limit, because a pipe or a growing file has no known size.
 std::string text_of_file(const std::filesystem::path& path, std::string_view what, std::size_t most) {
   const auto fail = [&](const std::string& why) {
     return InputError(fmt::format("cannot read {} '{}': {}", what, path.string(), why));
@@ -41,7 +41,7 @@ std::string text_of_file(const std::filesystem::path& path, std::string_view wha
   if (std::filesystem::is_directory(status)) throw fail("it is a folder");
   if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
     throw fail("it is a device; give a file");
-  // A device would give bytes without end; a pipe is read as it comes.
+  // A device could deliver bytes without end; a pipe is read until its end.
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) throw fail(std::strerror(errno));

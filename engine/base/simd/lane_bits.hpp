@@ -1,4 +1,4 @@
-// Masks of lanes as bits of a number.
+// Lane masks as bits of an integer.
 #pragma once
 
 #include "base/simd/lanes.hpp"

@@ -1,4 +1,4 @@
-// Numbers that lie row by row in memory, as lanes and back: four rows at once, by whole registers.
+// Conversion between row-wise numbers in memory and lanes: four rows at once, by whole registers.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace trilith {
 
 static_assert(lane_count == 4 && sizeof(Vec3) == 3 * sizeof(double), "rows are written for four lanes");
 
-/// Lanes from wherever they lie in memory, and back.
+/// Lanes from unaligned memory, and back.
 TRILITH_INLINE Lanes load_lanes(const double* from) {
   Lanes v;
   __builtin_memcpy(&v, from, sizeof v);
@@ -21,7 +21,7 @@ TRILITH_INLINE void store_lanes(double* to, const Lanes& v) {
   __builtin_memcpy(to, &v, sizeof v);
 }
 
-/// Four rows of many numbers: `k` is the place in them of the first of four.
+/// Four rows of many numbers; `k` is the index of the first of four in each row.
 template <class Number>
 struct FourRowsOf {
   Number *r0, *r1, *r2, *r3;
@@ -41,7 +41,7 @@ struct FourRowsOf {
   TRILITH_INLINE void store(int k, const Lanes& a) const { r0[k] = a[0], r1[k] = a[1], r2[k] = a[2], r3[k] = a[3]; }
 };
 
-/// Four vectors that lie one after the other.
+/// Four vectors that are contiguous in memory.
 TRILITH_INLINE Triple<Lanes> load_neighbours(const Vec3* first) {
   const double* const from = first->data();
   const Lanes a = load_lanes(from), b = load_lanes(from + 4), c = load_lanes(from + 8);

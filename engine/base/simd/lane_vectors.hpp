@@ -1,4 +1,4 @@
-// Vectors of two and three numbers that may be doubles or lanes, for kernels that are written once for both.
+// Vectors of two and three components of type double or Lanes, for kernels that are written once for both.
 #pragma once
 
 #include "base/simd/lanes.hpp"
@@ -6,7 +6,7 @@
 
 namespace trilith {
 
-// Copied number by number: moved as bytes, in halves of a lane's register, they would be waited for as they are read.
+// Copied component by component: a copy as bytes, in halves of a register, would stall the loads that follow.
 
 template <class T>
 struct Pair2 {

@@ -1,6 +1,7 @@
-// Several doubles worked on at once, with the operations a kernel needs to be written once for one and for many.
+// SIMD lanes: several doubles at once, with the operations that let a kernel be written once for scalar and vector
+// code.
 //
-// Every operation here is IEEE exact and none is contracted, so a lane gives the bits the plain double gives.
+// Every operation is exact to IEEE 754 and none is contracted, so a lane has the same bits as the scalar double.
 #pragma once
 
 #include <cmath>
@@ -27,15 +28,15 @@ struct MaskOf<Lanes> {
 template <class T>
 using Mask = typename MaskOf<T>::type;
 
-// A kernel is one function in each of its widths. Where sanitizers put a check beside each access, one that large takes
-// the compiler minutes: plain functions there, of one width.
+// A kernel is one inlined function for each register width. With sanitizers, which check each access, the compiler
+// needs minutes for such a function; there the functions are plain and have one width.
 #ifdef TRILITH_ONE_WIDTH
 #define TRILITH_INLINE inline
 #else
 #define TRILITH_INLINE [[gnu::always_inline]] inline
 #endif
 
-/// Two neighbouring numbers, at an address that is a multiple of 16.
+/// Two neighbouring numbers at an address that is a multiple of 16.
 TRILITH_INLINE LanePair load_pair(const double* two) {
   LanePair v;
   __builtin_memcpy(&v, __builtin_assume_aligned(two, 16), sizeof v);

@@ -1,4 +1,4 @@
-// Elementary functions of several numbers at once: to the bit those of portable.hpp, from the same formulas.
+// Elementary functions of several numbers at once, with the same formulas and bits as portable.hpp.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace trilith::portable {
 
-/// Sines and cosines of `count` angles [rad], a multiple of lane_count; all three lists begin at a multiple of 32.
+/// Sines and cosines of `count` angles [rad], a multiple of lane_count. All three arrays are aligned to 32 bytes.
 void sines_cosines(const double* angle, std::size_t count, double* sine, double* cosine);
 
 }  // namespace trilith::portable

@@ -1,6 +1,6 @@
-// How wide the registers of this processor are, for kernels that have a copy for each width.
+// Register width of this processor, for kernels with a copy for each width.
 //
-// All copies do the same operations, none of them contracted, so the bits are the same.
+// All copies execute the same operations, none of them contracted, so the bits are the same.
 #pragma once
 
 namespace trilith {
@@ -8,10 +8,10 @@ namespace trilith {
 enum class Registers {
   narrow,  ///< any machine
   wide,    ///< AVX2
-  widest   ///< x86-64-v4: masks of their own and twice as many registers
+  widest   ///< x86-64-v4: mask registers and twice as many registers
 };
 
-/// Narrow where TRILITH_ONE_WIDTH is defined, as builds with sanitizers do: their copies would be alike.
+/// Narrow where TRILITH_ONE_WIDTH is defined, as in builds with sanitizers, where all copies are alike.
 inline Registers registers_here() {
 #if defined(__x86_64__) && !defined(TRILITH_ONE_WIDTH)
   if (!__builtin_cpu_supports("avx2")) return Registers::narrow;
