@@ -3,7 +3,7 @@
 namespace trilith {
 namespace {
 
-/// Coordinates beyond which a box is out of all measure [m]: sums and products of those within stay numbers.
+/// Limit of coordinates [m]: sums and products of smaller ones stay finite.
 constexpr double farthest_box = 1e100;
 
 template <int D>
@@ -13,12 +13,12 @@ bool has_measure(const FatBox<D>& box) {
   return true;
 }
 
-/// Sides below that are of one size.
+/// Smaller sides share the lowest level.
 constexpr int least_exponent = -40;
 
 }  // namespace
 
-/// Cells are found by hashing; twice as many chains as boxes keep them short.
+/// Cells are found by hashing; twice as many chains as boxes keep the chains short.
 template <int D>
 void HierarchicalHashGrid<D>::reset(int count) {
   Entry none;
@@ -30,9 +30,8 @@ void HierarchicalHashGrid<D>::reset(int count) {
   level_.clear();
 }
 
-/// Boxes of one power of two in size share a level, whose cells are at least twice as wide as any of them: a box
-/// reaches into its own cell and its neighbours at most, and one large body does not coarsen the grid of the small
-/// ones.
+/// Boxes of one power of two in size share a level. Its cells are at least twice as wide as any of its boxes, so a box
+/// reaches into its own cell and its neighbours only. One large body does not coarsen the grid of the small ones.
 template <int D>
 int HierarchicalHashGrid<D>::level_of(double side) {
   int exponent = least_exponent;
@@ -43,13 +42,13 @@ int HierarchicalHashGrid<D>::level_of(double side) {
   if (level == static_cast<int>(level_.size())) {
     level_.emplace_back();
     level_.back().exponent = exponent;
-    level_.back().per_cell = std::ldexp(1.0, -(exponent + 1));  // cells of twice the longest side
+    level_.back().per_cell = std::ldexp(1.0, -(exponent + 1));  // cells are twice the longest side
   }
   level_[level].longest = std::max(level_[level].longest, side);
   return level;
 }
 
-/// A box goes to the cell of its lowest corner, at the head of the chain of that cell.
+/// Inserts the box at the head of the chain of its low corner's cell.
 template <int D>
 void HierarchicalHashGrid<D>::put(int i, const FatBox<D>& box) {
   take(i);
@@ -69,7 +68,7 @@ void HierarchicalHashGrid<D>::put(int i, const FatBox<D>& box) {
   head = i;
 }
 
-/// Out of its chain, and out of its level's list by putting the last one in its place.
+/// Unlinks the box from its chain. In the level's list the last member takes its index.
 template <int D>
 void HierarchicalHashGrid<D>::take(int i) {
   Entry& e = entry_[i];

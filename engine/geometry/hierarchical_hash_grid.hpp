@@ -1,8 +1,8 @@
-// Boxes that come, change and go one by one, and which of them meet a given one.
+// Hierarchical hash grid: boxes are inserted, updated and removed one by one; a query finds the boxes that meet a box.
 //
-// A grid of several cell sizes, kept as one table of chains: a box lies in a single cell, that of its low corner, of
-// the size that its longest side asks for. Nothing depends on where the boxes are or how unlike they are in size: cells
-// are made as they are needed, and a question goes once through each size in use.
+// Cells of several sizes are kept as one table of chains. A box lies in a single cell: the cell of its low corner, on
+// the level that fits its longest side. Positions and size ratios of the boxes do not matter: cells exist only where
+// boxes are, and a query visits each level in use once.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace trilith {
 
-/// A box with its sides along the axes.
+/// Axis-aligned box.
 template <int D>
 struct FatBox {
   std::array<double, D> low, high;  ///< [m]
@@ -24,20 +24,20 @@ struct FatBox {
   }
 };
 
-/// Boxes by number. A box that is out of all measure, or of no numbers, meets nothing. Which boxes meet depends on the
-/// boxes alone, the order in which they are told on how they came too.
+/// Boxes by index. A box with infinite, NaN or out-of-range coordinates meets nothing. The set of boxes found by a
+/// query depends on the boxes alone; their order also depends on the history of insertions.
 template <int D>
 class HierarchicalHashGrid {
  public:
-  /// Forgets all, and makes room for boxes 0 to `count` - 1.
+  /// Removes all boxes and reserves indices 0 to `count` - 1.
   void reset(int count);
-  /// Box `i` is `box` from now on, whatever it was.
+  /// Inserts box `i`, or replaces it.
   void put(int i, const FatBox<D>& box);
-  /// There is no box `i` any more.
+  /// Removes box `i` if present.
   void take(int i);
-  /// False too of a box that is out of all measure.
+  /// False also for a box whose coordinates are out of range.
   [[nodiscard]] bool holds(int i) const { return entry_[i].level >= 0; }
-  /// The box put last, where there is one.
+  /// The box of the last put(i), if i is present.
   [[nodiscard]] const FatBox<D>& box(int i) const { return entry_[i].box; }
 
   /// Calls visit(i) once for each box that meets `box`.
@@ -49,19 +49,19 @@ class HierarchicalHashGrid {
   struct Entry {
     FatBox<D> box;
     Cell cell;
-    int level = -1;    ///< -1: not there
+    int level = -1;    ///< -1: absent
     int next, before;  ///< in its chain, -1: none
-    int place;         ///< in its level's members
+    int place;         ///< index in the level's member list
   };
-  /// Boxes of like size.
+  /// Boxes of similar size.
   struct Level {
-    int exponent;        ///< sides are below 2^exponent
-    double per_cell;     ///< 1 / side of a cell [1/m]
-    double longest = 0;  ///< longest side that any of them has had [m]
+    int exponent;        ///< sides are below 2^exponent [m]
+    double per_cell;     ///< 1 / side length of a cell [1/m]
+    double longest = 0;  ///< longest side that a box of this level has had [m]
     std::vector<int> members;
   };
 
-  /// Of a place along an axis. Rises with x, so that clamping loses nothing.
+  /// Cell index of a coordinate. Monotonic in x, so clamping loses no box.
   static std::int64_t index(double x, double per_cell) {
     constexpr double most = 4e18;
     return static_cast<std::int64_t>(std::clamp(std::floor(x * per_cell), -most, most));
@@ -77,11 +77,11 @@ class HierarchicalHashGrid {
   void visit_cells(int level, const Cell& first, const Cell& last, const FatBox<D>& box, Visit&& visit) const;
 
   std::vector<Entry> entry_;  ///< [box]
-  std::vector<int> head_;     ///< [chain] first box, -1: none; a power of two of them
+  std::vector<int> head_;     ///< [chain] first box, -1: none; the size is a power of two
   std::vector<Level> level_;
 };
 
-/// Odd numbers without pattern mix the bits of a cell; the high ones of the product name the chain.
+/// Multiplication by odd numbers mixes the bits of a cell; the high bits of the product select the chain.
 template <int D>
 std::size_t HierarchicalHashGrid<D>::chain(int level, const Cell& cell) const {
   std::uint64_t h = static_cast<std::uint64_t>(level) * 0x9e3779b97f4a7c15U;
@@ -107,8 +107,8 @@ void HierarchicalHashGrid<D>::visit_cells(int level, const Cell& first, const Ce
   }
 }
 
-/// Low corners of the boxes of a level that meet `box` lie within it or before it by their longest side. Where that
-/// takes more cells than the level has boxes, as for the ground under pebbles, all of them are tried.
+/// Boxes of a level that meet `box` have their low corners inside it or below it by at most their longest side. If this
+/// range has more cells than the level has boxes, as for the ground under pebbles, all boxes of the level are tested.
 template <int D>
 template <class Visit>
 void HierarchicalHashGrid<D>::for_meeting(const FatBox<D>& box, Visit&& visit) const {
@@ -118,7 +118,7 @@ void HierarchicalHashGrid<D>::for_meeting(const FatBox<D>& box, Visit&& visit) c
     Cell first, last;
     double cells = 1;
     for (int k = 0; k < D; ++k) {
-      // Rounded outwards: by less than the share of 1e-12 the difference may come out too high.
+      // Rounded outwards: rounding may raise the difference by less than the relative 1e-12.
       first[k] = index(box.low[k] - l.longest - 1e-12 * std::abs(box.low[k]), l.per_cell);
       last[k] = index(box.high[k], l.per_cell);
       cells *= static_cast<double>(last[k] - first[k]) + 1;

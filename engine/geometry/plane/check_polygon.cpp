@@ -11,9 +11,9 @@
 namespace trilith {
 namespace {
 
-constexpr double kFarthest = 1e12;  // m; beyond this fourth powers and tolerances lose their meaning
+constexpr double kFarthest = 1e12;  // [m]; beyond it fourth powers and tolerances lose their meaning
 
-/// Points with the number each had in the user's list, so that messages still fit after a repair.
+/// Points with their indices in the user's list, so that messages are correct after a repair.
 struct NumberedPoints {
   Polygon at;
   std::vector<std::size_t> number;
@@ -40,7 +40,7 @@ void require_finite_points(const NumberedPoints& points, std::string_view owner)
   }
 }
 
-/// Drops every point that repeats its forerunner (the last one: the first).
+/// Removes each point that repeats its predecessor; the last point is compared with the first.
 NumberedPoints without_repeats(const NumberedPoints& points, double tolerance, std::string_view owner,
                                std::vector<std::string>& notes) {
   NumberedPoints kept;
@@ -59,7 +59,7 @@ NumberedPoints without_repeats(const NumberedPoints& points, double tolerance, s
   return kept;
 }
 
-/// All points near the line from the first one to the one farthest from it: no area.
+/// Without area: all points are near the line from the first point to the point farthest from it.
 void require_width(const NumberedPoints& points, double tolerance, std::string_view owner) {
   const Vec2 from = points.at[0];
   const auto nearer = [&](const Vec2& a, const Vec2& b) { return (a - from).squaredNorm() < (b - from).squaredNorm(); };
@@ -70,7 +70,7 @@ void require_width(const NumberedPoints& points, double tolerance, std::string_v
                                points.at.size(), shown(points, 0)));
 }
 
-/// Back the way it came, but for an angle that counts as straight.
+/// A spike: the outline reverses its direction, within the angle that counts as straight.
 void refuse_spikes(const NumberedPoints& points, std::string_view owner) {
   const std::size_t n = points.at.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -81,7 +81,7 @@ void refuse_spikes(const NumberedPoints& points, std::string_view owner) {
   }
 }
 
-/// What crosses itself has no inside; the message names both edges by the numbers that the user gave.
+/// A self-crossing outline has no inside. The message names both edges by the user's numbers.
 void refuse_crossing(const NumberedPoints& points, double tolerance, std::string_view owner) {
   const auto crossing = find_self_crossing(points.at, tolerance);
   if (!crossing) return;
@@ -96,8 +96,8 @@ void refuse_crossing(const NumberedPoints& points, double tolerance, std::string
 
 }  // namespace
 
-/// In this order, as each check relies on those before: finite, no doubles, some width, no spike, no crossing; then the
-/// sense. Tolerances are of the polygon's own size.
+/// Each check relies on the previous ones, so the order is: finite, no duplicates, some width, no spike, no crossing,
+/// orientation. Tolerances are relative to the size of the polygon.
 CheckedPolygon check_polygon(Polygon points, std::string_view owner) {
   require_three(points.size(), owner);
   NumberedPoints given{std::move(points), {}};
@@ -105,7 +105,7 @@ CheckedPolygon check_polygon(Polygon points, std::string_view owner) {
   std::iota(given.number.begin(), given.number.end(), std::size_t{1});
   require_finite_points(given, owner);
   const Box2 box = bounding_box(given.at);
-  // far from the origin the coordinates themselves are coarser than the polygon's own tolerance
+  // far from the origin the coordinates' resolution is coarser than the polygon's own tolerance
   const double coarse =
       4 * std::numeric_limits<double>::epsilon() * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   const double tolerance = std::max(kSamePoint * (box.high - box.low).norm(), coarse);

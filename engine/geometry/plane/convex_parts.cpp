@@ -16,14 +16,17 @@ struct Cut {
   double length;
 };
 
-/// From the whole outline on, each piece with a corner that turns right is cut there; then cuts that are not needed are
-/// taken out (Hertel and Mehlhorn 1983).
-///
-///       w----------+     v turns right: the cut from v to w makes two pieces of one, which go on alike. Good cuts
-///       | `.       |     leave v without a right turn on either side, and w too where it had one; of those that are
-///       |   `v-----+     as good as each other the shortest is taken.
+/// Every piece with a reflex corner is cut there, starting with the whole outline. Then unnecessary cuts are removed
+/// (Hertel and Mehlhorn 1983).
+/// ```
+///       w----------+
+///       | `.       |     v is reflex: the cut from v to w makes two pieces.
+///       |   `v-----+
 ///       |    |
 ///       +----+
+/// ```
+/// Good cuts leave v without a right turn on either side, and w too if w was reflex. Among equally good cuts the
+/// shortest one is used. Both pieces are then treated alike.
 class Partition {
  public:
   explicit Partition(std::span<const Vec2> outline) : outline_(outline) {}
@@ -67,15 +70,15 @@ class Partition {
     return k;
   }
 
-  /// Corners from position `from` round to `to`, both included.
+  /// Corners from position `from` around to `to`, both included.
   static Corners stretch(const Corners& piece, std::size_t from, std::size_t to) {
     Corners part{piece[from]};
     for (std::size_t k = from; k != to;) part.push_back(piece[k = next(piece, k)]);
     return part;
   }
 
-  /// True if `target` lies inside the angle of the piece at `v`, away from both its edges.
-  /// Beside a right turn the angle is above half a circle: to the left of one edge is enough.
+  /// True if `target` lies inside the piece's angle at `v`, off both edges. At a reflex corner the angle exceeds 180
+  /// degrees, so it is enough to be left of one edge.
   bool in_angle(const Corners& piece, std::size_t v, std::size_t target) const {
     const Vec2 out = at(piece[next(piece, v)]) - at(piece[v]), in = at(piece[previous(piece, v)]) - at(piece[v]);
     const Vec2 ray = at(piece[target]) - at(piece[v]);
@@ -85,8 +88,8 @@ class Partition {
     return left_of_out && right_of_in;
   }
 
-  /// True if the segment from v to w runs inside the piece and meets its outline only at its two ends.
-  /// Edges that begin or end at v or w are left to in_angle.
+  /// True if the segment from v to w runs inside the piece and meets its outline at the two ends alone. Edges that
+  /// begin or end at v or w are left to in_angle.
   bool sees(const Corners& piece, std::size_t v, std::size_t w) const {
     if (!in_angle(piece, v, w) || !in_angle(piece, w, v)) return false;
     const Vec2 &a = at(piece[v]), &b = at(piece[w]);
@@ -99,8 +102,8 @@ class Partition {
     return true;
   }
 
-  /// How good the cut from reflex corner v to w would be: lower is better.
-  /// First that it settles v at once, then that it settles a reflex corner at w, too, then that it is short.
+  /// Rank of the cut from reflex corner v to w; lower is better. First criterion: it resolves v; second: it also
+  /// resolves a reflex corner w; third: it is short.
   std::tuple<int, int, double, std::size_t> rank(const Corners& piece, std::size_t v, std::size_t w) const {
     return {settles(piece, v, w) ? 0 : 1, is_reflex(piece, w) ? (settles(piece, w, v) ? 0 : 1) : 2,
             distance(piece[v], piece[w]), w};
@@ -121,8 +124,7 @@ class Partition {
     return std::get<3>(ranked.front());
   }
 
-  /// Takes out every cut whose two pieces together are convex, longest first.
-  /// Longest first, as that leaves the rounder pieces.
+  /// Removes each cut whose two pieces form a convex union. Starting with the longest cut leaves rounder pieces.
   void join_needless() {
     std::stable_sort(cuts_.begin(), cuts_.end(), [](const Cut& x, const Cut& y) { return x.length > y.length; });
     for (const Cut& cut : cuts_) {
@@ -156,8 +158,8 @@ class Partition {
 
 }  // namespace
 
-/// Sorted by corners, so that the order does not tell how they were found. An edge between neighbouring corners of the
-/// outline is surface, any other one is a cut (-1).
+/// Sorted by corners, so that the order is independent of the search. An edge between neighbouring corners of the
+/// outline is surface; any other edge is a cut (-1).
 std::vector<ConvexPiece> convex_parts(std::span<const Vec2> outline) {
   std::vector<Corners> parts = Partition(outline).run();
   for (Corners& part : parts) std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());

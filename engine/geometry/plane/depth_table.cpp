@@ -3,7 +3,7 @@
 namespace trilith {
 namespace {
 
-/// Normals and one point of all planes that bound the body, kind by kind.
+/// Normals and one point of all planes that bound the body, component by component.
 void list_planes(const PlacedSolid& solid, const Vec3& origin, DepthRoom& room) {
   const FaceLoops& faces = solid.solid->shape.faces;
   room.face.clear();
@@ -22,10 +22,10 @@ void list_planes(const PlacedSolid& solid, const Vec3& origin, DepthRoom& room) 
   for (const BoundingPlane& plane : solid.beside) add(plane.normal, plane.point - origin);
 }
 
-// Depths n . (p - x) of many points x under all planes of a solid, one row for each point. Planes lie component by
-// component (all n_x, then all n_y, ...), so that the first loop is one of lanes; the least is looked for afterwards,
-// without a branch, the first of equals.
-/// One row; returns the column of the least depth.
+// Depths n . (p - x) of many points x below all planes of a solid, one row for each point. Planes are stored component
+// by component (all n_x, then all n_y, ...), so that the first loop vectorises. The minimum, the first of equal ones,
+// is found afterwards without branches.
+/// Fills one row; returns the column of the least depth.
 int fill_row(const Vec3& at, std::size_t n, const double* __restrict plane, double* __restrict depth) {
   const double x = at.x(), y = at.y(), z = at.z();
   const double *nx = plane, *ny = nx + n, *nz = ny + n, *px = nz + n, *py = px + n, *pz = py + n;

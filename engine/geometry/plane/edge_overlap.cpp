@@ -8,7 +8,7 @@ namespace trilith {
 namespace {
 
 constexpr int room_of_faces = few_faces;
-/// Of planes that a solid has not [m].
+/// Offset of unused planes [m].
 constexpr double far_plane = 1e100;
 
 TRILITH_INLINE Lanes first_half(const DepthRow& row) {
@@ -22,7 +22,7 @@ TRILITH_INLINE Lanes second_half(const DepthRow& row) {
   return v;
 }
 
-/// The planes of a solid, side by side: n . x = c, x from the origin.
+/// The planes of a solid in lanes: n . x = c, x measured from the origin.
 struct Planes {
   std::array<Triple<Lanes>, 2> normal;
   std::array<Lanes, 2> offset;
@@ -58,16 +58,14 @@ TRILITH_INLINE double largest(const Lanes& v) {
   return larger(larger(v[0], v[1]), larger(v[2], v[3]));
 }
 
-/// The part of an edge that lies in the other solid, and the faces by which it
-/// comes and goes (-1: an end of the edge). Of all faces at once: those that a
-/// mean part of edges goes through are few, and which is not to be guessed.
+/// The part of an edge inside the other solid, and the faces through which it enters and leaves (-1: at an end of the
+/// edge). All faces are tested at once: few edges cross a face, and a branch would be unpredictable.
 struct EdgePart {
   double from, to;
   int enters, leaves;
 
   TRILITH_INLINE EdgePart(const DepthRow& p, const DepthRow& q) {
-    std::array<Lanes, 2> in, out;  // where the edge comes in through each face;
-                                   // how far before its end it leaves
+    std::array<Lanes, 2> in, out;  // where the edge enters through each face; how far before its end it leaves
     for (std::size_t half = 0; half < 2; ++half) {
       const Lanes dp = half == 0 ? first_half(p) : second_half(p), dq = half == 0 ? first_half(q) : second_half(q);
       const Lanes t = dp / (dp - dq);
@@ -81,7 +79,7 @@ struct EdgePart {
   }
 };
 
-/// A shared solid in the making.
+/// Builds the shared solid.
 class FromEdges {
  public:
   TRILITH_INLINE FromEdges(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& to)
@@ -101,19 +99,17 @@ class FromEdges {
 
  private:
   static constexpr int most_points = EdgeOverlap::most_points;
-  /// Directed edges of a face of the shared solid: where each of its points
-  /// leads to.
+  /// Directed edges of a face of the shared solid: the successor of each point.
   struct Steps {
-    std::uint64_t from = 0, to = 0;  // bits of points
+    std::uint64_t from = 0, to = 0;  // bit sets of points
     int count = 0;
     std::array<std::uint8_t, most_points> next;
   };
   struct Meeting {
-    std::int16_t start, end;  // points, along the face of a; -1: none yet
+    std::int16_t start, end;  // points, along the face of a; -1: not yet known
   };
 
-  /// Arms and depths of the corners of one solid; false where all lie outside
-  /// of one face of the other.
+  /// Arms and depths of the corners of one solid; false where all lie outside of one face of the other.
   TRILITH_INLINE bool take_corners(std::size_t s) {
     const PlacedSolid& solid = *solid_[s];
     unsigned all = 255;
@@ -139,13 +135,13 @@ class FromEdges {
     return static_cast<int>(i);
   }
 
-  /// On faces of its own a point is at no depth, whatever rounding has.
+  /// The depth of a point below the faces that it lies on is exactly 0, regardless of rounding.
   TRILITH_INLINE void put_on(int point, std::size_t s, int face) {
     out_.depth[s][static_cast<std::size_t>(point)].below[static_cast<std::size_t>(face)] = 0;
   }
 
-  /// The corner of the shared solid where an edge begins or ends: at a corner
-  /// of its own or in a face of the other.
+  /// The corner of the shared solid at an end of an edge: the edge's own corner, or a point in a face of the other
+  /// solid.
   TRILITH_INLINE int end_of(std::size_t s, const SolidEdge& e, std::size_t corner, double t, int face) {
     int point;
     if (face < 0) {
@@ -178,10 +174,9 @@ class FromEdges {
                                                      static_cast<std::int16_t>(face_b)};
   }
 
-  /// Where an edge of solid s goes through a face of the other, two meetings of
-  /// faces end. Seen along the face of a: the left face of an edge of a goes on
-  /// along the other's face from where the edge leaves, and an edge of b does
-  /// the reverse.
+  /// At a point where an edge of solid s passes through a face of the other, two face intersections end. Intersections
+  /// are directed along the face of a. The left face of an edge of a continues along the other's face from the point
+  /// where the edge leaves. For an edge of b it is the reverse.
   TRILITH_INLINE void end_meetings(std::size_t s, const SolidEdge& e, int face, bool leaves, int point) {
     if (s == 0)
       set_end(e.left, face, leaves, point), set_end(e.right, face, !leaves, point);
@@ -191,7 +186,7 @@ class FromEdges {
 
   TRILITH_INLINE void take_edges(std::size_t s) {
     const std::vector<SolidEdge>& edges = solid_[s]->solid->edges;
-    unsigned may_enter = 0;  // edges of which no face has both ends outside
+    unsigned may_enter = 0;  // edges for which no face has both ends outside
     for (std::size_t i = 0; i < edges.size(); ++i)
       may_enter |= static_cast<unsigned>((code_[s][edges[i].from] & code_[s][edges[i].to]) == 0) << i;
     for (; may_enter != 0; may_enter &= may_enter - 1) {
@@ -222,7 +217,7 @@ class FromEdges {
     }
   }
 
-  /// Each face once round; false where one does not close.
+  /// Follows each face once around; false where a face does not close.
   TRILITH_INLINE bool take_loops() {
     for (std::size_t l = 0; l < out_.loop.size(); ++l) {
       const Steps& steps = steps_[l];
@@ -238,9 +233,8 @@ class FromEdges {
     return true;
   }
 
-  /// Whether the mean of all points lies so deep in both that no axis can part
-  /// them, however it is rounded: a normal of two edges a millionth off
-  /// parallel may be wrong by 1e-10. Moves the origin to a point of the shared
+  /// Whether the mean of all points is so deep in both solids that no axis can separate them, whatever the rounding.
+  /// The normal of two edges a millionth off parallel may be wrong by 1e-10. Moves the origin to a point of the shared
   /// solid.
   TRILITH_INLINE bool is_sure() {
     const double size = solid_[0]->solid->size + solid_[1]->solid->size;
@@ -263,7 +257,7 @@ class FromEdges {
   std::array<Planes, 2> planes_;
   EdgeOverlap& out_;
   std::array<std::array<DepthRow, room_of_faces>, 2>
-      corner_depth_;  // of the corners of one below the faces of the other
+      corner_depth_;  // depths of one solid's corners below the other's faces
   std::array<std::array<unsigned, room_of_faces>, 2> code_;
   std::array<std::array<std::int16_t, room_of_faces>, 2> corner_point_;
   std::array<std::array<Meeting, room_of_faces>, room_of_faces> meeting_;

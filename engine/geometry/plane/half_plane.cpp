@@ -5,29 +5,29 @@
 namespace trilith {
 namespace {
 
-/// A stretch of the outline inside the half-plane, from a crossing of the line to the next one.
+/// A section of the outline inside the half-plane, between two crossings of the line.
 struct Chain {
   Polygon points;
-  double in = 0, out = 0;  ///< where it enters and leaves, along the line
+  double in = 0, out = 0;  ///< positions along the line where it enters and leaves
   bool used = false;
 };
 
-/// Where the edge from a to b crosses the line.
+/// Intersection of the edge from a to b with the line.
 Vec2 crossing(const Vec2& a, double da, const Vec2& b, double db) {
   return a + da / (da - db) * (b - a);
 }
 
-/// A concave outline may come in more than once, each time a chain:
+/// A concave outline may enter more than once, each time with a new chain:
 ///
 ///              .--.      .--.          inside: depth below 0
-///      ======[ 1 ]======[ 2 ]=====     line; a chain enters at `in` and leaves at `out`, places along it
+///      ======[ 1 ]======[ 2 ]=====     line; a chain enters at `in` and leaves at `out`, positions along it
 ///             |  `------'  |           outside
 std::vector<Chain> chains_of(const Polygon& outline, const std::vector<double>& depth, const Vec2& along) {
   const std::size_t n = outline.size();
   std::vector<Chain> chains;
-  std::size_t start = 0;  // begin where the outline enters
+  std::size_t start = 0;  // start where the outline enters
   while (start < n && !(depth[start] >= 0 && depth[(start + 1) % n] < 0)) ++start;
-  if (start == n) return chains;  // it enters nowhere: all inside, all outside, or no numbers
+  if (start == n) return chains;  // it never enters: all inside, all outside, or not finite
   for (std::size_t i = start; i < start + n; ++i) {
     const std::size_t a = i % n, b = (i + 1) % n;
     const bool a_inside = depth[a] < 0, b_inside = depth[b] < 0;
@@ -44,10 +44,9 @@ std::vector<Chain> chains_of(const Polygon& outline, const std::vector<double>& 
   return chains;
 }
 
-/// Index of the chain that the line leads to from where chain `from` left. Crossings taken in order along the line
-/// bound stretches of the inside in pairs.
-/// Along the line inside and outside take turns: sorted crossings 0 and 1 bound the first stretch inside, 2 and 3 the
-/// next. A piece goes from where its chain leaves along such a stretch to where another one enters.
+/// Index of the chain that follows chain `from` along the line. Sorted along the line, crossings 0 and 1 bound the
+/// first section inside, 2 and 3 the next. A piece continues from the point where its chain leaves, along such a
+/// section, to the point where another chain enters.
 std::size_t follower(const std::vector<Chain>& chains, std::size_t from) {
   struct Crossing {
     double at;
@@ -61,7 +60,7 @@ std::size_t follower(const std::vector<Chain>& chains, std::size_t from) {
   for (std::size_t i = 0; i + 1 < all.size(); i += 2)
     for (const auto& [one, other] : {std::pair(all[i], all[i + 1]), std::pair(all[i + 1], all[i])})
       if (!one.enters && one.chain == from && other.enters) return other.chain;
-  return from;  // crossings that coincide: close the chain on itself
+  return from;  // coincident crossings: close the chain on itself
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ std::vector<Polygon> cut_by(const Polygon& outline, const HalfPlane& half_plane,
   std::vector<Polygon> pieces;
   for (std::size_t first = 0; first < chains.size(); ++first) {
     Polygon piece;
-    // Round one piece: chain after chain, until the line leads back to one that is used.
+    // Around one piece: chain after chain, until the next chain is already used.
     for (std::size_t i = first; !chains[i].used; i = follower(chains, i)) {
       chains[i].used = true;
       piece.insert(piece.end(), chains[i].points.begin(), chains[i].points.end());

@@ -13,16 +13,16 @@
 namespace trilith {
 namespace {
 
-/// A corner of an element turns by more than this: sine of 2 degrees.
+/// Sine of 2 degrees: smallest turn at a corner of an element.
 constexpr double least_turn = 0.035;
 
 struct MeshEdge {
   int element, side;
 };
-/// By its two nodes, in the direction the element runs.
+/// Keyed by the two nodes, in the direction in which the element runs.
 using EdgeMap = std::map<std::pair<int, int>, MeshEdge>;
 
-/// Nodes that are numbers, and elements of different nodes that there are.
+/// Coordinates must be finite, and elements must have distinct nodes with valid indices.
 void check_indices(const Mesh& mesh, std::string_view owner) {
   if (mesh.element.empty()) throw InputError(fmt::format("{}: the mesh has no element; give one at least", owner));
   for (std::size_t n = 0; n < mesh.node.size(); ++n)
@@ -43,7 +43,7 @@ void check_indices(const Mesh& mesh, std::string_view owner) {
   }
 }
 
-/// Elements are read in either sense and kept counter-clockwise; how many were turned is noted.
+/// Elements may be given in either orientation and are stored counter-clockwise; the number of reversed ones is noted.
 void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std::string>& notes) {
   int reversed = 0;
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
@@ -56,7 +56,7 @@ void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std:
     notes.push_back(fmt::format("{}: {} clockwise elements of the mesh are turned round", owner, reversed));
 }
 
-/// A corner of 180 degrees or more has no mapping from the square: its Jacobian is 0 or negative there.
+/// At a corner of 180 degrees or more the Jacobian of the mapping from the square is 0 or negative.
 void check_shapes(const Mesh& mesh, std::string_view owner) {
   for (std::size_t e = 0; e < mesh.element.size(); ++e) {
     const std::vector<Vec2> c = corners_of(mesh, e);
@@ -70,8 +70,9 @@ void check_shapes(const Mesh& mesh, std::string_view owner) {
   }
 }
 
-/// Each edge by its two nodes in the order in which its element, counter-clockwise, runs: a neighbour has it the other
-/// way round, so an edge whose reverse is not there is boundary, and the same one twice is two elements on one side.
+/// Edges keyed by their two nodes in the direction of the counter-clockwise element. A neighbour runs along the edge
+/// the other way, so an edge without its reverse is boundary. The same directed edge twice means two elements on one
+/// side.
 EdgeMap edges_of(const Mesh& mesh, std::string_view owner) {
   EdgeMap edges;
   for (int e = 0; e < static_cast<int>(mesh.element.size()); ++e)
@@ -86,13 +87,13 @@ EdgeMap edges_of(const Mesh& mesh, std::string_view owner) {
   return edges;
 }
 
-/// The set's representative, with the path to it halved as it is gone.
+/// Representative of the set, with path halving.
 int root_of(std::vector<int>& parent, int i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
 
-/// Elements with an edge in common are one set (union and find); all must come to be the same.
+/// Elements with a common edge are in one set (union-find); in the end there must be one set.
 void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_view owner) {
   std::vector<int> parent(mesh.element.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -105,10 +106,8 @@ void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_vi
                                    unmerged_nodes(mesh.node)));
 }
 
-/// The loops of boundary nodes, that of the largest area (the outer one) first. A node at which two loops meet parts
-/// them.
-/// Boundary edges from node to node. The outer loop runs counter-clockwise, those of holes clockwise: of all only its
-/// area is above 0.
+/// Loops of boundary nodes, the loop of the largest area (the outer one) first. A node where two loops meet separates
+/// them. The outer loop runs counter-clockwise and loops of holes clockwise, so only the outer one has a positive area.
 std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& edges, std::string_view owner) {
   std::map<int, int> next;
   for (const auto& [nodes, edge] : edges) {
@@ -119,7 +118,7 @@ std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& ed
                       owner, nodes.first + 1, mesh.node[nodes.first].x(), mesh.node[nodes.first].y()));
   }
   std::vector<std::vector<int>> loops;
-  // One loop after the other: from its lowest node along `next` until it comes back there.
+  // One loop after the other: from its lowest node along `next` until it closes.
   while (!next.empty()) {
     std::vector<int>& loop = loops.emplace_back();
     for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
@@ -139,8 +138,8 @@ std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const EdgeMap& ed
   return loops;
 }
 
-/// New numbers: the boundary's nodes loop by loop, then the others in their order; -1 where unused.
-/// Skin points of a body are its first nodes, so the boundary comes first.
+/// New node numbers: boundary nodes loop by loop, then the others in their order; -1 for unused ones. The first nodes
+/// of a body are its skin points, so the boundary is numbered first.
 std::vector<int> new_numbers(const Mesh& mesh, const std::vector<std::vector<int>>& loops) {
   std::vector<int> number(mesh.node.size(), -1);
   int count = 0;
@@ -156,8 +155,8 @@ std::vector<int> new_numbers(const Mesh& mesh, const std::vector<std::vector<int
 
 }  // namespace
 
-/// Checks from the cheap to the dear, then numbers anew: what comes out has its boundary first, which is the body's
-/// skin, and no unused node.
+/// Cheap checks run first. The renumbered mesh begins with the boundary, which is the body's skin, and has no unused
+/// node.
 CheckedMesh check_mesh(Mesh mesh, std::string_view owner) {
   CheckedMesh out;
   check_indices(mesh, owner);

@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// Second moments that differ by less than this share have no principal axis.
+/// There is no principal axis if the second moments differ by less than this relative amount.
 constexpr double same_moment = 1e-6;
 
 }  // namespace
@@ -22,7 +22,7 @@ OutlineMoments::OutlineMoments(std::span<const Vec2> corners) {
   xy = sum.xy - area * middle.x() * middle.y();
 }
 
-/// By Steiner's theorem about the middle of both.
+/// By Steiner's theorem about the common centroid.
 void OutlineMoments::add(const OutlineMoments& other, double sign) {
   const double whole = area + sign * other.area;
   if (!(whole > 0)) {
@@ -36,7 +36,7 @@ void OutlineMoments::add(const OutlineMoments& other, double sign) {
   xy += sign * other.xy + lever * between.x() * between.y();
 }
 
-/// Half of what the principal moments differ by.
+/// Half the difference of the principal moments.
 double OutlineMoments::spread() const {
   return std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
 }

@@ -1,4 +1,4 @@
-// Area, middle and second moments of a plane figure, and four points that have them all.
+// Area, centroid and second moments of a plane figure, and four points that have the same moments.
 #pragma once
 
 #include <array>
@@ -10,22 +10,22 @@ namespace trilith {
 
 struct OutlineMoments {
   double area = 0;                ///< [m2]
-  Vec2 middle = Vec2::Zero();     ///< [m]
-  double xx = 0, xy = 0, yy = 0;  ///< about the middle [m4]
+  Vec2 middle = Vec2::Zero();     ///< centroid [m]
+  double xx = 0, xy = 0, yy = 0;  ///< about the centroid [m4]
 
   OutlineMoments() = default;
-  /// Of a simple polygon, counter-clockwise.
+  /// Moments of a simple counter-clockwise polygon.
   explicit OutlineMoments(std::span<const Vec2> corners);
 
-  /// That of another figure beside this one, or of a hole in it where `sign` is -1. The middle stays where nothing of
-  /// the area is left.
+  /// Adds another figure, or subtracts a hole where `sign` is -1. The centroid is unchanged where the remaining area is
+  /// 0.
   void add(const OutlineMoments& other, double sign);
 
   [[nodiscard]] bool has_axis() const;
-  /// The principal axis of the larger second moment, of length 1: x where there is none.
+  /// Unit vector of the principal axis of the larger second moment; x if there is none.
   [[nodiscard]] Vec2 axis() const;
-  /// Arms from the middle to four points: with a quarter of the area each they have its middle and its second moments.
-  /// Of a rectangle they are the points of Gauss.
+  /// Arms from the centroid to four points. With a quarter of the area each, they have the figure's centroid and second
+  /// moments. For a rectangle they are the Gauss points.
   [[nodiscard]] std::array<Vec2, 4> arms() const;
 
  private:

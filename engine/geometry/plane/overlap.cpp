@@ -9,8 +9,8 @@
 namespace trilith {
 namespace {
 
-/// Keeps the part of `from` on the left of the line from `a` to `b`.
-/// Each corner in turn, with the one before it: where the line is crossed between them, and itself where it is kept.
+/// Keeps the part of `from` to the left of the line from `a` to `b`. For each corner: the crossing between it and its
+/// predecessor, if any, and the corner itself where it is kept.
 void clip_left(const std::vector<Vec2>& from, const Vec2& a, const Vec2& b, std::vector<Vec2>& into) {
   into.clear();
   if (from.empty()) return;
@@ -19,7 +19,7 @@ void clip_left(const std::vector<Vec2>& from, const Vec2& a, const Vec2& b, std:
   double side_before = cross(along, before - a);
   for (const Vec2& p : from) {
     const double side = cross(along, p - a);
-    // a corner exactly on the line is kept as it is and makes no crossing of its own
+    // a corner exactly on the line is kept and makes no additional crossing
     if ((side > 0 && side_before < 0) || (side < 0 && side_before > 0))
       into.push_back(before + (side_before / (side_before - side)) * (p - before));
     if (side >= 0) into.push_back(p);
@@ -30,15 +30,15 @@ void clip_left(const std::vector<Vec2>& from, const Vec2& a, const Vec2& b, std:
 
 }  // namespace
 
-/// Polygon a cut by the edges of b one after the other (Sutherland and Hodgman, "Reentrant polygon clipping", Comm. ACM
-/// 17, 1974): what is left is the part they share.
+/// Polygon a is clipped by the edges of b one after the other (Sutherland and Hodgman, "Reentrant polygon clipping",
+/// Comm. ACM 17, 1974); the remainder is the intersection.
 Overlap convex_overlap(std::span<const Vec2> a, std::span<const Vec2> b, OverlapBuffer& buffer) {
   buffer.corners.assign(a.begin(), a.end());
   for (std::size_t i = 0; i < b.size() && !buffer.corners.empty(); ++i) {
     clip_left(buffer.corners, b[i], b[i + 1 == b.size() ? 0 : i + 1], buffer.spare);
     buffer.corners.swap(buffer.spare);
   }
-  // What only touches may leave a sliver without area, or one that rounding turns about: that is no overlap.
+  // Touching polygons may leave a sliver without area, or with its orientation reversed by rounding: no overlap.
   if (buffer.corners.size() >= 3) {
     const PolygonMoments moments = polygon_moments(buffer.corners);
     if (moments.area > 0) return {moments.area, moments.centroid};
@@ -49,9 +49,9 @@ Overlap convex_overlap(std::span<const Vec2> a, std::span<const Vec2> b, Overlap
 
 namespace {
 
-/// Best face of `a` as seen from `b`; outward normal as axis, no owner set.
-/// The separation along a face's normal is the height of the other's lowest corner above it; the best face has the
-/// largest, which is above 0 where the two are apart.
+/// Best face of `a` as seen from `b`; the outward normal is the axis, no owner set. The separation along a face's
+/// normal is the height of the other's lowest corner above it. The best face has the largest one; it is above 0 where
+/// the polygons are apart.
 Penetration best_face(std::span<const Vec2> a, std::span<const Vec2> b) {
   Penetration best{-std::numeric_limits<double>::infinity(), Vec2::Zero(), true, 0, 0};
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -82,7 +82,7 @@ Penetration penetration(std::span<const Vec2> a, std::span<const Vec2> b) {
   return from_b;
 }
 
-/// Even and odd: a ray to the left meets the outline an odd number of times from within.
+/// Even-odd rule: a ray to the left from an inner point crosses the outline an odd number of times.
 bool contains(std::span<const Vec2> outline, const Vec2& point) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {

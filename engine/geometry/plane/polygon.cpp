@@ -9,16 +9,16 @@
 
 namespace trilith {
 
-/// A fan of triangles from the first point: less is lost by rounding than about the origin, which may be far away.
+/// Fan of triangles from the first point. The origin may be far away, so rounding errors about it would be larger.
 double signed_area(std::span<const Vec2> outline) {
   double twice = 0;
   for (std::size_t i = 2; i < outline.size(); ++i) twice += cross(outline[i - 1] - outline[0], outline[i] - outline[0]);
   return twice / 2;
 }
 
-/// Triangles (0, a, b) from the first point, c twice the area of one:
-///   area = sum c / 2,   first moment = sum c (a + b) / 6,   polar = sum c (a.a + a.b + b.b) / 12;
-/// the last one is then moved to the centroid.
+/// Triangles (0, a, b) from the first point, where c is twice the area of one:
+///   area = sum c / 2,   first moment = sum c (a + b) / 6,   polar = sum c (a.a + a.b + b.b) / 12.
+/// The polar moment is then moved to the centroid.
 PolygonMoments polygon_moments(std::span<const Vec2> outline) {
   const Vec2 origin = outline[0];
   double twice = 0, polar = 0;
@@ -60,7 +60,7 @@ double polygon_size(std::span<const Vec2> points) {
   return (box.high - box.low).norm();
 }
 
-/// The least width of a convex outline is across one of its edges: the height of its farthest corner over it.
+/// The least width of a convex outline is across one of its edges: the height of its farthest corner above the edge.
 double least_width(std::span<const Vec2> outline) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -85,7 +85,7 @@ double turn_sine(const Vec2& before, const Vec2& corner, const Vec2& after) {
   return lengths > 0 ? cross(in, out) / lengths : 0;
 }
 
-/// No right turn, and once round in all: a whole turn, but for rounding.
+/// No right turn, and a total turn of 2 pi up to rounding.
 bool is_convex(std::span<const Vec2> outline) {
   const std::size_t n = outline.size();
   if (n < 3) return false;
@@ -96,12 +96,12 @@ bool is_convex(std::span<const Vec2> outline) {
     if (turn < -kStraightAngle) return false;
     total_turn += turn;
   }
-  return std::abs(total_turn - 2 * std::numbers::pi) < 1;  // a star that goes round twice turns left everywhere, too
+  return std::abs(total_turn - 2 * std::numbers::pi) < 1;  // a star that winds twice also turns left at each corner
 }
 
 namespace {
 
-/// Of the point from the segment ab.
+/// Whether the distance of the point from the segment ab is within the tolerance.
 bool within(const Vec2& p, const Vec2& a, const Vec2& b, double tolerance) {
   const Vec2 along = b - a;
   const double squared = along.squaredNorm();
@@ -116,10 +116,10 @@ bool boxes_apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, dou
 
 }  // namespace
 
-/// Each parts the ends of the other: they cross. Else they may meet at an end, within the tolerance.
+/// They cross if each segment separates the ends of the other. Otherwise they may meet at an end, within the tolerance.
 std::optional<Vec2> meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double tolerance) {
   if (boxes_apart(a, b, c, d, tolerance)) return std::nullopt;
-  // On which side of each line the ends of the other segment lie.
+  // Sides of each line on which the ends of the other segment lie.
   const double side_c = cross(b - a, c - a), side_d = cross(b - a, d - a);
   const double side_a = cross(d - c, a - c), side_b = cross(d - c, b - c);
   const bool parts_cd = (side_c < 0) != (side_d < 0), parts_ab = (side_a < 0) != (side_b < 0);
@@ -131,12 +131,12 @@ std::optional<Vec2> meeting_point(const Vec2& a, const Vec2& b, const Vec2& c, c
   return std::nullopt;
 }
 
-/// Every edge against every later one that is not its neighbour: outlines have tens of edges, not thousands.
+/// Tests each pair of edges that are not neighbours: outlines have tens of edges, not thousands.
 std::optional<Crossing> find_self_crossing(std::span<const Vec2> outline, double tolerance) {
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i + 2 < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
-      // Neighbours, round the end of the list.
+      // Neighbours across the end of the list.
       if (i == 0 && j + 1 == n) continue;
       const auto point = meeting_point(outline[i], outline[i + 1], outline[j], outline[(j + 1) % n], tolerance);
       if (point) return Crossing{static_cast<int>(i), static_cast<int>(j), *point};

@@ -6,8 +6,8 @@
 
 namespace trilith {
 
-/// A corner between two edges that move by h and k along their outward normals m and n moves by u m + v n with
-/// u + v (m . n) = h and u (m . n) + v = k.
+/// A corner between two edges that move by h and k along their outward normals m and n moves by u m + v n with u + v (m
+/// . n) = h and u (m . n) + v = k.
 PlacedFace widened_face(const PlacedSolid& solid, int face, FaceRoom& room) {
   const PlacedFace own = face_of(solid, face, room);
   const std::span<const double> goes_on = solid.solid->goes_on_from(face);

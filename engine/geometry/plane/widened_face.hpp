@@ -1,21 +1,25 @@
-// A face of a mesh as far as the surface of its body goes on in its plane.
-//
+// A face of a mesh, widened over the coplanar surface next to it.
+// ```
 //        _______ _____________
-//       |       |             .      Each edge beyond which the surface goes on (ConvexSolid::goes_on) is moved outward
-//       |  face |  next face  .      by that much; where two such edges meet, what lies between them is taken as there.
+//       |       |             .
+//       |  face |  next face  .
 //       |_______|_____________.
+// ```
+// Each edge across which the surface continues in the face's plane (ConvexSolid::goes_on) is moved outward by that
+// length. Where two such edges meet, the corner region between them counts as part of the surface.
 #pragma once
 
 #include "geometry/space/facing_faces.hpp"
 
 namespace trilith {
 
-/// Face `face` of a solid, wider by what its neighbours add; its corners in `room`, which must outlive it. The face
-/// itself where nothing goes on, or where edges moved so would no longer bound a convex face. At most max_face_corners.
+/// Face `face` of a solid, widened by its neighbours. Its corners are in `room`, which must outlive it. Returns the
+/// face itself where nothing continues it, or where the moved edges would not bound a convex face. At most
+/// max_face_corners.
 PlacedFace widened_face(const PlacedSolid& solid, int face, FaceRoom& room);
 
-/// True where all of face `other_face` lies beyond one edge of face `face` across which the surface goes on, as seen
-/// along the latter's normal: what it may touch there is the next face.
+/// True if face `other_face` of `other` lies entirely beyond one edge of `face` across which the surface continues,
+/// seen along the normal of `face`. It can then touch only the next face.
 bool lies_beyond(const PlacedSolid& other, int other_face, const PlacedSolid& solid, int face);
 
 }  // namespace trilith

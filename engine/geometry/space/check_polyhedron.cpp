@@ -14,7 +14,7 @@ const Vec3& corner_of_loop(const Polyhedron& solid, int i) {
   return solid.corners[static_cast<std::size_t>(i)];
 }
 
-/// Coordinates that sums and products can be made of.
+/// Coordinates must be finite and small enough for sums and products.
 void require_finite_corners(const Polyhedron& solid, std::string_view owner) {
   for (std::size_t i = 0; i < solid.corners.size(); ++i) {
     const Vec3& p = solid.corners[i];
@@ -24,7 +24,7 @@ void require_finite_corners(const Polyhedron& solid, std::string_view owner) {
   }
 }
 
-/// A face is a loop of at least three of the corners that there are, each once.
+/// A face is a loop of at least three distinct existing corners.
 void require_loop(const Polyhedron& solid, int face, std::string_view owner) {
   const auto loop = solid.faces[face];
   const int corners = static_cast<int>(solid.corners.size());
@@ -40,7 +40,7 @@ void require_loop(const Polyhedron& solid, int face, std::string_view owner) {
   }
 }
 
-/// A corner of no face would count in sizes and boxes, and nowhere else.
+/// A corner without a face would count in sizes and boxes, and nowhere else.
 void refuse_unused(const Polyhedron& solid, std::string_view owner) {
   std::vector<std::uint8_t> used(solid.corners.size(), 0);
   for (const int i : solid.faces.corner) used[static_cast<std::size_t>(i)] = 1;
@@ -49,7 +49,7 @@ void refuse_unused(const Polyhedron& solid, std::string_view owner) {
     throw InputError(fmt::format("{}: corner {} belongs to no face; take it out", owner, unused - used.begin() + 1));
 }
 
-/// Every edge once each way.
+/// Each edge occurs once in each direction.
 void require_closed(const Polyhedron& solid, std::string_view owner) {
   const auto edges = solid_edges(solid.faces);
   for (const SolidEdge& e : edges)
@@ -69,8 +69,8 @@ void require_closed(const Polyhedron& solid, std::string_view owner) {
                       owner, e.from + 1, e.to + 1, e.left + 1));
 }
 
-/// Face f has an area, and all its corners lie within `flat` times the solid's size of the plane through their middle
-/// across its area vector.
+/// Face f has an area, and the distance of its corners from its mean plane is at most `flat` times the size of the
+/// solid. The mean plane passes through the mean of the corners, normal to the area vector.
 void require_plane(const Polyhedron& solid, int face, double size, double flat, std::string_view owner) {
   const auto loop = solid.faces[face];
   const Vec3 area = area_vector(solid.corners, loop);
@@ -92,13 +92,13 @@ void require_plane(const Polyhedron& solid, int face, double size, double flat, 
   }
 }
 
-/// How far a corner lies outside of a face.
+/// Largest distance of a corner outside of a face.
 struct Outlier {
   double by = 0;
   int corner = 0, face = 0;
 };
 
-/// Convex means that no corner lies above the highest corner of any face, seen along that face's normal.
+/// The solid is convex if no corner lies above the highest corner of any face, seen along the normal of the face.
 Outlier farthest_outlier(const Polyhedron& solid) {
   Outlier worst;
   for (int f = 0; f < solid.faces.count(); ++f) {
@@ -116,8 +116,8 @@ Outlier farthest_outlier(const Polyhedron& solid) {
 
 }  // namespace
 
-/// From the cheap to the dear, so that each check may rely on those before it: corners, loops, planes, closed surface,
-/// and last the sign of the volume, which is below 0 where all faces are turned round.
+/// Cheap checks run first, and each relies on the previous ones: corners, loops, planes, closed surface, and last the
+/// sign of the volume, which is negative where all faces are reversed.
 void check_polyhedron(const Polyhedron& solid, std::string_view owner, double flat) {
   if (solid.faces.count() < 4)
     throw InputError(fmt::format("{}: has {} faces, a solid has at least 4", owner, solid.faces.count()));

@@ -11,34 +11,34 @@
 namespace trilith {
 namespace {
 
-/// Time goes with points times triangles that come and go, and checks of convexity with faces times corners.
+/// Time grows as points times the number of created triangles; convexity checks take faces times corners.
 constexpr std::size_t most_triangles = 5000;
 
 struct HullTriangle {
   std::array<int, 3> corner;
-  Vec3 normal;  ///< outward, of length 1
+  Vec3 normal;  ///< outward unit normal
   double area;
-  int farthest = -1;  ///< point highest above it, by more than the tolerance; -1: there is none
+  int farthest = -1;  ///< point highest above it, by more than the tolerance; -1: none
   double above = 0;   ///< its height [m]
-  bool sees = false;  ///< the point that is taken in
+  bool sees = false;  ///< visible from the point that is added
 };
 
-// The hull grows point by point (the quickhull of Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Softw. 22, 1996, with
-// all points asked by each new triangle, as these solids have some dozen). It begins with a tetrahedron; then the point
-// farthest above any triangle is taken in:
-//
+// The hull grows point by point: quickhull (Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Softw. 22, 1996). Each new
+// triangle tests all points, because these solids have some dozen. Starting with a tetrahedron, the point farthest
+// above any triangle is added:
+// ```
 //            * p                 * p
-//           . .                 /|\        the triangles that see p go, as one patch without holes,
-//        __.___.__           __/ | \__     and each edge of its rim makes a triangle with p
-//       /  sees   \         /         \    (seen from the side)
-//
-// Points within `tolerance` of the hull are in it, and no triangle sees one of those: rounding makes no slivers.
+//           . .                 /|\        the triangles visible from p, one patch without holes, are removed;
+//        __.___.__           __/ | \__     each edge of their rim makes a triangle with p
+//       /  visible\         /         \    (seen from the side)
+// ```
+// Points within `tolerance` of the hull count as inside and see no triangle, so rounding makes no slivers.
 class HullBuilder {
  public:
   HullBuilder(std::span<const Vec3> points, double tolerance, std::string_view owner)
       : points_(points), tolerance_(tolerance), owner_(owner) {}
 
-  /// False where all points lie in a plane.
+  /// False where all points are coplanar.
   bool begin() {
     const auto [a, b, c, d] = spread_out();
     const Vec3 ab = at(b) - at(a), ac = at(c) - at(a);
@@ -51,7 +51,7 @@ class HullBuilder {
   }
 
   void run() {
-    // each round takes in a point for good, so that there are no more rounds than points
+    // each round adds one point for good, so there are no more rounds than points
     for (std::size_t round = 0; round < points_.size(); ++round) {
       const auto [point, triangle] = farthest();
       if (point < 0) return;
@@ -65,7 +65,7 @@ class HullBuilder {
     }
   }
 
-  /// Faces of triangles that lie in one plane, from the largest on.
+  /// Merges coplanar triangles into faces, the largest triangles first.
   [[nodiscard]] FaceLoops faces() const {
     std::vector<int> face(triangles_.size(), -1);
     FaceLoops loops;
@@ -103,7 +103,7 @@ class HullBuilder {
 
   [[nodiscard]] double height(const HullTriangle& t, const Vec3& p) const { return t.normal.dot(p - at(t.corner[0])); }
 
-  /// The first point, the farthest from it, from the line through both and from the plane through the three.
+  /// The first point, then the farthest from it, from the line through both, and from the plane through the three.
   [[nodiscard]] std::array<int, 4> spread_out() const {
     std::array<int, 4> of{0, 0, 0, 0};
     const auto most = [&](auto&& measure) {
@@ -139,7 +139,7 @@ class HullBuilder {
     throw InputError(fmt::format("{}: its points are too near to each other for its size; take doubles out", owner_));
   }
 
-  /// Marks the triangles that see `p`, from `first` on to their neighbours: one patch without islands of others.
+  /// Marks the triangles that see `p`, from `first` on to their neighbours: one connected patch without holes.
   void see(std::size_t first, const Vec3& p) {
     std::vector<std::size_t> open{first};
     triangles_[first].sees = true;
@@ -200,7 +200,7 @@ class HullBuilder {
   std::vector<HullTriangle> triangles_;
 };
 
-/// Leaves out points that fewer than three faces meet at: within a face, or between the ends of an edge.
+/// Removes points where fewer than three faces meet: inside a face, or between the ends of an edge.
 Polyhedron with_corners_used(std::span<const Vec3> points, const FaceLoops& faces) {
   std::vector<int> uses(points.size(), 0), number(points.size(), -1);
   for (const int i : faces.corner) ++uses[static_cast<std::size_t>(i)];
@@ -221,8 +221,8 @@ Polyhedron with_corners_used(std::span<const Vec3> points, const FaceLoops& face
 
 }  // namespace
 
-// Points are judged by the size of the whole, `flat` of it being nothing; the check at the end is four times as wide,
-// as the faces that were joined may each lie up to the tolerance from their plane.
+// The tolerance is `flat` times the size of the whole set. The final check allows four times as much, because each
+// merged face may lie up to the tolerance off its plane.
 Polyhedron convex_hull(std::span<const Vec3> points, std::string_view owner, double flat) {
   if (points.size() < 4)
     throw InputError(fmt::format("{}: has {} points, a solid has at least 4", owner, points.size()));

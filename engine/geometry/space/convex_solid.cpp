@@ -8,7 +8,7 @@ namespace trilith {
 
 namespace {
 
-/// Whether two faces look the same way within a hundred times what has_first_like asks for.
+/// Whether two normals agree within a hundred times the tolerance of has_first_like.
 bool some_alike(const std::vector<Vec3>& normals) {
   for (std::size_t f = 0; f < normals.size(); ++f)
     for (std::size_t g = 0; g < f; ++g)
@@ -31,8 +31,7 @@ double inner_radius_of(const Polyhedron& shape, const std::vector<Vec3>& normals
 
 }  // namespace
 
-/// All that contact asks of a shape again and again, found once: normals, edges, size, and whether any two faces lie in
-/// one plane.
+/// Data of a shape that contact needs repeatedly: normals, edges, size, and whether any two faces are coplanar.
 ConvexSolid convex_solid(const Polyhedron& shape, std::string_view owner, double flat) {
   check_convex(shape, owner, flat);
   std::vector<Vec3> normals = face_normals(shape);
@@ -60,7 +59,7 @@ void place_faces(const ConvexSolid& solid, const Turn3& turn, PlacedSolid& out) 
   for (std::size_t f = 0; f < solid.normals.size(); ++f) out.normals[f] = turn.apply(solid.normals[f]);
 }
 
-/// Of a convex solid two faces that look the same way lie in one plane.
+/// Two faces of a convex solid with the same normal are coplanar.
 bool has_first_like(const PlacedSolid& solid, int face) {
   if (!solid.solid->may_repeat) return false;
   const Vec3& n = solid.normals[static_cast<std::size_t>(face)];

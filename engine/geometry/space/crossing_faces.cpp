@@ -9,19 +9,20 @@
 namespace trilith {
 namespace {
 
-/// Sides of faces that are held against sides or faces before the search ends.
+/// Tests of edges against edges or faces after which the search ends.
 constexpr double most_crossing_work = 3e7;
 
-// A side of a face that begins above the plane of another face and ends below it goes through that face where the point
-// in the plane lies within its loop or on it:
-//
+// An edge that begins above the plane of another face and ends below it passes through that face if the intersection x
+// lies inside its loop (nonzero winding number) or on it.
+// ```
 //                 o from
 //          _______|_______
 //         /       |      /
-//        /        x     /     x: within the loop, as the loop winds about it
+//        /        x     /
 //       /_________:____/
 //                 :
 //                 o to
+// ```
 class CrossingSearch {
  public:
   CrossingSearch(const Polyhedron& surface, double within) : surface_(surface), within_(within) {
@@ -49,16 +50,17 @@ class CrossingSearch {
   }
 
  private:
-  /// The plane a face lies in, and the two axes it is seen along.
+  /// The plane of a face, and its two axes of projection.
   struct FacePlane {
-    Vec3 normal;  ///< of length 1; 0 of a face that has no area wherever it is looked at
+    Vec3 normal;  ///< unit normal; 0 for a face without area in every projection
     Vec3 on;
     Eigen::Index u, v;
   };
 
   [[nodiscard]] const Vec3& corner(int i) const { return surface_.corners[static_cast<std::size_t>(i)]; }
 
-  /// Of a loop that crosses itself the area vector may be 0: then the widest triangle with its first corner says.
+  /// The area vector of a loop that crosses itself may be 0: then the widest triangle at its first corner defines the
+  /// plane.
   [[nodiscard]] FacePlane plane_of(int face) const {
     const auto loop = surface_.faces[face];
     Vec3 normal = area_vector(surface_.corners, loop);
@@ -91,7 +93,7 @@ class CrossingSearch {
                        [&](int i) { return std::find(of_b.begin(), of_b.end(), i) != of_b.end(); });
   }
 
-  /// Where a side of face `a` goes through face `b`.
+  /// Intersection of an edge of face `a` with face `b`.
   std::optional<Vec3> through(int a, int b) {
     const auto loop = surface_.faces[a];
     const FacePlane& plane = planes_[static_cast<std::size_t>(b)];
@@ -107,7 +109,7 @@ class CrossingSearch {
     return {};
   }
 
-  /// Whether a point of the plane of a face lies within its loop, or on it.
+  /// Whether a point in the plane of a face lies inside its loop or on it.
   bool holds(int face, const FacePlane& plane, const Vec3& at) {
     const auto loop = surface_.faces[face];
     work_ += static_cast<double>(loop.size());
@@ -124,7 +126,7 @@ class CrossingSearch {
     return turns != 0;
   }
 
-  /// Where two sides of one loop cross that do not follow each other.
+  /// Crossing of two edges of one loop that are not neighbours.
   std::optional<Vec3> loop_crossing(int face) {
     const auto loop = surface_.faces[face];
     const FacePlane& plane = planes_[static_cast<std::size_t>(face)];
@@ -141,7 +143,7 @@ class CrossingSearch {
     return {};
   }
 
-  /// Each begins on one side of the other and ends on the other side, as seen along `normal`.
+  /// Each edge has its ends on opposite sides of the other, projected along `normal`.
   [[nodiscard]] std::optional<Vec3> sides_cross(const std::array<int, 2>& a, const std::array<int, 2>& b,
                                                 const Vec3& normal) const {
     if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) return {};
@@ -165,7 +167,7 @@ class CrossingSearch {
 
 }  // namespace
 
-/// Each face is held against those before it whose boxes it meets.
+/// Each face is tested against the earlier faces whose boxes overlap its own.
 std::optional<FaceCrossing> crossing_faces(const Polyhedron& surface, double within) {
   return CrossingSearch(surface, within).run();
 }

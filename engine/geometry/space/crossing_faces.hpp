@@ -1,4 +1,4 @@
-// Whether a surface passes through itself.
+// Detects whether a surface intersects itself.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 
 namespace trilith {
 
-/// Where two faces of a surface pass through each other, or where the loop of one face crosses itself.
+/// Two faces of a surface that intersect, or a face whose loop crosses itself.
 struct FaceCrossing {
-  int a, b;  ///< faces; the same where a loop crosses itself
-  Vec3 at;   ///< m
+  int a, b;  ///< faces; equal where a loop crosses itself
+  Vec3 at;   ///< [m]
 };
 
-/// The first crossing that is found. Faces that share a corner are not looked at together, nor are faces in one plane
-/// that overlap. A side that reaches less than `within` [m] through a plane does not count, one that goes through the
-/// rim of the other face does. Time goes with the pairs of faces whose boxes meet and the corners of both; where that
-/// is more work than a second or two, the search ends and nothing is found.
+/// The first crossing found. Pairs of faces that share a corner are skipped, and so are coplanar faces that overlap. An
+/// edge that passes less than `within` [m] through a plane does not count; an edge that passes through the rim of the
+/// other face does. Time is proportional to the pairs of faces with overlapping boxes and the corners of both. Where
+/// that exceeds a second or two, the search ends without a result.
 std::optional<FaceCrossing> crossing_faces(const Polyhedron& surface, double within);
 
 }  // namespace trilith

@@ -10,14 +10,15 @@
 namespace trilith {
 namespace {
 
-// A solid is cut by a plane by its corners' heights over it. Corners within `same` of the plane are in it (0), others
-// above (1) or below (-1), and each answer is asked for once, so that the two faces of an edge agree on it:
-//
-//          +1 o-------o +1            o : left out
+// Corners are classified by their height over the plane: on it (0) within `same`, above (1) or below (-1). Each corner
+// is classified once, so that the two faces of an edge agree.
+// ```
+//          +1 o-------o +1            o : removed
 //            /       /
 //       ----x-------x----  plane      x : new corner, the same for both faces of its edge
 //          /       /
-//      -1 *-------* -1                * : kept; a new face (the lid) closes what is open
+//      -1 *-------* -1                * : kept; a new face (the lid) closes the opening
+// ```
 /// One cut of one solid.
 class SolidCut {
  public:
@@ -33,7 +34,7 @@ class SolidCut {
   [[nodiscard]] bool is_whole() const { return std::count(side_.begin(), side_.end(), 1) == 0; }
   [[nodiscard]] bool is_nothing() const { return std::count(side_.begin(), side_.end(), -1) == 0; }
 
-  /// False where rounding has left no single lid.
+  /// False if rounding prevents a single closed lid.
   bool run() {
     for (int f = 0; f < solid_.faces.count(); ++f) keep(solid_.faces[f]);
     return close();
@@ -53,7 +54,7 @@ class SolidCut {
     return number;
   }
 
-  /// Where the edge between two corners goes through the plane: the same corner for both of its faces.
+  /// Intersection of the edge between two corners with the plane: the same corner for both of its faces.
   int crossing(int a, int b) {
     if (a > b) std::swap(a, b);
     for (const Crossed& c : crossed_)
@@ -67,7 +68,7 @@ class SolidCut {
 
   void keep(std::span<const int> loop) {
     const bool reaches_in = std::any_of(loop.begin(), loop.end(), [&](int i) { return side_[at(i)] < 0; });
-    if (!reaches_in) return;  // above the plane, or in it: then the lid takes its place
+    if (!reaches_in) return;  // above the plane, or in it: the lid replaces it
     std::vector<int> left;
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const int from = loop[k], to = loop[k + 1 == loop.size() ? 0 : k + 1];
@@ -77,7 +78,7 @@ class SolidCut {
     made.faces.add(left);
   }
 
-  /// The lid runs along every edge that only one face runs along, the other way.
+  /// The lid follows, in the opposite direction, every edge that belongs to one face only.
   bool close() {
     const std::vector<int> across = edges_across(made.faces);
     std::vector<std::pair<int, int>> open;
@@ -110,7 +111,7 @@ class SolidCut {
 
 }  // namespace
 
-/// Where corners stand so near to the limit that rounding tells them apart wrongly, a wider one is taken.
+/// If rounding classifies corners near the limit inconsistently, a wider limit is used.
 std::optional<Polyhedron> cut_solid(const Polyhedron& solid, const CuttingPlane& plane, double same) {
   for (int round = 0; round < 8; ++round, same *= 2) {
     SolidCut cut(solid, plane, same);
@@ -130,9 +131,9 @@ std::optional<Polyhedron> cut_solid(Polyhedron around, std::span<const CuttingPl
   return around;
 }
 
-// A face of more than three corners that were read or rounded lies in no plane. Each is replaced by the plane through
-// its middle along its area vector, and the solid is what all these planes leave of a box around it. Goes out too: how
-// far a corner of before is from the nearest of now, at the most.
+// A face of more than three corners that were read or rounded is not plane. Each face is replaced by the plane through
+// its centroid along its area vector; the solid is the part of a box around it that all planes leave. Also returns the
+// largest distance of an original corner from the nearest new one.
 PlanarSolid with_plane_faces(const Polyhedron& solid) {
   std::vector<CuttingPlane> planes;
   for (int f = 0; f < solid.faces.count(); ++f) {

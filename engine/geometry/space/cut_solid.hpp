@@ -1,11 +1,13 @@
-// A convex solid cut by planes: what is left stays a closed solid of plane faces.
-//
-//          _______                 Corners below the plane stay to the bit, those within `same` of it count as on it;
-//         /|     /|                where an edge goes through it there is a new corner, found once for both faces of
-//        /_|_ _ /_|_ _ _  plane    the edge. What the faces leave open is closed by a lid.
+// Cuts a convex solid by planes; the remainder is a closed solid with plane faces.
+// ```
+//          _______
+//         /|     /|
+//        /_|_ _ /_|_ _ _  plane
 //       | /    | /
 //       |/_____|/
-//
+// ```
+// Corners below the plane keep their bits; corners within `same` of it count as on it. Where an edge passes through it
+// a new corner is made, once for both faces of the edge. A new face, the lid, closes the opening.
 #pragma once
 
 #include <optional>
@@ -15,24 +17,24 @@
 
 namespace trilith {
 
-/// The half-space where normal . x <= offset.
+/// The half-space normal . x <= offset.
 struct CuttingPlane {
-  Vec3 normal;    ///< of length 1
-  double offset;  ///< m
+  Vec3 normal;    ///< unit normal
+  double offset;  ///< [m]
 };
 
-/// What of a convex solid lies in a half-space; nothing where no corner is deeper in it than `same` [m], the solid
-/// itself where none stands out by more. The lid is the last face. Time goes as the number of edges times its
-/// logarithm, and as the corners of the lid squared.
+/// The part of a convex solid in a half-space. Empty where no corner is deeper in it than `same` [m]; the solid itself
+/// where no corner stands out by more. The lid is the last face. Time grows as the number of edges times its logarithm,
+/// and as the square of the lid's corners.
 std::optional<Polyhedron> cut_solid(const Polyhedron& solid, const CuttingPlane& plane, double same);
 
-/// What all half-spaces have in common within `around`, a convex solid: cut one after the other.
+/// The intersection of all half-spaces with the convex solid `around`: cut one after the other.
 std::optional<Polyhedron> cut_solid(Polyhedron around, std::span<const CuttingPlane> planes, double same);
 
-/// A nearly convex solid with exactly plane faces: each face keeps its mean plane (through the mean of its corners, at
-/// right angles to its area vector), and corners are where planes meet. A corner of more than three faces may come out
-/// as several that lie near each other. `moved` [m]: how far a corner of the first is from the nearest of the second,
-/// at most.
+/// A nearly convex solid rebuilt with exactly plane faces. Each face keeps its mean plane (through the mean of its
+/// corners, normal to its area vector), and corners are intersections of planes. A corner of more than three faces may
+/// become several corners near each other. `moved` [m]: largest distance of an original corner from the nearest new
+/// one.
 struct PlanarSolid {
   Polyhedron solid;
   double moved;

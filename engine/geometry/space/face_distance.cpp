@@ -6,8 +6,8 @@
 
 namespace trilith {
 
-/// Over the face its distance from the plane, else from the nearest edge. A point is over the face where it is on the
-/// inner side of every edge: ((q - p) x (x - p)) . n >= 0, n the area vector of the loop.
+/// For a point over the face the distance from its plane, else the distance from the nearest edge. A point is over the
+/// face if it is on the inner side of every edge: ((q - p) x (x - p)) . n >= 0 with the area vector n of the loop.
 double face_distance(const std::vector<Vec3>& corners, std::span<const int> loop, const Vec3& point) {
   const std::size_t count = loop.size();
   const auto corner = [&](std::size_t i) -> const Vec3& { return corners[static_cast<std::size_t>(loop[i % count])]; };

@@ -1,4 +1,4 @@
-// How far a point is from a plane convex polygon in space.
+// Distance of a point from a plane convex polygon in space.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// Of the face with these corners, in order; 0 on it [m].
+/// Distance from the face with these corners, in order [m]; 0 on the face.
 double face_distance(const std::vector<Vec3>& corners, std::span<const int> loop, const Vec3& point);
 
 }  // namespace trilith

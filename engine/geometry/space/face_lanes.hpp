@@ -1,19 +1,23 @@
-// The polygons that four pairs of plane faces share, and integrals over them, all four at once.
+// The polygons shared by four pairs of plane faces, and integrals over them, one pair in each SIMD lane.
 //
-// As geometry/space/face_overlap_3d.hpp, but the polygon is kept by its edges, each with both its ends, in places of
-// their own: those of a's face, and after them one for each line that cut the polygon (an edge of b's face, or where
-// the overlap is 0). No place depends on another, so that four pairs of faces whose edges cross in different orders go
-// through the same operations, and a lane has the bits that it would have alone.
-//
+// The method follows geometry/space/face_overlap_3d.hpp, but the polygon is stored by its edges with both ends. Edges
+// have fixed slots: first the edges of a's face, then one for each line that cuts the polygon (an edge of b's face, or
+// the line where the overlap is 0). No slot depends on another one. So four pairs of faces whose edges cross in
+// different orders execute the same operations, and a lane has the same bits as a single pair.
+// ```
 //      q3 ______ p3=q2
-//        |      \              cut by a line: of each edge that crosses it one end moves to the crossing; an edge
-//    ----x-------x----         beyond it is no longer alive; a new edge runs along the line from the one crossing
-//        |________\            to the other. Neighbours have one corner in common to the bit, so what is left is
-//       p0        q0=p1        closed. A polygon that rounding makes cross a line more than twice is `rough`, and no
-//                              result of it is to be used.
+//        |      \
+//    ----x-------x----    line
+//        |________\
+//       p0        q0=p1
+// ```
+// Cut by a line: each edge that crosses it has one end moved to the crossing. An edge beyond the line is no longer
+// alive. A new edge runs along the line between the two crossings. Neighbours share their common corner to the bit, so
+// the remainder is closed. A polygon that rounding makes cross a line more than twice is marked `rough`; its results
+// must not be used.
 //
-// Integrals over the polygon are sums over its edges (Green): with w = p x q about some point,
-// 2 A = sum of w,  6 Mx = sum of w (px + qx),  and so on to third order, in any order of the edges.
+// Integrals over the polygon are sums over its edges (Green's theorem), in any order of the edges. With w = p x q about
+// some point: `2 A = sum of w,  6 Mx = sum of w (px + qx)`, and so on to third order.
 #pragma once
 
 #include <array>
@@ -23,9 +27,9 @@
 
 namespace trilith {
 
-/// Two faces in each lane. Corners beyond a face's own repeat its last.
+/// Two faces in each lane. Unused corners repeat the last one.
 struct FacesInLanes {
-  int corners_a = 0, corners_b = 0;  ///< the most of any lane, 3 to max_face_corners
+  int corners_a = 0, corners_b = 0;  ///< largest number of any lane, 3 to max_face_corners
   std::array<Triple<Lanes>, max_face_corners> a, b;
   Triple<Lanes> normal_a, normal_b;
 };
@@ -51,15 +55,15 @@ struct LinearInLanes {
   TRILITH_INLINE Lanes operator()(const Pair2<Lanes>& p) const { return at + slope.dot(p); }
 };
 
-/// A convex polygon by its edges, counter-clockwise. Edges that no lane has any more are left out.
+/// A convex polygon as counter-clockwise edges. Edges that are alive in no lane are removed.
 struct EdgesInLanes {
   static constexpr int most = 2 * max_face_corners + 2;
   int count = 0;
-  int lines = 0;  ///< edges and lines it came by so far: the next line's number
+  int lines = 0;  ///< number of edges and cutting lines so far; the index of the next line
   LaneMask rough{};
   std::array<Pair2<Lanes>, most> from, to;
   std::array<LaneMask, most> alive;
-  std::array<int, most> line;  ///< which line an edge lies along
+  std::array<int, most> line;  ///< the line on which an edge lies
 
   TRILITH_INLINE void put(std::size_t i, const Pair2<Lanes>& p, const Pair2<Lanes>& q, const LaneMask& is_there,
                           int along) {
@@ -95,8 +99,8 @@ TRILITH_INLINE PlaneInLanes mean_plane(const FacesInLanes& faces) {
   return plane;
 }
 
-/// Keeps of the polygon what is where `side` is not below 0. Each corner begins one edge that is alive, so that the
-/// beginnings say whether anything is cut.
+/// Keeps the part of the polygon where `side` is not below 0. Each corner begins one live edge, so testing the start
+/// points is enough to find whether anything is cut.
 TRILITH_INLINE void cut_edges(EdgesInLanes& polygon, const LinearInLanes& side) {
   const Lanes zero{}, one = zero + 1.0;
   std::array<Lanes, EdgesInLanes::most> at_from;
@@ -132,10 +136,10 @@ TRILITH_INLINE void cut_edges(EdgesInLanes& polygon, const LinearInLanes& side) 
   polygon.count = static_cast<int>(kept) + 1;
 }
 
-/// Lines that have a bit of their own in what lines_of tells; further ones share these.
+/// Lines with their own bit in the result of lines_of; further lines share these bits.
 inline constexpr int told_lines = 16;
 
-/// Of each lane the lines that the edges left to it lie along, a bit for each.
+/// For each lane a bit set of the lines on which the remaining edges lie.
 TRILITH_INLINE LaneMask lines_of(const EdgesInLanes& polygon) {
   LaneMask lines{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i)
@@ -143,11 +147,11 @@ TRILITH_INLINE LaneMask lines_of(const EdgesInLanes& polygon) {
   return lines;
 }
 
-/// A line counts as this much further out, as a share of its length, than it is: edges that lie on each other but for
-/// rounding, as those of a wall's face do, cut nothing.
+/// Each line is shifted outward by this share of its length. So edges that coincide up to rounding, as on the face of a
+/// wall, cut nothing.
 inline constexpr double line_slack = 1e-12;
 
-/// What both faces share, in the mean plane: a's face cut by b's edges, which run the other way round.
+/// The intersection of both faces in the mean plane: a's face cut by b's edges, which run the other way round.
 TRILITH_INLINE void share_edges(const FacesInLanes& faces, const PlaneInLanes& plane, EdgesInLanes& shared) {
   const Lanes zero{};
   shared.count = shared.lines = 0, shared.rough = LaneMask{};
@@ -164,7 +168,7 @@ TRILITH_INLINE void share_edges(const FacesInLanes& faces, const PlaneInLanes& p
   for (int k = faces.corners_b - 1; k >= 0; --k) {
     const Pair2<Lanes> to = plane.project(faces.b[static_cast<std::size_t>(k)]), along = to - from;
     const Lanes length = magnitude(along.x) + magnitude(along.y);
-    // along x (p - from), and the slack; 0 everywhere of an edge that only repeats a corner
+    // along x (p - from), and the slack; 0 everywhere for an edge that only repeats a corner
     const LinearInLanes side{along.y * from.x - along.x * from.y + line_slack * length * (length + size),
                              {zero - along.y, along.x}};
     cut_edges(shared, side);
@@ -176,7 +180,7 @@ TRILITH_INLINE Lanes cross(const Pair2<Lanes>& p, const Pair2<Lanes>& q) {
   return p.x * q.y - p.y * q.x;
 }
 
-/// Mean of the corners: a point in the polygon, from which integrals keep their figures.
+/// Mean of the corners: a point in the polygon, about which integrals lose no digits.
 TRILITH_INLINE Pair2<Lanes> middle_of(const EdgesInLanes& polygon) {
   const Lanes zero{}, one = zero + 1.0;
   const Pair2<Lanes> none{};
@@ -194,7 +198,7 @@ TRILITH_INLINE void move_edges(EdgesInLanes& polygon, const Pair2<Lanes>& by) {
     polygon.from[i] = polygon.from[i] - by, polygon.to[i] = polygon.to[i] - by;
 }
 
-/// Adds w times what an edge gives to moments of up to second order.
+/// Adds the contribution of an edge, times w, to the moments up to second order.
 TRILITH_INLINE void add_edge(const Pair2<Lanes>& p, const Pair2<Lanes>& q, const Lanes& w, AreaInLanes& sums) {
   const Lanes sx = p.x + q.x, sy = p.y + q.y;
   sums.area += w;

@@ -9,27 +9,28 @@ namespace {
 
 constexpr int most_shared = 2 * max_face_corners;
 
-/// A line of the plane, kept on its left.
+/// A line in the plane; its left side is kept.
 struct PlaneLine {
   Vec2 from, along;
   int edge;  ///< as in SharedPolygon::edge
 };
 
-/// Rounding may give a polygon of very short edges more corners than it has room for: they are left out.
+/// Rounding may give a polygon of very short edges more corners than the buffer holds: the excess is dropped.
 void add_corner(SharedPolygon& polygon, const Vec2& p, int edge) {
   if (polygon.count == most_shared) return;
   polygon.corner[static_cast<std::size_t>(polygon.count)] = p;
   polygon.edge[static_cast<std::size_t>(polygon.count++)] = edge;
 }
 
-// Two convex faces that look at each other are cut in the plane midway between theirs:
-//
+// Two facing convex faces are intersected in the plane midway between them.
+// ```
 //         \  face b  /             corners of a projected to the mean plane,
-//      ----\--------/----  c < 0   then cut by the edges of b (Sutherland and Hodgman 1974);
-//        ---\------/---            over what is left the overlap c is linear
+//      ----\--------/----  c < 0   then clipped by the edges of b (Sutherland and Hodgman 1974);
+//        ---\------/---            over the remainder the overlap c is linear
 //      ------\----/------  c > 0
 //           face a
-/// Keeps of `polygon` what is on the left of the line; `spare` is overwritten.
+// ```
+/// Keeps the part of `polygon` to the left of the line; `spare` is scratch.
 void clip_shared(SharedPolygon& polygon, const PlaneLine& line, SharedPolygon& spare) {
   std::array<double, most_shared> side;
   const auto n = static_cast<std::size_t>(polygon.count);
@@ -55,8 +56,8 @@ void clip_shared(SharedPolygon& polygon, const PlaneLine& line, SharedPolygon& s
   std::copy_n(spare.edge.begin(), spare.count, polygon.edge.begin());
 }
 
-/// With l = |na - nb|: na . n = -nb . n = l/2. Heights of the planes along n over a's first corner are 0 and -overlap;
-/// their gradients are opposite, so that the mean plane stays midway.
+/// With l = |na - nb|: na . n = -nb . n = l/2. Heights of the planes along n at a's first corner are 0 and -overlap.
+/// Their gradients are opposite, so the mean plane stays midway.
 MeanPlane mean_plane(const PlacedFace& a, const PlacedFace& b) {
   const Vec3 between = a.normal - b.normal, sum = a.normal + b.normal, apart = b.corners[0] - a.corners[0];
   const double scale = 2 / between.norm();
@@ -91,7 +92,7 @@ bool face_overlap(const PlacedFace& a, const PlacedFace& b, FaceOverlap3& out) {
   out.plane = mean_plane(a, b);
   for (int i = 0; i < na; ++i) add_corner(out.shared, out.plane.project(a.corners[static_cast<std::size_t>(i)]), i);
   SharedPolygon spare;
-  // b runs the other way round: from each of its corners back to the one before
+  // b runs the other way round: from each of its corners to the previous one
   Vec2 from = out.plane.project(b.corners[0]);
   for (int k = nb - 1; k >= 0 && out.shared.count > 0; --k) {
     const Vec2 to = out.plane.project(b.corners[static_cast<std::size_t>(k)]);
@@ -111,7 +112,7 @@ struct OverlapCorner {
   double c;
 };
 
-/// Of triangles: the integral of a product of linear functions f and g is A/12 (sum f sum g + sum of f g).
+/// Over a triangle of area A the integral of a product of linear functions f and g is A/12 (sum f sum g + sum of f g).
 void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapCorner& w, FaceIntegrals& to) {
   const Vec2 uv = v.p - u.p, uw = w.p - u.p, sum = u.p + v.p + w.p;
   const double area = 0.5 * cross(uv, uw), share = area / 12, c = u.c + v.c + w.c;
@@ -125,8 +126,8 @@ void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapC
   to.energy += 0.5 * share * (c * c + u.c * u.c + v.c * v.c + w.c * w.c);
 }
 
-/// ... of three f, g and h: A/60 (sum f sum g sum h + sum f sum of g h + sum g sum of h f + sum h sum of f g + 2 sum of
-/// f g h).
+/// For three linear functions f, g and h it is A/60 (sum f sum g sum h + sum f sum of g h + sum g sum of h f + sum h
+/// sum of f g + 2 sum of f g h).
 void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapCorner& w, FaceMoments& to) {
   add_triangle(u, v, w, static_cast<FaceIntegrals&>(to));
   const Vec2 uv = v.p - u.p, uw = w.p - u.p, sum = u.p + v.p + w.p;
@@ -139,7 +140,7 @@ void add_triangle(const OverlapCorner& u, const OverlapCorner& v, const OverlapC
   to.first_xx += product(0, 0), to.first_xy += product(0, 1), to.first_yy += product(1, 1);
 }
 
-/// Corner i of the shared polygon with the overlap of the two planes there.
+/// Corner i of the shared polygon and the overlap of the two planes there.
 OverlapCorner corner_of(const FaceOverlap3& faces, int i) {
   const Vec2& p = faces.shared.corner[static_cast<std::size_t>(i)];
   return {p, faces.plane.overlap_at(p)};
@@ -174,7 +175,7 @@ FaceIntegrals over_all(const OverlapPolygon& polygon) {
   return sum;
 }
 
-// Corners of the part in contact come one by one; each makes a triangle with the first and the one before it.
+// Corners of the part in contact are found in order; each one makes a triangle with the first and the previous one.
 template <class Sums>
 Sums in_contact(const OverlapPolygon& polygon) {
   Sums sum;
@@ -220,8 +221,8 @@ FaceIntegrals integrals_in_contact(std::span<const Vec2> corners, double overlap
   return in_contact<FaceIntegrals>({corners, overlap, slope});
 }
 
-/// The derivative of the energy of the overlap, by kn, as b is moved in the mean plane: edges of b carry c^2 / 2 with
-/// them, integrated exactly over the part of each that is in contact, and the slope of c does the rest.
+/// The derivative of the overlap's energy divided by kn, as b moves in the mean plane. Edges of b carry c^2 / 2,
+/// integrated exactly over the part of each edge in contact; the slope of c gives the other term.
 Vec2 energy_by_sliding(const FaceOverlap3& faces) {
   Vec2 along_edges = Vec2::Zero();
   const int n = faces.shared.count;

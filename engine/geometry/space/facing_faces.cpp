@@ -16,8 +16,8 @@ int nearest_normal(const std::vector<Vec3>& normals, const Vec3& axis) {
 
 }  // namespace
 
-// Of each solid the face that looks most along the axis from a to b, or against it. Two faces look at each other
-// squarely where the product of their normals is -1; what is given is its negative.
+// For each solid the face most nearly normal to the axis from a to b. Faces are exactly opposed where the product of
+// their normals is -1; `opposed` is its negative.
 FacingFaces facing_faces(const PlacedSolid& a, const PlacedSolid& b, const Vec3& axis) {
   const int of_a = nearest_normal(a.normals, axis), of_b = nearest_normal(b.normals, -axis);
   return {of_a, of_b, -a.normals[static_cast<std::size_t>(of_a)].dot(b.normals[static_cast<std::size_t>(of_b)])};

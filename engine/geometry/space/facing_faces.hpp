@@ -1,4 +1,4 @@
-// Which faces of two convex solids look at each other, and one face of a solid as the overlap of faces takes it.
+// Finds the opposed faces of two convex solids, and converts one face of a solid for the overlap of faces.
 #pragma once
 
 #include "geometry/space/convex_solid.hpp"
@@ -9,17 +9,17 @@ namespace trilith {
 /// A face of each of two solids.
 struct FacingFaces {
   int a, b;
-  double opposed;  ///< -na . nb: 1 where they are parallel and look at each other
+  double opposed;  ///< -na . nb: 1 where the faces are parallel and oppose each other
 };
 
-/// The face of `a` whose normal is nearest to the axis (of length 1, from `a` towards `b`, as of Separation3), and that
-/// of `b` nearest to its reverse; of equal ones the first.
+/// The face of `a` whose normal is nearest to the axis, and the face of `b` whose normal is nearest to the reversed
+/// axis; of equal ones the first. The axis is a unit vector from `a` towards `b`, as in Separation3.
 FacingFaces facing_faces(const PlacedSolid& a, const PlacedSolid& b, const Vec3& axis);
 
-/// Room for the corners of one face.
+/// Buffer for the corners of one face.
 using FaceRoom = std::array<Vec3, max_face_corners>;
 
-/// Face `face` of a solid, its corners in `room`, which must outlive it. At most max_face_corners of them.
+/// Face `face` of a solid, at most max_face_corners corners. They are stored in `room`, which must outlive the result.
 PlacedFace face_of(const PlacedSolid& solid, int face, FaceRoom& room);
 
 }  // namespace trilith

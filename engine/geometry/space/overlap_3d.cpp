@@ -12,17 +12,17 @@ namespace {
 
 using Buffer3 = SolidOverlapBuffer;
 
-// The part that two convex solids share is one, cut by the half-spaces of the other one after the other (Sutherland and
-// Hodgman 1974, in three dimensions). A solid in the making is its points, and of each face a run of directed edges;
-// nothing else is needed, as volumes and areas are sums over edges. Faces of a keep their numbers (0, 1, ...), those
-// from b are -1, -2, ...; so that what each body is pressed on can be told apart afterwards.
-/// Half-space under a face of a solid; `face`: what a cut along it counts as.
+// One solid is clipped by the half-spaces of the other one after the other (Sutherland and Hodgman 1974, in three
+// dimensions). The solid is stored as points and, for each face, a run of directed edges. This is enough, because
+// volumes and areas are sums over edges. Faces of a have numbers 0, 1, ..., faces of b are -1, -2, ..., so the surfaces
+// of the two bodies can be distinguished afterwards.
+/// The half-space below a face of a solid; `face`: number of a cut along it.
 TRILITH_INLINE HalfSpace under_face(const PlacedSolid& solid, int f, int face) {
   const Vec3& normal = solid.normals[static_cast<std::size_t>(f)];
   return {normal, normal.dot(solid.corners[static_cast<std::size_t>(solid.solid->shape.faces[f][0])]), face};
 }
 
-/// The faces of a solid that come under a plane, whole; their numbers by `number_of`.
+/// Copies the faces of a solid that reach below a plane, unclipped, with their numbers from `number_of`.
 template <class NumberOf>
 void begin_with(const PlacedSolid& solid, const HalfSpace& half, NumberOf&& number_of, Buffer3& s) {
   s.points.assign(solid.corners.begin(), solid.corners.end());
@@ -42,7 +42,7 @@ void begin_with(const PlacedSolid& solid, const HalfSpace& half, NumberOf&& numb
   }
 }
 
-/// Corners of a solid four by four, as many as there is room for; those beyond its last repeat the last.
+/// Corners of a solid in fours, up to the capacity; unused lanes repeat the last corner.
 struct CornersInLanes {
   static constexpr std::size_t room = 8;
   std::array<Triple<Lanes>, room> four;
@@ -55,7 +55,7 @@ struct CornersInLanes {
     for (std::size_t k = 0; k < fours; ++k) four[k] = four_of(at(4 * k), at(4 * k + 1), at(4 * k + 2), at(4 * k + 3));
     if (corners.size() > room * lane_count) rest = std::span(corners).subspan(room * lane_count);
   }
-  /// The least of their products with a direction.
+  /// The least product of the corners with a direction.
   [[nodiscard]] TRILITH_INLINE double lowest(const Vec3& up) const {
     const Triple<Lanes> n = four_of(up, up, up, up);
     Lanes least = n.dot(four[0]);
@@ -66,8 +66,8 @@ struct CornersInLanes {
   }
 };
 
-/// The face of a solid above which another reaches down the least: how far its lowest corner lies over it [m], below 0
-/// where it comes under all of them.
+/// The face of a solid below which another solid reaches least: height of the other's lowest corner above it [m],
+/// negative where that solid reaches below all faces.
 struct TopFace {
   double lowest = -std::numeric_limits<double>::infinity();
   int face = 0;
@@ -84,7 +84,7 @@ struct TopFace {
   return top;
 }
 
-/// Heights of all points over the plane; the range of them.
+/// Range of the heights of all points over the plane.
 struct HeightRange {
   double lowest = 0, highest = 0;
 };
@@ -99,7 +99,7 @@ HeightRange heights_over(const HalfSpace& half, Buffer3& s) {
   return range;
 }
 
-/// Keeps the points that are not above the plane, with their new numbers.
+/// Keeps the points that are not above the plane and renumbers them.
 void keep_points(Buffer3& s) {
   s.points_before.swap(s.points);
   s.points.clear(), s.number.clear();
@@ -109,7 +109,7 @@ void keep_points(Buffer3& s) {
   }
 }
 
-/// Where the edge from `inner` to `outer` passes through the plane: one point for both faces of the edge.
+/// Intersection of the edge from `inner` to `outer` with the plane: one point for both faces of the edge.
 int cut_point(int inner, int outer, Buffer3& s) {
   const auto i = static_cast<std::size_t>(inner), o = static_cast<std::size_t>(outer);
   const double from = s.height[i], to = s.height[o];
@@ -127,9 +127,9 @@ void add_edge(std::vector<Buffer3::Edge>& edges, int from, int to) {
   if (from != to) edges.push_back({from, to});
 }
 
-/// Edges of one face, from `first` to `end` of those before the cut. Where the rim leaves the half-space and where it
-/// comes back are joined by way of the first of these points, and the same edge turned round becomes the lid's. A
-/// convex face leaves once; one that lies in the plane but for rounding may leave more often and is closed all the
+/// Clips the edges of one face, `first` to `end` of the previous solid. The points where the rim leaves the half-space
+/// and where it returns are joined through the first of these points, and the reversed edge is added to the lid. A
+/// convex face leaves once. A face that lies in the plane up to rounding may leave several times and is closed all the
 /// same.
 void cut_face(int first, int end, Buffer3& s) {
   int pivot = -1;
@@ -152,14 +152,15 @@ void cut_face(int first, int end, Buffer3& s) {
   }
 }
 
-// Sums over triangles (base, p, q) of all faces, seen from one point of the solid, d = base . (p - base) x (q - base):
-//
+// Sums over triangles (base, p, q) of all faces, seen from one point of the solid. With d = base . (p - base) x (q -
+// base):
+// ```
 //   V = sum d / 6        centroid = sum d (base + p + q) / (4 sum d)
 //   A = sum (p - base) x (q - base) / 2        moment = sum (base + p + q) x ((p - base) x (q - base)) / 6
-//
-// Each is a surface integral by Gauss's theorem, exact, and independent of the point but for rounding, which is why
-// it is one of the solid's own: the overlap is small beside its distance from the origin of the world.
-/// Six times the volume, as sum_up has it.
+// ```
+// Each is an exact surface integral (Gauss's theorem) and depends on the reference point by rounding alone. A point of
+// the solid is used because the overlap is small compared with its distance from the world's origin.
+/// Six times the volume, with the bits of sum_up.
 double six_volumes(const Buffer3& s) {
   const auto point = [&](int p) -> const Vec3& { return s.points[static_cast<std::size_t>(p)]; };
   const Vec3 origin = point(s.edges[0].from);
@@ -178,7 +179,8 @@ double six_volumes(const Buffer3& s) {
   return six;
 }
 
-/// Sums over the triangles between a point of each face and its edges; volumes from one point of the solid.
+/// Sums over the triangles between a point of each face and its edges; volumes are measured from one point of the
+/// solid.
 SolidOverlap sum_up(const Buffer3& s) {
   const Vec3 origin = s.points[static_cast<std::size_t>(s.edges[0].from)];
   double six = 0;
@@ -206,8 +208,8 @@ SolidOverlap sum_up(const Buffer3& s) {
 
 }  // namespace
 
-// Comes in: a solid in the buffer. Goes out: what of it is not above the plane, closed by a lid that has the number of
-// the half-space. False where nothing is left; a solid that is not touched is left as it is, without a copy.
+// Clips the solid in the buffer: keeps the part that is not above the plane and closes it by a lid with the
+// half-space's number. False where nothing is left. A solid that is not cut stays as it is, without a copy.
 bool cut(const HalfSpace& half, Buffer3& s) {
   const HeightRange range = heights_over(half, s);
   if (range.highest <= 0) return true;
@@ -234,7 +236,7 @@ SolidMeasure measured(const SolidOverlapBuffer& buffer) {
 
 namespace {
 
-/// Cuts a solid by all half-spaces of another, by that under face `first` first; false where nothing is left.
+/// Clips a solid by all half-spaces of another, face `first` first; false where nothing is left.
 template <class NumberOf, class NumberOfCut>
 bool cut_from(const PlacedSolid& solid, const PlacedSolid& other, int first, NumberOf&& number_of,
               NumberOfCut&& number_of_cut, Buffer3& buffer) {
@@ -246,9 +248,9 @@ bool cut_from(const PlacedSolid& solid, const PlacedSolid& other, int first, Num
   return true;
 }
 
-/// What two solids share; false where it is nothing. The first cut is that which leaves the least: by the face, of
-/// either, under which the other comes the least. Of a corner under a face, or an edge, nothing else is to be cut, and
-/// the planes that follow are asked of a few points.
+/// The intersection of two solids; false where it is empty. The first cut leaves least: it uses the face, of either
+/// solid, below which the other reaches least. For a corner below a face, or an edge, nothing else remains to be cut,
+/// and the following planes are tested against few points.
 bool cut_by_all(const PlacedSolid& a, const PlacedSolid& b, Buffer3& buffer) {
   const auto of_a = [](int f) { return f; };
   const auto of_b = [](int f) { return -1 - f; };

@@ -1,14 +1,17 @@
-// What two convex solids share: volume, centroid, and how the volume changes as one of them moves.
-//
-//            _________                 The surface of the shared solid is made of a's surface inside of b and of b's
-//           |   a     |                inside of a. As b moves by t and turns by w about the centroid, its volume
-//           |     ____|____            changes by
+// The intersection of two convex solids: volume, centroid, and derivative of the volume with respect to motion.
+// ```
+//            _________
+//           |   a     |
+//           |     ____|____
 //           |    |////|    |
-//           |____|////|    |             -t . area_vector - w . area_moment
+//           |____|////|    |
 //                |    b    |
-//                |_________|           so that an energy that goes by the volume V pushes b by (dW/dV) area_vector.
-//
-// The two parts of the surface close it, so b's part has the opposite vectors.
+//                |_________|
+// ```
+// The surface of the shared solid consists of a's surface inside b and b's surface inside a. As b moves by t and
+// rotates by w about the centroid, the volume changes by -t . area_vector - w . area_moment. So an energy W that
+// depends on the volume V gives the force (dW/dV) area_vector on b. The two parts of the surface form a closed one, so
+// b's part has the opposite vectors.
 #pragma once
 
 #include <array>
@@ -20,23 +23,23 @@
 
 namespace trilith {
 
-/// Room for the shared solid, kept by the caller so that repeated calls allocate nothing. Its faces are sets of edges
-/// in no order.
+/// Scratch buffer for the shared solid, kept by the caller so that repeated calls allocate nothing. Its faces are
+/// unordered sets of edges.
 struct SolidOverlapBuffer {
   struct Edge {
-    int from, to;  ///< points; counter-clockwise about the face as seen from outside
+    int from, to;  ///< points; counter-clockwise around the face seen from outside
   };
   struct Face {
     int of;   ///< k: in face k of a; -1 - k: in face k of b
-    int end;  ///< one past its last edge; the first follows on the face before
+    int end;  ///< one past its last edge; the first edge follows the previous face's last one
   };
   struct Cut {
     int inner, outer;  ///< ends of an edge
-    int point;         ///< where it was cut
+    int point;         ///< the cut point
   };
-  std::vector<Vec3> points;  ///< m
+  std::vector<Vec3> points;  ///< [m]
   std::vector<Edge> edges;
-  std::vector<Face> faces;  ///< in no order; empty where nothing is shared
+  std::vector<Face> faces;  ///< unordered; empty where nothing is shared
   // scratch
   std::vector<Vec3> points_before;
   std::vector<Edge> edges_before, lid;
@@ -44,20 +47,20 @@ struct SolidOverlapBuffer {
   std::vector<double> height;
   std::vector<int> number;
   std::vector<Cut> cuts;
-  // scratch of what goes over the points afterwards
+  // scratch of later passes over the points
   std::array<DepthRoom, 2> depths;
   std::vector<Vec3> arm;
   std::vector<FourTriangles> triangles;
 };
 
-/// A half-space: where normal . x <= offset. The normal may be of any length.
+/// The half-space normal . x <= offset. The normal may have any length.
 struct HalfSpace {
   Vec3 normal;
   double offset;
-  int face;  ///< what the cut counts as, see SolidOverlapBuffer::Face::of
+  int face;  ///< face number of the cut, see SolidOverlapBuffer::Face::of
 };
 
-/// Keeps what of the solid in `buffer` lies in a half-space; the cut becomes a face. False where nothing is left.
+/// Clips the solid in `buffer` to a half-space; the cut becomes a face. False where nothing is left.
 bool cut(const HalfSpace& half, SolidOverlapBuffer& buffer);
 
 /// Volume [m3] and centroid [m] of the solid in `buffer`, which has at least one face.
@@ -69,29 +72,29 @@ SolidMeasure measured(const SolidOverlapBuffer& buffer);
 
 /// Volume shared by two convex solids.
 struct SolidOverlap {
-  double volume = 0;                ///< m3, never below 0
-  Vec3 centroid = Vec3::Zero();     ///< of the shared volume, m; zero where there is none
-  Vec3 area_vector = Vec3::Zero();  ///< integral of the outward normal over the surface of `a` inside `b`, m2
-  Vec3 area_moment = Vec3::Zero();  ///< ... of (x - centroid) x normal over it, m3
+  double volume = 0;                ///< [m3], never below 0
+  Vec3 centroid = Vec3::Zero();     ///< of the shared volume [m]; zero if there is none
+  Vec3 area_vector = Vec3::Zero();  ///< integral of the outward normal over the surface of `a` inside `b` [m2]
+  Vec3 area_moment = Vec3::Zero();  ///< integral of (x - centroid) x normal over the same surface [m3]
 };
 
-/// Cuts one by the half-spaces of the other's faces, in turn. The surface stays closed to the bit whatever
-/// rounding does (each cut point is found from its inner end in both faces it belongs to), so faces that are flush or
-/// nearly so do no harm; of two that are flush and look the same way, the surface counts as a's or b's as rounding has
-/// it. Exact to rounding, about a point of the shared solid, so that nothing is lost far from the origin but what the
-/// corners have lost.
+/// Clips one solid by the half-spaces of the other's faces, one after the other. The surface stays closed to the bit
+/// whatever the rounding, because each cut point is computed from its inner end in both faces of the edge. So faces
+/// that are flush or nearly flush do no harm. Of two flush faces with the same normal, rounding decides which solid
+/// owns the surface. Exact to rounding about a point of the shared solid, so a position far from the origin costs no
+/// digits beyond the corners'.
 SolidOverlap solid_overlap(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
 
-/// The same volume alone, to the bit; leaves the same in `buffer`.
+/// The volume alone, with the same bits and the same contents of `buffer`.
 double shared_volume(const PlacedSolid& a, const PlacedSolid& b, SolidOverlapBuffer& buffer);
 
 /// Area of one face of the shared solid and its centroid.
 struct SharedFace {
-  double area;    ///< m2
-  Vec3 centroid;  ///< m; a point of the face where its area is zero
+  double area;    ///< [m2]
+  Vec3 centroid;  ///< [m]; a point of the face where its area is zero
 };
 
-/// Of face `f` of `buffer.faces`, whose outward unit normal is `normal`.
+/// Face `f` of `buffer.faces`, whose outward unit normal is `normal`.
 SharedFace shared_face(const SolidOverlapBuffer& buffer, int f, const Vec3& normal);
 
 }  // namespace trilith

@@ -20,7 +20,7 @@ const Vec3& corner_at(std::span<const Vec3> corners, int i) {
   return corners[static_cast<std::size_t>(i)];
 }
 
-/// The edge that a face runs through from `from` to `to`, if any has come yet without one that runs back.
+/// The edge along which a face runs from `from` to `to` and which has no face on its right yet, if any.
 SolidEdge* unpaired(std::vector<SolidEdge>& edges, int from, int to) {
   for (SolidEdge& e : edges)
     if (e.from == from && e.to == to && e.right < 0) return &e;
@@ -29,8 +29,7 @@ SolidEdge* unpaired(std::vector<SolidEdge>& edges, int from, int to) {
 
 }  // namespace
 
-/// Each edge once, from the first face that runs through it; the face that runs through it the other way is on its
-/// right.
+/// Each edge once, from the first face that runs along it; the face that runs the other way is on its right.
 std::vector<SolidEdge> solid_edges(const FaceLoops& faces) {
   std::vector<SolidEdge> edges;
   for (int f = 0; f < faces.count(); ++f) {
@@ -46,8 +45,8 @@ std::vector<SolidEdge> solid_edges(const FaceLoops& faces) {
   return edges;
 }
 
-/// Half the sum of the cross products of a fan of triangles: along the normal, as long as the area is large, and the
-/// mean of all planes where the corners do not quite lie in one.
+/// Half the sum of the cross products of a fan of triangles: the normal times the area, averaged over the triangles'
+/// planes where the corners are not coplanar.
 Vec3 area_vector(std::span<const Vec3> corners, std::span<const int> loop) {
   Vec3 twice = Vec3::Zero();
   const Vec3 origin = corner_at(corners, loop[0]);
@@ -72,8 +71,8 @@ double solid_size(std::span<const Vec3> points) {
   return (high - low).norm();
 }
 
-// Of a tetrahedron between 0 and a, b, c with s = a + b + c and volume V: the integral of r is V s / 4, that of r r^T
-// is V (s s^T + a a^T + b b^T + c c^T) / 20.
+// For a tetrahedron between 0 and a, b, c with s = a + b + c and volume V, the integral of r is V s / 4. The integral
+// of r r^T is V (s s^T + a a^T + b b^T + c c^T) / 20.
 SolidMoments solid_moments(const Polyhedron& solid) {
   const Vec3 origin = solid.corners[0];
   double six = 0;
@@ -100,14 +99,14 @@ SolidMoments solid_moments(const Polyhedron& solid) {
 
 namespace {
 
-/// Which column becomes the first, second and third axis, and +1 or -1 for each.
+/// Column and sign of the first, second and third axis.
 struct AxisChoice {
   std::array<int, 3> from;
   std::array<double, 3> sign;
 };
 
-/// The right-handed choice of the columns of a right-handed matrix that turns the least: its trace is the largest, by
-/// more than rounding over the ones tried before it.
+/// The right-handed choice of columns that rotates least, i.e. with the largest trace. A later choice must exceed
+/// earlier ones by more than rounding.
 AxisChoice nearest_axes(const Eigen::Matrix3d& axes) {
   static constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
@@ -128,8 +127,8 @@ AxisChoice nearest_axes(const Eigen::Matrix3d& axes) {
 
 }  // namespace
 
-/// Jacobi's method: plane rotations until nothing is left off the diagonal. Of the 24 ways to name the axes the one
-/// nearest to the body's own is taken, so that a box keeps x, y and z.
+/// Jacobi's method. Of the 24 ways to name the axes the one nearest to the body's axes is used, so that a box keeps x,
+/// y and z.
 PrincipalInertia principal_inertia(const Eigen::Matrix3d& inertia) {
   const auto [moments, axes] = principal_axes(inertia, 1e-14 * inertia.diagonal().cwiseAbs().maxCoeff());
   const AxisChoice choice = nearest_axes(axes);
@@ -150,7 +149,7 @@ Polyhedron box_solid(const Vec3& low, const Vec3& high) {
   return extrusion(floor, Vec3(0, 0, high.z() - low.z()));
 }
 
-/// Two copies of the polygon, the near one turned round, and a quadrilateral between each pair of their edges.
+/// Two copies of the polygon, the near one reversed, and a quadrilateral between each pair of edges.
 Polyhedron extrusion(std::span<const Vec3> polygon, const Vec3& along) {
   const int n = static_cast<int>(polygon.size());
   Polyhedron solid;
@@ -158,7 +157,7 @@ Polyhedron extrusion(std::span<const Vec3> polygon, const Vec3& along) {
   for (int i = 0; i < n; ++i) near_end.push_back(i);
   solid.corners.assign(polygon.begin(), polygon.end());
   for (const Vec3& p : polygon) solid.corners.push_back(p + along);
-  // seen from the far end the polygon runs counter-clockwise, or is read backwards
+  // seen from the far end the polygon runs counter-clockwise, or is reversed
   if (area_vector(solid.corners, near_end).dot(along) < 0) std::reverse(near_end.begin(), near_end.end());
   for (const int i : near_end) far_end.push_back(i + n);
   solid.faces.add(std::vector<int>(near_end.rbegin(), near_end.rend()));
@@ -176,7 +175,6 @@ Polyhedron prism(std::span<const Vec2> outline, double low, double high) {
   return extrusion(floor, Vec3(0, 0, high - low));
 }
 
-/// Turned about the origin, then shifted.
 Polyhedron placed(const Polyhedron& solid, const UnitQuaternion& rotation, const Vec3& shift) {
   const Turn3 turn = turn_of(rotation);
   Polyhedron moved = solid;

@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// By throwing away what lies outside: even over the volume, and the same on every machine.
+/// Rejection sampling: uniform in the volume, and the same on every machine.
 Vec3 random_in_ball(std::mt19937_64& bits) {
   while (true) {
     const double x = random_between(bits, -1, 1), y = random_between(bits, -1, 1), z = random_between(bits, -1, 1);
@@ -16,7 +16,7 @@ Vec3 random_in_ball(std::mt19937_64& bits) {
   }
 }
 
-// A point of the ball in four dimensions, brought to its surface.
+// A point of the ball in four dimensions, projected to its surface.
 UnitQuaternion random_rotation(std::mt19937_64& bits) {
   while (true) {
     const double w = random_between(bits, -1, 1), x = random_between(bits, -1, 1);
@@ -35,7 +35,7 @@ Polyhedron in_random_pose(std::mt19937_64& bits, const Polyhedron& solid) {
   return placed(placed(solid, {}, -centre), random_rotation(bits), Vec3::Zero());
 }
 
-/// Directions, none within `apart` of one before it (as points of the unit sphere).
+/// Random directions, no two within `apart` of each other (as points of the unit sphere).
 std::vector<Vec3> spread_directions(std::mt19937_64& bits, int count, double apart) {
   std::vector<Vec3> out;
   while (static_cast<int>(out.size()) < count) {
@@ -45,12 +45,12 @@ std::vector<Vec3> spread_directions(std::mt19937_64& bits, int count, double apa
   return out;
 }
 
-/// Flatter draws from the unit sphere are thrown away [m3].
+/// Flatter samples of the unit sphere are rejected [m3].
 constexpr double least_of_sphere = 0.1;
 
 }  // namespace
 
-/// The hull of points spread over a sphere, stretched to an ellipsoid and turned.
+/// The hull of points on a sphere, stretched to an ellipsoid and rotated.
 Polyhedron random_convex_solid(std::mt19937_64& bits, const RandomSolid& wanted) {
   const int n = random_count(bits, wanted.fewest_corners, wanted.most_corners);
   const double size = random_between(bits, wanted.smallest, wanted.largest) / 2;

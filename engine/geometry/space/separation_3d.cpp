@@ -7,7 +7,7 @@ namespace {
 
 constexpr double none_yet = -std::numeric_limits<double>::infinity();
 
-/// The corner that lies least far along a direction, the first of equals.
+/// The lowest corner along a direction, the first of equal ones.
 struct LowestCorner {
   double height = std::numeric_limits<double>::infinity();
   int corner = 0;
@@ -39,7 +39,7 @@ Separation3 seen_from_b(const Separation3& of_b) {
   return {of_b.distance, -of_b.axis, SeparatingFeature::face_of_b, of_b.b, of_b.a};
 }
 
-/// An edge where it stands, with the normals of its faces.
+/// An edge in the world, with the normals of its faces.
 struct PlacedEdge {
   const Vec3& from;
   Vec3 along;
@@ -54,8 +54,8 @@ struct PlacedEdge {
         right(solid.normals[static_cast<std::size_t>(e.right)]) {}
 };
 
-/// Whether the arc between the faces of a's edge crosses that of b's turned round. The arc of an edge lies in the plane
-/// at right angles to it, so that signs of products with its direction tell the sides.
+/// Whether the arc between the faces of a's edge crosses the reversed arc of b's edge. The arc of an edge lies in the
+/// plane normal to it, so the signs of products with the edge's direction give the sides.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double left_b = a.along.dot(b.left), right_b = a.along.dot(b.right);
   if (left_b * right_b >= 0) return false;
@@ -63,7 +63,7 @@ bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   return left_a * right_a < 0 && left_b * right_a < 0;
 }
 
-/// Unit normal of both edges that points out of `a`; zero where they are parallel.
+/// Unit normal of both edges, pointing out of `a`; zero where they are parallel.
 Vec3 between_edges(const PlacedEdge& a, const PlacedEdge& b) {
   const Vec3 normal = cross(a.along, b.along);
   const double square = normal.squaredNorm();
@@ -88,7 +88,7 @@ Separation3 best_edges(const PlacedSolid& a, const PlacedSolid& b, Separation3 b
   return best;
 }
 
-/// The axis of these features as they stand now; zero where there is none.
+/// The axis of these features in the current placement; zero where there is none.
 Vec3 axis_of(const Separation3& last, const PlacedSolid& a, const PlacedSolid& b) {
   switch (last.feature) {
     case SeparatingFeature::face_of_a:
@@ -104,10 +104,10 @@ Vec3 axis_of(const Separation3& last, const PlacedSolid& a, const PlacedSolid& b
 
 }  // namespace
 
-// The axis along which two convex solids are farthest apart, or least deep in each other, is a face normal of either or
-// square to an edge of each (the theorem of separating axes). Of edges only those pairs count that make a face of the
-// Minkowski difference, whose arcs of normals cross (Gregorius, "The separating axis test between convex polyhedra",
-// GDC 2013). `enough` ends the search: who asks whether solids are apart needs no best axis.
+// Separating axis theorem: the axis of largest distance, or least penetration, is a face normal of either solid or
+// normal to an edge of each. Only pairs of edges that make a face of the Minkowski difference count; their arcs of
+// normals cross (Gregorius, "The separating axis test between convex polyhedra", GDC 2013). `enough` ends the search
+// early for callers that only ask whether the solids are apart.
 Separation3 separation(const PlacedSolid& a, const PlacedSolid& b, double enough) {
   const Separation3 from_a = best_solid_face(a, b, enough);
   if (from_a.distance > enough) return from_a;

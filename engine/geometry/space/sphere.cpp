@@ -17,16 +17,17 @@
 namespace trilith {
 namespace {
 
-// Moments of spheres that overlap. The body is cut by level planes; each cut is a union of discs, whose moments follow
-// from its rim by Green's theorem; the cuts are summed over the height by Gauss's rule between the heights where a
-// sphere, or the circle that two of them share, begins or ends, as areas are smooth in between:
-//
+// Moments of overlapping spheres, from horizontal sections. A section is a union of discs, whose moments follow from
+// its rim by Green's theorem. The sections are integrated by Gauss quadrature between the heights where a sphere, or
+// the intersection circle of two spheres, begins or ends; areas are smooth in between.
+// ```
 //        __                    __
-//       /  \__     a cut of   /  \_
-//      |   |  |    two:      |  (  |   the rim is an arc of each disc
+//       /  \__     section    /  \_
+//      |   |  |    of two:   |  (  |   the rim is an arc of each disc
 //       \__/\_/               \__/
+// ```
 
-/// Gauss's rule of 16 points: those right of the middle of -1 to 1, and their weights.
+/// Gauss quadrature with 16 points: the positive points in -1 to 1, and their weights.
 constexpr std::array<double, 8> gauss_point{0.0950125098376374, 0.2816035507792589, 0.4580167776572274,
                                             0.6178762444026438, 0.7554044083550030, 0.8656312023878318,
                                             0.9445750230732326, 0.9894009349916499};
@@ -34,7 +35,7 @@ constexpr std::array<double, 8> gauss_weight{0.1894506104550685, 0.1826034150449
                                              0.1495959888165767, 0.1246289712555339, 0.0951585116824928,
                                              0.0622535239386479, 0.0271524594117541};
 
-/// f(place, weight) at the points of the rule between two ends.
+/// Calls f(place, weight) for the points of the quadrature between two ends.
 template <class F>
 void for_gauss_points(double from, double to, F&& f) {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
@@ -53,7 +54,7 @@ struct Disc {
   double x, y, radius;
 };
 
-/// By Green's theorem, along the arc from `from` to `to` [rad]; the whole circle where they are 2 pi apart.
+/// Green's theorem along the arc from `from` to `to` [rad]; the whole circle where they differ by 2 pi.
 void add_arc(const Disc& d, double from, double to, PlaneMoments& out) {
   for_gauss_points(from, to, [&](double angle, double weight) {
     const portable::SineCosine at = portable::sine_cosine(angle);
@@ -67,7 +68,7 @@ void add_arc(const Disc& d, double from, double to, PlaneMoments& out) {
 
 using Arc = std::pair<double, double>;
 
-/// What other discs cover of the circle of disc i, between 0 and 2 pi; true where all of it is.
+/// The arcs of disc i's circle that other discs cover, between 0 and 2 pi; true where they cover all of it.
 bool covered_arcs(const std::vector<Disc>& discs, std::size_t i, std::vector<Arc>& arcs) {
   constexpr double turn = 2 * std::numbers::pi;
   const Disc& own = discs[i];
@@ -80,7 +81,7 @@ bool covered_arcs(const std::vector<Disc>& discs, std::size_t i, std::vector<Arc
     const bool same = apart == 0 && own.radius == by.radius;
     if (same ? j < i : by.radius >= apart + own.radius) return true;
     if (same || own.radius >= apart + by.radius) continue;
-    // Half the angle that the other covers, by the law of cosines.
+    // Half the covered angle, by the law of cosines.
     const double cosine = (apart * apart + own.radius * own.radius - by.radius * by.radius) / (2 * apart * own.radius);
     const double half = portable::acos(std::clamp(cosine, -1.0, 1.0));
     double from = portable::atan2(dy, dx) - half;
@@ -92,8 +93,7 @@ bool covered_arcs(const std::vector<Disc>& discs, std::size_t i, std::vector<Arc
   return false;
 }
 
-/// Of the union of discs.
-/// Around the rim of the union, of each disc the arcs that no other covers.
+/// Moments of the union of discs, from the uncovered arcs of each disc.
 PlaneMoments union_of_discs(const std::vector<Disc>& discs, std::vector<Arc>& arcs) {
   PlaneMoments out;
   for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -114,7 +114,7 @@ struct BodyMoments {
   Vec3 first = Vec3::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< integral of r r^T
 
-  // Of a whole sphere: 4/3 pi r^3, and r^2/5 of it along each axis about its centre.
+  // A whole sphere: volume 4/3 pi r^3; second moment along each axis about its centre: r^2/5 of the volume.
   void add(const Sphere& s) {
     const double v = 4.0 / 3 * std::numbers::pi * s.radius * s.radius * s.radius;
     volume += v, first += v * s.centre;
@@ -129,7 +129,7 @@ struct BodyMoments {
   }
 };
 
-/// Heights at which a sphere, or the circle that two share, begins or ends.
+/// Heights at which a sphere, or the intersection circle of two, begins or ends.
 std::vector<double> heights_of(const std::vector<Sphere>& spheres) {
   std::vector<double> at;
   for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -140,7 +140,7 @@ std::vector<double> heights_of(const std::vector<Sphere>& spheres) {
       const Vec3 way = b.centre - a.centre;
       const double apart = way.norm();
       if (!(apart < a.radius + b.radius) || !(apart > std::abs(a.radius - b.radius))) continue;
-      // The circle that both share lies in a plane `along` from the centre of a, with the radius `ring`.
+      // The intersection circle of both lies in a plane `along` from the centre of a and has the radius `ring`.
       const double along = (apart * apart + a.radius * a.radius - b.radius * b.radius) / (2 * apart);
       const double ring = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
       const double steep = way.z() / apart, up = ring * std::sqrt(std::max(0.0, 1 - steep * steep));
@@ -151,7 +151,8 @@ std::vector<double> heights_of(const std::vector<Sphere>& spheres) {
   return at;
 }
 
-/// Between two heights the points of the rule crowd towards both ends, where areas go with the root of the distance.
+/// Between two heights the quadrature points are concentrated at both ends, where areas vary with the square root of
+/// the distance.
 void add_slices(const std::vector<Sphere>& spheres, BodyMoments& out) {
   const std::vector<double> height = heights_of(spheres);
   std::vector<Disc> discs;

@@ -1,4 +1,4 @@
-// Spheres: what they are, and the measures of what several of them fill together.
+// Spheres, and the measures of a union of spheres.
 #pragma once
 
 #include <span>
@@ -15,15 +15,15 @@ struct Sphere {
   double radius = 0;           ///< [m]
 };
 
-/// Refuses a centre that is not finite and a radius that is not above 0, with an InputError that `owner` begins.
+/// Throws InputError, which begins with `owner`, for a centre that is not finite or a radius that is not above 0.
 void check_sphere(const Sphere& sphere, std::string_view owner);
 
-/// Volume, centroid and inertia (density 1) of the union of spheres: what several share counts once. At least one.
+/// Volume, centroid and inertia (density 1) of the union of at least one sphere; shared volume counts once.
 ///
-/// A sphere alone, and spheres that share nothing, are exact. Else level cuts through the union are summed up: each cut
-/// is a union of discs, of which area and moments are exact, by Green's theorem along the arcs that bound it; over the
-/// height Gauss's rule is taken between the heights at which a sphere or the circle that two of them share begins or
-/// ends. Two spheres come out to 1e-9, three and more that share a point to some 1e-6.
+/// Exact for one sphere and for spheres that share nothing. Otherwise horizontal sections are integrated over the
+/// height. A section is a union of discs, whose area and moments are exact by Green's theorem along its bounding arcs.
+/// Gauss quadrature is used between the heights at which a sphere, or the intersection circle of two spheres, begins or
+/// ends. Relative errors: 1e-9 for two spheres, about 1e-6 for three and more that share a point.
 SolidMoments sphere_moments(std::span<const Sphere> spheres);
 
 }  // namespace trilith

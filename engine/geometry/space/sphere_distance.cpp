@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// The point of a face, within it or at its sides, that is nearest to x.
+/// The point of a face, inside or on its edges, nearest to x.
 Vec3 nearest_of_face(const PlacedSolid& solid, int face, const Vec3& x) {
   const std::span<const int> loop = solid.solid->shape.faces[face];
   const Vec3& n = solid.normals[static_cast<std::size_t>(face)];
@@ -26,8 +26,8 @@ Vec3 nearest_of_face(const PlacedSolid& solid, int face, const Vec3& x) {
   return inside ? Vec3(x + depth_below(solid, face, x) * n) : nearest;
 }
 
-/// Of a point from a convex solid: within it minus the least depth below a face, else how far the nearest point of its
-/// skin is. The highest of the heights over all faces tells which, as it is below 0 within alone.
+/// Distance of a point from a convex solid: inside, minus the least depth below a face; outside, the distance from the
+/// nearest surface point. The highest of the heights over all faces decides: it is negative inside only.
 double point_distance(const PlacedSolid& solid, const Vec3& x) {
   double highest = -unbounded;
   for (int f = 0; f < solid.solid->shape.faces.count(); ++f) highest = std::max(highest, -depth_below(solid, f, x));
@@ -46,7 +46,7 @@ Vec3 nearest_point(const PlacedSolid& solid, const Vec3& x) {
   return nearest;
 }
 
-/// Above 0 where the two are apart, below where they overlap; one of them at least is a sphere.
+/// Positive where the two are apart, negative where they overlap; at least one is a sphere.
 double sphere_distance(const PlacedSolid& a, const PlacedSolid& b) {
   if (!a.solid->is_sphere()) return point_distance(a, b.corners[0]) - b.solid->radius;
   if (!b.solid->is_sphere()) return point_distance(b, a.corners[0]) - a.solid->radius;

@@ -1,14 +1,15 @@
-// How far a sphere is from another solid.
+// Distance of a sphere from another solid.
 #pragma once
 
 #include "geometry/space/convex_solid.hpp"
 
 namespace trilith {
 
-/// The point of the surface of a polyhedron that is nearest to x.
+/// The point of a polyhedron's surface nearest to x.
 Vec3 nearest_point(const PlacedSolid& solid, const Vec3& x);
 
-/// Of two solids of which at least one is a sphere [m]; below 0 where they overlap: how far one has to move to be free.
+/// Distance of two solids, at least one a sphere [m]; negative where they overlap: minus the least separating
+/// translation.
 double sphere_distance(const PlacedSolid& a, const PlacedSolid& b);
 
 }  // namespace trilith

@@ -13,17 +13,20 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// Faces are loops of corners one after the other in one array; a place in it stands for the side from that corner to
-// the next of its loop. What lies across a side is the place of the side that runs between the same two corners.
-//
+// Faces are loops of corners, one after the other in one array. An index in the array denotes the edge from that corner
+// to the next of its loop. The index across it denotes the edge between the same two corners in the neighbouring loop.
+// ```
 //      d ____ c      faces.corner  a b c d | b e c
-//       | f  |\      the side b-c of f is place 1, and across it is c-b of g, place 6:
-//       |____|_\     it runs the other way, so both faces look outwards or both inwards
+//       | f  |\
+//       |____|_\
 //      a    b g e
+// ```
+// The edge b-c of f has index 1, and across it is c-b of g with index 6. It runs the other way, so both faces are
+// oriented alike, outwards or inwards.
 
-/// The face and the next corner of each place of `faces.corner`.
+/// The face and the next corner for each index of `faces.corner`.
 struct LoopPlaces {
-  std::vector<int> face, next;  ///< [places]
+  std::vector<int> face, next;  ///< [indices of `faces.corner`]
 
   explicit LoopPlaces(const FaceLoops& faces) {
     for (int f = 0; f < faces.count(); ++f)
@@ -36,8 +39,8 @@ struct LoopPlaces {
 
 }  // namespace
 
-/// All sides of faces sorted by their two corners, the lower first: sides of one edge then stand next to each other and
-/// are paired two by two, whichever way they run.
+/// Edges of all faces sorted by their two corners, the lower first. Occurrences of one edge are then adjacent and are
+/// paired two by two, whatever their direction.
 std::vector<int> edges_across(const FaceLoops& faces) {
   struct Side {
     int low, high, place;
@@ -64,13 +67,13 @@ std::vector<int> edges_across(const FaceLoops& faces) {
 
 namespace {
 
-/// Finds points near a place by a grid of cells twice as wide as what counts as near.
+/// Neighbour search for points: a grid whose cells are twice as wide as the search distance.
 class PointGrid {
  public:
   PointGrid(double within, std::size_t points) : within_(within), per_cell_(0.5 / within) { cells_.reserve(points); }
 
   // A point within `within_` of p lies in one of the cells of the eight corners of the cube of that half width.
-  /// The first point that was put near `p`, or -1.
+  /// The first inserted point near `p`, or -1.
   [[nodiscard]] int near(const Vec3& p, const std::vector<Vec3>& points) const {
     int found = -1;
     for (int corner = 0; corner < 8; ++corner) {
@@ -101,8 +104,8 @@ class PointGrid {
 
 }  // namespace
 
-/// Points within `within` of one that came before become that one, and faces that are left with fewer than three
-/// different corners are dropped: STL files give each triangle its own corners.
+/// A point within `within` of an earlier one is merged with it, and faces with fewer than three distinct corners are
+/// removed. STL files give each triangle its own corners.
 Polyhedron with_joined_corners(const Polyhedron& surface, double within) {
   Polyhedron made;
   PointGrid grid(std::max(within, 1e-300), surface.corners.size());
@@ -128,7 +131,7 @@ Polyhedron with_joined_corners(const Polyhedron& surface, double within) {
 
 namespace {
 
-/// Goes from face to face over their edges.
+/// Traverses the faces across their edges.
 class ShellWalk {
  public:
   ShellWalk(const Polyhedron& surface, std::span<const int> across)
@@ -144,8 +147,7 @@ class ShellWalk {
   }
 
  private:
-  /// Gives the faces that can be reached from `first` the number of a new shell, each with the turn that makes it look
-  /// the way its neighbour does.
+  /// Assigns a new shell number to the faces reachable from `first`, and orients each one like its neighbour.
   void walk(int first) {
     const int shell = out_.count++;
     out_.whole.push_back(1);
@@ -167,14 +169,14 @@ class ShellWalk {
           out_.of[at(g)] = shell, out_.turn[at(g)] = turn;
           open.push_back(g);
         } else if (out_.turn[at(g)] != turn) {
-          out_.whole[at(shell)] = 0;  // one-sided, as a Moebius strip
+          out_.whole[at(shell)] = 0;  // one-sided, such as a Moebius strip
         }
       }
     }
   }
 
-  // The volume by the divergence theorem, a third of the sum of (place . area), but for the factor: its sign is asked.
-  /// Turns shells round whose volume is below 0.
+  // Volume by the divergence theorem up to a positive factor, as sum of (position . area): only its sign is used.
+  /// Reverses shells with a negative volume.
   void outwards() {
     std::vector<double> volume(at(out_.count), 0);
     std::vector<int> first(at(out_.count), -1);
@@ -198,18 +200,17 @@ class ShellWalk {
 
 }  // namespace
 
-/// Faces that hang together over edges are one shell. A face whose neighbour runs along their edge the same way is
-/// turned round against it; a shell that cannot be turned to one orientation, or has an edge without a neighbour, is
-/// not whole.
+/// Faces connected across edges form one shell. A face that runs along a common edge in the same direction as its
+/// neighbour is reversed. A shell that cannot be oriented, or has an edge without a neighbour, is not whole.
 Shells shells_of(const Polyhedron& surface, std::span<const int> across) {
   return ShellWalk(surface, across).run();
 }
 
-/// Each shell with corners of its own, numbered as its faces come upon them, and all faces outwards.
+/// Each shell with its own corners, numbered in the order of its faces, and all faces outwards.
 std::vector<Polyhedron> solids_of(const Polyhedron& surface, const Shells& shells) {
   std::vector<Polyhedron> solids(at(shells.count));
   std::vector<int> number(surface.corners.size(), -1), in(surface.corners.size(), -1);
-  // shell by shell, for shells may share corners
+  // shell by shell, because shells may share corners
   std::vector<std::vector<int>> faces(at(shells.count));
   for (int f = 0; f < surface.faces.count(); ++f) faces[at(shells.of[at(f)])].push_back(f);
   for (int s = 0; s < shells.count; ++s) {
@@ -232,7 +233,7 @@ std::vector<Polyhedron> solids_of(const Polyhedron& surface, const Shells& shell
 
 namespace {
 
-/// Joins faces of one solid.
+/// Merges coplanar faces of one solid.
 class FaceJoiner {
  public:
   FaceJoiner(const Polyhedron& solid, double flat)
@@ -243,8 +244,8 @@ class FaceJoiner {
     for (int f = 0; f < solid.faces.count(); ++f) areas_.push_back(area_vector(solid.corners, solid.faces[f]));
   }
 
-  // Comes in: a closed surface of any faces. Goes out: the same with neighbours in one plane joined, and without the
-  // corners that lie within an edge then.
+  // Input: a closed surface. Output: the surface with coplanar neighbours merged, without corners that then lie inside
+  // an edge.
   Polyhedron run() {
     std::vector<int> order(areas_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
@@ -258,7 +259,7 @@ class FaceJoiner {
   }
 
  private:
-  /// Takes in what lies in the plane of the first face.
+  /// Adds all connected faces in the plane of the first face.
   void spread(int seed) {
     const int number = count_++;
     const Vec3 normal = areas_[at(seed)].normalized();
@@ -282,9 +283,9 @@ class FaceJoiner {
                        [&](int i) { return std::abs(normal.dot(solid_.corners[at(i)]) - height) <= within_; });
   }
 
-  /// The loop around the members; each for itself where there is more than one loop.
+  /// Adds the loop around the members; keeps the members separate if there is more than one loop.
   void add_rim(const std::vector<int>& members, int number) {
-    // Sides that have a member on both sides are within; the others, followed from corner to corner, are the rim.
+    // Edges with a member on both sides are inner ones; the others, followed from corner to corner, form the rim.
     std::unordered_map<int, int> next;
     std::size_t edges = 0;
     for (const int f : members)
@@ -310,7 +311,7 @@ class FaceJoiner {
     for (const int f : members) loops_.add(solid_.faces[f]);
   }
 
-  /// A corner where fewer than three faces meet is on a straight edge, or in no face any more.
+  /// A corner with fewer than three faces lies on a straight edge or belongs to no face any more.
   [[nodiscard]] Polyhedron without_unused() const {
     std::vector<int> uses(solid_.corners.size(), 0), number(solid_.corners.size(), -1);
     for (const int i : loops_.corner) ++uses[at(i)];
@@ -338,13 +339,13 @@ class FaceJoiner {
 
 }  // namespace
 
-/// Triangles of one plane become one face, the largest ones first, as theirs are the best planes.
+/// Coplanar triangles become one face. The largest come first, because their planes are the most accurate.
 Polyhedron with_joined_faces(const Polyhedron& solid, double flat) {
   return FaceJoiner(solid, flat).run();
 }
 
-/// Over each edge, how far the face on one side reaches above the plane of the other: where it does so for both, the
-/// edge is a dent, by the smaller of the two.
+/// For each edge, the heights of both faces over each other's planes: if both are positive the edge is a dent, as deep
+/// as the smaller one.
 HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across) {
   const LoopPlaces places(solid.faces);
   const std::vector<Vec3> normals = face_normals(solid);
@@ -352,7 +353,7 @@ HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across) {
     double by = 0;
     int corner = 0;
   };
-  // of the face that has place k as an edge, beyond the plane of the face on its other side
+  // height of the face with edge k outside of the plane of the face across it
   const auto outside = [&](std::size_t k) {
     const auto beside = at(places.face[at(across[k])]);
     const Vec3& on = solid.corners[at(solid.faces.corner[k])];

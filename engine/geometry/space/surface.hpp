@@ -1,5 +1,5 @@
-// Surfaces as files have them, made solids of: corners joined, shells told apart, faces turned outwards, triangles in
-// one plane made one face. All of it in a time that goes with the number of faces, times its logarithm.
+// Makes solids from surfaces as files store them: merges corners, separates shells, orients faces outwards, and merges
+// coplanar triangles. Time grows as the number of faces times its logarithm.
 #pragma once
 
 #include <span>
@@ -9,39 +9,39 @@
 
 namespace trilith {
 
-/// For each place of `faces.corner`, where an edge begins, the place where the same edge begins on the face beside it;
-/// -1: no face is there. Where more than two faces have an edge, as of two solids that touch along it, those that
-/// follow each other in the list belong together.
+/// For each index of `faces.corner`, where an edge begins, the index where the neighbouring face begins the same edge;
+/// -1 if there is no face. Where an edge has more than two faces, such as two solids that touch along it, consecutive
+/// faces of the list are paired.
 std::vector<int> edges_across(const FaceLoops& faces);
 
-/// Corners nearer to each other than `within` [m] become the first of them; faces that lose all but two corners go.
-/// Every corner that is left belongs to a face.
+/// Merges corners nearer to each other than `within` [m] into the first one; faces left with two corners are removed.
+/// Every remaining corner belongs to a face.
 Polyhedron with_joined_corners(const Polyhedron& surface, double within);
 
-/// Which connected shell each face belongs to, and which must be read the other way round so that all of a shell agree
-/// and it has a volume above 0.
+/// The connected shell of each face, and the faces to be reversed so that each shell is consistently oriented with a
+/// volume above 0.
 struct Shells {
   int count = 0;
   std::vector<int> of;      ///< [faces]
-  std::vector<char> turn;   ///< [faces] 1: read it the other way round
-  std::vector<char> whole;  ///< [shells] 1: closed, with an inside and an outside
+  std::vector<char> turn;   ///< [faces] 1: to be reversed
+  std::vector<char> whole;  ///< [shells] 1: closed and orientable
 };
 Shells shells_of(const Polyhedron& surface, std::span<const int> across);
 
-/// One solid of each shell, its faces turned as `shells` says.
+/// One solid for each shell, its faces oriented as `shells` states.
 std::vector<Polyhedron> solids_of(const Polyhedron& surface, const Shells& shells);
 
-/// A closed solid with those neighbouring faces made one that lie in a plane to within `flat` times its size, the
-/// largest first, and corners left out that fewer than three faces are left with. Faces with holes are left as they
-/// were.
+/// Merges neighbouring faces of a closed solid that are coplanar within `flat` times its size, the largest first, and
+/// removes corners that belong to fewer than three faces afterwards. Groups that would give a face with holes stay
+/// unmerged.
 Polyhedron with_joined_faces(const Polyhedron& solid, double flat);
 
-/// Where faces beside each other stand out of each other's planes. A closed solid where none does is convex.
+/// Neighbouring faces that extend outside of each other's planes. A closed solid without any is convex.
 struct HollowEdge {
-  double out = 0;  ///< most by which a corner of a face stands out of the plane of the face beside it, m
-  double by = 0;   ///< depth of the deepest dent, m: the lesser of what two faces stand out of each other's planes, for
-                   ///< the plane of a narrow face says little where corners are rounded
-  Vec3 at = Vec3::Zero();  ///< of the dent, or where `out` is
+  double out = 0;  ///< largest height of a face's corner outside of the neighbouring face's plane [m]
+  double by = 0;   ///< depth of the deepest dent [m]: the smaller height of the two faces over each other's planes,
+                   ///< because the plane of a narrow face is uncertain where corners are rounded
+  Vec3 at = Vec3::Zero();  ///< position of the dent, or of `out` [m]
 };
 HollowEdge hollow_edge(const Polyhedron& solid, std::span<const int> across);
 

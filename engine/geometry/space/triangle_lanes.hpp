@@ -1,8 +1,8 @@
-// Triangles of the faces of a solid that two share, each with its depths below the other solid, on their way into
-// lanes.
+// Collects triangles of the shared solid's faces, with their depths below the other solid, into SIMD lanes.
 //
-// Comes in: corners by their arms, with the depth as a fourth number. Goes out: fours of triangles, number by number.
-// What functions for wide registers read and others made stands on 32 bytes, which no compiler sees to by itself.
+// Input: corners as arms, with the depth as fourth number. Output: groups of four triangles, component by component.
+// Aligned to 32 bytes because functions for wide registers read objects that narrow functions made; the compiler does
+// not ensure this alignment itself.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace trilith {
 
-/// Four triangles, a lane each, over each of which the depth is linear.
+/// Four triangles, one in each lane; the depth is linear over each.
 struct alignas(32) FourTriangles {
-  std::array<Triple<Lanes>, 3> arm;  ///< of the corners, which run counter-clockwise about the normal [m]
-  std::array<Lanes, 3> depth;        ///< there [m]
-  Triple<Lanes> normal;              ///< of length 1, out of the solid whose face it is
-  Lanes sign;                        ///< the way along it in which the second solid is pushed, 1 or -1
+  std::array<Triple<Lanes>, 3> arm;  ///< of the corners, counter-clockwise about the normal [m]
+  std::array<Lanes, 3> depth;        ///< at the corners [m]
+  Triple<Lanes> normal;              ///< unit normal, out of the solid that owns the face
+  Lanes sign;                        ///< direction along the normal in which the second solid is pushed, 1 or -1
 };
 
-/// Triangles wait until there are four; all are kept in a room that grows as far as it must.
+/// Collects triangles until there are four; the buffer grows as needed.
 class alignas(32) TriangleLanes {
  public:
   TRILITH_INLINE explicit TriangleLanes(std::vector<FourTriangles>& room) : room_(room) {}
@@ -35,7 +35,7 @@ class alignas(32) TriangleLanes {
     if (++count_ == lane_count) flush();
   }
 
-  /// All that were added; beyond the last one the first of its four as a triangle without area.
+  /// All added triangles; unused lanes of the last group repeat its first triangle without area.
   TRILITH_INLINE std::span<const FourTriangles> all() {
     if (count_ > 0) {
       for (auto i = static_cast<std::size_t>(count_); i < lane_count; ++i) {

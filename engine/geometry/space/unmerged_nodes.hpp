@@ -1,4 +1,4 @@
-// The remedy for a mesh whose parts do not hang together, for messages.
+// The remedy for a mesh with unconnected parts, for messages.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace trilith {
 
-/// Nodes at one place (within 1e-9 of the mesh's size) are to be merged; where there are none, each part is a body.
+/// Coincident nodes (within 1e-9 of the mesh's size) are to be merged; if there are none, each part is a separate body.
 template <class Vec>
 std::string unmerged_nodes(const std::vector<Vec>& nodes) {
   std::vector<std::size_t> order(nodes.size());
