@@ -15,7 +15,7 @@ ContactKey key_beside(int p, int q) {
   return contact_key(std::min(p, q), std::max(p, q));
 }
 
-/// f(bearing) for each that alters the contact of a pair.
+/// Calls f(bearing) for each bearing that modifies the contact of a pair.
 template <int D, class F>
 void for_bearings_beside(const BroadPhaseState<D>& search, const NearPair& pair, F&& f) {
   if (search.bearing.empty()) return;
@@ -25,12 +25,12 @@ void for_bearings_beside(const BroadPhaseState<D>& search, const NearPair& pair,
     f(static_cast<std::size_t>(at->second));
 }
 
-/// The axial direction of a bearing as either body keeps it.
+/// The axial direction of a bearing, as fixed to either body.
 template <int D>
 struct AxialWays {
   Vec<D> on_a, on_b;
 
-  /// Sine of the angle between them.
+  /// Sine of the angle between the two directions.
   [[nodiscard]] double tilt() const {
     if constexpr (D == 2)
       return std::abs(cross(on_a, on_b));
@@ -50,9 +50,9 @@ AxialWays<3> axial_ways(const Model<3>& model, const State<3>& state, const Bear
 
 }  // namespace
 
-// A bearing may stand for the contact between its two pieces (it then carries what the contact would) or leave another
-// law in its place once it has failed. Pairs ask for theirs by key, so that the list is sorted by key, then by number:
-// the order of bearings decides where several lie beside one pair.
+// A bearing may replace the contact between its two pieces, whose load it carries, or set another contact law after its
+// failure. Pairs look up their bearings by key. So the list is sorted by key, then by index: if one pair has several
+// bearings, their order decides.
 template <int D>
 void list_bearings(const Model<D>& model, BroadPhaseState<D>& search) {
   search.bearing.clear();
@@ -76,9 +76,10 @@ void apply_bearings(const Model<D>& model, const BroadPhaseState<D>& search, std
   });
 }
 
-// A bearing stands for what its two faces share while they lie flat. On soft springs that may be deep, and it is all
-// there at once when they tilt: from there on only what goes deeper than it did presses (LawInUse::held), so that a
-// contact begins without a force and without energy. Once the two have parted, all of what they share counts again.
+// A bearing replaces the overlap of its two faces while they lie flat. On soft springs the overlap may be deep, and the
+// contact would act on all of it as soon as the faces tilt. From then on only the overlap beyond the replaced depth
+// carries pressure (`LawInUse::held`), so the contact begins without force and energy. After the two have separated,
+// the whole overlap counts again.
 
 template <int D>
 double depth_stood_for(const Model<D>& model, const BroadPhaseState<D>& search,
@@ -99,10 +100,10 @@ void stand_for(const Model<D>& model, const BroadPhaseState<D>& search, const Ne
   });
 }
 
-// Whether a bearing that stands for the contact answers for this force. Its faces, square to the axial direction that
-// each body keeps of it, must still lie flat on each other, and the force must be nearer to that axis than 45 degrees:
-// (z . f)^2 >= f . f / 2. In the plane any two faces that lie flat on each other will do besides. What meets by another
-// face, or tilted, touches as if there were no bearing.
+// Whether a bearing that replaces the contact covers this force. Its faces, normal to the axial direction as fixed to
+// each body, must still lie flat on each other. The force must be within 45 degrees of that axis: (z . f)^2 >= f . f /
+// 2. In the plane, any two faces that lie flat on each other also qualify. Contact at another face, or of tilted faces,
+// acts as if there were no bearing.
 template <int D>
 bool presses_flat(const Model<D>& model, const State<D>& state, const Work<D>& work,
                   std::span<const BearingMemory<D>> bearings, const NearPair& pair, const Vec<D>& force) {

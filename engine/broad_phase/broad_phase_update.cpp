@@ -10,21 +10,21 @@
 namespace trilith {
 namespace {
 
-/// What a piece may move by in x and in y, as a share of the smaller of its body's thickness and the median. Wider
-/// boxes find more pairs that do not touch, narrower ones are left more often. Two of the median keep within a
-/// twentieth of it, 2 sqrt(2) of this.
+/// Motion budget of a piece in x and in y, relative to the smaller of its body's thickness and the median thickness.
+/// Larger boxes find more pairs that do not touch; smaller ones are left more often. Two pieces of median thickness
+/// approach each other by at most a twentieth of it, 2 sqrt(2) times this share.
 constexpr double margin_share = 0.05 / 2.8284271247461903;
-/// A box reaches as far ahead as its piece gets in this many steps, but by no more than this many times its size.
+/// A box extends ahead by the piece's motion in this many steps, but by at most this many times its size.
 constexpr double steps_ahead = 32, most_stretch = 2;
-/// Who leaves within so many steps is looked up with those that have left: patching a long list costs as much for one
-/// as for many.
+/// Pieces that will leave their boxes within this many steps are updated early, in the same pass, because patching a
+/// long list costs as much for one piece as for many.
 constexpr double steps_due = 12;
-/// BroadPhaseState::beside, as a share of the median thickness.
+/// `BroadPhaseState::beside` relative to the median thickness.
 constexpr double beside_share = 0.025;
-/// Of what is allowed, for the rounding of places.
+/// Share of the budget that is used; the rest covers rounding of positions.
 constexpr double allowed_share = 0.999;
 
-/// Of a frame: its box says nothing of it.
+/// For a frame, whose bounding box does not show its thickness.
 double thinnest_piece(const Model<2>& model, const Body& b) {
   return *std::min_element(model.piece_thickness.begin() + b.first_piece,
                            model.piece_thickness.begin() + b.first_piece + b.pieces);
@@ -33,7 +33,7 @@ double thinnest_piece(const Model<2>& model, const Body& b) {
 /// The smaller side of a body's box in its own axes [m].
 double box_thickness(const Model<2>& model, const Body& b) {
   if (b.skin_is_sections()) return thinnest_piece(model, b);
-  // Places of the skin of a rigid body are in its own axes, those of a deformable one are its nodes.
+  // Skin positions of a rigid body are in body axes; the skin of a deformable body consists of its nodes.
   const auto first = static_cast<std::size_t>(b.is_rigid() ? b.first_skin : b.first_node);
   const Box2 box = bounding_box(std::span(b.is_rigid() ? model.skin_place : model.start_position)
                                     .subspan(first, static_cast<std::size_t>(b.skins)));
@@ -46,7 +46,7 @@ double median_of(std::vector<double>& values) {
   return *middle;
 }
 
-/// How far each piece may go however slow it is, and whether it may move at all.
+/// Motion budget of each piece at rest, and whether it can move at all.
 void find_margins(const Model<2>& model, BroadPhaseState<2>& search) {
   const auto bodies = static_cast<int>(model.bodies.size());
   std::vector<double> thickness(model.bodies.size()), moving;
@@ -65,7 +65,7 @@ void find_margins(const Model<2>& model, BroadPhaseState<2>& search) {
   }
 }
 
-/// Half the longest diagonal: a corner of a rigid piece that may move by r lets it turn by asin(r / arm) at most.
+/// Half the longest diagonal: if the corners of a rigid piece move by at most r, it rotates by at most asin(r / arm).
 double half_diagonal(const Model<2>& model, int piece) {
   double most = 0;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c)
@@ -76,12 +76,12 @@ double half_diagonal(const Model<2>& model, int piece) {
 
 constexpr int most_samples = 63;
 
-/// Where a skin point is beside `together`.
+/// Position of a skin point relative to the common translation `together`.
 Vec2 place_beside(const Work<2>& work, const BroadPhaseState<2>& search, int skin) {
   return Vec2(work.skin[skin].x, work.skin[skin].y) - search.together;
 }
 
-/// The first corners of some pieces, spread over all.
+/// The first corners of a sample of pieces, distributed over all.
 void take_sample(const Model<2>& model, const Work<2>& work, BroadPhaseState<2>& search) {
   const int count = std::min(most_samples, model.pieces());
   search.sample.resize(static_cast<std::size_t>(count));
@@ -93,7 +93,7 @@ void take_sample(const Model<2>& model, const Work<2>& work, BroadPhaseState<2>&
   }
 }
 
-/// The middle one of `value(skin point of the sample, its number)`, for both axes apart.
+/// Component-wise median of `value(skin point of the sample, its index)`.
 template <class Value>
 Vec2 median_of_sample(const BroadPhaseState<2>& search, Value&& value) {
   std::array<double, most_samples> x, y;
@@ -113,22 +113,22 @@ Vec2 common_velocity(const Work<2>& work, const BroadPhaseState<2>& search) {
   return median_of_sample(search, [&](int skin, auto) { return Vec2(work.skin[skin].u, work.skin[skin].v); });
 }
 
-/// Moves `together` on to what the middle one of the sample has moved by since it was found last, and lets it drift as
-/// that does now: a few that fly do not count among many that stand.
+/// Adds the median displacement of the sample since the last call to `together`, and sets the drift to the sample's
+/// median velocity. A few flying pieces among many standing ones do not affect the median.
 void follow(const Work<2>& work, BroadPhaseState<2>& search) {
   const Vec2 by = median_of_sample(
       search, [&](int skin, auto i) { return Vec2(place_beside(work, search, skin) - search.sample_at[i]); });
   const Vec2 drift = common_velocity(work, search);
-  if (!(by.squaredNorm() + drift.squaredNorm() < unbounded)) return;  // no numbers: the watch ends the stage
+  if (!(by.squaredNorm() + drift.squaredNorm() < unbounded)) return;  // not finite: the watchdog ends the stage
   search.together += by, search.drift = drift;
   search.shifted += LanePair{std::abs(by.x()), std::abs(by.y())};
   for (std::size_t i = 0; i < search.sample.size(); ++i)
     search.sample_at[i] = place_beside(work, search, search.sample[i]);
 }
 
-/// What is left to a piece along each axis before one of its corners has gone as far as it may [m]; below 0: it has.
-/// With q = x - together and q_0 where it was looked up, for each corner and axis
-///     low <= q - q_0 <= high        now, or `ahead` [s] from now at the velocity of now beside the drift.
+/// Remaining motion budget of a piece along each axis until one of its corners has used it up [m]; negative: exceeded.
+/// With q = x - together and q_0 at the last update, the condition for each corner and axis is low <= q - q_0 <= high,
+/// now or `ahead` [s] from now at the present velocity minus the drift.
 LanePair left_to(const Model<2>& model, const Work<2>& work, int piece, double ahead = 0) {
   const BroadPhaseState<2>& s = work.search;
   const LanePair low = allowed_share * load_pair(s.low[piece].data()),
@@ -153,7 +153,7 @@ void set_due(BroadPhaseState<2>& search, int piece) {
   search.due.push_back(piece);
 }
 
-/// Of what is left to a piece, for the rounding of sums of many steps.
+/// Share of the remaining budget that is used; the rest covers rounding in sums over many steps.
 constexpr double left_share = 1 - 1e-6;
 
 }  // namespace
@@ -182,10 +182,11 @@ void update_broad_phase(const Model<2>& model, const State<2>& /*state*/, Work<2
 
 namespace {
 
-/// Bodies that threads take at a time: some five microseconds.
+/// Bodies in a chunk of one thread: about five microseconds.
 constexpr int looked_stretch = 512;
 
-/// Runs look(body) for all bodies to which less is left than so many more steps may take; true where it was for some.
+/// Calls look(body) for all bodies whose remaining budget would be used up within `steps` more steps; true if any call
+/// returned true.
 template <class Look>
 bool look_at_few(Work<2>& work, double steps, Look&& look) {
   struct alignas(64) Found {
@@ -202,7 +203,7 @@ bool look_at_few(Work<2>& work, double steps, Look&& look) {
   return std::any_of(by.begin(), by.end(), [](const Found& found) { return found.some; });
 }
 
-/// Finds what is left to a body now; true where some piece of it has left its box.
+/// Updates the remaining budget of a body; true where some piece of it has left its box.
 bool look_at_body(const Model<2>& model, Work<2>& work, int body) {
   const Body& b = model.bodies[body];
   LanePair left{unbounded, unbounded};
@@ -211,8 +212,8 @@ bool look_at_body(const Model<2>& model, Work<2>& work, int body) {
   return !none_below(left, nothing_left);
 }
 
-/// Marks the pieces of a body that have left their boxes or will within `ahead` [s]. To these is left what they may go
-/// by once they are looked up.
+/// Marks the pieces of a body that have left their boxes or will within `ahead` [s]. Their remaining budget is set to
+/// the full budget after the update.
 void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead) {
   BroadPhaseState<2>& search = work.search;
   const Body& b = model.bodies[body];
@@ -227,7 +228,7 @@ void mark_due(const Model<2>& model, Work<2>& work, int body, double ahead) {
   search.left[body].left = left_share * left + search.shifted;
 }
 
-/// Lists all that have left their boxes or will within `steps` more, in order.
+/// Lists in order all pieces that have left their boxes or will within `steps` more steps.
 void find_due(const Model<2>& model, Work<2>& work, double steps, double dt) {
   BroadPhaseState<2>& search = work.search;
   look_at_few(work, steps, [&](int body) {
@@ -240,7 +241,7 @@ void find_due(const Model<2>& model, Work<2>& work, double steps, double dt) {
 
 }  // namespace
 
-/// A body is looked at only once it may have left its box.
+/// A body is checked only once it may have left its box.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work) {
   BroadPhaseState<2>& search = work.search;
   if (!search.may_have_left) return false;
@@ -275,7 +276,8 @@ void place_boxes(const Model<2>& model, const State<2>& state, Work<2>& work) {
   }
 }
 
-/// One that is looked up now is where its box was made for; another may be at one end of it and go to the other.
+/// A piece updated now is at the position for which its box was built. Another piece may be at one end of its box and
+/// move to the other end.
 double reach_of(const BroadPhaseState<2>& search, int piece) {
   const Vec2 &low = search.low[piece], &high = search.high[piece];
   if (search.is_due[piece] == 0) return (high - low).norm();

@@ -1,9 +1,9 @@
-// Which pieces have to be looked up again, as they have gone as far as their boxes allow, and the boxes they get.
+// Incremental update of the broad phase: finds the pieces that have left their fat boxes and gives them new ones.
 //
-// Each piece has a box around where it was looked up, wider by what it may move: by its size, and along its way where
-// it is fast. Two pieces whose boxes do not meet cannot touch as long as all of their corners keep within what was
-// allowed them. So only what leaves its box is looked up again, and what stands costs nothing while something else
-// falls.
+// Each piece has a fat AABB around its position at the last update, enlarged by a motion budget: a share of its size,
+// and a distance along its path if it is fast. Two pieces whose boxes do not meet cannot touch while all their corners
+// stay within their budgets. So only pieces that leave their boxes are updated, and standing pieces cost nothing while
+// others fall.
 #pragma once
 
 #include "model/model.hpp"
@@ -12,18 +12,19 @@
 
 namespace trilith {
 
-/// Forgets all pieces: every one is due (Work must be placed).
+/// Resets all pieces: each one is due for an update (Work must be placed).
 void update_broad_phase(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// True where some piece has left its box; then `due` of work.search has all that have or will have shortly, so that
-/// they are looked up together. Else the next look is put off until the fastest point has gone as far as is left.
+/// True where a piece has left its box. Then `due` of work.search lists all pieces that have left or will leave
+/// shortly, so that they are updated together. Otherwise the next check is postponed until the fastest point has used
+/// up the remaining budget.
 bool some_are_due(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// Gives the pieces that are due new boxes around where they are now.
+/// Builds new boxes around the present positions of the pieces that are due.
 void place_boxes(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// The farthest that a corner of a piece may be moved from where it is, at the last search, up to the next time that it
-/// is looked up [m].
+/// Upper bound of the distance that a corner of a piece may move from its position at this update until the piece's
+/// next update [m].
 double reach_of(const BroadPhaseState<2>& search, int piece);
 
 }  // namespace trilith

@@ -10,7 +10,7 @@
 namespace trilith {
 namespace {
 
-/// Ways along the surface edges of a piece, as Work is placed [m]; returns how many there are.
+/// Vectors along the surface edges of a piece, as Work is placed [m]; returns their number.
 int list_surface(const Model<2>& model, const Work<2>& work, int piece, std::array<Vec2, max_piece_corners>& ways) {
   const int first = model.piece_first[piece], edges = model.corners_of(piece);
   int count = 0;
@@ -23,7 +23,7 @@ int list_surface(const Model<2>& model, const Work<2>& work, int piece, std::arr
   return count;
 }
 
-/// The least tangent of the angle that two edges lack to run against each other; of angles below a right one.
+/// The least tangent of the angle by which two edges fail to be antiparallel, among angles below 90 degrees.
 double least_tangent(const Model<2>& model, const Work<2>& work, const NearPair& pair) {
   std::array<Vec2, max_piece_corners> of_a, of_b;
   const int na = list_surface(model, work, pair.piece_a, of_a), nb = list_surface(model, work, pair.piece_b, of_b);
@@ -41,7 +41,7 @@ double least_tangent(const Model<2>& model, const Work<2>& work, const NearPair&
 
 void remember_tilt(const Model<2>& model, const State<2>& state, const Work<2>& work, NearPair& pair) {
   constexpr double right_angle = 1.5707963267948966;
-  // Far above the rounding of places, of rotations and of the ends of the range, which are kept as floats.
+  // Far above the rounding of positions, rotations and the range's ends, which are stored as floats.
   constexpr double slack = 1e-6;
   pair.tilted_from = 1, pair.tilted_to = 0;
   const auto is_rigid = [&](int piece) { return work.body[model.piece_body[piece]].layout == SkinLayout::one_node; };

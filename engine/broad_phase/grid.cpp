@@ -7,9 +7,9 @@
 namespace trilith {
 namespace {
 
-/// A grid over the small boxes: cells of twice the median size, and for each cell the boxes that reach into it.
-/// As lists behind one another: member[start[c]] to member[start[c + 1] - 1] are the boxes of cell c = row * columns +
-/// column. What lies outside of the grid counts to its outermost cells.
+/// A grid over the small boxes, with cells of twice the median size. Each cell has a list of the boxes that overlap it:
+/// member[start[c]] to member[start[c + 1] - 1] are the boxes of cell c = row * columns + column. Positions outside of
+/// the grid are assigned to its outermost cells.
 struct Grid {
   double x0 = 0, y0 = 0, cell = 1;
   std::int64_t columns = 1, rows = 1;
@@ -28,8 +28,8 @@ struct Grid {
   }
 };
 
-/// Coordinates beyond which nothing is looked for [m]: what is there is out of all measure, or no number, and the watch
-/// ends the stage. Sums and products of those within stay numbers.
+/// Limit of coordinates [m]. Boxes beyond it, or with NaN, are ignored, and the watchdog ends the stage. Sums and
+/// products of coordinates within it stay finite.
 constexpr double farthest = 1e100;
 
 bool is_within_measure(const Box& b) {
@@ -40,7 +40,7 @@ double size_of(const Box& b) {
   return std::max(b.x1 - b.x0, b.y1 - b.y0);
 }
 
-/// The middle one, as a few slabs of ground or one stone far out would spoil a mean.
+/// The median, because a few ground slabs or one distant stone would distort a mean.
 double median_size(const std::vector<Box>& boxes, const std::vector<int>& among) {
   std::vector<double> sizes(among.size());
   std::transform(among.begin(), among.end(), sizes.begin(), [&](int i) { return size_of(boxes[i]); });
@@ -55,15 +55,15 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
     all.x0 = std::min(all.x0, boxes[i].x0), all.y0 = std::min(all.y0, boxes[i].y0);
     all.x1 = std::max(all.x1, boxes[i].x1), all.y1 = std::max(all.y1, boxes[i].y1);
   }
-  // Never many more cells than boxes, however far some have flown.
+  // The number of cells stays comparable to the number of boxes, however far some have flown.
   const double area = std::max(all.x1 - all.x0, cell) * std::max(all.y1 - all.y0, cell);
   grid.cell = std::max(cell, std::sqrt(area / (4.0 * static_cast<double>(small.size()))));
   grid.x0 = all.x0, grid.y0 = all.y0;
   const double most = 8.0 * static_cast<double>(small.size()) + 1;
-  // `most` bounds columns and rows whatever the extents are.
+  // `most` bounds columns and rows for any extent.
   grid.columns = std::int64_t(std::min((all.x1 - all.x0) / grid.cell, most)) + 1;
   grid.rows = std::int64_t(std::min((all.y1 - all.y0) / grid.cell, most)) + 1;
-  // Sorted by counting: how many boxes each cell has, where its list begins, then the boxes in their order.
+  // Counting sort: number of boxes in each cell, start of each list, then the boxes in their order.
   grid.start.assign(static_cast<std::size_t>(grid.columns * grid.rows + 1), 0);
   const auto for_cells = [&](int box, auto&& visit) {
     const Grid::Range r = grid.range(boxes[box]);
@@ -80,8 +80,9 @@ Grid lay_grid(const std::vector<Box>& boxes, const std::vector<int>& small, doub
 
 }  // namespace
 
-/// A box meets the boxes of the cells it reaches into; two that share several cells are found several times, and once
-/// after the last line. Boxes above 8 cells, such as the ground, would fill the grid and are tried against all.
+/// A box is tested against the boxes of all cells that it overlaps. Pairs that share several cells are found several
+/// times; the last line removes duplicates. Boxes over more than 8 cells, such as the ground, are tested against all
+/// instead.
 std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes) {
   std::vector<std::pair<int, int>> pairs;
   std::vector<int> known, small, large;
@@ -92,7 +93,7 @@ std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes) {
   for (const int i : known) (size_of(boxes[i]) > 8 * cell ? large : small).push_back(i);
   for (const int l : large)
     for (const int i : known) {
-      const bool once = size_of(boxes[i]) <= 8 * cell || l < i;  // two large boxes are met from the lower one
+      const bool once = size_of(boxes[i]) <= 8 * cell || l < i;  // two large boxes are tested from the lower one
       if (i != l && once && boxes[l].meets(boxes[i])) pairs.emplace_back(std::min(l, i), std::max(l, i));
     }
   if (!small.empty()) {

@@ -1,4 +1,5 @@
-// Which boxes overlap: a grid sorted by counting, for boxes of like size; the few large ones against all.
+// Finds overlapping boxes: a uniform grid sorted by counting for boxes of similar size; the few large ones are tested
+// against all.
 #pragma once
 
 #include <utility>
@@ -11,8 +12,8 @@ struct Box {
   [[nodiscard]] bool meets(const Box& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
 };
 
-/// All pairs (i, j), i < j, whose boxes meet, sorted. Cost grows with boxes and pairs, not with their square; boxes
-/// that are large against the rest cost one pass over all boxes each.
+/// All pairs (i, j), i < j, of overlapping boxes, sorted. Cost is linear in boxes and pairs. Each box much larger than
+/// the others costs one pass over all boxes.
 std::vector<std::pair<int, int>> meeting_boxes(const std::vector<Box>& boxes);
 
 }  // namespace trilith

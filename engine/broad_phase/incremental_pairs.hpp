@@ -1,4 +1,4 @@
-// Pairs of which a piece is looked up: what searching asks of the list that there is, in the plane and in space.
+// Update of the pair list for the pieces that are due, in the plane and in space.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ bool is_due(const BroadPhaseState<D>& search, const NearPair& pair) {
   return search.is_due[pair.piece_a] != 0 || search.is_due[pair.piece_b] != 0;
 }
 
-/// Lists the rows of which a piece is due: BroadPhaseState::due_rows. `keys`: of all rows, which lie closer together
-/// than the pairs.
+/// Lists the rows that contain a piece that is due: BroadPhaseState::due_rows. `keys`: of all rows; they are denser in
+/// memory than the pairs.
 template <int D>
 void list_due_rows(const std::vector<ContactKey>& keys, BroadPhaseState<D>& search) {
   search.due_rows.resize(keys.size());
@@ -30,7 +30,7 @@ void list_due_rows(const std::vector<ContactKey>& keys, BroadPhaseState<D>& sear
   search.due_rows.resize(due);
 }
 
-/// True where the pairs found are those that were there, once these are listed.
+/// True where the pairs found equal the listed rows. Call after list_due_rows.
 template <int D>
 bool are_same(const Work<D>& work) {
   const BroadPhaseState<D>& search = work.search;

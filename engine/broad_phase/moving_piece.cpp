@@ -6,7 +6,7 @@
 namespace trilith {
 namespace {
 
-/// A corner that turns with a section of a frame. Returns how fast its way bends [m/s2].
+/// Places a corner that rotates with a section of a frame. Returns the acceleration of its path due to rotation [m/s2].
 double place_section(const Model<2>& model, const State<2>& state, double later, int first, int corner,
                      MovingPiece& out) {
   const int skin = model.corner_skin[first + corner], n = model.skin_node[skin], t = model.skin_turn[skin];
@@ -19,8 +19,8 @@ double place_section(const Model<2>& model, const State<2>& state, double later,
 
 }  // namespace
 
-/// Bodies in three kinds: corners that are nodes go straight on; those of a rigid body and of a frame's sections turn
-/// with a node, x = x_n + R(rotation + later spin) r, so their way bends by spin^2 |r|.
+/// Three kinds of bodies. Corners that are nodes move straight on. Corners of rigid bodies and of frame sections rotate
+/// with a node, x = x_n + R(rotation + later spin) r, so their paths have the acceleration spin^2 |r|.
 MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece, double later) {
   MovingPiece out;
   const Body& body = model.bodies[model.piece_body[piece]];
@@ -63,7 +63,7 @@ Vec2 normal_of(const MovingPiece& piece, int edge) {
   return Vec2(along.y(), -along.x()).normalized();
 }
 
-/// The corner of a piece that reaches least far along `n`.
+/// The corner of a piece with the least coordinate along `n`.
 int deepest_corner(const MovingPiece& piece, const Vec2& n) {
   int deepest = 0;
   for (int c = 1; c < piece.corners; ++c)
@@ -71,13 +71,16 @@ int deepest_corner(const MovingPiece& piece, const Vec2& n) {
   return deepest;
 }
 
-/// Takes over what is less: `other` beneath the edges of `owner`.
-/// The overlap along a normal n of the owner's edge is how far the other's deepest corner lies below the edge:
-///
+/// Updates the least overlap with the overlaps of `other` below the edges of `owner`. The overlap along the normal n of
+/// an edge is the depth of the other's deepest corner below it.
+/// ```
 ///             |  other |
-///       ______|________|______  edge, n upwards      The least over all edges of both is the shortest way out;
-///      |      `-._  _.-'      |                      `at` is half-way from the deepest corner to the edge.
+///       ______|________|______  edge, n upwards
+///      |      `-._  _.-'      |
 ///      | owner    `'          |
+/// ```
+/// The least overlap over all edges of both pieces is the shortest way out; `at` is midway between the deepest corner
+/// and the edge.
 void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap& least) {
   const bool has_face = std::any_of(owner.is_face, owner.is_face + owner.corners, [](auto face) { return face != 0; });
   for (int e = 0; e < owner.corners; ++e) {
@@ -89,7 +92,7 @@ void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap&
   }
 }
 
-/// Along the normal of one piece's edge: where and how fast the corners of both are.
+/// Positions and velocities of both pieces' corners along the normal of one edge.
 struct Direction {
   std::array<double, max_piece_corners> owner, other, owner_rate, other_rate;
   int owners, others;
@@ -101,19 +104,20 @@ struct Direction {
     for (int j = 0; j < others; ++j) other[j] = n.dot(b.at[j]), other_rate[j] = n.dot(b.velocity[j]);
     overlap = after(0);
   }
-  /// The overlap `time` from now: the owner's farthest corner along n less the other's nearest, each a greatest or
-  /// least of linear functions, so that their difference is convex.
+  /// The overlap at `time` from now: the owner's farthest corner along n minus the other's nearest one. The first is a
+  /// maximum and the second a minimum of linear functions, so the difference is convex.
   [[nodiscard]] double after(double time) const {
     double far = -unbounded, near = unbounded;
     for (int i = 0; i < owners; ++i) far = std::max(far, owner[i] + time * owner_rate[i]);
     for (int j = 0; j < others; ++j) near = std::min(near, other[j] + time * other_rate[j]);
     return far - near;
   }
-  /// Up to `longest`, how long the overlap stays at `most` or below; 0 where it is above that now.
+  /// Time, up to `longest`, for which the overlap stays at `most` or below; 0 where it is above that now.
   [[nodiscard]] double time_to(double most, double longest) const {
     if (overlap > most) return 0;
     if (after(longest) <= most) return longest;
-    // Convex and allowed now: it passes `most` once, as the first two corners, i of the owner and j of the other, do.
+    // Convex and at most `most` now, so it passes `most` once. The first pair of corners, i of the owner and j of the
+    // other, to pass it gives the time.
     double time = longest;
     for (int i = 0; i < owners; ++i)
       for (int j = 0; j < others; ++j) {
@@ -141,13 +145,13 @@ PieceOverlap overlap_of(const MovingPiece& a, const MovingPiece& b) {
   return least;
 }
 
-/// `least` bounds the overlap of now from above. Where the two are apart it is below 0 and -depth is asked for.
+/// `least` is an upper bound of the present overlap. Where the two are apart it is negative, and the limit is -depth.
 double time_to_depth(const MovingPiece& a, const MovingPiece& b, double longest, double depth) {
   double least = unbounded;
   for_directions(a, b, [&](const Direction& d) { return least = std::min(least, d.overlap), true; });
   const double most = std::max(least + depth, -depth), bend = 0.5 * (a.bend + b.bend);
-  // Any one direction that stays allowed will do, so the longest time of all counts; the room is less what turning
-  // takes, bend t^2, with the t that is tried.
+  // Any single direction within its limit suffices, so the longest time over all directions counts. The limit is
+  // reduced by bend t^2 for rotation, with the trial time t.
   double found = 0;
   const auto try_all = [&](double time) {
     const double by_rotation = bend * time * time;
@@ -158,7 +162,7 @@ double time_to_depth(const MovingPiece& a, const MovingPiece& b, double longest,
   };
   try_all(longest);
   if (found >= longest) return longest;
-  // Turning may take all the room there is in so long a time: half of it is left to what moves straight on.
+  // Over this trial time rotation may use up the whole limit: a shorter time leaves half of it to straight motion.
   if (const double shorter = std::sqrt(0.5 * depth / bend); bend > 0 && shorter < longest) try_all(shorter);
   return found;
 }

@@ -1,4 +1,4 @@
-// Two convex pieces that move: how deep they are in each other, and how long until they are deeper.
+// Two moving convex pieces: their penetration depth, and a lower bound of the time until it increases.
 #pragma once
 
 #include <array>
@@ -9,33 +9,34 @@
 
 namespace trilith {
 
-/// A piece where it stands, counter-clockwise, and how it moves.
+/// A piece in the world, counter-clockwise, and its motion.
 struct MovingPiece {
   int corners = 0;
-  std::array<Vec2, max_piece_corners> at, velocity;  ///< [corner] m, m/s
+  std::array<Vec2, max_piece_corners> at, velocity;  ///< [corner] [m], [m/s]
   const std::uint8_t* is_face = nullptr;             ///< [corner] see Model::edge_is_face
-  double bend = 0;                                   ///< largest acceleration of a corner from turning [m/s2]
+  double bend = 0;                                   ///< largest acceleration of a corner due to rotation [m/s2]
 };
 
-/// The piece `later` [s] than the state, which may be earlier, if all go on as they do now.
+/// The piece `later` [s] after the state (before it if negative), at constant velocity and spin.
 MovingPiece moving_piece(const Model<2>& model, const State<2>& state, int piece, double later = 0);
 
-/// The least by which one of two pieces would have to be moved for them to be apart.
+/// The least translation that separates two pieces.
 struct PieceOverlap {
-  double depth;  ///< out of the surface of one of them: inner cuts of a body do not count [m]
-  Vec2 at;       ///< the middle of it [m]
-  Vec2 normal;   ///< the way out, a unit vector
-  double whole;  ///< of the two pieces as they are, cuts and all, no more than `depth` [m]; not above 0: they are apart
+  double depth;  ///< through the surface of one of them: inner cuts of a body do not count [m]
+  Vec2 at;       ///< the middle of the overlap [m]
+  Vec2 normal;   ///< unit vector out of the overlap
+  double whole;  ///< the same with inner cuts counted, at most `depth` [m]; not above 0: the pieces are apart
 };
 PieceOverlap overlap_of(const MovingPiece& a, const MovingPiece& b);
 
-/// The longest time up to `longest` [s] within which the two, as they move now, for certain get no deeper into each
-/// other than by `depth` [m] more than now. Where they are apart they stay so by `depth`, or come no nearer than by
-/// `depth`: what flies in does not meet the other at the end of a long step. Above 0 where `longest` and `depth` are.
+/// Lower bound, at most `longest` [s], of the time within which the penetration grows by no more than `depth` [m] if
+/// the pieces continue their present motion. Pieces that are apart stay apart by `depth`, or approach by at most
+/// `depth`. So an approaching piece does not reach the other one at the end of a long step. Above 0 where `longest` and
+/// `depth` are.
 ///
-/// Two pieces overlap by at most as much as they do along any one direction. Along a fixed direction the overlap of
-/// corners that move straight on is convex in time, so it is enough to look at its end; turning adds half its
-/// acceleration times the time squared at most. The directions tried are the normals of all edges.
+/// The overlap of two pieces is at most their overlap along any direction. Along a fixed direction the overlap of
+/// corners in straight motion is convex in time, so only its end value matters. Rotation adds at most half its
+/// acceleration times the time squared. The directions tried are the normals of all edges.
 double time_to_depth(const MovingPiece& a, const MovingPiece& b, double longest, double depth);
 
 }  // namespace trilith

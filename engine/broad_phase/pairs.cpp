@@ -28,7 +28,7 @@ Edge edge_of(const Model<2>& model, int piece, int e) {
   return {model.corner_skin[first + e], model.corner_skin[first + (e + 1) % count], model.edge_corner[first + e]};
 }
 
-/// As Work is placed: ends of a face and their velocities, counter-clockwise around its own body.
+/// Ends of a face and their velocities, as Work is placed, counter-clockwise around its body.
 FaceEnds<double> ends(const Work<2>& work, int s0, int s1) {
   const SkinMotion<2>&p = work.skin[s0], &q = work.skin[s1];
   return {p.x, p.y, q.x, q.y, p.u, p.v, q.u, q.v};
@@ -39,14 +39,14 @@ void set_faces(NearPair& pair, const Edge& a, const Edge& b) {
   pair.corner = std::max(a.corner, b.corner);
 }
 
-/// An edge with the way along it [m].
+/// An edge with its vector [m].
 struct EdgeWay {
   Edge edge;
   double x, y;
 };
 using EdgeWays = std::array<EdgeWay, max_piece_corners>;
 
-/// The surface edges of a piece, as Work is placed; returns how many there are.
+/// The surface edges of a piece, as Work is placed; returns their number.
 int list_ways(const Model<2>& model, const Work<2>& work, int piece, EdgeWays& ways) {
   const int first = model.piece_first[piece], edges = model.corners_of(piece);
   std::size_t count = 0;
@@ -59,10 +59,9 @@ int list_ways(const Model<2>& model, const Work<2>& work, int piece, EdgeWays& w
   return static_cast<int>(count);
 }
 
-/// Calls visit(edge a, edge b) for every two surface edges of the pieces whose directions oppose within `angle`, until
-/// it returns false.
-/// With e_a, e_b along the faces, both counter-clockwise: e_a . e_b < 0 and |e_a x e_b| <= tan(angle) |e_a . e_b|, so
-/// no root and no angle is found. `angle` is that tangent.
+/// Calls visit(edge a, edge b) for each pair of surface edges whose directions oppose within an angle, until visit
+/// returns false. With counter-clockwise e_a and e_b along the faces the test is e_a . e_b < 0 and |e_a x e_b| <=
+/// tan(angle) |e_a . e_b|, which needs neither a root nor an angle. `angle` is the tangent.
 template <class Visit>
 void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, int piece_b, double angle,
                       Visit&& visit) {
@@ -76,16 +75,15 @@ void for_facing_edges(const Model<2>& model, const Work<2>& work, int piece_a, i
     }
 }
 
-/// Could the faces come to touch flatly before they are looked at again? Until then no two points come nearer than the
-/// margin.
-/// `in_line`: what neighbours in line may add to their length.
+/// Whether the faces may touch flatly before their next check, until which no two points approach by more than the
+/// margin. `in_line`: length that collinear neighbours may add [m].
 bool may_touch(const FaceOverlap<double>& o, double margin, double in_line) {
   const double depth = -std::min(o.gap_lo, o.gap_hi), shared = o.shared + margin + in_line;
   return shared > 0 && depth > -margin && depth <= face_pair_max_depth * shared + margin;
 }
 
-/// The faces of a deformable body turn with their nodes.
-/// A face whose ends move by d each turns by up to 2 d over its length: half of the shortest is its arm.
+/// The faces of a deformable body rotate with their nodes. If both ends of a face move by d, it rotates by up to 2 d
+/// divided by its length, so half of the shortest face is the arm.
 double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece) {
   double least = unbounded;
   for (int e = 0; e < model.corners_of(piece); ++e) {
@@ -97,21 +95,21 @@ double half_shortest_face(const Model<2>& model, const Work<2>& work, int piece)
   return 0.5 * least;
 }
 
-/// The most that an edge of a piece turns while its corners move by `reach` [rad]: asin(reach / arm), which is below
-/// pi/3 of its argument up to a half; `any_turn` beyond.
+/// Upper bound of an edge's rotation while its corners move by `reach` [rad]: asin(reach / arm), which is below pi/3
+/// times its argument up to one half; beyond that `any_turn`.
 double turn_within(const Model<2>& model, const Work<2>& work, int piece, double reach) {
   constexpr double any_turn = 1, pi_third = 1.0471975511965979;
   const double rigid = work.search.arm[piece], arm = rigid > 0 ? rigid : half_shortest_face(model, work, piece);
   return 2 * reach <= arm ? pi_third * reach / arm : any_turn;
 }
 
-/// No less than the tangent of an angle from 0 to 1: (1 - x / tan x) / x^2 rises from 1/3 to 0.358 there.
+/// Upper bound of the tangent of an angle from 0 to 1: (1 - x / tan x) / x^2 rises from 1/3 to 0.358 there.
 double tangent_or_more(double angle) {
   return angle / (1 - 0.36 * angle * angle);
 }
 
-/// Counts the pairs of faces, up to two, that may come to touch flatly while the corners of the pieces move by these
-/// reaches [m]; all that look at each other where the pieces may turn by any angle. Keeps the first.
+/// Counts, up to two, the face pairs that may touch flatly while the corners of the pieces move by these distances [m].
+/// If the pieces may rotate by any angle, all opposed faces count. Stores the first pair.
 int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, double reach_b, NearPair& pair) {
   const double margin = reach_a + reach_b, angle = face_pair_max_tilt +
                                                    turn_within(model, work, pair.piece_a, reach_a) +
@@ -131,15 +129,15 @@ int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, dou
   return count;
 }
 
-/// 0: a contact of general shape until one of the pieces is looked up again; 1: of these two faces; 2: chosen anew at
-/// each step. Faces that are `beside` each other count with those that may touch, see choose_face_pair.
+/// 0: general contact until one of the pieces is updated; 1: contact of these two faces; 2: chosen in each step. Faces
+/// within the distance `beside` count as pairs that may touch, see choose_face_pair.
 void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
   const BroadPhaseState<2>& search = work.search;
   pair.facing = count_facing(model, work, reach_of(search, pair.piece_a) + search.beside,
                              reach_of(search, pair.piece_b) + search.beside, pair);
 }
 
-/// Pairs of faces by law, for kernels that do several rows at once; all others one by one. Rows stay in their order.
+/// Groups face pairs by law, for SIMD kernels; all other pairs are single. Rows keep their order.
 void sort_into_batches(const Model<2>& model, Work<2>& work) {
   work.batches.resize(model.laws.size());
   work.general.clear();
@@ -159,24 +157,24 @@ void sort_into_batches(const Model<2>& model, Work<2>& work) {
 }  // namespace
 
 int contact_law(const Model<2>& model, int body_a, int body_b) {
-  if (model.surfaces == 1) return model.law_of[0];  // asked of many pairs, whose bodies lie far apart
+  if (model.surfaces == 1) return model.law_of[0];  // called for many pairs whose bodies are scattered in memory
   return model.law_of[model.bodies[body_a].surface * model.surfaces + model.bodies[body_b].surface];
 }
 
 namespace {
 
-/// Two pieces of bodies that are there, of which one may move, with a law between them.
+/// The pieces belong to two bodies that are present, one of which may move, with a contact law between them.
 bool may_ever_touch(const Model<2>& model, const State<2>& state, const BroadPhaseState<2>& search, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
   return a != b && (search.may_move[p] != 0 || search.may_move[q] != 0) && state.left[a] == 0 && state.left[b] == 0 &&
          contact_law(model, a, b) >= 0;
 }
 
-/// Pieces and rows that threads take at a time: some ten microseconds.
+/// Pieces and rows in a chunk of one thread: about ten microseconds.
 constexpr int due_stretch = 16, faced_stretch = 64;
 
-/// Runs f(list) with what a thread has found so far: taken out, as the ends of lists that lie beside each other would
-/// go to and fro between threads.
+/// Calls f(list) with a thread's list of pairs moved out of the shared array. Otherwise the list headers, which are
+/// adjacent in memory, would cause false sharing.
 template <class F>
 void add_found(BroadPhaseState<2>& search, int thread, F&& f) {
   std::vector<ContactKey> found = std::move(search.found_by[static_cast<std::size_t>(thread)]);
@@ -184,20 +182,20 @@ void add_found(BroadPhaseState<2>& search, int thread, F&& f) {
   search.found_by[static_cast<std::size_t>(thread)] = std::move(found);
 }
 
-/// Keys of the pairs of the pieces from `first` to before `last` of those that are due, by their boxes.
+/// Keys of the pairs found by the boxes of the due pieces, from `first` to before `last`.
 void find_by_boxes(const Model<2>& model, const State<2>& state, const BroadPhaseState<2>& search, int first, int last,
                    std::vector<ContactKey>& found) {
   for (int i = first; i < last; ++i) {
     const int p = search.due[i];
     if (!search.boxes.holds(p)) continue;
     search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
-      if (q == p || (search.is_due[q] != 0 && q < p)) return;  // two that are due are met from the lower one
+      if (q == p || (search.is_due[q] != 0 && q < p)) return;  // two due pieces are found from the lower one
       if (may_ever_touch(model, state, search, p, q)) found.push_back(contact_key(std::min(p, q), std::max(p, q)));
     });
   }
 }
 
-/// Keys of the pairs that remember something, wherever they are; of a piece that is due.
+/// Keys of the pairs with a memory, at any distance, that contain a due piece.
 void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work) {
   BroadPhaseState<2>& search = work.search;
   if (!work.valid) {
@@ -214,8 +212,8 @@ void find_remembered(const Model<2>& model, const State<2>& state, Work<2>& work
     if (!before.memory[row].empty()) search.found.push_back(before.key[row]);
 }
 
-/// Keys of the pairs of pieces that are due, by their boxes; and of those that remember something. Each thread has a
-/// list of its own: sorted they are the same, whoever found which.
+/// Keys of the pairs that contain due pieces: found by their boxes, or with a memory. Each thread fills its own list;
+/// after sorting the result is independent of the threads.
 void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
   BroadPhaseState<2>& search = work.search;
   search.found.clear();
@@ -232,20 +230,20 @@ void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
 }
 
-/// Looks at the faces of some rows. Each asks its own pieces and writes itself alone.
+/// Updates the opposed faces of some rows. Each row reads its own pieces and writes only itself.
 void face_rows(const Model<2>& model, Work<2>& work, const std::vector<int>& rows) {
   share(work.threads, static_cast<int>(rows.size()), faced_stretch, [&](int first, int last, int /*thread*/) {
     for (int i = first; i < last; ++i) find_facing(model, work, work.pairs[rows[i]]);
   });
 }
 
-/// Looks at the faces of the rows anew of which a piece was looked up.
+/// Updates the opposed faces of all rows that contain an updated piece.
 void face_again(const Model<2>& model, Work<2>& work) {
   for (const int row : work.search.due_rows) work.clear_until[row] = 0;
   face_rows(model, work, work.search.due_rows);
 }
 
-/// Merges what was found into the list: rows of pieces that are not due stay, of the others those that were found.
+/// Merges the pairs found into the list: rows without due pieces stay, rows with due pieces are replaced.
 void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   const std::vector<ContactKey>& found = work.search.found;
   std::vector<int>& to_face = work.search.to_face;
@@ -281,7 +279,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   face_rows(model, work, to_face);
 }
 
-/// Lets paths begin at 0 again, so that they keep their digits; rounded to the safe side.
+/// Resets path lengths to begin at 0, so that they keep their digits; rounded to the safe side.
 void begin_paths(Work<2>& work) {
   const auto less = [&](double& path) { path -= (1 + 1e-12) * work.travel; };
   for (double& path : work.asleep_until) less(path);
@@ -317,10 +315,12 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   return !same;
 }
 
-/// Bonded faces stay a pair however far they open or tilt, so the one at the smallest mean gap is taken, and touch and
-/// flatness are not asked. Else the one that touches flatly, if there is just one. Where none does a contact parts as
-/// one of faces if a flat pair is the only one within BroadPhaseState::beside, and as one of general shape if there are
-/// several: a row gives the same whether one pair of faces was near when it was looked at or several were.
+/// Bonded faces stay a pair at any gap and tilt, so the pair with the smallest mean gap is returned without a test of
+/// contact and flatness. Otherwise the only pair that touches flatly is returned.
+///
+/// If no pair touches, the last contact ends as a face contact where exactly one flat pair is within
+/// `BroadPhaseState::beside`, and as a general one where there are several. So the result does not depend on whether
+/// one or several face pairs were near at the last check.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
   int found = 0, touching = 0;
   double nearest = unbounded;
@@ -336,14 +336,14 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
     }
     const double gap = 0.5 * std::abs(overlap.gap_lo + overlap.gap_hi);
     const bool touches = overlap.shared > 0 && std::min(overlap.gap_lo, overlap.gap_hi) < 0;
-    if (!bonded && touches && touching++ == 0) nearest = unbounded;  // rather than any that does not
+    if (!bonded && touches && touching++ == 0) nearest = unbounded;  // prefer touching pairs
     if (gap >= nearest || (!bonded && !touches && touching > 0)) return true;
     nearest = gap;
     ++found;
     set_faces(pair, a, b);
     return true;
   });
-  // Two flat pairs that touch at once, as of a wedge in a notch, are one contact of general shape.
+  // Two flat pairs that touch at once, such as a wedge in a notch, are one general contact.
   if (bonded || found == 0 || touching > 0) return found > 0 && touching < 2;
   NearPair beside = pair;
   return count_facing(model, work, work.search.beside, work.search.beside, beside) < 2;

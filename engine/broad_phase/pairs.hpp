@@ -1,8 +1,8 @@
-// Pairs of pieces that may touch before the next search, and the faces of theirs that look at each other.
+// Candidate pairs: pieces that may touch before the next update, and their opposed faces.
 //
-// Three levels: boxes that each piece keeps within until it is looked up again (broad_phase/broad_phase_update.hpp);
-// facing of faces; the exact overlap, which is the contact kernel's own. The list is patched where pieces have left
-// their boxes; which rows it has beyond those that touch depends on when that was, and no result does.
+// Three levels: fat boxes of the pieces (broad_phase/broad_phase_update.hpp); opposed faces; the exact overlap in the
+// contact kernel. The list is patched where pieces have left their boxes. The time of the updates affects which rows
+// without contact it has, but no result.
 #pragma once
 
 #include <span>
@@ -13,19 +13,20 @@
 
 namespace trilith {
 
-/// True where the list in `work` may miss a contact at the present pose. Bodies are looked at only once the fastest
-/// point has travelled so far that one of them may have left its box.
+/// True where the list in `work` may miss a contact in the present configuration. Bodies are checked only once the
+/// fastest point has travelled far enough for one of them to have left its box.
 bool pairs_outdated(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// Finds the pairs of the pieces that are due at the present pose, or of all where `work` is not valid (work.skin must
-/// be placed). Writes the detect part of `work`. A pair that remembers something stays. False: the rows are as before.
+/// Updates the candidate pairs of the pieces that are due in the present configuration, or of all pieces where `work`
+/// is not valid (work.skin must be placed). Writes the broad-phase part of `work`. A pair with a memory stays. Returns
+/// false if the rows are unchanged.
 bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
 
-/// The one pair of faces of two pieces that touch flatly, if there is just one; where a bond holds, the pair at the
-/// smallest gap. Fills the face fields of `pair`. A function of the present pose alone.
+/// The face pair of two pieces that touch flatly, if there is exactly one; with a bond, the pair with the smallest gap.
+/// Sets the face fields of `pair`. Depends on the present configuration alone.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair);
 
-/// Law between two bodies' surfaces, -1 for none.
+/// Index of the contact law between two bodies' surfaces, -1 for none.
 int contact_law(const Model<2>& model, int body_a, int body_b);
 
 }  // namespace trilith

@@ -26,16 +26,16 @@ FatBox<3> widened(FatBox<3> box, double by) {
 
 namespace {
 
-/// What a piece may move by on every side, as a share of the smallest side of its box in its own axes.
+/// Margin of a piece on every side, relative to the smallest side of its box in body axes.
 constexpr double side_share = 0.05;
-/// A box reaches as far ahead as its piece gets in this many steps, but by no more than this many margins. Of 5,000
-/// grains that flow, 24 steps make searching half as dear again and what touches an eighth cheaper.
+/// A box extends ahead by the piece's motion in this many steps, but by at most this many margins. For 5,000 flowing
+/// grains, 24 steps make the search half as expensive again and contacts an eighth cheaper.
 constexpr double reach_steps = 96, most_margins = 10;
-/// Who leaves within so many steps, or has but this share of its margin left, is looked up with those that have left:
-/// a long list is made anew for one as for many.
+/// Pieces that will leave their boxes within this many steps, or have less than this share of their margin left, are
+/// updated early in the same pass. Rebuilding a long list costs as much for one piece as for many.
 constexpr double due_steps = 24, share_due = 0.1;
 
-/// How far a box may still grow within another along each axis, negative where it reaches out [m].
+/// Remaining distance by which a box may grow within another along each axis [m]; negative where it protrudes.
 Vec3 room_left(const FatBox<3>& inner, const FatBox<3>& outer) {
   Vec3 left;
   for (int k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ FatBox<3> moved(FatBox<3> box, const Vec3& by) {
   return box;
 }
 
-/// Free along some axis, or driven: a base that a motion lifts comes to what stands above it.
+/// Free along some axis, or driven: a moving base can reach pieces above it.
 bool can_move(const Model<3>& model, int piece) {
   const auto goes = [&](int node) {
     const auto& support = model.support[node];
@@ -64,7 +64,7 @@ bool can_move(const Model<3>& model, int piece) {
   return std::any_of(whole.node.begin(), whole.node.begin() + whole.nodes, goes);
 }
 
-/// How far each piece may go however slow it is, and whether its body moves or is moved.
+/// Margin of each piece at rest, and whether its body moves or is driven.
 void find_solid_margins(const Model<3>& model, BroadPhaseState<3>& search) {
   const auto pieces = static_cast<std::size_t>(model.pieces());
   search.margin.assign(pieces, 0), search.may_move.assign(pieces, 0), search.is_due.assign(pieces, 0);
@@ -92,7 +92,7 @@ void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   list_bearings(model, search);
 }
 
-/// The law between two pieces, -1 where they are none of a pair.
+/// The contact law between two pieces, -1 where they are no candidate pair.
 int law_between(const Model<3>& model, const State<3>& state, const BroadPhaseState<3>& search, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
   if (a == b || state.left[a] != 0 || state.left[b] != 0) return -1;
@@ -101,20 +101,20 @@ int law_between(const Model<3>& model, const State<3>& state, const BroadPhaseSt
   return model.law_of[model.bodies[a].surface * model.surfaces + model.bodies[b].surface];
 }
 
-/// A piece that has this left [m] keeps within its box until its corners have gone as far; less the rounding of sums of
-/// many steps.
+/// A piece with this budget [m] stays in its box until its corners have moved as far; reduced by the rounding of sums
+/// over many steps.
 void put_off(Work<3>& work, int piece, const Vec3& left) {
   work.search.left[piece].left = left * (1 - 1e-6);
 }
 
-/// What the middle of a piece's box goes by in `ahead` [s] as it moves now; nothing of one that deforms.
+/// Displacement of the centre of a piece's box in `ahead` [s] at its present velocity; zero for a deforming piece.
 Vec3 way_ahead(const Model<3>& model, const State<3>& state, int piece, const FatBox<3>& box, double ahead) {
   if (model.is_fitted(piece)) return Vec3::Zero();
   const Vec3 middle = 0.5 * (Eigen::Map<const Vec3>(box.low.data()) + Eigen::Map<const Vec3>(box.high.data()));
   return ahead * motion_of(model, state, model.node_of_piece(piece)).velocity_at(middle);
 }
 
-/// The box of a piece from now on: wider than it by its margin, and along its way.
+/// The new box of a piece: enlarged by its margin, and along its path.
 FatBox<3> box_ahead(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
   const double margin = work.search.margin[piece], farthest = most_margins * margin;
   FatBox<3> box = widened(box_around(work.solids.placed[piece]), margin);
@@ -126,7 +126,7 @@ FatBox<3> box_ahead(const Model<3>& model, const State<3>& state, const Work<3>&
   return box;
 }
 
-/// Pairs of which a piece is due, sorted: those whose boxes meet, and those that remember something.
+/// Pairs that contain a due piece, sorted: pairs with overlapping boxes, and pairs with a memory.
 void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   BroadPhaseState<3>& search = work.search;
   for (const int p : search.due) {
@@ -135,7 +135,7 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   }
   search.found.clear();
   for (const int p : search.due) {
-    if (!search.boxes.holds(p)) continue;  // one out of all measure meets nothing
+    if (!search.boxes.holds(p)) continue;  // a box out of range meets nothing
     search.boxes.for_meeting(search.boxes.box(p), [&](int q) {
       if (q == p || (search.is_due[q] != 0 && q < p)) return;
       if (law_between(model, state, search, p, q) >= 0)
@@ -147,7 +147,7 @@ void look_up(const Model<3>& model, const State<3>& state, Work<3>& work) {
   for (const int row : search.due_rows) {
     const ContactKey key = before.key[row];
     if (!before.memory[row].empty() && law_between(model, state, search, first_piece(key), second_piece(key)) >= 0)
-      search.found.push_back(key);  // none where one is out of the step, or both are held
+      search.found.push_back(key);  // none if one piece is inactive, or both are held
   }
   std::sort(search.found.begin(), search.found.end());
   search.found.erase(std::unique(search.found.begin(), search.found.end()), search.found.end());
@@ -159,7 +159,7 @@ NearPair new_pair(const Model<3>& model, const State<3>& state, const BroadPhase
   return pair;
 }
 
-/// Moves a row of before to the list to come, or makes a new one.
+/// Moves a row of the old list to the new one, or makes a new row.
 struct SolidList {
   Work<3>& work;
 
@@ -172,7 +172,7 @@ struct SolidList {
   void add(const NearPair& pair) {
     work.spare_pairs.push_back(pair);
     work.spare_asleep.push_back(-1);
-    work.solids.spare.push_back({0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});  // no axis parts them yet
+    work.solids.spare.push_back({0, Vec3::UnitX(), SeparatingFeature::face_of_a, 0, 0});  // no separating axis yet
     work.solids.spare_faces.push_back({});
   }
   void begin() {
@@ -185,7 +185,7 @@ struct SolidList {
   }
 };
 
-/// Takes the pairs found into the list, and those out of it of which a piece was looked up and that were not found.
+/// Inserts the pairs found, and removes the pairs of updated pieces that were not found.
 void patch_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
   const BroadPhaseState<3>& search = work.search;
   SolidList list{work};
@@ -206,7 +206,7 @@ void patch_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
   list.end();
 }
 
-/// Lists all that have left their boxes or will shortly.
+/// Lists all pieces that have left their boxes or will shortly.
 void list_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
   BroadPhaseState<3>& search = work.search;
   search.due.clear();
@@ -225,7 +225,7 @@ void list_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
 
 }  // namespace
 
-/// A piece is looked at once its corners have gone as far as it had left when it was looked at last.
+/// A piece is checked once its corners have moved by the budget that remained at the last check.
 bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work) {
   if (!work.valid) {
     look_up_all_solids(model, work);
@@ -246,7 +246,7 @@ bool solids_are_due(const Model<3>& model, const State<3>& state, Work<3>& work)
   return false;
 }
 
-/// Both lists are in the order of keys: one pass over both. What the state remembers is in the rows of the pairs.
+/// Both lists are sorted by key, so one pass over both suffices. The state's memories are ordered like the rows.
 bool find_solid_pairs(const Model<3>& model, const State<3>& state, Work<3>& work) {
   look_up(model, state, work);
   const bool changes = !work.valid || !are_same(work);

@@ -9,14 +9,14 @@
 namespace trilith {
 namespace {
 
-/// What goes farther than this in a step [m] has run away, and meets nothing.
+/// Pieces that move farther than this in a step [m] have diverged and meet nothing.
 constexpr double beyond_all = 1e30;
 
-/// How a body moves: all its points within `spread` of `velocity`.
+/// Motion of a body: the velocities of all its points are within `spread` of `velocity`.
 struct Pace {
   Vec2 velocity;      ///< [m/s]
   double spread = 0;  ///< [m/s]
-  double bend = 0;    ///< largest acceleration of a point from turning [m/s2]
+  double bend = 0;    ///< largest acceleration of a point due to rotation [m/s2]
   [[nodiscard]] double against(const Pace& other) const {
     return (velocity - other.velocity).norm() + spread + other.spread;
   }
@@ -29,8 +29,8 @@ struct Range {
   [[nodiscard]] double half() const { return 0.5 * (high - low).norm(); }
 };
 
-/// Of a rigid body: the velocity of its node and |spin| times its radius around it. Of others: the middle of the box
-/// that the velocities of their nodes or sections' corners lie in, and its half diagonal.
+/// For a rigid body: the velocity of its node, and |spin| times its radius around it. For others: the centre and half
+/// diagonal of the box around the velocities of its nodes or section corners.
 std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work<2>& work) {
   std::vector<Pace> out(work.body.size());
   for (std::size_t b = 0; b < out.size(); ++b) {
@@ -53,7 +53,7 @@ std::vector<Pace> paces(const Model<2>& model, const State<2>& state, const Work
   return out;
 }
 
-/// Component `k` of the velocity that half of the bodies are below [m/s]: one that flies does not count among many.
+/// Median of component `k` of the bodies' velocities [m/s]; one flying body among many does not affect it.
 double median(const std::vector<Pace>& paces, int k) {
   std::vector<double> speeds;
   for (const Pace& p : paces) speeds.push_back(p.velocity[k]);
@@ -62,7 +62,7 @@ double median(const std::vector<Pace>& paces, int k) {
   return *middle;
 }
 
-/// The way that a piece goes, beside what all go together at `common` [m/s].
+/// The box swept by a piece relative to the common velocity `common` [m/s].
 Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2& common, const Pace& pace, double dt) {
   Range range;
   for (int c = model.piece_first[piece]; c < model.piece_first[piece + 1]; ++c) {
@@ -71,27 +71,28 @@ Box swept_box(const Model<2>& model, const Work<2>& work, int piece, const Vec2&
     range.add(at);
     range.add(at + dt * (Vec2(s.u, s.v) - common));
   }
-  // A point that turns is off its straight way by a t^2 / 2 at most, and never by more than twice its own path.
+  // The path of a rotating point deviates from a straight line by at most a t^2 / 2, and never by more than twice its
+  // length.
   const double widen = std::min(0.5 * pace.bend * dt * dt, 2 * pace.spread * std::abs(dt));
   return {range.low.x() - widen, range.low.y() - widen, range.high.x() + widen, range.high.y() + widen};
 }
 
-/// What of a sweep does not depend on the pair.
+/// Data of a sweep that is independent of the pair.
 struct Sweep {
   const Model<2>& model;
   const State<2>& state;
   std::vector<Pace> pace;  ///< [body]
   Range all;               ///< velocities of all points of all bodies [m/s]
   double time, share;      ///< [s], [1]
-  /// What most go by, which is no motion against each other: a quake alone makes no pair [m/s].
+  /// Common velocity of most bodies, which is no relative motion [m/s]. So ground motion alone makes no pair.
   Vec2 common = Vec2::Zero();
-  double fastest = 0;  ///< beside `common` [m/s]
+  double fastest = 0;  ///< relative to `common` [m/s]
 
   Sweep(const Model<2>& m, const State<2>& s, const Work<2>& work, double dt, double of)
       : model(m), state(s), pace(paces(m, s, work)), time(std::abs(dt)), share(of) {
     for (const Pace& p : pace) all.add(p.velocity.array() - p.spread), all.add(p.velocity.array() + p.spread);
   }
-  /// At most how far any two go against each other [m].
+  /// Upper bound of the relative displacement of any two points [m].
   [[nodiscard]] double farthest() const { return 2 * all.half() * time; }
   void find_common() {
     common = {median(pace, 0), median(pace, 1)};
@@ -101,18 +102,20 @@ struct Sweep {
     const Pace& p = pace[model.piece_body[piece]];
     return (p.velocity - common).norm() + p.spread;
   }
-  /// At most how fast a piece goes against any other [m/s].
+  /// Upper bound of the speed of a piece relative to any other [m/s].
   [[nodiscard]] double closing(int piece) const {
     const Pace& p = pace[model.piece_body[piece]];
     return (p.velocity - all.low).cwiseMax(all.high - p.velocity).norm() + p.spread;
   }
-  /// Any pair that counts has one piece that is fast for the thinnest of all, and one that is thin for the fastest.
-  /// With v_a + v_b > s / t one of the two is above s / 2 t: so the shorter of both lists, `fewest`, misses no pair.
+  /// Any pair that counts has one piece that is fast compared with the thinnest thickness, and one that is thin
+  /// compared with the fastest speed. With v_a + v_b > s / t one of the two is above s / 2 t, so the shorter of both
+  /// lists, `fewest`, misses no pair.
   [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
   [[nodiscard]] bool is_thin(int piece) const {
     return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
   }
-  /// A law holds between them, one may move, and they go against each other by more than their share of the thinner.
+  /// A contact law holds between them, one may move, and their relative motion exceeds the share of the thinner
+  /// thickness.
   [[nodiscard]] bool counts(int p, int q) const {
     const int a = model.piece_body[p], b = model.piece_body[q];
     if (a == b || state.left[a] != 0 || state.left[b] != 0) return false;
@@ -121,7 +124,7 @@ struct Sweep {
   }
 };
 
-/// The shorter list, or none. What most go by is looked for only where some piece is fast and some is thin for any.
+/// The shorter list, or none. The common velocity is computed only where some piece is fast and some piece is thin.
 std::vector<int> fewest(Sweep& sweep) {
   std::vector<int> fast, thin;
   for (int p = 0; p < sweep.model.pieces(); ++p) {
@@ -142,7 +145,7 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
                                              double dt, double share) {
   Sweep sweep(model, state, work, dt, share);
   std::vector<std::pair<int, int>> found;
-  // What has run away, or is no number, is not followed.
+  // Motion that has diverged or is not finite is not followed.
   if (!(sweep.farthest() > share * model.least_thickness && sweep.farthest() < beyond_all)) return found;
   const std::vector<int> few = fewest(sweep);
   if (few.empty()) return found;
@@ -152,7 +155,7 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
   const auto keep = [&](int p, int q) {
     if (sweep.counts(p, q)) found.emplace_back(std::min(p, q), std::max(p, q));
   };
-  // Many: all boxes on the grid. Few: each of them against all boxes, which costs less than laying a grid.
+  // Many pieces: all boxes on the grid. Few: each of them against all boxes, which costs less than building a grid.
   if (32 * few.size() > boxes.size()) {
     for (const auto& [p, q] : meeting_boxes(boxes)) keep(p, q);
     return found;
