@@ -1,17 +1,17 @@
 // A bearing: a multi-axial link between a point of one body and a point of another.
 //
-// The axes turn with body a. The displacement is that of b's point against a's, in those axes, less the offset at
-// which the bearing was placed; so a link may be of zero or of finite length. The forces on both bodies act along one
-// line, through b's point: momentum and angular momentum are kept. Barbosa, "Discontinuous structural analysis",
-// interaction model.
+// The axes rotate with body a. The displacement is the position of b's point relative to a's, in these axes, minus the
+// offset at placement; so a link may have zero or finite length. The forces on both bodies act along one line through
+// b's point: momentum and angular momentum are conserved. Barbosa, "Discontinuous structural analysis", interaction
+// model.
 //
-// In space b's turn against a is the rotation vector t of exp(t) = A' B, A and B being the axes of the bearing as they
-// go with a and with b. With w the spin of b against a in the axes A,
+// In space the rotation of b relative to a is the rotation vector t with exp(t) = A' B, where A and B are the bearing's
+// axes as they rotate with a and with b. With the relative spin w of b in the axes A,
 //
-//   t' = w - t x w / 2 + c t x (t x w),     c = (1 - |t|/2 cot(|t|/2)) / |t|^2,
+//   t' = w - t x w / 2 + c t x (t x w),     c = (1 - |t|/2 cot(|t|/2)) / |t|^2.
 //
-// and couples m that go with t are the moment m + t x m / 2 + c t x (t x m) on b, so that its power is m . t'. Of the
-// rotation vectors that differ by whole turns the one nearest to the last counts: t goes on past half a turn.
+// A moment m conjugate to t acts on b as m + t x m / 2 + c t x (t x m), so that its power is m . t'. Among the rotation
+// vectors that differ by whole turns the one nearest to the last is used: t continues beyond half a turn.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@ namespace trilith {
 /// Directions of a plane bearing, in its own axes.
 enum BearingDirection : int { along = 0, axial = 1, turning = 2 };
 
-/// Directions of a bearing in D dimensions, in its own axes: translations first, the axial one last of them, then
-/// turns. In space along is longitudinal, across transverse and axial vertical, where nothing else is said.
+/// Directions of a bearing in D dimensions, in its own axes: translations first, of which the axial one is last, then
+/// rotations. In space along is longitudinal, across transverse and axial vertical by default.
 template <int D>
 struct Directions;
 template <>
@@ -51,7 +51,7 @@ constexpr const char* unit_of_direction(int k) {
   return k < Directions<D>::first_turning ? "m" : "rad";
 }
 
-/// `removed`: it was taken away, or a body that it links was.
+/// `removed`: the bearing was removed, or a body that it links.
 enum class BearingStatus : std::uint32_t { waiting, intact, yielded, failed, changed, removed };
 
 /// "intact", ...
@@ -64,12 +64,12 @@ constexpr bool is_live(BearingStatus s) {
   return s == BearingStatus::intact || s == BearingStatus::yielded;
 }
 
-/// What a bearing has in space alone: a law of both horizontal directions, which then have none of their own.
+/// Data of a bearing in space alone: a law of both horizontal directions, which then have no single laws.
 struct HorizontalPart {
   DirectionLaw horizontal;
-  double horizontal_limit = unbounded;  ///< resultant displacement that ends it [m]
+  double horizontal_limit = unbounded;  ///< resultant displacement at which it fails [m]
 
-  /// Whether along and across answer together, as in a circular yield or friction surface.
+  /// Whether along and across have a common law, such as a circular yield or friction surface.
   [[nodiscard]] bool has_horizontal() const { return !std::holds_alternative<std::monostate>(horizontal); }
 };
 struct NoHorizontalPart {
@@ -89,21 +89,22 @@ struct Bearing : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPart> {
 
   std::string name;
   int body_a = -1, body_b = -1;
-  Attachment<D> end_a, end_b;                                      ///< its points on them
-  Rotation<D> angle{};                                             ///< of its axes, in those of body a [rad]
-  std::array<DirectionLaw, directions> law;                        ///< see Directions
-  std::array<double, directions> limit = no_limits<directions>();  ///< displacement that ends it [m], [rad]
-  Vec<D> rest = Vec<D>::Zero();    ///< b's point from a's when placed, in the bearing's axes [m]
-  Rotation<D> rest_angle{};        ///< when placed, of b against a [rad]; in space of its axes, in those of body b
-  bool replaces_contact = false;   ///< while live, it stands for the contact of the pieces it sits between, as long as
-                                   ///< that lies flat; tilted, what goes deeper touches
-  int piece_a = -1, piece_b = -1;  ///< those pieces: the ones whose faces are nearest to its points
-  int contact_after = -1;          ///< index into Model::laws of the contact of the two pieces after
-                                   ///< failure, or -1 for the one their surfaces have
-  int becomes_bearing = -1;        ///< the bearing that goes live after failure, or -1
-  std::array<bool, directions> next_from_here{};  ///< directions in which that one counts displacement from where it
-                                                  ///< takes over, and not from where it was placed
-  bool starts_waiting = false;                    ///< goes live only as another bearing's successor
+  Attachment<D> end_a, end_b;                ///< the linked points
+  Rotation<D> angle{};                       ///< rotation of its axes relative to the axes of body a [rad]
+  std::array<DirectionLaw, directions> law;  ///< see Directions
+  std::array<double, directions> limit = no_limits<directions>();  ///< displacement at which it fails [m], [rad]
+  Vec<D> rest = Vec<D>::Zero();  ///< b's point relative to a's at placement, in the bearing's axes [m]
+  Rotation<D> rest_angle{};  ///< at placement: plane, rotation of b relative to a [rad]; space, the bearing's axes in
+                             ///< the axes of body b
+  bool replaces_contact = false;   ///< while live, it replaces the flat contact of the pieces that it connects; if
+                                   ///< tilted, deeper overlap is in contact
+  int piece_a = -1, piece_b = -1;  ///< these pieces: their faces are nearest to its points
+  int contact_after = -1;  ///< index into Model::laws of the contact law of the two pieces after failure, or -1 for the
+                           ///< law of their surfaces
+  int becomes_bearing = -1;                       ///< the bearing that becomes live after failure, or -1
+  std::array<bool, directions> next_from_here{};  ///< directions in which the successor counts displacement from its
+                                                  ///< activation, not from its placement
+  bool starts_waiting = false;                    ///< becomes live only as another bearing's successor
 
   [[nodiscard]] bool sits_between(int p, int q) const {
     return (piece_a == p && piece_b == q) || (piece_a == q && piece_b == p);
@@ -111,25 +112,25 @@ struct Bearing : std::conditional_t<D == 3, HorizontalPart, NoHorizontalPart> {
   [[nodiscard]] bool next_counts_from_here() const {
     return std::find(next_from_here.begin(), next_from_here.end(), true) != next_from_here.end();
   }
-  /// True where its failure changes the rule for the contact of the two pieces it sits between.
+  /// True where it replaces the contact of the two pieces that it connects, or sets its law after failure.
   [[nodiscard]] bool alters_contact() const { return replaces_contact || contact_after >= 0; }
 };
 
-/// What a bearing in space remembers besides.
+/// Memory of a bearing in space alone.
 struct HorizontalMemory {
-  std::array<double, 3> turned{};  ///< last turn of b against a, a rotation vector: whole turns count too [rad]
+  std::array<double, 3> turned{};  ///< last rotation of b relative to a, a rotation vector with whole turns [rad]
   std::array<double, most_horizontal_numbers> horizontal{};  ///< of its law of both directions, see horizontal_memory
 };
 struct NoHorizontalMemory {};
 
-/// What a bearing remembers.
+/// Memory of a bearing.
 template <int D>
 struct BearingMemory : std::conditional_t<D == 3, HorizontalMemory, NoHorizontalMemory> {
   BearingStatus status = BearingStatus::intact;
   std::uint32_t failed_direction = 0;
   std::array<DirectionMemory, Space<D>::dofs> direction;
-  std::array<double, Space<D>::dofs> begun_at{};  ///< displacement that its laws and limits count from [m], [rad]
-  double stood_for = 0;  ///< depth of the contact it stands for when that last lay flat, 0 once the two part [m]
+  std::array<double, Space<D>::dofs> begun_at{};  ///< displacement from which its laws and limits count [m], [rad]
+  double stood_for = 0;  ///< depth of the replaced contact when it last lay flat, 0 once the two separate [m]
 };
 
 }  // namespace trilith

@@ -1,24 +1,25 @@
-// Smooth hysteresis: a spring that yields round a corner, as of rubber and lead bearings, ropes and timber joints.
+// Smooth hysteresis (Bouc-Wen): a spring that yields gradually, for rubber and lead bearings, ropes and timber joints.
 //
-// f = a k d + (1 - a) k z, with dz/dd = 1 - |z/Y|^n (b sign(z dd) + 1 - b), Y = yield / k; so |z| goes to Y and no
-// further. Wen, "Method for random vibration of hysteretic systems", J. Eng. Mech. Div. ASCE 102(2), 1976, with A = 1
-// and beta + gamma = 1. b from 1/2 on keeps what it gives off from falling below 0 (Erlicher and Point, "Thermodynamic
-// admissibility of Bouc-Wen type hysteresis models", C. R. Mecanique 332, 2004).
+// Force: f = a k d + (1 - a) k z, with dz/dd = 1 - |z/Y|^n (b sign(z dd) + 1 - b) and Y = yield / k. So |z| tends to Y
+// and never exceeds it. Wen, "Method for random vibration of hysteretic systems", J. Eng. Mech. Div. ASCE 102(2), 1976,
+// with A = 1 and beta + gamma = 1. For b >= 1/2 the dissipated energy never decreases (Erlicher and Point,
+// "Thermodynamic admissibility of Bouc-Wen type hysteresis models", C. R. Mecanique 332, 2004).
 //
-// It may wear: dz/dd = (1 - nu |z/Y|^n (...)) / eta, with nu = 1 + strength_loss e and eta = 1 + stiffness_loss e, so
-// that |z| goes to Y / nu^(1/n), and the first stiffness of what yields is k / eta (Baber and Wen, "Random vibration of
-// hysteretic, degrading systems", J. Eng. Mech. Div. ASCE 107(6), 1981). e is the energy given off over yield Y; theirs
-// counts besides what is stored at the moment. What is stored is (1 - a) k eta z^2 / 2, as it unloads along k / eta.
-// Memory: `inner` is z; `compression` is the energy given off [J] where the law wears, else 0.
+// Optional degradation: dz/dd = (1 - nu |z/Y|^n (...)) / eta, with nu = 1 + strength_loss e and eta = 1 +
+// stiffness_loss e. So |z| tends to Y / nu^(1/n), and the initial stiffness of the yielding part is k / eta (Baber and
+// Wen, "Random vibration of hysteretic, degrading systems", J. Eng. Mech. Div. ASCE 107(6), 1981). e is the dissipated
+// energy over yield Y; Baber and Wen also count the energy stored at the moment. The stored energy is (1 - a) k eta z^2
+// / 2, because unloading follows k / eta. Memory: `inner` is z; `compression` is the dissipated energy [J] where the
+// law degrades, else 0.
 //
-// Of both horizontal directions z and d are vectors, and with r = |z|/Y, p = z . d' / |z|
+// For both horizontal directions z and d are vectors. With r = |z|/Y and p = z . d' / |z|,
 //
-//   z' = d' - nu z/|z| r^n (b |p| + (1 - b) p)    over eta,
+//   z' = (d' - nu z/|z| r^n (b |p| + (1 - b) p)) / eta,
 //
 // so that |z| <= Y in every azimuth. Park, Wen and Ang, "Random vibration of hysteretic systems under bi-directional
-// ground motions", Earthquake Eng. Struct. Dyn. 14, 1986, with n = 2; they take |p| axis by axis, which is the same on
-// straight paths; as one product it has no axes (Casciati, "Stochastic dynamics of hysteretic media", Struct. Safety 6,
-// 1989).
+// ground motions", Earthquake Eng. Struct. Dyn. 14, 1986, with n = 2. They take |p| axis by axis, which is equal on
+// straight paths. As one product it is independent of the axes (Casciati, "Stochastic dynamics of hysteretic media",
+// Struct. Safety 6, 1989).
 #pragma once
 
 #include <algorithm>
@@ -60,7 +61,8 @@ struct BoucWen {
         P{&BoucWen::stiffness_loss, "stiffness_loss", "1", 0, 0, 100, true,
           "growth of eta for the same energy; the elastic stiffness decreases as 1/eta"}};
   }
-  /// Unloading is the stiffest; |z| is behind a strength that falls by a share of `strength_loss` over the exponent.
+  /// Unloading is the stiffest branch; |z| lags behind a strength that falls by a share of `strength_loss` over the
+  /// exponent.
   [[nodiscard]] double tangent() const {
     const double unloading = 2 * shape + (2 * shape - 1) * strength_loss / exponent;
     return stiffness * (hardening + (1 - hardening) * unloading);
@@ -78,7 +80,7 @@ struct BoucWen {
     out.memory.inner = z;
     out.memory.travelled += std::abs(slid);
     out.memory.force = straight * m.displacement + smooth * z;
-    // What is given off makes the spring softer, which takes energy in turn: hence the divisor.
+    // Dissipation softens the spring, which itself dissipates energy: hence the divisor.
     const double softer = 0.5 * smooth * z * z * stiffness_loss / (yield * last);
     out.lost_inner = 0.5 * smooth * (z + before.inner) * slid / (1 + softer);
     if (wears()) out.memory.compression += out.lost_inner;
@@ -91,7 +93,7 @@ struct BoucWen {
 
   struct Horizontal {
     AlongAcross inner{};                   ///< z [m]
-    double dissipated = 0, travelled = 0;  ///< [J] where it wears, path of d - z [m]
+    double dissipated = 0, travelled = 0;  ///< [J] where it degrades, path of d - z [m]
   };
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
                                                                   const Horizontal& before) const {
@@ -120,14 +122,13 @@ struct BoucWen {
     const double e = wears() ? std::max(0.0, dissipated) * stiffness / (yield * yield) : 0;
     return {1 + strength_loss * e, 1 + stiffness_loss * e};
   }
-  /// dz/dd at z in shares of the last, while d goes by `sign`.
+  /// dz/dd at z, both relative to Y, while d changes with sign `sign`.
   [[nodiscard]] double slope(double z, double sign, const Wear& wear) const {
     const double bend = portable::pow(std::abs(z), exponent) * (z * sign < 0 ? 1 - 2 * shape : 1.0);
     return (1 - wear.nu * bend) / wear.eta;
   }
-  /// z once d has gone on by `change`, both in shares of the last: fourth order (Runge and Kutta), in steps that a bend
-  /// with the exponent needs, which is the sharper the smaller the strength.
-  /// Never beyond 1.
+  /// z after d has changed by `change`, both relative to Y: fourth-order Runge-Kutta. The number of substeps follows
+  /// from the exponent and increases as the strength falls, because the curve becomes sharper. Never beyond 1.
   [[nodiscard]] double hysteresis(double z, double change, const Wear& wear) const {
     double sharper = 1;
     if (wear.nu > 1)
@@ -141,14 +142,14 @@ struct BoucWen {
     }
     return z;
   }
-  /// dz by dd along `way`, of length 1, both in shares of the last.
+  /// dz/dd along the unit vector `way`, both relative to Y.
   [[nodiscard]] Vec2 slope_of_both(const Vec2& z, const Vec2& way, const Wear& wear) const {
     const double size = portable::hypot(z.x(), z.y());
     if (!(size > 0)) return way / wear.eta;
     const double p = z.dot(way) / size, bend = portable::pow(size, exponent) * (p < 0 ? (1 - 2 * shape) * p : p);
     return (way - wear.nu * bend / size * z) / wear.eta;
   }
-  /// As `hysteresis`, of vectors.
+  /// `hysteresis` for vectors.
   [[nodiscard]] Vec2 hysteresis_of_both(Vec2 z, const Vec2& change, const Wear& wear) const {
     const double path = portable::hypot(change.x(), change.y()), size = portable::hypot(z.x(), z.y());
     if (!(path > 0)) return z;

@@ -1,8 +1,9 @@
-// Cable, restrainer: pulls where it is taut, never pushes; it may be slack or stretched when placed, and it may break.
+// Cable or restrainer: carries tension when taut and never compression. It may be slack or prestretched at placement,
+// and it may break.
 //
-// f = max(0, k e + c e') with the stretch e = d - slack + pretension / k, where e > 0. Once k e is above `strength` it
-// is broken, for good: what was stored in it is given off.
-// Memory: `travelled` is the stretch at which it broke, 0 before.
+// f = max(0, k e + c e') with the stretch e = d - slack + pretension / k, where e > 0. Once k e exceeds `strength` the
+// cable is broken for good, and its stored energy is dissipated. Memory: `travelled` is the stretch at which it broke,
+// 0 before.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +18,9 @@ struct Cable {
   double stiffness = 0;   ///< [N/m]
   double slack = 0;       ///< [m]
   double pretension = 0;  ///< [N]
-  double strength = 0;    ///< [N], 0: it does not break
+  double strength = 0;    ///< [N]; 0: it does not break
   double damping = 0;     ///< [N s/m]
-  double side = 0;        ///< not below 0: pulls where d > 0
+  double side = 0;        ///< >= 0: in tension where d > 0; < 0: where d < 0
 
   static constexpr std::string_view name = "cable";
   static constexpr std::string_view sentence = "cable or restrainer: tension alone, slack or prestressed, may break";
@@ -35,9 +36,9 @@ struct Cable {
                       P{&Cable::side, "side", "1", 1, -1, 1, true,
                         "+1: taut in motion of the second point along the axis; -1: against it"}};
   }
-  /// A cable to test with, so soft that the usual strength breaks it after many steps.
+  /// A cable for tests, so soft that the usual strength breaks it after many steps.
   static Cable sample() { return {1e5, 0, 0, 0, 0, 1}; }
-  /// Throws InputError where it would break as it is placed.
+  /// Throws InputError where it would break at placement.
   void check() const {
     if (strength > 0 && pretension > strength)
       throw InputError(
@@ -64,7 +65,7 @@ struct Cable {
   }
 
  private:
-  /// What was stored in it, and what work it took within the step.
+  /// Dissipates the stored energy and the work done within the step.
   [[nodiscard]] DirectionResponse breaking(double stretch, const DirectionMotion& m,
                                            const DirectionMemory& before) const {
     DirectionResponse out;

@@ -1,5 +1,5 @@
-// Bearing laws that close and open as bodies strike through them, and how far from closing they are. A new law that
-// does so has a row here; of all others no blow is expected.
+// Bearing laws that close and open as bodies strike through them, and their clearance. A new law that does so has a row
+// here; for all other laws no impact is expected.
 #pragma once
 
 #include <concepts>
@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// What the displacement has to grow by (way = 1) or to fall by (way = -1) until the law closes, below 0 where it is
-/// closed by so much; unbounded where it never does that way [m] or [rad].
+/// Displacement increase (way = 1) or decrease (way = -1) until the law closes [m] or [rad]. Negative where it is
+/// closed by that amount, unbounded where it never closes in this direction.
 inline double clearance(const Gap& law, const DirectionMemory& /*memory*/, double displacement, double way) {
   return way * law.side >= 0 ? law.opening - way * displacement : unbounded;
 }

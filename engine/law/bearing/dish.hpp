@@ -1,14 +1,15 @@
-// Bearings that slide on a dish: the axial direction follows it.
+// Bearings that slide on a dish: the axial direction follows the dish.
 //
-// The slider of a pendulum law stands on a dish of radius R. Displaced horizontally by u it stands higher by
-//
+// The slider of a pendulum law is on a dish of radius R. A horizontal displacement u raises it by h(u) with the slope
+// h'(u):
+// ```
 //     h(u) = R - sqrt(R^2 - u^2),      dh/du = u / sqrt(R^2 - u^2) = tan(angle of the dish)
-//
-// so the axial law takes z - h(u) for its displacement z, and its force F pushes along the normal of the dish: F
-// axially and -F dh/du horizontally, N tan(angle) under a compression N. Both follow from the one potential V(z - h(u))
-// of the axial law, so the work of the dish is in that law's books, and the horizontal law is the slider alone. Beyond
-// 0.9 R the dish goes on as a cone. Dishes along and across that are laws of one direction each are cylinders, whose
-// rises add up.
+// ```
+// So the axial law uses z - h(u) instead of its displacement z. Its force F acts along the normal of the dish: F
+// axially and -F dh/du horizontally, which is N tan(angle) under a compression N. Both derive from the one potential
+// V(z - h(u)) of the axial law, so the axial law accounts for the work of the dish, and the horizontal law is the
+// slider alone. Beyond 0.9 R the dish continues as a cone. If along and across have single laws, their dishes are
+// cylinders whose rises add up.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 
 namespace trilith {
 
-/// Height of the slider above the middle of the dish [m] and its slope, at a distance u from the middle [m].
+/// Height of the slider above the centre of the dish [m] and its slope, at a distance u from the centre [m].
 struct DishRise {
   double height, slope;
 };
@@ -41,7 +42,7 @@ concept HasDish = requires(const L& law, const DirectionMotion& m, const Directi
   { law.respond_on_dish(m, before, 0.0) } -> std::same_as<DirectionResponse>;
 };
 
-/// 0 of all laws but those that rise on a dish.
+/// 0 for all laws without a dish that rises.
 inline double dish_radius(const DirectionLaw& law) {
   return std::visit(
       [](const auto& l) {
@@ -53,7 +54,7 @@ inline double dish_radius(const DirectionLaw& law) {
       law);
 }
 
-/// True where a bearing stands on a dish: a pendulum with `rise` beside an axial law.
+/// True for a bearing on a dish: a pendulum with `rise` and an axial law.
 template <int D>
 bool has_dish(const Bearing<D>& b) {
   if (std::holds_alternative<std::monostate>(b.law[Directions<D>::axial])) return false;
@@ -93,7 +94,7 @@ struct Dish {
   }
 };
 
-/// Motion of a bearing as its laws see it: axially from the surface of the dish.
+/// Motion of a bearing as its laws use it: the axial displacement is measured from the surface of the dish.
 template <int D>
 struct LawMotion {
   static constexpr std::size_t axial = Directions<D>::axial;
@@ -118,7 +119,7 @@ struct LawMotion {
     for (std::size_t k = 0; k < axial; ++k) from[k] -= mean[k] * dt;
     mean[axial] -= (dish.height - Dish<D>(b, from).height) / dt;
   }
-  /// Resisting force along direction k of an axial force [N].
+  /// Resisting force along direction k due to an axial force [N].
   [[nodiscard]] double thrust(std::size_t k, double axial_force) const {
     return on_dish && k < axial ? -axial_force * dish.slope[k] : 0;
   }

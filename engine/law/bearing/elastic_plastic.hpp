@@ -1,8 +1,8 @@
-// Bilinear spring: elastic to `yield`, then hardening with `hardening` times the stiffness (kinematic), and a dashpot.
+// Bilinear spring: elastic to `yield`, then kinematic hardening with `hardening` times the stiffness, and a dashpot.
 //
 // f = k (d - p), |f - h p| <= f_y, with h = k r/(1 - r) for r = hardening. Return mapping: Simo and Hughes,
-// "Computational Inelasticity", 1998, box 1.5. Of both horizontal directions the same with vectors f, d, p: the yield
-// surface is a circle that moves, and p flows along its normal (box 3.1, radial return).
+// "Computational Inelasticity", 1998, box 1.5. For both horizontal directions f, d and p are vectors. The yield surface
+// is a moving circle, and p flows along its normal (box 3.1, radial return).
 #pragma once
 
 #include <array>
@@ -58,7 +58,7 @@ struct ElasticPlastic {
 
   struct Horizontal {
     AlongAcross inner{}, force{};  ///< plastic displacement [m], force [N]
-    double travelled = 0;          ///< path of the plastic displacement [m]
+    double travelled = 0;          ///< path length of the plastic displacement [m]
   };
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
                                                                   const Horizontal& before) const {

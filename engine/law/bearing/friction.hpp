@@ -1,13 +1,13 @@
-// Slider on the bearing's own compression N, with an elastic stiffness before sliding: |f| <= mu N.
+// Friction slider under the bearing's compression N, elastic before sliding: |f| <= mu N.
 //
-// Coulomb's mu by itself; or one that goes with the speed v from mu to mu_fast,
-//     mu(v) = mu_fast - (mu_fast - mu) exp(-rate |v|)
-// (Constantinou, Mokha and Reinhorn, "Teflon bearings in base isolation II: modeling", J. Struct. Eng. ASCE 116(2),
-// 1990), and that goes with (N / reference_load)^(load_exponent - 1), as plastics have it (Bowden and Tabor, "The
-// Friction and Lubrication of Solids II", 1964). Of both horizontal directions |f| is the resultant and v the speed
-// along the path: the limit is a circle, and the slider follows along the force (Mosqueda, Whittaker and Fenves,
-// "Characterization and modeling of friction pendulum bearings subjected to multiple components of excitation",
-// J. Struct. Eng. ASCE 130(3), 2004).
+// The coefficient mu is constant (Coulomb), or rises with the speed v from mu to mu_fast: `mu(v) = mu_fast - (mu_fast -
+// mu) exp(-rate |v|)` (Constantinou, Mokha and Reinhorn, "Teflon bearings in base isolation II: modeling", J. Struct.
+// Eng. ASCE 116(2), 1990). It may also depend on the load as (N / reference_load)^(load_exponent - 1), as for plastics
+// (Bowden and Tabor, "The Friction and Lubrication of Solids II", 1964).
+//
+// For both horizontal directions |f| is the resultant and v the speed along the path. The limit is a circle, and the
+// slider moves along the force (Mosqueda, Whittaker and Fenves, "Characterization and modeling of friction pendulum
+// bearings subjected to multiple components of excitation", J. Struct. Eng. ASCE 130(3), 2004).
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Friction {
 
   static constexpr std::string_view name = "friction";
   static constexpr std::string_view sentence = "Coulomb friction under the bearing's compression";
-  /// The last four, of any law that slides.
+  /// The last four parameters, shared by all sliding laws.
   template <class Owner>
   static constexpr auto dependence() {
     using P = Parameter<Owner>;
@@ -57,9 +57,9 @@ struct Friction {
         more[2],
         more[3]};
   }
-  /// A slider to test with, as a load exponent needs a load.
+  /// A slider for tests, with the reference load that a load exponent requires.
   static Friction sample() { return {0.3, 1e6, 0, 0, 50, 1, 5e4}; }
-  /// Throws InputError where the load that `load_exponent` needs is missing. `owner`: the law to be named.
+  /// Throws InputError where the load that `load_exponent` requires is missing. `owner`: the law named in the message.
   void check(std::string_view owner = name) const {
     if (load_exponent < 1 && !(reference_load > 0))
       throw InputError(
@@ -68,12 +68,12 @@ struct Friction {
                       owner, load_exponent));
   }
   [[nodiscard]] double tangent() const { return stiffness; }
-  /// Friction that changes with the speed acts as a dashpot, the most at rest; what is known of its load is
-  /// `reference_load`. Without that it is left out: the force is bounded all the same.
+  /// Speed-dependent friction acts as a dashpot, most strongly at rest. The only known load is `reference_load`;
+  /// without it the term is left out, because the force is bounded anyway.
   [[nodiscard]] double dashpot() const {
     return damping + (mu_fast > 0 ? std::abs(mu_fast - mu) * rate * reference_load : 0);
   }
-  /// A slider that goes live late does so unstressed, where it stands.
+  /// A slider that becomes live later starts unstressed at its current displacement.
   [[nodiscard]] static DirectionMemory begin_at(double displacement) {
     DirectionMemory memory;
     memory.inner = displacement;
@@ -99,8 +99,8 @@ struct Friction {
   }
 
   struct Horizontal {
-    AlongAcross inner{}, force{};  ///< place of the slider [m], friction [N]
-    double travelled = 0;          ///< path of the slider [m]
+    AlongAcross inner{}, force{};  ///< position of the slider [m], friction [N]
+    double travelled = 0;          ///< path length of the slider [m]
   };
   [[nodiscard]] static Horizontal begin_horizontal_at(const Vec2& displacement) { return {along_across(displacement)}; }
   [[nodiscard]] HorizontalResponse<Horizontal> respond_horizontal(const HorizontalMotion& m,
@@ -124,11 +124,11 @@ struct Friction {
   }
 
  private:
-  /// The friction that a compression allows at a speed [N].
+  /// Friction limit under a compression at a speed [N].
   [[nodiscard]] double most(double speed, double compression) const {
     const double at_speed = mu_fast > 0 ? mu_fast - (mu_fast - mu) * portable::exp(-rate * std::abs(speed)) : mu;
     if (load_exponent == 1) return at_speed * compression;
-    // So written it is 0 under no load, where the coefficient itself has no bound.
+    // This form gives 0 without load, where the coefficient itself is unbounded.
     return at_speed * reference_load * portable::pow(compression / reference_load, load_exponent);
   }
 };

@@ -1,7 +1,9 @@
-// Gap: nothing until the displacement passes `opening` (in the sense of `side`), then a linear spring and a dashpot.
+// Gap: no force until the displacement exceeds `opening` in the direction of `side`, then a linear spring and a
+// dashpot.
 //
-// f = k (|d| - g) + c |d|' in the sense of d, where |d| > g; never below 0 in that sense but where `pull` allows it
-// (the linear viscoelastic model of pounding as first written: Anagnostopoulos, Earthquake Eng. Struct. Dyn. 16, 1988).
+// f = k (|d| - g) + c |d|' in the direction of d, where |d| > g; never negative in that direction unless `pull` allows
+// it. The linear viscoelastic model of pounding in its first form: Anagnostopoulos, Earthquake Eng. Struct. Dyn. 16,
+// 1988.
 #pragma once
 
 #include <algorithm>

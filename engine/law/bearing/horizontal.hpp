@@ -1,13 +1,11 @@
-// Two directions of a bearing at once: what goes into a law of both and what comes out.
+// Two directions of a bearing at once: input and output of a law of both.
 //
-// A law that slips or yields under the resultant of the two, wherever it points, has beside its `respond` for one
-// direction
-//
-//   struct Horizontal { double ...; };                      its memory: numbers alone, as many as it wants
+// A law that slips or yields under the resultant of the two has, in addition to its `respond` for one direction:
+// ```
+//   struct Horizontal { double ...; };                      its memory: doubles only, any number of them
 //   respond_horizontal(const HorizontalMotion&, const Horizontal& before) -> HorizontalResponse<Horizontal>
-//
-// and, where it does not begin at nothing, begin_horizontal_at(displacement). Signs are those of
-// law/bearing/direction.hpp.
+// ```
+// It also has begin_horizontal_at(displacement) unless its memory starts at 0. Signs follow law/bearing/direction.hpp.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +18,7 @@
 
 namespace trilith {
 
-/// The two numbers of a vector as they lie in a memory.
+/// The two numbers of a vector as stored in a memory.
 using AlongAcross = std::array<double, 2>;
 inline Vec2 vector_of(const AlongAcross& p) {
   return {p[0], p[1]};
@@ -42,7 +40,7 @@ struct HorizontalResponse {
   Memory memory;
   Vec2 force = Vec2::Zero();  ///< without the dashpot [N]
   double stored = 0;          ///< elastic energy [J]
-  double lost_inner = 0;      ///< plastic or frictional energy given off in this step [J]
+  double lost_inner = 0;      ///< plastic or frictional energy dissipated in this step [J]
   bool yielding = false;
 };
 
@@ -52,11 +50,11 @@ concept HorizontalLaw = requires(const L& law, const HorizontalMotion& m, const 
   { law.damping } -> std::convertible_to<double>;
 };
 
-/// How many numbers a law of both directions remembers.
+/// Number of doubles in the memory of a law of both directions.
 template <HorizontalLaw L>
 inline constexpr std::size_t horizontal_numbers = sizeof(typename L::Horizontal) / sizeof(double);
 
-/// The memory of such a law, from and to the first of the numbers that a bearing keeps for it.
+/// The memory of such a law, from and to the first numbers that a bearing reserves for it.
 template <HorizontalLaw L, std::size_t room>
 typename L::Horizontal horizontal_memory(const std::array<double, room>& numbers) {
   static_assert(horizontal_numbers<L> <= room);

@@ -1,10 +1,12 @@
-// Lead rubber bearing, in shear: rubber in layers with a lead core that yields, as a bilinear loop.
+// Lead rubber bearing in shear: layered rubber with a yielding lead core, as a bilinear loop.
 //
-// f = K1 d to first yield at d_y = Q / (K1 - K2), beyond it f = Q + K2 d, and back along K1 through twice the yield
-// force Q + K2 d_y. Robinson, "Lead-rubber hysteretic bearings suitable for protecting structures during earthquakes",
-// Earthquake Eng. Struct. Dyn. 10, 1982, who has K1 of 6.5 to 10 times K2; Naeim and Kelly, "Design of Seismic Isolated
-// Structures", 1999. What it leaves out: lead that warms loses strength over many large loops; rubber stiffens beyond
-// a shear strain of 1.5 or so (`limit` of the bearing ends it); the load has no part in it (no buckling).
+// f = K1 d to first yield at d_y = Q / (K1 - K2), then f = Q + K2 d; unloading along K1 over twice the yield force Q +
+// K2 d_y. Robinson, "Lead-rubber hysteretic bearings suitable for protecting structures during earthquakes", Earthquake
+// Eng. Struct. Dyn. 10, 1982, with K1 of 6.5 to 10 times K2; Naeim and Kelly, "Design of Seismic Isolated Structures",
+// 1999.
+//
+// Not modelled: heating lead loses strength over many large loops; rubber stiffens beyond a shear strain of about 1.5
+// (set the `limit` of the bearing); the load has no influence (no buckling).
 #pragma once
 
 #include <array>
@@ -34,9 +36,9 @@ struct LeadRubber {
         P{&LeadRubber::ratio, "ratio", "1", 10, least_ratio, 1000, true, "K1 / K2 where K1 is not given"},
         P{&LeadRubber::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
-  /// A bearing to test with, as K1 must be above K2.
+  /// A bearing for tests, with K1 above K2 as required.
   static LeadRubber sample() { return {3e3, 1e5, 0, 10, 0}; }
-  /// Throws InputError where K1 is given and not above K2.
+  /// Throws InputError where K1 is given and is not above K2.
   void check() const {
     if (stiffness > 0 && stiffness < least_ratio * post_stiffness)
       throw InputError(fmt::format(
@@ -62,7 +64,7 @@ struct LeadRubber {
     const double first = tangent(), hardening = post_stiffness / first;
     return {first, strength / (1 - hardening), hardening, damping};
   }
-  static constexpr double least_ratio = 1.01;  // below it there is no corner to speak of
+  static constexpr double least_ratio = 1.01;  // below it the loop has no distinct corner
 };
 
 }  // namespace trilith

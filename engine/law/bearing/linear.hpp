@@ -32,7 +32,7 @@ struct Linear {
     return out;
   }
 
-  /// The same spring in every azimuth; it remembers nothing, but a memory has a number at least.
+  /// The same spring in every azimuth. It has no memory, but a memory must have at least one number.
   struct Horizontal {
     double none = 0;
   };

@@ -1,4 +1,4 @@
-// The laws a direction of a bearing can follow: a new one is its own file and a row here.
+// The laws of a bearing's direction. A new law is its own file and a row here.
 #pragma once
 
 #include <algorithm>
@@ -34,12 +34,12 @@ concept DirectionLawType = Declared<L> && requires(const L& law, const Direction
 };
 static_assert(DirectionLaws::all([]<class L>() { return DirectionLawType<L>; }));
 
-/// True for a law that both horizontal directions may follow at once.
+/// True for a law that both horizontal directions may share.
 constexpr bool is_horizontal(const DirectionLaw& law) {
   return std::visit([](const auto& l) { return HorizontalLaw<std::decay_t<decltype(l)>>; }, law);
 }
 
-/// Numbers that a bearing keeps for its law of both horizontal directions: as many as the one that wants the most.
+/// Numbers that a bearing reserves for its law of both horizontal directions: the largest memory of these laws.
 inline constexpr std::size_t most_horizontal_numbers = [] {
   std::size_t most = 0;
   DirectionLaws::for_each([&]<class L>() {
@@ -48,7 +48,7 @@ inline constexpr std::size_t most_horizontal_numbers = [] {
   return most;
 }();
 
-/// Given by points, beside its declared numbers.
+/// A law given by points in addition to its declared parameters.
 template <class L>
 concept TabulatedLaw = requires(L& law) {
   law.displacement.push_back(0.0);

@@ -1,11 +1,12 @@
-// Maxwell damper: a spring and a dashpot in series, as of a damper on a brace, or of one whose oil is compressible.
+// Maxwell damper: a spring and a dashpot in series, such as a damper on a brace, or one with compressible oil.
 //
-// The spring: f' = k (v - u); the dashpot: f = F (|u| / v0)^a in the sense of its own velocity u. Maxwell, "On the
-// dynamical theory of gases", Phil. Trans. R. Soc. 157, 1867; for dampers Constantinou and Symans, Report
-// NCEER-92-0032, 1992. At an even velocity over the step, a linear dashpot is followed exactly; of others, the step's
-// mean force is found such that it moves the dashpot by what the spring leaves (implicit midpoint): it gives off mean
-// force times that movement, never less than 0. The spring bounds the step, whatever the dashpot. Memory: `inner` is
-// the place of the dashpot.
+// Spring: f' = k (v - u). Dashpot: f = F (|u| / v0)^a in the direction of its velocity u. Maxwell, "On the dynamical
+// theory of gases", Phil. Trans. R. Soc. 157, 1867; for dampers Constantinou and Symans, Report NCEER-92-0032, 1992.
+//
+// At constant velocity over the step a linear dashpot is integrated exactly. For others the step's mean force moves the
+// dashpot by exactly the displacement that the spring leaves (implicit midpoint). The dissipated energy is mean force
+// times this displacement, never negative. The spring limits the time step, whatever the dashpot. Memory: `inner` is
+// the position of the dashpot.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Maxwell {
   }
   [[nodiscard]] double tangent() const { return stiffness; }
   [[nodiscard]] double dashpot() const { return 0; }
-  /// One that goes live late does so unstressed, where it stands.
+  /// A damper that becomes live later starts unstressed at its current displacement.
   [[nodiscard]] static DirectionMemory begin_at(double displacement) {
     DirectionMemory memory;
     memory.inner = displacement;
@@ -46,7 +47,7 @@ struct Maxwell {
   }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    const double held = stiffness * (m.displacement - before.inner);  // were the dashpot to stand still
+    const double held = stiffness * (m.displacement - before.inner);  // force if the dashpot did not move
     DirectionResponse out;
     out.memory.force = exponent == 1 ? relaxed(before.force, held, m.dt)
                                      : 2 * mean_force(0.5 * (before.force + held), m.dt) - before.force;
@@ -59,14 +60,14 @@ struct Maxwell {
   }
 
  private:
-  /// Force after `dt` with a linear dashpot, from `last`, where the spring alone would go to `held`.
+  /// Force after `dt` with a linear dashpot: `last` is the force before, `held` the force of the spring alone.
   [[nodiscard]] double relaxed(double last, double held, double dt) const {
     const double x = dt * stiffness * speed / force, kept = portable::exp(-x);
     const double mean = x < 1e-4 ? 1 - x / 2 * (1 - x / 3 * (1 - x / 4)) : (1 - kept) / x;  // of exp(-s), 0 < s < x
     return last * kept + (held - last) * mean;
   }
-  /// f where f + k dt/2 u(f) = goal. In shares of F the left side g + r g^p bends up, so that Newton comes down to the
-  /// root from where either term alone reaches the goal.
+  /// f where f + k dt/2 u(f) = goal. Relative to F the left side g + r g^p is convex, so Newton's method converges from
+  /// above, starting where either term alone reaches the goal.
   [[nodiscard]] double mean_force(double goal, double dt) const {
     const double size = std::abs(goal) / force, r = 0.5 * stiffness * dt * speed / force, p = 1 / exponent;
     if (!(size > 0) || !(r > 0)) return goal;

@@ -1,5 +1,5 @@
-// A law of one direction whose displacement is counted the other way: what a bearing's law of turning is where the axis
-// it turns about points the other way. A law that has a side has a row here; all others are their own mirror.
+// A one-directional law with the sign of its displacement reversed, for a law of rotation whose axis points the other
+// way. A law with a side has a row here; all other laws are symmetric.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline Table mirrored(Table law) {
   return law;
 }
 
-/// The mirror of what a direction follows.
+/// The mirrored law of a direction.
 inline DirectionLaw mirrored(const DirectionLaw& law) {
   return std::visit([](const auto& l) -> DirectionLaw { return mirrored(l); }, law);
 }

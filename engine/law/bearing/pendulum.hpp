@@ -1,7 +1,7 @@
 // Friction pendulum: f = (N / R) d + friction mu N. Zayas, Low and Mahin, Report UCB/EERC-87/01, 1987.
 //
-// mu may depend on speed and load as that of the slider: law/bearing/friction.hpp. Of both horizontal directions f and
-// d are vectors: on frictionless dishes the period is 2 pi sqrt(R/g) in every azimuth and round the dish.
+// mu may depend on speed and load as in law/bearing/friction.hpp. For both horizontal directions f and d are vectors:
+// on frictionless dishes the period is 2 pi sqrt(R/g) in every azimuth and on circular paths.
 #pragma once
 
 #include <array>
@@ -15,11 +15,11 @@ struct Pendulum {
   double mu = 0;              ///< [1]
   double stiffness = 0;       ///< before sliding [N/m]
   double damping = 0;         ///< [N s/m]
-  double mu_fast = 0;         ///< these four: see Friction
+  double mu_fast = 0;         ///< see Friction for these four
   double rate = 0;            ///< [s/m]
   double load_exponent = 1;   ///< [1]
   double reference_load = 0;  ///< [N]
-  double rise = 0;  ///< 1: beside an axial law it rises on its dish, see law/bearing/dish.hpp; 0: it stays level
+  double rise = 0;  ///< 1: rises on its dish if there is an axial law, see law/bearing/dish.hpp; 0: stays level
 
   static constexpr std::string_view name = "pendulum";
   static constexpr std::string_view sentence = "friction pendulum: Coulomb slider on a dish of given radius";
@@ -38,7 +38,7 @@ struct Pendulum {
         P{&Pendulum::rise, "rise", "1", 0, 0, 1, true,
           "1: the slider rises by R - sqrt(R^2 - d^2), restoring force N tan(angle); 0: it stays level, N d/R"}};
   }
-  /// As of Friction.
+  /// See Friction.
   static Pendulum sample() { return {0.02, 0.3, 1e6, 0, 0, 50, 1, 5e4}; }
   void check() const {
     slider().check(name);
@@ -50,7 +50,7 @@ struct Pendulum {
   [[nodiscard]] static DirectionMemory begin_at(double displacement) { return Friction::begin_at(displacement); }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    // The last force is taken apart: the slider's share is needed for its loss, the dish's for its work.
+    // The last force is split: the slider's part gives the loss, the dish's part the work.
     const double from = m.displacement - m.mean * m.dt;
     const double dish_before = before.compression / radius, dish = m.compression / radius;
     DirectionMemory last = before;
@@ -59,13 +59,13 @@ struct Pendulum {
     out.memory.compression = m.compression;
     out.memory.force += dish * m.displacement;
     out.stored += 0.5 * dish * m.displacement * m.displacement;
-    // Where the compression changes, it does work on the rise of the dish, which the axial direction does not see.
+    // A change of the compression does work on the rise of the dish, which the axial direction does not account for.
     out.lost_inner += 0.5 * (dish_before - dish) * from * m.displacement;
     return out;
   }
 
-  /// On a dish that pushes by `thrust` [N], see law/bearing/dish.hpp. The memory's force is that of slider and dish,
-  /// and `compression` has the thrust in it.
+  /// On a dish with the horizontal force `thrust` [N], see law/bearing/dish.hpp. The memory's force is the sum of
+  /// slider and dish, and `compression` includes the thrust.
   [[nodiscard]] DirectionResponse respond_on_dish(const DirectionMotion& m, const DirectionMemory& before,
                                                   double thrust) const {
     DirectionMemory last = before;
@@ -75,7 +75,7 @@ struct Pendulum {
     return out;
   }
 
-  /// A dish turned about its axis is the same dish. `slider`: without the dish's share.
+  /// A dish is rotationally symmetric. `slider`: without the dish's part.
   struct Horizontal {
     Friction::Horizontal slider;
     double compression = 0;  ///< of the last step [N]
@@ -90,7 +90,7 @@ struct Pendulum {
     const Vec2 from = m.displacement - m.dt * m.mean;
     HorizontalResponse<Horizontal> out{{slid.memory, m.compression}, slid.force + dish * m.displacement};
     out.stored = slid.stored + 0.5 * dish * m.displacement.squaredNorm();
-    // As in one direction: a compression that changes does work on the rise of the dish.
+    // As in one direction: a change of the compression does work on the rise of the dish.
     out.lost_inner = slid.lost_inner + 0.5 * (dish_before - dish) * from.dot(m.displacement);
     out.yielding = slid.yielding;
     return out;

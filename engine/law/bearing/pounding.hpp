@@ -1,11 +1,12 @@
-// Pounding of two neighbours across a gap: a spring and a linear dashpot, which is given by the restitution wanted.
+// Pounding of two neighbours across a gap: a spring and a linear dashpot defined by the coefficient of restitution.
 //
 // The law of law/bearing/gap.hpp with c = 2 zeta sqrt(k m), m = m1 m2 / (m1 + m2), and zeta from the restitution e.
 // Where the dashpot may pull until the gap opens: zeta = -ln e / sqrt(pi^2 + ln^2 e) (Anagnostopoulos, "Pounding of
-// buildings in series during earthquakes", Earthquake Eng. Struct. Dyn. 16, 1988). Where the force ends at 0, as of
-// faces that do not stick: zeta = sin(a) with tan(a) (pi - 2 a) = -ln e (Schwager and Poeschel, "Coefficient of
-// restitution and linear-dashpot model revisited", Granular Matter 9, 2007, their two cases in one); e^-2 at critical
-// damping.
+// buildings in series during earthquakes", Earthquake Eng. Struct. Dyn. 16, 1988).
+//
+// Where the force ends at 0, for faces that do not stick: zeta = sin(a) with `tan(a) (pi - 2 a) = -ln e`. At critical
+// damping the restitution is exp(-2). Source, two cases in one formula: Schwager and Poeschel, "Coefficient of
+// restitution and linear-dashpot model revisited", Granular Matter 9, 2007.
 #pragma once
 
 #include <array>
@@ -45,16 +46,16 @@ struct Pounding {
   [[nodiscard]] double dashpot() const { return 2 * damping_ratio() * std::sqrt(stiffness * mass); }
 
   [[nodiscard]] DirectionResponse respond(const DirectionMotion& m, const DirectionMemory& before) const {
-    // The damping is asked for only where there may be a contact: it takes some tangents to find.
+    // The damping takes several tangents to compute, so it is evaluated only where there may be contact.
     const double damping = std::abs(m.displacement) > opening ? dashpot() : 0;
     return Gap{stiffness, opening, damping, side, pull}.respond(m, before);
   }
 
-  /// Share of critical damping that gives the restitution.
+  /// Damping ratio that gives the restitution.
   [[nodiscard]] double damping_ratio() const {
     const double loss = -portable::log(restitution);
     if (pull > 0) return loss / std::sqrt(M_PI * M_PI + loss * loss);
-    // Newton from 0: the left side rises and bends down, so the root is never passed.
+    // Newton's method from 0: the left side is increasing and concave, so the root is never passed.
     double angle = 0;
     for (int i = 0; i < 50; ++i) {
       const double t = portable::tan(angle), open = M_PI - 2 * angle;

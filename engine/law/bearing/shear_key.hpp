@@ -1,10 +1,9 @@
-// Shear key, dowel, weld: holds like a spring up to its strength, breaks, and then rubs with a share of it or not at
-// all.
+// Shear key, dowel or weld: elastic up to its strength, then it breaks and slides with a share of the strength, or not
+// at all.
 //
-// f = k d (and a dashpot) while |k d| <= strength at all times; from then on a slider: f = k (d - p), |f| <= residual *
-// strength. At the break the place of the slider p jumps to where the force is that of the slider: what was stored
-// beyond it is given off.
-// Memory: `inner` is p, `travelled` the way of the slider: above 0 once it is broken.
+// f = k d (and a dashpot) while |k d| has never exceeded the strength. After that a slider: f = k (d - p) with |f| <=
+// residual * strength. At the break the slider position p jumps to where the force is the slider's; the excess stored
+// energy is dissipated. Memory: `inner` is p, `travelled` the path of the slider: above 0 once it is broken.
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 
 namespace trilith {
 
-/// Points in rising order over 0: a force for every displacement, and one at rest.
+/// Increasing points that enclose 0: a force for every displacement, and one at rest.
 void Table::check() const {
   if (displacement.size() < 2 || displacement.size() != force.size())
     throw InputError(
@@ -23,7 +23,7 @@ void Table::check() const {
                     displacement.front(), displacement.back()));
 }
 
-/// The steepest piece: what the step has to reckon with, wherever the bearing is.
+/// The steepest segment: the stability limit of the time step must hold wherever the bearing is.
 double Table::tangent() const {
   double steepest = 0;
   for (std::size_t i = 1; i < displacement.size(); ++i)
@@ -31,8 +31,7 @@ double Table::tangent() const {
   return steepest;
 }
 
-/// Beyond either end the last force holds.
-/// Straight between the two points around d.
+/// Constant beyond both ends, linear between the two points around d.
 double Table::force_at(double d) const {
   if (d <= displacement.front()) return force.front();
   if (d >= displacement.back()) return force.back();
@@ -42,9 +41,9 @@ double Table::force_at(double d) const {
   return force[i - 1] + share * (force[i] - force[i - 1]);
 }
 
-/// Integral of the force from 0 to d [J]: what is stored, as the curve is the same on the way back.
+/// Integral of the force from 0 to d [J]: the stored energy, because unloading follows the same curve.
 double Table::energy_at(double d) const {
-  // Trapezoids between 0 and d, at the points that lie between them: exact, as the force is linear there.
+  // Trapezoids between 0 and d and the points between them: exact, because the force is linear there.
   const double from = std::min(0.0, d), to = std::max(0.0, d);
   double sum = 0, last = from, last_force = force_at(from);
   for (const double x : displacement) {

@@ -1,4 +1,4 @@
-// Force given as a table over displacement, linear in between, held beyond its ends; elastic (same path back).
+// Force tabulated over displacement: linear between points, constant beyond the ends; elastic (same path back).
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@ struct Table {
     using P = Parameter<Table>;
     return std::array{P{&Table::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"}};
   }
-  /// A table to test with, as its points are not declared.
+  /// A table for tests, because its points are not declared parameters.
   static Table sample() { return {{-0.05, -0.01, 0, 0.02, 0.06}, {-4e3, -3e3, 0, 1e3, 2e3}, 0}; }
-  /// Throws InputError unless there are two points at least, finite, rising, from not above 0 to not below 0.
+  /// Throws InputError unless there are at least two finite points in increasing order that enclose 0.
   void check() const;
   [[nodiscard]] double tangent() const;
   [[nodiscard]] double dashpot() const { return damping; }

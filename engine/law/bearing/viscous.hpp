@@ -1,9 +1,9 @@
-// Viscous damper: f = F (|v| / v0)^a in the sense of the velocity v, as of oil pressed through orifices.
+// Viscous damper: f = F (|v| / v0)^a in the direction of the velocity v, e.g. oil forced through orifices.
 //
-// In the usual form f = C |v|^a: with v0 = 1 m/s, F is C in newtons. Constantinou and Symans, Report NCEER-92-0032,
-// 1992; Soong and Dargush, "Passive Energy Dissipation Systems in Structural Engineering", 1997. Below a = 1 the slope
-// has no bound at rest; so up to the speed `linear_to` the force goes in a straight line, and the step reckons with the
-// slope of that, which no other part of the curve has. One that is long or sits on a brace: law/bearing/maxwell.hpp.
+// In the usual form f = C |v|^a: with v0 = 1 m/s, F equals C in newtons. Constantinou and Symans, Report NCEER-92-0032,
+// 1992; Soong and Dargush, "Passive Energy Dissipation Systems in Structural Engineering", 1997. For a < 1 the slope is
+// unbounded at rest. So the force is linear up to the speed `linear_to`, whose slope no other part of the curve
+// exceeds; it limits the time step. For a long damper or one on a brace see law/bearing/maxwell.hpp.
 #pragma once
 
 #include <array>

@@ -1,12 +1,15 @@
-// The traction of a bond at one place against its displacement, and the work of a step along it.
-//
-//   traction   top        . peak                 The first line has the slope of the stiffness that is left; the second
-//                        / \                     falls to the traction that friction holds. A brittle bond drops to it
-//                       /   \___________         at the peak.
+// Traction of a bond at one point as a function of displacement, and the work of a step along it.
+// ```
+//   traction   top        . peak
+//                        / \
+//                       /   \___________
 //                      /    last
+// ```
+// The first line has the slope of the remaining stiffness. The second falls to the traction carried by friction. A
+// brittle bond drops to it at the peak.
 //
-// Steps of both integrators do the work of the mean of both tractions at the ends of a step. It is exact along one of
-// the lines and wrong where a step passes a corner: a step from the first line to the last does no work at all.
+// In both integrators a step does the work of the mean of the tractions at its ends. This is exact along one line and
+// wrong where a step passes a corner: a step from the first line to the last does no work at all.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +17,14 @@
 
 namespace trilith {
 
-/// Per unit of length in the plane (tractions in N/m), of area in space (Pa).
+/// Per unit length in the plane (tractions in [N/m]), per unit area in space ([Pa]).
 struct BondCurve {
-  double peak = 0;    ///< displacement at which softening begins or goes on [m]
-  double last = 0;    ///< ... at which the bond is gone [m]
+  double peak = 0;    ///< displacement at which softening begins or continues [m]
+  double last = 0;    ///< displacement at which the bond is lost [m]
   double top = 0;     ///< traction at the peak
-  double rest = 0;    ///< traction of what is gone
+  double rest = 0;    ///< traction after the loss
   double whole = 0;   ///< displacement over which an intact bond is lost [m]
-  double energy = 0;  ///< of an intact bond that is lost
+  double energy = 0;  ///< fracture energy of an intact bond
 
   [[nodiscard]] double traction(double u) const {
     if (u <= peak) return peak > 0 ? top * u / peak : 0;
@@ -34,7 +37,7 @@ struct BondCurve {
     return 0.5 * top * peak + 0.5 * (top + (last > peak ? traction(on) : top)) * (on - peak) +
            rest * std::max(u - last, 0.0);
   }
-  /// Difference between the work of the law and the work of the mean traction, of a step that goes past the peak.
+  /// Work of the law minus work of the mean traction, for a step that passes the peak.
   [[nodiscard]] double missed(double from, double to) const {
     if (!(to > peak) || !(to > from)) return 0;
     return std::abs(work(to) - work(from) - 0.5 * (traction(from) + traction(to)) * (to - from));
@@ -46,7 +49,7 @@ struct BondPlace {
   double at = 0, rate = 0;  ///< [m], [m/s]
 };
 
-/// Of tension, with the share `strength` of its strength left. K: the kernel of a law with bonds.
+/// Tension curve for a bond with the remaining strength share `strength`. K: the kernel of a law with bonds.
 template <class K>
 BondCurve tension_curve(const K& law, double strength) {
   const double first = law.first_opening();
@@ -57,8 +60,8 @@ BondCurve tension_curve(const K& law, double strength) {
   return {first, first, law.tension, 0, first, 0.5 * law.tension * first};
 }
 
-/// Of shear: the displacement counts the elastic slip that is there, and from there on all slip. `closed`, `open`: mean
-/// overlap of the closed part and mean opening of the rest [m].
+/// Shear curve: the displacement is the present elastic slip plus all further slip. `closed`, `open`: mean overlap of
+/// the closed part and mean opening of the rest [m].
 template <class K>
 BondCurve shear_curve(const K& law, double strength, double closed, double open) {
   if (!(law.ks > 0) || !(law.cohesion > 0)) return {};

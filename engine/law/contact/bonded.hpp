@@ -1,9 +1,9 @@
-// Bonded faces: tension up to a limit, cohesion; the bond once lost leaves friction.
+// Bonded faces: tension up to a limit, and cohesion; after the loss of the bond friction remains.
 //
 // A bond carries sigma = kn delta in both signs. It is lost where the tension exceeds `tension` or the shear stress
-// exceeds cohesion + sigma mu (Barbosa, "Discontinuous structural analysis"). Cohesion and tension are independent:
-// in tension the shear strength falls along the Coulomb line to the tensile strength, or, where that is beyond the
-// line's apex cohesion/mu, along the line from cohesion to tension.
+// exceeds cohesion + sigma mu (Barbosa, "Discontinuous structural analysis"). Cohesion and tension are independent. In
+// tension the shear strength falls along the Coulomb line to the tensile strength. If this is beyond the line's apex
+// cohesion/mu, it falls along the line from cohesion to tension.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Bonded {
   double beta = 0;           ///< [s]
   double cohesion = 0;       ///< [Pa]
   double tension = 0;        ///< [Pa]
-  double loss_by_point = 0;  ///< 0: one point beyond its limit frees the whole face; 1: frees its half
+  double loss_by_point = 0;  ///< 0: one point beyond its limit releases the whole face; 1: releases its half
 
   static constexpr std::string_view name = "bonded";
   static constexpr std::string_view sentence = "contact with cohesion and tensile strength until the bond is lost";
@@ -37,7 +37,7 @@ struct Bonded {
           "0: the whole face fails at once, 1: each half for itself"}};
   }
 
-  /// A plain word on numbers that are allowed but may surprise; empty where there is none.
+  /// A note on parameters that are allowed but may surprise; empty if there is none.
   [[nodiscard]] std::string note() const {
     if (!(mu * tension > cohesion)) return "";
     return fmt::format(
@@ -49,7 +49,7 @@ struct Bonded {
   struct Kernel;
 };
 
-/// A brittle bond: there or lost, all along a half.
+/// A brittle bond: intact or lost, uniformly over a half.
 struct Bonded::Kernel : Mortar {
   bool by_point;
 
@@ -61,7 +61,7 @@ struct Bonded::Kernel : Mortar {
 
   template <class T>
   struct Memory {
-    T set[2]{};  ///< gaps at both ends of the shared length as the mortar set; where open it fills them [m]
+    T set[2]{};  ///< gaps at both ends of the shared length when the mortar set; it fills open ones [m]
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
       two(set[0], set[1]);
@@ -96,7 +96,7 @@ struct Bonded::Kernel : Mortar {
                                           const ContactMemory& now, const Memory<double>& /*after*/) {
     return {before.bonds != now.bonds};
   }
-  /// A bond that sets now, on gaps of `lo` and `hi` at the ends of its faces [m].
+  /// A bond that sets now, at gaps of `lo` and `hi` at the ends of its faces [m].
   static void set_bond(Memory<double>& own, double lo, double hi) { own.set[0] = lo, own.set[1] = hi; }
   static void lift_bond(Memory<double>& /*own*/) {}
 
@@ -107,8 +107,8 @@ struct Bonded::Kernel : Mortar {
   TRILITH_INLINE T lose_bonds(HalfState<T>* h, const T* shear_elastic) const;
 };
 
-/// True where a half is beyond its limits (elastic stresses, trial shear): of tension at either end, of shear over all
-/// of the half, as of the friction that follows.
+/// True where a half exceeds its limits (elastic stresses, trial shear): tension at either end, or shear over the whole
+/// half, as for the friction that follows.
 template <class T>
 TRILITH_INLINE Mask<T> Bonded::Kernel::broken(const HalfState<T>& h, T shear_elastic) const {
   const T trial = magnitude(shear_elastic + ks * h.length * h.slip_mean * dt);
@@ -116,9 +116,9 @@ TRILITH_INLINE Mask<T> Bonded::Kernel::broken(const HalfState<T>& h, T shear_ela
   return h.bonded & exceeded(h.widest(), trial, shear_strength(closed, open), h.length);
 }
 
-/// Takes the bonds that are beyond their limit; returns the energy they gave off [J]. Along the step the force of its
-/// beginning worked for half of the way and none after: with gaps p before and g now, what was stored and what that put
-/// in come to kn/2 integral of p g, both where open.
+/// Removes the bonds that exceed their limits; returns the dissipated energy [J]. During the step the force at its
+/// beginning does work over half of the displacement, and none after the loss. With gaps p before and g now, stored
+/// energy plus this work is kn/2 times the integral of p g over the part where both are open.
 template <class T>
 TRILITH_INLINE T Bonded::Kernel::lose_bonds(HalfState<T>* h, const T* shear_elastic) const {
   const T zero{};
@@ -137,7 +137,7 @@ TRILITH_INLINE T Bonded::Kernel::lose_bonds(HalfState<T>* h, const T* shear_elas
   return energy;
 }
 
-/// Where bonded all along, with the mortar that fills the half.
+/// Bonded over the whole half, including the mortar that fills it.
 template <class T>
 TRILITH_INLINE void Bonded::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
   const T zero{}, one = zero + 1.0;

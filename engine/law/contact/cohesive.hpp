@@ -1,23 +1,23 @@
-// Mortar that cracks by and by: cohesion and tension soften with their fracture energies, friction remains.
+// Mortar that cracks gradually: cohesion and tension soften with their fracture energies, friction remains.
 //
-// Peak strengths are those of the bonded Coulomb law. A half keeps a share chi of both, 1 to 0 (isotropic softening of
-// cohesion and tension: Lourenco and Rots, "Multisurface interface model for analysis of masonry structures", J. Eng.
-// Mech. 123(7), 1997; softening here linear, as in the bilinear law of Camanho and Davila, NASA/TM-2002-211737).
-// Opening takes chi down along tension chi = kn hold g, sliding by its slip over `last_slip`; each alone gives off its
-// fracture energy. Between, an open bond unloads to the origin, with the share `hold` of its stiffness, and shear
-// unloads with ks. Each half of a face softens for itself.
+// Peak strengths are those in the bonded Coulomb law. A half keeps a share chi of both, from 1 to 0 (isotropic
+// softening of cohesion and tension: Lourenco and Rots, "Multisurface interface model for analysis of masonry
+// structures", J. Eng. Mech. 123(7), 1997). Softening is linear here, as in the bilinear law of Camanho and Davila,
+// NASA/TM-2002-211737. Opening reduces chi along tension chi = kn hold g, sliding by its slip over `last_slip`; each
+// alone dissipates its fracture energy. In between, an open bond unloads to the origin, with the share `hold` of its
+// stiffness, and shear unloads with ks. Each half of a face softens separately.
 //
-// Dilation (off unless given): sliding opens the joint by tan(angle) times the slip, up to a slip from which on the
-// asperities are worn (limit as in Lourenco and Rots 1997); it ends where the faces part.
+// Dilation (default off): sliding opens the joint by tan(angle) times the slip. It stops at the slip at which the
+// asperities are worn (limit as in Lourenco and Rots 1997) and where the faces separate.
 //
-// Crushing (off unless given), an elastic, perfectly plastic cap: each half keeps the depth z it is crushed by; its
-// stresses come from the gap g + z. While the mean stress over the part of the half that is pressed would exceed the
-// compressive strength, z grows until it does not: where all of the half is pressed, until the mean overlap is
-// strength / kn; where it is pressed from one end on, its stress is a triangle, and the overlap of that end stays at
-// twice that. Mortar is thin: beyond a greatest depth it is crushed no more. Unloading and loading again up to there
-// are elastic (the cap of Lourenco and Rots without their hardening and softening; each half counts as one point of
-// integration). The damping acts on the elastic part of the motion only. The depth crushed stays while the two bodies
-// are near each other.
+// Crushing (default off), an elastic, perfectly plastic cap: each half keeps its crushed depth z, and its stresses
+// follow from the gap g + z. While the mean stress over the pressed part of the half would exceed the compressive
+// strength, z grows until it does not. If the whole half is pressed, the mean overlap becomes strength / kn. If it is
+// pressed from one end, its stress is a triangle, and the overlap of that end stays at twice this value.
+//
+// Mortar is thin: crushing ends at a greatest depth. Unloading and reloading up to it are elastic (the cap of Lourenco
+// and Rots without hardening and softening; each half counts as one integration point). The damping acts on the elastic
+// part of the motion only. The crushed depth is kept while the two bodies are near each other.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct Cohesive {
   double cohesion = 0;           ///< [Pa]
   double tension = 0;            ///< [Pa]
   double energy_tension = 0;     ///< fracture energy of mode I [J/m2]
-  double energy_shear = 0;       ///< fracture energy of mode II, beside friction [J/m2]
+  double energy_shear = 0;       ///< fracture energy of mode II, without friction [J/m2]
   double dilation = 0;           ///< tan of the dilatancy angle
   double dilation_slip = 0;      ///< [m]
   double compression = 0;        ///< [Pa]; 0: it does not crush
@@ -64,8 +64,8 @@ struct Cohesive {
           "largest crushing depth, as a share of the joint thickness"}};
   }
 
-  /// What the ranges above leave: an energy that the elastic energy at the peak already exceeds cannot soften.
-  /// Throws InputError.
+  /// Throws InputError where the fracture energy is below the elastic energy at the peak, which cannot soften. The
+  /// ranges above do not exclude this.
   void check() const {
     const auto require = [](double energy, double strength, double stiffness, const char* of, const char* strength_name,
                             const char* k) {
@@ -83,14 +83,14 @@ struct Cohesive {
   struct Kernel;
 };
 
-/// The numbers that softening, dilation and crushing go by, and their equations.
+/// Parameters and equations of softening, dilation and crushing.
 struct Cohesive::Kernel : Mortar {
-  double last_opening;    ///< at which no tension is left [m]
-  double last_slip;       ///< at which no cohesion is left [m]
+  double last_opening;    ///< opening without remaining tension [m]
+  double last_slip;       ///< slip without remaining cohesion [m]
   double dilation;        ///< tan of the dilatancy angle
-  double dilation_slip;   ///< up to which sliding opens the joint [m]
+  double dilation_slip;   ///< slip up to which sliding opens the joint [m]
   double crushing;        ///< mean overlap at which a pressed joint crushes [m]; 0: never
-  double crushing_depth;  ///< by which it can crush [m]
+  double crushing_depth;  ///< greatest depth of crushing [m]
 
   Kernel(const Cohesive& law, double thickness, double step)
       : Mortar(law, thickness, step),
@@ -109,11 +109,11 @@ struct Cohesive::Kernel : Mortar {
 
   template <class T>
   struct Memory {
-    T set[2]{};          ///< gaps at both ends of the shared length as the mortar set [m]
-    T damage[2]{};       ///< of a half that is bonded: share of its strength that is lost
-    T crushed[2]{};      ///< depth by which the mortar of each half is crushed [m]
-    T worn{};            ///< 1: has been of general shape since it began to touch, and dilates no more
-    T crushing_force{};  ///< of general shape: the force that crushes its mortar, 0 where that is sound [N]
+    T set[2]{};          ///< gaps at both ends of the shared length when the mortar set [m]
+    T damage[2]{};       ///< of a bonded half: lost share of its strength
+    T crushed[2]{};      ///< crushed depth of the mortar of each half [m]
+    T worn{};            ///< 1: was a general contact after first touching, and no longer dilates
+    T crushing_force{};  ///< general contact: force that crushes its mortar, 0 while intact [N]
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
       two(set[0], set[1]), two(damage[0], damage[1]), two(crushed[0], crushed[1]), two(worn, crushing_force);
@@ -141,12 +141,12 @@ struct Cohesive::Kernel : Mortar {
     return larger(own.crushed[0], own.crushed[1]) > T{};
   }
 
-  /// In a contact of any shape: the depth by which its mortar, up to now crushed by `before`, is crushed once
-  /// `excess(depth)` [m], the mean overlap above that at which it crushes, is none.
+  /// General contact: returns the crushed depth after the step, `before` being the depth so far. At the returned depth
+  /// `excess(depth)` [m] is 0: the mean overlap minus the overlap at which it crushes.
   template <class Excess>
   [[nodiscard]] double crush(double before, Excess&& excess) const;
-  /// ... and what that takes [J]. `touched`: some stress was carried before; `general`: as a contact of any shape;
-  /// `force`: that crushes now [N].
+  /// Energy dissipated by this crushing [J]. `touched`: some stress was carried before; `general`: as a general
+  /// contact; `force`: the present crushing force [N].
   [[nodiscard]] static double crushed_by(const Memory<double>& own, double depth, double force, bool touched,
                                          bool general, Memory<double>& after);
 
@@ -158,7 +158,7 @@ struct Cohesive::Kernel : Mortar {
   [[nodiscard]] ShapeLoss leave_faces(const FaceOverlap<double>& o, const ContactMemory& m,
                                       const Memory<double>& own) const;
 
-  /// What stays of a contact whose faces part: how far its mortar is crushed.
+  /// Memory that remains when the faces separate: the crushed depth.
   [[nodiscard]] static Memory<double> parted(const Memory<double>& own) {
     Memory<double> left;
     for (const int h : {0, 1}) left.crushed[h] = own.crushed[h];
@@ -173,23 +173,23 @@ struct Cohesive::Kernel : Mortar {
     own.set[0] = lo + own.crushed[0], own.set[1] = hi + own.crushed[1];
   }
   static void lift_bond(Memory<double>& own) { own.damage[0] = own.damage[1] = 0; }
-  /// Its faces have been of general shape.
+  /// Marks that its faces were in general contact.
   void wear(Memory<double>& own) const { own.worn = dilation > 0 ? 1 : own.worn; }
 
-  /// Share of its strength that an opening [m] leaves a bond which had the share `before`.
+  /// Remaining strength share of a bond at an opening [m], with the share `before` so far.
   template <class T>
   [[nodiscard]] TRILITH_INLINE T strength_left(T opening, T before) const {
     const double range = last_opening - first_opening();
     const T left = (last_opening - opening) * (1.0 / range);
     return larger(T{}, smaller(before, left));
   }
-  /// Share of its stiffness that an open bond holds with the share `strength` of its strength.
+  /// Stiffness share of an open bond with the strength share `strength`.
   template <class T>
   [[nodiscard]] TRILITH_INLINE T held(T strength) const {
     const double range = last_opening - first_opening();
     return tension * strength / (kn * (last_opening - strength * range));
   }
-  /// Opening of a joint by the sliding it has behind it [m].
+  /// Opening of a joint due to its sliding so far [m].
   template <class T>
   [[nodiscard]] TRILITH_INLINE T dilated(T slip, T worn) const {
     return select(worn > T{}, T{}, dilation * smaller(slip, dilation_slip + T{}));
@@ -210,4 +210,4 @@ struct Cohesive::Kernel : Mortar {
 
 }  // namespace trilith
 
-#include "law/contact/cohesive_kernel.hpp"  // what is declared above
+#include "law/contact/cohesive_kernel.hpp"  // definitions of the members above

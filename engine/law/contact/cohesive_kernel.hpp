@@ -7,7 +7,7 @@ namespace trilith {
 
 // Opening.
 
-/// Takes the strength that the widest opening of a half leaves it, and what it holds with that. `damage`: before.
+/// Reduces strength and stiffness of a half by its largest opening. `damage`: before.
 template <class T>
 TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damage) const {
   const T zero{}, one = zero + 1.0;
@@ -17,7 +17,8 @@ TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damag
   h.hold = held(h.strength);
 }
 
-/// Energy an open half gives off as it holds less: exact for the mean of the forces at both ends of the step [J].
+/// Energy dissipated by an open half as its stiffness falls: exact for the mean of the forces at both ends of the step
+/// [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const {
   const T zero{}, one = zero + 1.0;
@@ -28,11 +29,11 @@ TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage,
 
 // Crushing.
 
-/// Crushes a half as far as its gaps ask, and lets its gaps and their rates be those of what is left of the mortar.
-/// Returns the depth; `before`: up to now [m].
+/// Crushes a half as its gaps require, and sets its gaps and rates to the elastic part. Returns the depth; `before`: so
+/// far [m].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
-  // Mortar that fills a half is pressed there as well.
+  // Mortar that fills a half is also pressed in the filled part.
   const T c0 = select(h.bonded, -h.bond0(), -h.g0), c1 = select(h.bonded, -h.bond1(), -h.g1);
   const T pressed_whole = 0.5 * (c0 + c1) - crushing, pressed_at_end = larger(c0, c1) - 2.0 * crushing;
   const T most = T{} + crushing_depth;
@@ -44,8 +45,8 @@ TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
   return depth;
 }
 
-/// Mean elastic pressure over kn of a half with the gaps g0 and g1 at its ends, of which the bond holds the share
-/// `hold` all along [m].
+/// Mean elastic pressure over kn of a half with the gaps g0 and g1 at its ends. The bond carries the share `hold` over
+/// the whole half [m].
 template <class T>
 TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
   const PositivePart<T> part(-g0, -g1);
@@ -54,8 +55,8 @@ TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
   return closed.sum + hold * (filling.stress().sum - 0.5 * (g0 + g1) - closed.sum);
 }
 
-/// Energy that a crushed half takes in as its depth grows by `deeper` [m], with the mean of its pressure at both ends
-/// of the step; `hold`: of its bond before the step [J].
+/// Energy dissipated by a half whose crushed depth grows by `deeper` [m], with the mean pressure of both ends of the
+/// step; `hold`: of its bond before the step [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold) const {
   const T before = mean_overlap(h.g0 - dt * h.m0, h.g1 - dt * h.m1, hold, h.filling);
@@ -68,7 +69,7 @@ double Cohesive::Kernel::crush(double before, Excess&& excess) const {
   if (!(crushing > 0)) return before;
   double depth = before, over = excess(depth), fall = 1;
   for (int i = 0; i < 20 && over > 1e-9 * crushing; ++i) {
-    // The mean overlap falls by as much as the depth grows where faces are parallel, by half of it at corners.
+    // The mean overlap falls by as much as the depth grows where faces are parallel, by half as much at corners.
     const double deeper = over / fall, left = excess(depth + deeper);
     fall = std::clamp((over - left) / deeper, 0.3, 1.0);
     depth += deeper, over = left;
@@ -76,10 +77,10 @@ double Cohesive::Kernel::crush(double before, Excess&& excess) const {
   return std::max(before, std::min(depth, crushing_depth));
 }
 
-/// With the mean of the force before and now that the energy of the overlap gives way to crushing by.
+/// Uses the mean of the crushing force before and now, as the force at which overlap energy is dissipated.
 inline double Cohesive::Kernel::crushed_by(const Memory<double>& own, double depth, double force, bool touched,
                                            bool general, Memory<double>& after) {
-  const bool known = general && own.crushing_force > 0;  // else it is taken to be as now
+  const bool known = general && own.crushing_force > 0;  // otherwise it is assumed to equal the present force
   const double last = !touched ? 0.0 : known ? own.crushing_force : force;
   const double deeper = depth - crushed(own);
   after.crushing_force = force;
@@ -89,7 +90,8 @@ inline double Cohesive::Kernel::crushed_by(const Memory<double>& own, double dep
 
 // The step of two faces.
 
-/// Softening mortar before its stresses: opened by dilation, crushed, and with the strength its opening leaves it.
+/// State of softening mortar before its stresses: opened by dilation, crushed, and with the strength left by its
+/// opening.
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::begin(FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
                                          Memory<T>& after) const {
@@ -104,7 +106,7 @@ TRILITH_INLINE T Cohesive::Kernel::begin(FaceHalves<T>& halves, const FaceMemory
   return T{};
 }
 
-/// What the bond holds all along, the rest where closed only.
+/// The bond's share acts over the whole half, the rest on the closed part only.
 template <class T>
 TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
   const T zero{}, one = zero + 1.0;
@@ -125,16 +127,16 @@ TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* activ
   }
 }
 
-/// The shear slider of a half, bonded or not: the most it holds, and where that leaves spring and strength.
+/// The shear slider of a half, bonded or not: its limit, and the spring and strength after sliding.
 template <class T>
 struct SofteningSlider {
-  T limit;     ///< before it slides [N]
-  T held;      ///< size of the force where it slides [N]
-  T elastic;   ///< elastic part of that [N]
-  T strength;  ///< share of the strength left
-  T cohesive;  ///< energy the cohesion takes [J]
+  T limit;     ///< before sliding [N]
+  T held;      ///< magnitude of the force where it slides [N]
+  T elastic;   ///< its elastic part [N]
+  T strength;  ///< remaining share of the strength
+  T cohesive;  ///< energy dissipated by cohesion [J]
 
-  /// `kept`, `move`: elastic force [N] and slip [m] of the step, both counted along the trial force.
+  /// `kept`, `move`: elastic force [N] and slip of the step [m], both along the trial force.
   TRILITH_INLINE SofteningSlider(const HalfState<T>& h, const Cohesive::Kernel& law, T normal, T compliance, T kept,
                                  T move) {
     const T zero{};
@@ -148,7 +150,7 @@ struct SofteningSlider {
     T slip = move - (elastic - kept) * compliance;
     strength = h.strength - rate * slip;
     held = friction + full * strength;
-    // Where cohesion is used up in this step, or tension leaves no strength: what friction holds.
+    // Where this step uses up cohesion, or tension leaves no strength, friction alone remains.
     const Mask<T> spent = flip(h.bonded) | (strength <= zero) | (held <= zero);
     held = select(spent, larger(zero, friction), held);
     elastic = select(spent, kept + (held - kept) * (law.dt > 0 ? law.dt / lag : 0.0), elastic);
@@ -158,7 +160,7 @@ struct SofteningSlider {
   }
 };
 
-/// The shear of a half whose bond softens; takes its strength down. Returns the energy its cohesion took [J].
+/// Shear of a half with a softening bond; reduces the bond's strength. Returns the energy dissipated by cohesion [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearBefore<T>& before,
                                          HalfResponse<T>& out) const {
@@ -174,7 +176,7 @@ TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearB
   return cohesive;
 }
 
-/// Bonds after the stresses: what is left of them, and the energy that they and the crushing gave off [J].
+/// Bonds after the stresses: the remaining strength, and the energy dissipated by bonds and crushing [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
                                        FaceMemory<T>& memory, Memory<T>& after) const {
@@ -192,7 +194,7 @@ TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMe
   return lost;
 }
 
-/// The work sliding does against the pressure as it opens the joint comes out of what friction would take.
+/// Sliding that opens the joint does work against the pressure; friction dissipates less by this amount.
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory,
                                            const Memory<T>& own, const HalfResponse<T>* s) const {
@@ -202,7 +204,7 @@ TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceMemory<T>& before, const Fa
   return (pressure + 0.5 * kn * opened * (s[0].active + s[1].active)) * opened;
 }
 
-/// A bond lost, a bond's first damage, the first crushing.
+/// A bond lost, first damage of a bond, or first crushing.
 template <class T>
 TRILITH_INLINE Mask<T> Cohesive::Kernel::changes(const FaceMemory<T>& before, const Memory<T>& own,
                                                  const FaceMemory<T>& memory, const Memory<T>& after) {
@@ -231,8 +233,8 @@ inline double Cohesive::Kernel::stored_in_both(const FaceOverlap<double>& o, con
   return stored(g[0], 0.5 * o.shared, hold(m, own, 0)) + stored(g[1], 0.5 * o.shared, hold(m, own, 1));
 }
 
-/// What two faces held that their contact does not as one of general shape: by dilation, and by a half that is crushed
-/// less than the other.
+/// Energy of two faces that their contact loses when it becomes a general one: by dilation, and by unequal crushing of
+/// the halves.
 inline ShapeLoss Cohesive::Kernel::leave_faces(const FaceOverlap<double>& o, const ContactMemory& m,
                                                const Memory<double>& own) const {
   Memory<double> worn = own;

@@ -1,17 +1,20 @@
-// The kernel that the laws begin with: pressure in proportion to the overlap, damping, Coulomb friction, no memory.
+// The base kernel of contact laws: pressure proportional to the overlap, damping, Coulomb friction, no memory.
 //
-// A law's kernel is its equations with its numbers made ready for one step: those of the law times the model's
-// thickness. The driver of contact/plane/face_pair.hpp asks it, half by half of two faces, in this order:
-//   begin   what the new gaps do to bond and mortar      -> energy given off
-//   press   gaps and rates                               -> normal stress, its damping part, length that carries
-//   slide   slip and normal force                        -> shear                -> energy given off
-//   end     what is left of bond and mortar              -> memory               -> energy given off
-// Polygons of any shape in the plane ask `stretch`, `over` and `slide`; flat faces, polyhedra and spheres in space ask
-// `effective` and `friction`. Readings ask `gaps`, `hold`, `stored`, `pressure`, `tangent` and the questions below.
+// A law's kernel holds its equations and its parameters prepared for one step, i.e. multiplied by the model's
+// thickness. The driver in contact/plane/face_pair.hpp calls it for each half of two faces, in this order:
+// ```
+//   begin   effect of the new gaps on bond and mortar      -> dissipated energy
+//   press   gaps and rates                                 -> normal stress, its damping part, length that carries
+//   slide   slip and normal force                          -> shear                -> dissipated energy
+//   end     remaining bond and mortar                      -> memory               -> dissipated energy
+// ```
+// General polygons in the plane call `stretch`, `over` and `slide`. Flat faces, polyhedra and spheres in space call
+// `effective` and `friction`. Readings call `gaps`, `hold`, `stored`, `pressure`, `tangent` and the queries below.
 //
-// A law that is pressure by overlap and friction by pressure and slip speed has `effective` or `friction` of its own on
-// law/contact/point_law.hpp, which makes the rest of them: it acts in every geometry. See law/contact/power.hpp for a
-// short one. law/contact/law_forms.hpp tells at compile time in which geometries the equations of a kernel act.
+// A law whose pressure depends on the overlap and whose friction depends on pressure and slip speed defines `effective`
+// or `friction` on law/contact/point_law.hpp, which derives the other members: it acts in every geometry. A short
+// example is law/contact/power.hpp. At compile time law/contact/law_forms.hpp finds the geometries in which the
+// equations of a kernel act.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +26,14 @@
 
 namespace trilith {
 
-/// A law that remembers nothing but what every contact does.
+/// Memory of a law that needs only the memory common to all contacts.
 template <class T>
 struct NoMemory {
   template <class F>
   TRILITH_INLINE void fields(F&& /*two*/) {}
 };
 
-/// Gaps of one half that its stresses come from, at its ends, with the mortar that fills it [m].
+/// Gaps at the ends of one half that determine its stresses, including the mortar that fills it [m].
 struct HalfGaps {
   double g0, g1;
   Filling<double> filling;
@@ -41,24 +44,24 @@ struct HalfPressure {
   double force = 0, moment = 0;
 };
 
-/// Pressure over a stretch on which overlap and closing speed are linear: with its damping, and of the springs alone.
-/// Over the stiffness, in shares of the stretch.
+/// Pressure over a section with linear overlap and closing speed, with damping and of the springs alone. Divided by the
+/// stiffness, relative to the section's length.
 template <class T>
 struct StretchPressure {
   LinearStress<T> total, spring;
 };
 
-/// What happens to a joint between two instants.
+/// Events of a joint between two instants.
 struct JointChange {
   bool broken = false, cracked = false, crushed = false;
 };
 
-/// Energy that a contact lets go as it stops to be one of faces [J].
+/// Energy that a contact releases when it is no longer a face contact [J].
 struct ShapeLoss {
   double friction = 0, fracture = 0;
 };
 
-/// How stiff a contact is: the most that its tangent can be [N/m per m of length], and its damping [s].
+/// Stiffness of a contact: upper bound of its tangent [N/m per m of length], and its damping [s].
 struct ContactTangent {
   double normal, shear, beta;
 };
@@ -72,13 +75,13 @@ struct Coulomb {
   Coulomb(const L& law, double thickness, double step)
       : kn(law.kn * thickness), ks(law.ks * thickness), mu(law.mu), beta(law.beta), dt(step) {}
 
-  static constexpr bool bonds = false;    ///< may hold faces together
-  static constexpr bool crushes = false;  ///< may lose depth for good
-  static constexpr bool linear = true;    ///< its pressure goes with the overlap
+  static constexpr bool bonds = false;    ///< may transmit tension between faces
+  static constexpr bool crushes = false;  ///< may lose depth permanently
+  static constexpr bool linear = true;    ///< pressure proportional to the overlap
   template <class T>
   using Memory = NoMemory<T>;
 
-  // --- of two faces, in their order ---
+  // --- of two faces, in order of calls ---
 
   template <class T, class M>
   TRILITH_INLINE T begin(FaceHalves<T>& /*halves*/, const FaceMemory<T>& /*before*/, const M& /*own*/,
@@ -89,7 +92,7 @@ struct Coulomb {
   TRILITH_INLINE void press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const;
   template <class T>
   TRILITH_INLINE T slide(HalfState<T>& half, T active, const ShearBefore<T>& before, HalfResponse<T>& out) const;
-  /// As slide, of a half that holds a shear of `limit` [N] at most, if it is not bonded.
+  /// Like slide, for a half with the shear limit `limit` [N] if it is not bonded.
   template <class T>
   TRILITH_INLINE T slide_within(T limit, HalfState<T>& half, T active, const ShearBefore<T>& before,
                                 HalfResponse<T>& out) const;
@@ -98,34 +101,34 @@ struct Coulomb {
                        FaceMemory<T>& /*memory*/, M& /*after*/) const {
     return T{};
   }
-  /// Work that sliding does against the pressure as it opens the joint [J].
+  /// Work of sliding against the pressure as it opens the joint [J].
   template <class T, class M>
   TRILITH_INLINE T lifting(const FaceMemory<T>& /*before*/, const FaceMemory<T>& /*memory*/, const M& /*own*/,
                            const HalfResponse<T>* /*s*/) const {
     return T{};
   }
-  /// True where the step began or ended something that is told.
+  /// True where the step began or ended a state that is reported.
   template <class T, class M>
   TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& /*before*/, const M& /*own*/,
                                         const FaceMemory<T>& /*memory*/, const M& /*after*/) {
     return Mask<T>{};
   }
-  /// True where something is remembered even when the faces part.
+  /// True where the memory is kept even when the faces separate.
   template <class T, class M>
   TRILITH_INLINE static Mask<T> keeps(const M& /*own*/) {
     return Mask<T>{};
   }
 
-  // --- of a contact of any shape ---
+  // --- of a general contact ---
 
-  /// The overlap at which a linear spring of stiffness kn would press as much as the law does at `overlap` [m].
+  /// The overlap at which a linear spring of stiffness kn has the law's pressure at `overlap` [m].
   [[nodiscard]] double effective(double overlap) const { return overlap; }
   /// Coefficient of friction under a mean pressure [Pa] at a slip speed [m/s].
   [[nodiscard]] double friction(double /*pressure*/, double /*speed*/) const { return mu; }
-  /// Depths d and closing speeds c at both ends of a stretch [m], [m/s].
+  /// Depths d [m] and closing speeds c [m/s] at both ends of a section.
   template <class T>
   [[nodiscard]] TRILITH_INLINE StretchPressure<T> stretch(T d0, T d1, T c0, T c1) const;
-  /// Integral of the pressure over kn over a triangle of the given area with these depths at its corners.
+  /// Integral of the pressure over kn over a triangle with the given area and depths at its corners.
   [[nodiscard]] static double over(double area, double d0, double d1, double d2) { return area * (d0 + d1 + d2) / 3; }
 
   // --- readings ---
@@ -137,7 +140,7 @@ struct Coulomb {
     const double mid = 0.5 * (o.gap_lo + o.gap_hi);
     return {{{o.gap_lo, mid, {}}, {mid, o.gap_hi, {}}}};
   }
-  /// Share of its stiffness that the bond of a half holds where open: 1 where sound, 0 where there is none.
+  /// Stiffness share of a half's bond where open: 1 if intact, 0 without a bond.
   template <class M>
   [[nodiscard]] static double hold(const ContactMemory& /*m*/, const M& /*own*/, int /*half*/) {
     return 0;
@@ -147,14 +150,14 @@ struct Coulomb {
   [[nodiscard]] HalfPressure pressure(const HalfGaps& gaps, double length, double hold) const;
   /// At an overlap of `depth` [m] or less.
   [[nodiscard]] ContactTangent tangent(double /*depth*/) const { return {kn, ks, beta}; }
-  /// Of two faces whose contact goes on as one of general shape.
+  /// For two faces whose contact continues as a general one.
   template <class M>
   [[nodiscard]] ShapeLoss leave_faces(const FaceOverlap<double>& /*o*/, const ContactMemory& /*m*/,
                                       const M& /*own*/) const {
     return {};
   }
 
-  // --- questions about what it remembers ---
+  // --- queries about the memory ---
 
   template <class M>
   [[nodiscard]] static M parted(const M& /*own*/) {
@@ -175,14 +178,14 @@ struct Coulomb {
   }
 };
 
-/// Normal stress of one half, of its springs and with its damping: linear where closed and where still pressed.
+/// Normal stress of one half, of its springs and with its damping: linear over the closed and over the pressed part.
 template <class T>
 struct HalfStress {
   LinearStress<T> elastic, total;
   TRILITH_INLINE HalfStress(const HalfState<T>& half, double beta, T closed_from, T closed_to, T from, T to)
       : elastic(between(-half.g0, -half.g1, closed_from, closed_to)),
         total(between(-half.g0 - beta * half.r0, -half.g1 - beta * half.r1, from, to)) {}
-  /// Of the function that is linear from p0 to p1 over all of the half.
+  /// For the function that is linear from p0 to p1 over the whole half.
   TRILITH_INLINE static LinearStress<T> between(T p0, T p1, T from, T to) {
     const T rise = p1 - p0;
     return {p0 + rise * from, p0 + rise * to, from, to};
@@ -196,14 +199,14 @@ struct HalfStress {
   }
 };
 
-/// Where both halves are closed, and pressed with their damping: never pulling without a bond.
+/// The closed part of both halves, and the part pressed including damping: no tension without a bond.
 template <class T>
 struct PressedHalves {
   PositiveHalves<T> closed, pressed;
-  /// Gaps are linear over both.
+  /// Gaps are linear over both halves together.
   TRILITH_INLINE PressedHalves(const HalfState<T>* h, double beta)
       : closed(-h[0].g0, -h[1].g1), pressed(-h[0].g0 - beta * h[0].r0, -h[1].g1 - beta * h[1].r1) {}
-  /// Each half has gaps of its own.
+  /// Each half has separate gaps.
   TRILITH_INLINE void apart(const HalfState<T>* h, double beta) {
     const HalfState<T>&first = h[0], &second = h[1];
     closed = {-first.g0, -first.g1, -second.g0, -second.g1};
@@ -224,7 +227,7 @@ TRILITH_INLINE void Coulomb::press(const HalfState<T>* halves, T* active, HalfRe
   }
 }
 
-/// Kelvin-Voigt spring in series with a Coulomb slider, which a bond holds; the damping acts on the elastic part only.
+/// Kelvin-Voigt spring in series with a Coulomb slider, which a bond locks; the damping acts on the elastic part only.
 /// `active`: length that carries shear [m].
 template <class T>
 TRILITH_INLINE T Coulomb::slide(HalfState<T>& half, T active, const ShearBefore<T>& before,
@@ -254,7 +257,7 @@ TRILITH_INLINE StretchPressure<T> Coulomb::stretch(T d0, T d1, T c0, T c1) const
   return {{q0, q1, part.from, part.to}, {d0, d1, zero, one}};
 }
 
-/// kn/2 of the integral of g^2, where closed, and of the share a bond holds all along.
+/// kn/2 times the integral of g^2 over the closed part, plus the bond's share over the whole half.
 inline double Coulomb::stored(const HalfGaps& gaps, double length, double hold) const {
   const double g0 = gaps.g0, g1 = gaps.g1;
   const PositivePart<double> part(-g0, -g1);
@@ -275,8 +278,8 @@ inline HalfPressure Coulomb::pressure(const HalfGaps& gaps, double length, doubl
   return {kn * length * stress.sum, kn * length * length * stress.moment};
 }
 
-/// Pressure in proportion to the overlap and Coulomb friction, and nothing else: what closed forms are made for. No
-/// kernel of a law turns into it; plain_friction() of law/contact/list.hpp makes it from the numbers of a law.
+/// Linear pressure and Coulomb friction alone, for which closed forms exist. No law's kernel converts to it;
+/// plain_friction() in law/contact/list.hpp makes it from a law's parameters.
 struct PlainFriction final : Coulomb {
   using Coulomb::Coulomb;
 };

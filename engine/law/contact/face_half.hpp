@@ -1,25 +1,25 @@
-// One half of the length two faces share: what a law is asked with, what it answers, and integrals over it.
+// One half of the length shared by two faces: input and output of a law, and integrals over the half.
 //
-// Letters, here and in the laws: s runs along the half, in shares of it; g the gap, negative where the faces overlap
-// (c = -g the overlap); r its rate; q = c - beta r the overlap with its damping. g and r are linear over a half, so
-// their values at its ends, 0 and 1, say all:
-//
+// Notation, also in the laws: s is the coordinate along the half, from 0 to 1. The gap g is negative where the faces
+// overlap, and c = -g is the overlap. The gap rate is r, and q = c - beta r is the overlap with damping. Both g and r
+// are linear over a half, so they are given by their values at its ends 0 and 1.
+// ```
 //          B  ______g0 .                        g(s) = g0 + (g1 - g0) s
 //                       ` - . _                 closed where g < 0, from `from` to `to`
 //      0 ----------------------` - ._______ 1   p = stress over the stiffness; sum and moment are its
 //          A                           g1       integrals with 1 and with s
+// ```
+// A rate is the present one, used for damping. A mean rate times the step is the change over the step, used for slip
+// and losses. In a leapfrog step, whose velocities are half a step old, both are equal.
 //
-// A rate is that of this instant, which dampings go by; a mean rate times the step is the change since the step began,
-// which slip and losses go by. In a leapfrog step, whose velocities are those of half a step before, they are the same.
-//
-// Written over T = double or Lanes.
+// Written for T = double or Lanes.
 #pragma once
 
 #include "base/simd/lanes.hpp"
 
 namespace trilith {
 
-/// Linear stress p over [l0, l1] of a half, in shares of the half: its integral and first moment.
+/// Linear stress p over [l0, l1] of a half, in units of the half: its integral and first moment.
 template <class T>
 struct LinearStress {
   T sum, moment;
@@ -30,7 +30,7 @@ struct LinearStress {
   }
 };
 
-/// The part of [0, 1] where a linear function from f0 to f1 is positive; empty as from == to.
+/// The part of [0, 1] where a linear function from f0 to f1 is positive; empty where from == to.
 template <class T>
 struct PositivePart {
   T from, to;
@@ -46,22 +46,22 @@ struct PositivePart {
   }
 };
 
-/// What one half of the shared length carries.
+/// The forces of one half of the shared length.
 template <class T>
 struct HalfResponse {
-  T normal, normal_moment;    ///< N, and its first moment about the half's start [N], [N m]
+  T normal, normal_moment;    ///< [N], and its first moment about the half's start [N m]
   T damping, damping_moment;  ///< the damping part of both
   T shear_elastic, shear_total, slip, active;
   T lost_damping, lost_friction;
 };
 
-/// Mortar that fills a half where the faces stood apart as it set: its thickness is linear over [from, to], in shares
-/// of the half, and 0 elsewhere. While the half is bonded, its stresses come from the gap less that thickness, so that
-/// the bond begins without changing any stress.
+/// Mortar that fills a half where the faces were apart when it set. Its thickness is linear over [from, to], relative
+/// to the half, and 0 elsewhere. While the half is bonded, its stresses follow from the gap minus this thickness, so
+/// that setting the bond changes no stress.
 template <class T>
 struct Filling {
   T from{}, to{}, w0{}, w1{};  ///< thickness at `from` and `to` [m]
-  T end0{}, end1{};            ///< ... and at the ends of the half [m]
+  T end0{}, end1{};            ///< thickness at the ends of the half [m]
 
   [[nodiscard]] TRILITH_INLINE LinearStress<T> stress() const { return {w0, w1, from, to}; }
   /// Mean over the half of the thickness times a function that is linear from q0 to q1.
@@ -75,7 +75,7 @@ struct Filling {
   }
 };
 
-/// The mortar of both halves of a joint whose gaps at the ends, as it set, were `lo` and `hi` [m].
+/// The mortar of both halves of a joint, which set at the end gaps `lo` and `hi` [m].
 template <class T>
 struct JointFilling {
   Filling<T> half[2];
@@ -98,26 +98,26 @@ template <class T>
 struct HalfState {
   T g0, g1;     ///< gap at both ends [m], negative where overlapping
   T r0, r1;     ///< gap rate at both ends [m/s]
-  T slip_rate;  ///< of B along d, at the middle [m/s]
-  T m0, m1;     ///< mean over the step of the gap rates ...
-  T slip_mean;  ///< ... and of the slip rate [m/s]
+  T slip_rate;  ///< of B along d, at the centre [m/s]
+  T m0, m1;     ///< mean over the step of the gap rates [m/s]
+  T slip_mean;  ///< mean over the step of the slip rate [m/s]
   T length;     ///< [m]
   Mask<T> bonded;
-  T strength{};  ///< softening bond: share of its strength left
-  T hold{};      ///< ... and of its stiffness where open
+  T strength{};  ///< softening bond: remaining strength share
+  T hold{};      ///< stiffness share where open
   Filling<T> filling{};
 
-  /// The gaps a bond feels at both ends of the half, and the wider of them [m].
+  /// Gaps relevant for the bond at both ends of the half, and the larger of them [m].
   [[nodiscard]] TRILITH_INLINE T bond0() const { return g0 - filling.end0; }
   [[nodiscard]] TRILITH_INLINE T bond1() const { return g1 - filling.end1; }
   [[nodiscard]] TRILITH_INLINE T widest() const { return larger(bond0(), bond1()); }
 };
 
-/// The part of the shared length where a function is positive, as shares of both halves.
+/// The part of the shared length where a function is positive, relative to both halves.
 template <class T>
 struct PositiveHalves {
   T from[2], to[2];
-  /// Linear over both from f_lo to f_hi: one division.
+  /// Linear over both halves from f_lo to f_hi: one division.
   TRILITH_INLINE PositiveHalves(T f_lo, T f_hi) {
     const T zero{}, one = zero + 1.0;
     const PositivePart<T> whole(f_lo, f_hi);
@@ -133,7 +133,7 @@ struct PositiveHalves {
   }
 };
 
-/// A softening bond: its share holds all along, `full`, the rest where closed only.
+/// A softening bond: its share acts over the whole half (`full`), the rest on the closed part only.
 template <class T>
 TRILITH_INLINE void mix(LinearStress<T>& closed, const LinearStress<T>& full, T share) {
   closed.sum += share * (full.sum - closed.sum);

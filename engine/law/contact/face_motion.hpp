@@ -1,6 +1,6 @@
-// Where two faces share length and how they move there: all that the stresses depend on but their memory.
+// Kinematics of two faces over their shared length: everything that determines the stresses except their memory.
 //
-// Written over T = double or Lanes.
+// Written for T = double or Lanes.
 #pragma once
 
 #include "law/contact/face_half.hpp"
@@ -8,11 +8,11 @@
 
 namespace trilith {
 
-/// Rates along the shared length: gap, and slip of B against A, at both of its ends [m/s].
+/// Rates along the shared length: gap, and slip of B relative to A, at both of its ends [m/s].
 template <class T>
 struct FaceRates {
   T gap_lo, gap_hi, slip_lo, slip_hi;
-  T turning;  ///< of B against A: slope of the gap rate [rad/s]
+  T turning;  ///< relative spin of B: slope of the gap rate [rad/s]
   FaceRates() = default;
   TRILITH_INLINE FaceRates(const FaceOverlap<T>& o, const FaceEnds<T>& a, const FaceEnds<T>& b) {
     const T na0 = o.dy * a.u0 - o.dx * a.v0, na1 = o.dy * a.u1 - o.dx * a.v1;
@@ -25,14 +25,14 @@ struct FaceRates {
     turning = spin_b - spin_a;
     gap_lo = nb1 + spin_b * lo_b - na0 - spin_a * o.lo;
     gap_hi = nb1 + spin_b * hi_b - na0 - spin_a * o.hi;
-    // At mid-gap, where the shear acts: so a spin that both share slips nothing.
+    // At mid-gap, where the shear acts: a common spin causes no slip.
     const T spin = 0.5 * (spin_a + spin_b);
     slip_lo = tb1 + stretch_b * lo_b - ta0 - stretch_a * o.lo + spin * o.gap_lo;
     slip_hi = tb1 + stretch_b * hi_b - ta0 - stretch_a * o.hi + spin * o.gap_hi;
   }
 };
 
-/// `corner`: at least 1; the largest cot of the turning angle at the four face ends (see model/flatness.hpp).
+/// `corner`: at least 1; the largest cotangent of the turning angle at the four face ends (see model/flatness.hpp).
 template <class T>
 struct LeapfrogMotion {
   FaceOverlap<T> overlap;
@@ -41,28 +41,28 @@ struct LeapfrogMotion {
   LeapfrogMotion() = default;
   TRILITH_INLINE LeapfrogMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
       : overlap(a, b), rates(overlap, a, b), flat(overlap.is_flat(corner)) {}
-  /// Over the step, as of this instant.
+  /// Mean rates over the step, equal to the present ones.
   [[nodiscard]] TRILITH_INLINE const FaceRates<T>& over_step() const { return rates; }
 };
 
-/// After a step of which the mean velocities are others than those at its end.
+/// For a step whose mean velocities differ from the velocities at its end.
 template <class T>
 struct FaceMotion : LeapfrogMotion<T> {
   FaceRates<T> mean;
   FaceMotion() = default;
   TRILITH_INLINE FaceMotion(const FaceEnds<T>& a, const FaceEnds<T>& b, T corner)
       : LeapfrogMotion<T>(a, b, corner), mean(this->rates) {}
-  /// The faces again with their mean velocities.
+  /// Sets the mean rates from the faces with their mean velocities.
   TRILITH_INLINE void set_over_step(const FaceEnds<T>& a, const FaceEnds<T>& b) { mean = {this->overlap, a, b}; }
   [[nodiscard]] TRILITH_INLINE const FaceRates<T>& over_step() const { return mean; }
 };
 
-/// ContactMemory, lane by lane.
+/// ContactMemory in lanes.
 template <class T>
 struct FaceMemory {
   T shear_elastic[2], shear_total[2], damping_force[2], active[2], slip;
   Mask<T> bonds[2];
-  Mask<T> general{};  ///< the last step found the contact by overlap: the halves share one shear force
+  Mask<T> general{};  ///< the last step was a general contact: the halves share one shear force
 };
 
 /// The two halves of the shared length.
@@ -94,12 +94,12 @@ struct FaceHalves {
                length,
                m.bonds[1]};
   }
-  /// Puts in the mortar of a joint that had the gaps `set` at its ends as it set [m].
+  /// Fills in the mortar of a joint that set at the end gaps `set` [m].
   TRILITH_INLINE void fill(const T* set) {
     const JointFilling<T> mortar(set[0], set[1]);
     for (const int h : {0, 1}) half[h].filling = mortar.half[h];
   }
-  /// Faces count as nearer by `opened` [m]: what sliding has put between them.
+  /// Reduces the gaps by `opened` [m], the opening due to sliding.
   TRILITH_INLINE void open_by(T opened) {
     for (HalfState<T>& h : half) h.g0 -= opened, h.g1 -= opened;
   }

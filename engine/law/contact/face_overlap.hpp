@@ -1,17 +1,17 @@
-// Where two faces that look at each other share length, and how far apart they are there.
+// Shared length of two opposed faces, and the gap along it.
 //
-// A's face runs from a.0 to a.1, B's from b.0 to b.1, each counter-clockwise around its own body, so they run
-// against each other. d is their common direction, from both alike; n = (dy, -dx) points from A to B. s is measured
-// along d from a.0. Written over T = double or Lanes.
+// A's face runs from a.0 to a.1, B's from b.0 to b.1, each counter-clockwise around its body, so they run in opposite
+// directions. Their common direction d weights both equally, and n = (dy, -dx) points from A to B. The coordinate s is
+// measured along d from a.0. Written for T = double or Lanes.
 #pragma once
 
 #include "base/simd/lanes.hpp"
 
 namespace trilith {
 
-/// Limits within which two faces count as a pair of faces; beyond them the contact is one of general shape. Where one
-/// gives way to the other their energies differ by some share of these limits: at 0.005 elastic collisions of near
-/// parallel faces, and of wedges in notches, keep their energy to half a percent.
+/// Limits within which two faces count as a face pair; beyond them the contact is a general one. At the transition the
+/// energies differ by a share of these limits. At 0.005, elastic collisions of nearly parallel faces, and of wedges in
+/// notches, conserve energy to half a percent.
 inline constexpr double face_pair_max_tilt = 0.005;   ///< difference of slopes [1]
 inline constexpr double face_pair_max_depth = 0.005;  ///< overlap over shared length [1]
 
@@ -26,11 +26,11 @@ template <class T>
 struct FaceOverlap {
   T dx, dy;          ///< d
   T sb1;             ///< s of b.1, the end of B's face with the lower s [m]
-  T inv_a, inv_b;    ///< 1 / length of either face along d [1/m]
+  T inv_a, inv_b;    ///< 1 / length of each face along d [1/m]
   T lo, hi, shared;  ///< s at both ends of the shared length, and the length [m]
   T gap_lo, gap_hi;  ///< gap along n at both ends, negative where overlapping [m]
   T tilt;            ///< difference of the slopes of the faces [1]
-  Mask<T> sane;      ///< the faces look at each other and share some length
+  Mask<T> sane;      ///< the faces oppose each other and share some length
 
   FaceOverlap() = default;
   TRILITH_INLINE FaceOverlap(const FaceEnds<T>& a, const FaceEnds<T>& b) {

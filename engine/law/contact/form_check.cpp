@@ -5,7 +5,7 @@
 namespace trilith {
 namespace {
 
-/// "a, b" of the names for which a condition holds; "none" where it holds for none.
+/// "a, b" of the names for which a condition holds; "none" if there is none.
 template <class Names, class Holds>
 std::string listed(const Names& names, Holds&& holds) {
   std::string list;
@@ -21,7 +21,7 @@ std::string forms_of() {
   return listed(names, [](ContactForm form) { return left_out<K>(form).empty(); });
 }
 
-/// Laws of which all equations act in a geometry.
+/// Laws with all equations acting in a geometry.
 std::string laws_of(ContactForm form) {
   std::vector<std::pair<bool, std::string_view>> names;
   ContactLaws::for_each([&]<class L>() { names.emplace_back(left_out<typename L::Kernel>(form).empty(), L::name); });

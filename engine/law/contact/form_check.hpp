@@ -1,4 +1,4 @@
-// Whether a law's own equations act in a geometry, for who builds models.
+// Checks whether a law's own equations act in a geometry, for model builders.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Empty where all of the law's equations act in each of these geometries; else which of them one leaves out, in which
-/// geometries they act, and a remedy.
+/// Empty where all equations of the law act in each of these geometries. Otherwise a text: the geometries that lack
+/// some of them, the geometries in which they act, and a remedy.
 std::string form_refusal(const ContactLaw& law, std::span<const ContactForm> forms);
 
 }  // namespace trilith

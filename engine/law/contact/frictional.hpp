@@ -1,4 +1,4 @@
-// Purely frictional contact: linear in overlap, no tension, Coulomb in shear.
+// Purely frictional contact: linear in the overlap, no tension, Coulomb friction in shear.
 //
 // sigma = kn (delta + beta d(delta)/dt), never below 0; |tau| <= mu sigma. Barbosa, "Discontinuous structural
 // analysis", eqs. 3 to 5 and the paragraph on damping stresses.

@@ -1,17 +1,20 @@
-// In which geometries the equations of a contact law act.
-//
-// | geometry                      | asks of a kernel                    | by way of                    |
+// Geometries in which the equations of a contact law act.
+// ```
+// | geometry                      | members of the kernel in use        | caller                       |
 // |-------------------------------|-------------------------------------|------------------------------|
 // | faces in the plane            | begin, press, slide, end            | contact/plane/face_pair.hpp        |
 // | polygons of any shape         | stretch, over, slide                | contact/plane/overlap_pair.hpp     |
 // | flat faces, polyhedra, spheres| effective, friction                 | contact/space/solid_contact.hpp    |
-//
-// `effective` and `friction` on PointLaw make all the others, so a law of those acts everywhere. A kernel that has some
-// of the others of its own acts where they are asked, and a model that could meet it elsewhere is refused. It may say
-// that it is complete all the same, by itself as a type, so that no kernel that begins with it says so unasked:
-//   using FrictionRemains = Kernel   where its faces are faces no more, pressure and Coulomb friction are all of it
-//   using JointForm = Kernel         contact/joint/joint.hpp has its equations, of faces in space
-// All of it is found at compile time.
+// ```
+// PointLaw derives all other members from `effective` and `friction`, so a law with these acts everywhere. A kernel
+// that overrides other members acts only where they are called; models that could use it elsewhere are rejected. A
+// kernel may still declare that it is complete. It names itself as the type, so that derived kernels do not inherit the
+// declaration:
+// ```
+//   using FrictionRemains = Kernel   outside of face contact, pressure and Coulomb friction are complete
+//   using JointForm = Kernel         contact/joint/joint.hpp has its equations for faces in space
+// ```
+// All checks run at compile time.
 #pragma once
 
 #include <array>
@@ -29,7 +32,7 @@ inline constexpr std::array<std::string_view, 5> contact_form_names{
     "faces in the plane", "polygons of any shape in the plane", "flat faces in space", "polyhedra in space",
     "spheres in space"};
 
-/// Of a class that has a member of the point form, or what the point form makes of it.
+/// True for the owners of members that belong to the point form: Coulomb and PointLaw.
 template <class C>
 struct PointFormOwner : std::false_type {};
 template <>
@@ -39,7 +42,7 @@ struct PointFormOwner<std::type_identity<PointLaw<K>>> : std::true_type {
   using Kernel = K;
 };
 
-/// Whether a kernel has its own of what faces and polygons ask.
+/// Whether a kernel overrides the members used by faces and polygons.
 template <class K>
 struct OwnMembers {
   using M = typename K::template Memory<double>;
@@ -78,7 +81,7 @@ inline constexpr bool has_joint_form = [] {
   return false;
 }();
 
-/// slide() of a contact that no bond holds: of a law of which friction remains, that.
+/// slide() of an unbonded contact: where friction remains, the friction of the base law.
 template <class K, class T>
 TRILITH_INLINE void slide_unbonded(const K& law, HalfState<T>& half, T active, const ShearBefore<T>& before,
                                    HalfResponse<T>& out) {
@@ -88,14 +91,14 @@ TRILITH_INLINE void slide_unbonded(const K& law, HalfState<T>& half, T active, c
     law.slide(half, active, before, out);
 }
 
-/// Whether what `Member`, a member of the point form, is in K is also what PointLaw asks as it makes `Made`.
+/// Whether PointLaw calls K's `Member`, a member of the point form, to derive `Made`.
 template <class Member, class Made>
 inline constexpr bool is_asked_by = false;
 template <class E, class P>
 inline constexpr bool is_asked_by<std::type_identity<E>, std::type_identity<PointLaw<P>>> = std::is_base_of_v<E, P>;
 
-/// Whether a kernel with its own pressure or friction at a point has made of it all that faces and polygons ask, and
-/// says how stiff its pressure is.
+/// Whether a kernel with its own pressure or friction at a point derives all members used by faces and polygons from
+/// it, and defines its stiffness.
 template <class K>
 inline constexpr bool has_whole_point_form = [] {
   if constexpr (has_own_effective<K>) {
@@ -118,7 +121,7 @@ inline constexpr bool has_whole_point_form = [] {
   return true;
 }();
 
-/// Which of its own equations a geometry leaves out, as text; empty where all of them act.
+/// The equations of its own that a geometry does not use, as text; empty if it uses all.
 template <class K>
 constexpr std::string_view left_out(ContactForm form) {
   using Own = OwnMembers<K>;

@@ -1,4 +1,4 @@
-// The contact laws there are: a new one is its own file and a row here.
+// The contact laws. A new law is its own file and a row here.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ namespace trilith {
 using ContactLaws = TypeList<Frictional, Bonded, Cohesive, Power>;
 using ContactLaw = ContactLaws::Variant;
 
-/// What a law of kernel K remembers of a contact: a row of numbers, in pairs.
+/// Memory of a contact for a law with kernel K: a row of numbers, in pairs.
 template <class K>
 using LawMemory = typename K::template Memory<double>;
 template <class K>
 inline constexpr std::size_t law_numbers = std::is_empty_v<LawMemory<K>> ? 0 : sizeof(LawMemory<K>) / sizeof(double);
-/// From the row where it is kept, and back to it.
+/// From the row where it is stored, and back.
 template <class K>
 LawMemory<K> law_memory(const double* row) {
   LawMemory<K> memory;
@@ -37,7 +37,7 @@ void keep_law_memory(const LawMemory<K>& memory, double* row) {
   if constexpr (law_numbers < K >> 0) std::memcpy(row, &memory, sizeof memory);
 }
 
-/// How many numbers the law at each place of the list remembers.
+/// Size of the memory of each law in the list.
 inline constexpr auto law_number_counts = [] {
   std::array<std::uint32_t, ContactLaws::size> counts{};
   std::size_t place = 0;
@@ -46,13 +46,13 @@ inline constexpr auto law_number_counts = [] {
   return counts;
 }();
 
-/// Whose law remembers something of a contact, and where.
+/// The law whose memory a contact has, and its location.
 struct LawRow {
   std::uint32_t place = 0;  ///< of the law in ContactLaws
   std::uint32_t first = 0;  ///< of its numbers in State::law_memory
 };
 
-/// What every law has: its numbers, declared, among them those of small overlaps; and its equations, see
+/// Requirements of a law: declared parameters, including the stiffness at small overlaps, and equations; see
 /// law/contact/coulomb.hpp.
 template <class L>
 concept ContactLawType = Declared<L> && requires(const L& law) {
@@ -70,20 +70,20 @@ static_assert(ContactLaws::all([]<class L>() { return has_whole_point_form<typen
               "a kernel K with its own effective() or friction() begins with PointLaw<K>; one with its own effective() "
               "has its own tangent()");
 
-/// A law as it is used: between bodies of some thickness [m], for a step [s].
+/// A law in use: between bodies of some thickness [m], for a step [s].
 struct LawInUse {
   const ContactLaw& law;
   double thickness = 1, dt = 0;
-  double held = 0;  ///< depth up to which a bearing stands for the contact: what lies deeper presses [m]
+  double held = 0;  ///< depth up to which a bearing replaces the contact: deeper overlap carries pressure [m]
 };
 
-/// True of what takes an argument of one type, whatever it is called with.
+/// True for a callable with an argument of one fixed type.
 template <class F>
 inline constexpr bool takes_one_type = requires {
   &std::remove_cvref_t<F>::operator();
 };
 
-/// f(kernel) with the kernel of a law. `f` takes it as the type that it is: a base of it has none of its own equations.
+/// Calls f(kernel) with the kernel of a law. `f` must accept its exact type, because a base class lacks its equations.
 template <class F>
 decltype(auto) with_kernel(const LawInUse& use, F&& f) {
   static_assert(!takes_one_type<F>, "take the kernel by `const auto&` or by a template parameter: a base slices it");
@@ -94,23 +94,23 @@ decltype(auto) with_kernel(const LawInUse& use, F&& f) {
       use.law);
 }
 
-/// What closed forms go by: the numbers of a law, as if its pressure went with the overlap and its friction were
-/// Coulomb's. For laws of which that is true where they are not bonded, see has_closed_form.
+/// The parameters for closed forms: as if pressure were proportional to the overlap and friction were Coulomb's. Valid
+/// for laws for which this is true where they are not bonded, see has_closed_form.
 inline PlainFriction plain_friction(const LawInUse& use) {
   return std::visit([&](const auto& law) { return PlainFriction(law, use.thickness, use.dt); }, use.law);
 }
 
-/// True of laws of which that holds wherever they have no bond and nothing of them is crushed.
+/// True for laws with linear pressure and Coulomb friction wherever they have no bond and nothing is crushed.
 inline bool has_closed_form(const ContactLaw& law) {
   return std::visit([]<class L>(const L&) { return L::Kernel::linear && !has_own_friction<typename L::Kernel>; }, law);
 }
 
-/// True where faces under the law can be held together.
+/// True where the law can bond faces.
 inline bool may_bond(const ContactLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::Kernel::bonds; }, law);
 }
 
-/// True where mortar under the law loses depth for good once it is pressed by more than its strength.
+/// True where mortar under the law loses depth permanently once its pressure exceeds the strength.
 inline bool may_crush(const ContactLaw& law) {
   return with_kernel({law}, []<class K>(const K& kernel) {
     if constexpr (K::crushes) return kernel.crushing > 0;
@@ -118,7 +118,7 @@ inline bool may_crush(const ContactLaw& law) {
   });
 }
 
-/// f.template operator()<K>() for the kernel type of the law at a place of the list.
+/// Calls f.template operator()<K>() for the kernel type of the law at an index of the list.
 template <class F>
 decltype(auto) with_kernel_type(std::size_t place, F&& f) {
   return ContactLaws::at(place,

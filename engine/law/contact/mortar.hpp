@@ -1,12 +1,12 @@
-// Bonded faces: what brittle and softening bonds have in common. Mortar that fills a joint where its faces stood apart
-// as it set, and integrals of what a bond feels of the gaps of a half.
+// Bonded faces: the common part of brittle and softening bonds. Mortar that fills a joint where its faces were apart
+// when it set, and integrals of the gaps that act on the bond of a half.
 #pragma once
 
 #include "law/contact/coulomb.hpp"
 
 namespace trilith {
 
-/// A kernel with cohesion and tension. Its memory has at least `set`: the gaps at both ends as the mortar set [m].
+/// A kernel with cohesion and tension. Its memory has at least `set`: the gaps at both ends when the mortar set [m].
 struct Mortar : Coulomb {
   double cohesion, tension;  ///< [N per m of length]
 
@@ -15,27 +15,27 @@ struct Mortar : Coulomb {
       : Coulomb(law, thickness, step), cohesion(law.cohesion * thickness), tension(law.tension * thickness) {}
 
   static constexpr bool bonds = true;
-  static constexpr bool softens = false;  ///< loses its strength by and by
+  static constexpr bool softens = false;  ///< loses its strength gradually
 
-  /// Loss of shear strength per tension [1]: that of the Coulomb line, but such that cohesion and tension are both
-  /// reached where tension is beyond the line's apex.
+  /// Loss of shear strength per tension [1]: the slope of the Coulomb line. If tension is beyond the line's apex, the
+  /// slope of the line from cohesion to tension.
   [[nodiscard]] double tension_slope() const { return mu * tension > cohesion ? cohesion / tension : mu; }
-  /// Opening at which the tension of an undamaged bond is reached [m].
+  /// Opening at the tensile strength of an undamaged bond [m].
   [[nodiscard]] double first_opening() const { return tension / kn; }
-  // The law at one place of a bond, of a half of two faces in the plane and of a patch of two in space alike.
+  // The law at one point of a bond, for a half of two faces in the plane and for a patch of two faces in space.
 
-  /// Shear strength under the mean overlap of the part that is closed and the mean opening of the rest [m].
+  /// Shear strength at the mean overlap of the closed part and the mean opening of the rest [m].
   template <class T>
   [[nodiscard]] TRILITH_INLINE T shear_strength(T closed, T open) const {
     return cohesion + kn * (mu * closed - tension_slope() * open);
   }
-  /// True where a brittle bond of that size is lost: by its widest opening [m] or by its shear [N].
+  /// True where a brittle bond of this size is lost: by its largest opening [m] or by its shear [N].
   template <class T>
   [[nodiscard]] TRILITH_INLINE Mask<T> exceeded(T widest, T shear, T strength, T size) const {
     return (kn * widest > tension + T{}) | (shear > strength * size);
   }
 
-  /// True where the opening of a half is beyond that: it failed in tension and not in shear.
+  /// True where the opening of a half exceeds the limit: failure in tension, not in shear.
   [[nodiscard]] bool pulled(const std::array<HalfGaps, 2>& gaps) const {
     return std::any_of(gaps.begin(), gaps.end(), [&](const HalfGaps& half) {
       return std::max(half.g0 - half.filling.end0, half.g1 - half.filling.end1) > first_opening();
@@ -48,8 +48,8 @@ struct Mortar : Coulomb {
   }
 };
 
-/// Integral over a half of the products of two linear gaps as a bond feels them, less that where both press [m3]: the
-/// gap of now and the one with the ends `p0`, `p1` [m].
+/// Integral over a half of the product of two linear gaps as they act on a bond [m3]: the present gap, and the gap with
+/// the ends `p0`, `p1` [m]. The part where both are closed is excluded.
 template <class T>
 TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1) {
   const T zero{}, one = zero + 1.0;
@@ -61,7 +61,7 @@ TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1) {
   return h.length * (share * (2.0 * (p0 * o0 + p1 * o1) + p0 * o1 + p1 * o0) * (1.0 / 6.0) + mortar);
 }
 
-/// Mean over a half of its opening where open, 0 elsewhere [m].
+/// Mean over a half of the opening, counting closed parts as 0 [m].
 template <class T>
 TRILITH_INLINE T mean_opening(const HalfState<T>& h) {
   const T zero{}, one = zero + 1.0;

@@ -1,13 +1,12 @@
-// A contact law by its equations at one point, which every geometry integrates.
-//
+// A contact law defined by its equations at one point, which every geometry integrates.
+// ```
 //     sigma = kn (e(delta) + beta d(delta)/dt), never below 0        e = effective(delta) [m], delta the overlap
 //     |tau| <= mu(sigma, v) sigma                                    mu = friction(sigma, v), v the slip speed
-//
-// A kernel K that begins with PointLaw<K> has `effective` or `friction` of its own, for one number each. Here both
-// become the members that faces and polygons in the plane ask (law/contact/coulomb.hpp): the pressure is integrated by
-// Gauss's rule, friction acts on the resultant of a half or of a contact. Flat faces, polyhedra and spheres in space
-// ask `effective` and `friction` themselves. A pressure that stays kn times the overlap keeps the closed forms of
-// Coulomb.
+// ```
+// A kernel K that derives from PointLaw<K> defines `effective` or `friction` for scalars. PointLaw makes from them the
+// members used by faces and polygons in the plane (law/contact/coulomb.hpp). The pressure is integrated by Gauss
+// quadrature; friction acts on the resultant of a half or of a contact. Flat faces, polyhedra and spheres in space call
+// `effective` and `friction` directly. A pressure of kn times the overlap keeps the closed forms of Coulomb.
 #pragma once
 
 #include <array>
@@ -18,11 +17,11 @@
 
 namespace trilith {
 
-/// The class that has a member function, from a pointer to it.
+/// The class that declares a member function, from a pointer to it.
 template <class C, class R, class... A>
 std::type_identity<C> owner_of(R (C::*)(A...) const);
 
-/// Whether a kernel has a pressure or a friction of its own.
+/// Whether a kernel overrides pressure or friction.
 template <class K>
 inline constexpr bool has_own_effective = !requires {
   { owner_of(&K::effective) } -> std::same_as<std::type_identity<Coulomb>>;
@@ -32,7 +31,7 @@ inline constexpr bool has_own_friction = !requires {
   { owner_of(&K::friction) } -> std::same_as<std::type_identity<Coulomb>>;
 };
 
-/// effective() of a law, of one overlap or of four.
+/// effective() of a law, for one overlap or four.
 template <class K>
 [[nodiscard]] TRILITH_INLINE double effective_of(const K& law, double overlap) {
   return law.effective(overlap);
@@ -44,8 +43,8 @@ template <class K>
   return e;
 }
 
-/// Friction that a contact holds under a normal force [N] over a size [m2, or m times the thickness]. `speed()`: slip
-/// rate [m/s], called only for laws that depend on it.
+/// Friction limit under a normal force [N] over a size [m2, or m times the thickness]. `speed()`: slip rate [m/s],
+/// called only for laws that depend on it.
 template <class K, class Speed>
 [[nodiscard]] TRILITH_INLINE double friction_limit_of(const K& law, double normal, double area, Speed&& speed) {
   if constexpr (has_own_friction<K>)
@@ -75,17 +74,17 @@ struct PointLaw : Coulomb {
 
  protected:
   static constexpr std::array<double, 4> point{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                               0.93056815579702629};  // of Gauss, on 0 to 1
+                                               0.93056815579702629};  // of Gauss quadrature, on 0 to 1
   static constexpr std::array<double, 4> weight{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
                                                 0.17392742256872693};
 
   [[nodiscard]] const K& self() const { return static_cast<const K&>(*this); }
-  /// Integrals of the elastic pressure over kn, and of that with its damping, over a part of a half or stretch on which
-  /// overlap and closing speed are linear from d0 to d1 and from c0 to c1.
+  /// Integrals of the elastic pressure over kn, without and with damping, over a part of a half or section. Overlap and
+  /// closing speed are linear on it, from d0 to d1 and from c0 to c1.
   template <class T>
   TRILITH_INLINE void integrate(T d0, T d1, T c0, T c1, T from, T to, LinearStress<T>& elastic,
                                 LinearStress<T>& total) const;
-  /// Work that brings an overlap about, over kn [m2].
+  /// Work to reach an overlap, divided by kn [m2].
   [[nodiscard]] double work(double overlap) const {
     double sum = 0;
     for (std::size_t i = 0; i < point.size(); ++i) sum += weight[i] * self().effective(point[i] * overlap);

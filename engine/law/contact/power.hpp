@@ -1,9 +1,9 @@
-// Contact that stiffens as it closes: a power of the overlap, as of rough faces, dry joints and rounded bodies.
+// Contact that stiffens as it closes: a power of the overlap, for rough faces, dry joints and rounded bodies.
 //
-// sigma = kn d (delta/d)^n: kn is the secant stiffness at the overlap d ("depth"), n = 1 is linear, n = 3/2 the
-// exponent of Hertz for two spheres ("On the contact of elastic solids", J. reine angew. Math. 92, 1882). Friction and
-// shear are those of law/contact/coulomb.hpp; the damping stress is kn beta d(delta)/dt, cut off where the sum would
-// pull. Integrals are taken by Gauss's rule (law/contact/point_law.hpp).
+// Pressure: sigma = kn d (delta/d)^n, where kn is the secant stiffness at the overlap d ("depth"). The exponent n = 1
+// is linear; n = 3/2 holds for two spheres (Hertz, "On the contact of elastic solids", J. reine angew. Math. 92, 1882).
+// Friction and shear follow law/contact/coulomb.hpp. The damping stress is kn beta d(delta)/dt, cut off where the sum
+// would be tension. Integrals use Gauss quadrature (law/contact/point_law.hpp).
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct Power::Kernel : PointLaw<Power::Kernel> {
   Kernel(const Power& law, double thick, double step)
       : PointLaw(law, thick, step), depth(law.depth), exponent(law.exponent) {}
 
-  /// The overlap at which a linear spring of stiffness kn would press as much [m].
+  /// The overlap at which a linear spring of stiffness kn has the same pressure [m].
   [[nodiscard]] double effective(double overlap) const {
     const double share = overlap > 0 ? overlap / depth : 0;
     if (exponent == 1.5) return depth * share * std::sqrt(share);
@@ -59,7 +59,7 @@ struct Power::Kernel : PointLaw<Power::Kernel> {
   }
 };
 
-/// The work of the pressure: an overlap takes effective(overlap) overlap / (exponent + 1).
+/// Work of the pressure: effective(overlap) overlap / (exponent + 1).
 inline double Power::Kernel::stored(const HalfGaps& gaps, double length, double /*hold*/) const {
   const PositivePart<double> closed(-gaps.g0, -gaps.g1);
   double sum = 0;

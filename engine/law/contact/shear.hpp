@@ -1,22 +1,22 @@
 // Shear of one half of two faces: a Kelvin-Voigt spring in series with a slider.
-//
+// ```
 //      body A ---/\/\/\/---+---[ slider: |shear| <= limit ]--- body B
 //             ---[|-------+
 //               beta ks         slip = stretch of the spring + sliding
-//
-// Comes in: the slip of the step, the force remembered, the length that carried it and the one that does now. Goes out:
-// the force now, of which the spring keeps a part, and what damping and sliding gave off, each with the mean of its
-// force before and after the step, which is what a leapfrog step does work with. Written over T = double or Lanes.
+// ```
+// Input: the slip of the step, the force in memory, and the lengths that carry it before and now. Output: the present
+// force, of which the spring keeps a part, and the energy dissipated by damping and sliding. Both energies use the mean
+// of their force before and after the step, which is the work of a leapfrog step. Written for T = double or Lanes.
 #pragma once
 
 #include "law/contact/face_half.hpp"
 
 namespace trilith {
 
-/// Lengths up to this carry no shear: so short that their squares would vanish [m].
+/// Lengths up to this carry no shear: their squares would underflow [m].
 inline constexpr double shortest_length = 1e-100;
 
-/// What a half remembered of its shear.
+/// Shear memory of a half.
 template <class T>
 struct ShearBefore {
   T elastic, total, active;  ///< [N], [N], [m]
@@ -30,7 +30,7 @@ TRILITH_INLINE T inverse_or_zero(T v) {
   return select(positive, one / select(positive, v, one), zero);
 }
 
-/// Compliances of the lengths that carry shear, before and now [m/N]; 0 where there is none.
+/// Compliances of the lengths that carry shear, before and now [m/N]; 0 if there is none.
 template <class T>
 struct ShearCompliance {
   T before, now;
@@ -44,8 +44,9 @@ struct ShearCompliance {
   }
 };
 
-/// Elastic shear energy let go because the length in contact changed to one of the given stiffness: length that parts
-/// takes its share of the force along, new length carries none. `kept`: the force left. Never negative.
+/// Elastic shear energy released because the length in contact changed to one with the given stiffness. Length that
+/// separates takes its share of the force with it, new length starts without force. `kept`: the remaining force. Never
+/// negative.
 template <class T>
 TRILITH_INLINE T released_energy(const ShearBefore<T>& before, T stiffness, const ShearCompliance<T>& compliance,
                                  T& kept) {
@@ -54,11 +55,11 @@ TRILITH_INLINE T released_energy(const ShearBefore<T>& before, T stiffness, cons
   return 0.5 * (before.elastic * before.elastic * compliance.before - kept * kept * compliance.now);
 }
 
-/// One step of a half's shear before its slider is asked. `ks` per metre of length, `beta` and `dt` as of the law.
+/// One step of a half's shear before its slider. `ks` per metre of length; `beta` and `dt` from the law.
 template <class T>
 struct ShearTrial {
-  T kept, elastic, total;  ///< force kept, with the step's slip all elastic, and with its damping [N]
-  T move, relaxed;         ///< slip [m]; energy let go by length that parted [J]
+  T kept, elastic, total;  ///< force kept, force with all slip elastic, force with damping [N]
+  T move, relaxed;         ///< slip [m]; energy released by length that separated [J]
   ShearCompliance<T> compliance;
 
   TRILITH_INLINE ShearTrial(const HalfState<T>& h, double ks, double beta, double dt, T active,
@@ -72,7 +73,7 @@ struct ShearTrial {
   }
 };
 
-/// Ends a step of shear. Where it `slides`, its force is `held`, of which `slid` is elastic.
+/// Ends a shear step. Where it `slides`, its force is `held`, of which `slid` is elastic.
 template <class T>
 TRILITH_INLINE void end_shear(const ShearTrial<T>& trial, T active, const ShearBefore<T>& before, Mask<T> slides,
                               T held, T slid, HalfResponse<T>& out) {
@@ -84,7 +85,8 @@ TRILITH_INLINE void end_shear(const ShearTrial<T>& trial, T active, const ShearB
   const T slip = select(open, zero, trial.move - stretch);
   const T mean_total = 0.5 * (out.shear_total + before.total);
   const T mean_elastic = 0.5 * (out.shear_elastic + before.elastic);
-  // Where all of it opens, the force of before worked for half of the way, and nothing takes that.
+  // If the whole half opens, the previous force did work over half of the displacement, which no dissipation accounts
+  // for.
   const T parted = 0.5 * (before.elastic - trial.kept) * select(open, trial.move, stretch);
   out.slip = magnitude(slip);
   out.active = active;

@@ -1,24 +1,25 @@
-// How far bodies in space went in a step that an implicit scheme took.
+// Displacement increments of bodies in space over a step of an implicit scheme.
 //
-// In a leapfrog step the velocity of now, times the step, is the way that was gone. An implicit step leads from place
-// to place, with velocities of its end; what contacts slide by is then the way itself: of the point x of a body, which
-// stands at p and was turned by R, and stood at p0 with R0,
+// In a leapfrog step the displacement is the present velocity times the step. An implicit step computes positions, with
+// velocities at its end; contacts then use the displacement itself. For a point x of a body with position p and
+// rotation R, before the step p0 and R0, it is
 //
-//   x - p0 - R0 R' (x - p)
+//   x - p0 - R0 R' (x - p).
 //
-// The difference of two bodies is 0 to the last digits where both turn and move as one, however far.
+// The difference between two bodies is 0 to the last digits where both move as one, however far.
 #pragma once
 
 #include "base/rotation_3d.hpp"
 
 namespace trilith {
 
-/// Of one body.
+/// Increment of one body.
 struct StepBehind {
-  Vec3 place = Vec3::Zero(), place_before = Vec3::Zero();  ///< of its node at the end of the step and at its begin [m]
+  Vec3 place = Vec3::Zero(),
+       place_before = Vec3::Zero();  ///< of its node after and before the step [m]
   UnitQuaternion rotation_before;
-  Turn3 back{UnitQuaternion{}};  ///< from how it is turned now to how it was
-  Vec3 turned = Vec3::Zero();    ///< the rotation vector of the step, in the world [rad]
+  Turn3 back{UnitQuaternion{}};  ///< rotation from its present orientation back to its previous one
+  Vec3 turned = Vec3::Zero();    ///< rotation vector of the step, in world axes [rad]
 
   StepBehind() = default;
   StepBehind(const Vec3& now, const UnitQuaternion& rotation, const Vec3& before, const UnitQuaternion& was)
@@ -28,12 +29,12 @@ struct StepBehind {
         back(was * inverse(rotation)),
         turned(angle_of(rotation * inverse(was))) {}
 
-  /// How far its point that is at x now has come [m].
+  /// Displacement of its point that is at x now [m].
   [[nodiscard]] Vec3 moved(const Vec3& x) const { return x - place_before - back.apply(Vec3(x - place)); }
 };
 
-// Mean motion over a step of length dt of a body with velocity_at, spin and `behind`, which is a StepBehind, or nullptr
-// where its velocities are those of the step.
+// Mean motion over a step of length dt of a body with velocity_at, spin and `behind`. `behind` is a StepBehind, or
+// nullptr where the body's velocities are the step's mean velocities.
 
 template <class BodySide>
 Vec3 mean_velocity_at(const BodySide& body, const Vec3& x, double dt) {
@@ -46,7 +47,7 @@ Vec3 mean_spin(const BodySide& body, double dt) {
   return dt > 0 ? Vec3(body.behind->turned / dt) : Vec3(Vec3::Zero());
 }
 
-/// Mean velocity of b against a at x, in axes that have turned half of the way with both.
+/// Mean velocity of b relative to a at x, in axes rotated by half of both rotations.
 template <class BodySide>
 Vec3 mean_slip(const BodySide& a, const BodySide& b, const Vec3& x, double dt) {
   const Vec3 rate = mean_velocity_at(b, x, dt) - mean_velocity_at(a, x, dt);

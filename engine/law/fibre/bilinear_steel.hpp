@@ -1,10 +1,12 @@
-// Steel as two straight lines: elastic to the yield stress, then with `hardening` times the elastic modulus.
+// Bilinear steel: elastic to the yield stress, then `hardening` times the elastic modulus.
 //
-// s = E (e - p), |s - Hk p| <= yield + Hi a, with p the plastic strain and a the way it has gone; Hk + Hi = E b/(1 - b)
-// for b = hardening. `isotropic` is the share of Hi in the two: at 0 the elastic range moves (kinematic), at 1 it
-// grows. Return mapping: Simo and Hughes, "Computational Inelasticity", 1998, box 1.5. What the back stress Hk p stores
-// comes back; all else of the plastic work is given off. Left out: the yield plateau, the round corner (see
-// menegotto_pinto.hpp), rupture and buckling of bars, strain rate. Memory: strain, stress, p, a.
+// Yield condition: s = E (e - p), |s - Hk p| <= yield + Hi a. Here p is the plastic strain, a its path length, and Hk +
+// Hi = E b/(1 - b) for b = hardening. `isotropic` is the share of Hi in the sum: at 0 the elastic range moves
+// (kinematic), at 1 it grows. Return mapping: Simo and Hughes, "Computational Inelasticity", 1998, box 1.5. The energy
+// of the back stress Hk p is recoverable; all other plastic work is dissipated.
+//
+// Not modelled: the yield plateau, the round corner (see menegotto_pinto.hpp), rupture and buckling of bars, strain
+// rate. Memory: strain, stress, p, a.
 #pragma once
 
 #include <array>
@@ -35,7 +37,7 @@ struct BilinearSteel {
   static constexpr int memory_size = 4;
   using Memory = std::array<double, memory_size>;
   static constexpr bool loses_at_every_step = true;
-  static constexpr int plastic = 2, way = 3;  ///< places in the memory
+  static constexpr int plastic = 2, way = 3;  ///< indices in the memory
 
   [[nodiscard]] double tangent() const { return young; }
   [[nodiscard]] double stored(const Memory& m) const {
@@ -63,7 +65,7 @@ struct BilinearSteel {
   }
 
  private:
-  /// Stress gained per plastic strain [Pa].
+  /// Stress increase per plastic strain [Pa].
   [[nodiscard]] double gain() const { return young * hardening / (1 - hardening); }
   [[nodiscard]] double kinematic() const { return (1 - isotropic) * gain(); }
 };

@@ -1,14 +1,17 @@
-// What concrete fibres have in common: cycles within an envelope of compression, cracks in tension.
+// Common part of concrete fibres: cycles within an envelope in compression, cracks in tension.
 //
-// Compression follows the envelope of the law. It unloads and loads again along one line from the envelope at the
-// greatest compression e_c to the plastic strain e_p, where it closes and opens:
-//   e_p / e_0 = .145 r^2 + .13 r up to r = e_c / e_0 = 2,  beyond .84 + .707 (r - 2),  at most (e_c - s_c / E) / e_0
-// Karsan and Jirsa, "Behavior of concrete under compressive loadings", J. Struct. Div. ASCE 95(12), 1969 (.834 there,
-// which would jump at r = 2). From e_p on it carries tension with the modulus of that line, E_u, up to the strain
-// tension/E, so that concrete once crushed has lost its strength in tension as well; the crack then opens along a line
-// down to nothing at `tension_end` (at once where that is not beyond), and closes along a line to e_p.
-// Left out: strain rate; the rough faces of a crack that touch before it is closed; wear by many cycles below e_c.
-// Memory: strain, stress, e_c, greatest opening of the crack beyond e_p.
+// Compression follows the law's envelope. Unloading and reloading follow one line from the envelope at the greatest
+// compression e_c to the plastic strain e_p, where it closes and opens. With r = e_c / e_0:
+// ```
+//   e_p / e_0 = 0.145 r^2 + 0.13 r up to r = 2,  beyond 0.84 + 0.707 (r - 2),  at most (e_c - s_c / E) / e_0
+// ```
+// Source: Karsan and Jirsa, "Behavior of concrete under compressive loadings", J. Struct. Div. ASCE 95(12), 1969 (with
+// 0.834, which would jump at r = 2). From e_p on it carries tension with the modulus E_u of that line, up to the strain
+// tension/E. So concrete that was crushed has also lost tensile strength. The crack then opens along a line down to 0
+// at `tension_end` (at once where this is not beyond), and closes along a line to e_p.
+//
+// Not modelled: strain rate; contact of rough crack faces before the crack is closed; degradation by many cycles below
+// e_c. Memory: strain, stress, e_c, greatest opening of the crack beyond e_p.
 #pragma once
 
 #include <algorithm>
@@ -20,33 +23,33 @@
 
 namespace trilith {
 
-/// Stress and slope of an envelope, compression above 0 [Pa].
+/// Stress and slope of an envelope, positive in compression [Pa].
 struct EnvelopePoint {
   double stress, slope;
 };
 
 inline constexpr int concrete_memory = 4;
 
-/// `L` has initial() [Pa] (slope of its envelope at 0, the stiffest), peak_strain() [1], envelope(strain) for strains
-/// from 0 on.
+/// `L` has initial() [Pa] (initial slope of its envelope, the stiffest), peak_strain() [1], envelope(strain) for
+/// strains from 0 on.
 template <class L>
 struct ConcreteCycle {
   using Memory = std::array<double, concrete_memory>;
-  static constexpr int squeezed = 2, opened = 3;  ///< places in the memory
+  static constexpr int squeezed = 2, opened = 3;  ///< indices in the memory
 
-  /// Plastic strain that the greatest compression `most` leaves, where the envelope has `stress` [Pa].
+  /// Plastic strain after the greatest compression `most`, where the envelope has `stress` [Pa].
   static double plastic(const L& law, double most, double stress) {
     const double r = most / law.peak_strain();
     const double share = r < 2 ? (0.145 * r + 0.13) * r : 0.84 + 0.707 * (r - 2);
     return std::min(share * law.peak_strain(), most - stress / law.initial());
   }
-  /// The line of unloading gives back what is stored. `left`: plastic strain.
+  /// Energy recovered along the unloading line. `left`: plastic strain.
   static double stored_on_line(const Memory& m, double left) { return 0.5 * m[last_stress] * (m[last_strain] + left); }
   static double stored(const L& law, const Memory& m) {
     return stored_on_line(m, plastic(law, m[squeezed], law.envelope(m[squeezed]).stress));
   }
 
-  /// The envelope, which may be dear, is asked once where it has been, and once where it is.
+  /// The envelope may be expensive: it is evaluated once at the greatest compression and once at the present strain.
   static UniaxialResponse<concrete_memory> respond(const L& law, double strain, const Memory& before) {
     UniaxialResponse<concrete_memory> out;
     Memory& m = out.memory = before;

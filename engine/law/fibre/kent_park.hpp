@@ -1,9 +1,10 @@
-// Concrete after Kent and Park: a parabola up to the peak, a straight line down, a rest.
+// Kent-Park concrete: a parabola up to the peak, a straight descending line, a residual stress.
 //
-// s = K fc (2 x - x^2), x = e / (K e_0), up to x = 1; from there straight to `residual` K fc at `ultimate`, and so on.
-// Kent and Park, "Flexural members with confined concrete", J. Struct. Div. ASCE 97(7), 1971; with the factor K of
-// confinement on stress and strain Scott, Park and Priestley, "Stress-strain behavior of concrete confined by
-// overlapping hoops at low and high strain rates", ACI Journal 79(1), 1982. Cycles and tension: concrete_cycle.hpp.
+// Envelope: s = K fc (2 x - x^2), x = e / (K e_0), up to x = 1. From there it is straight to `residual` K fc at
+// `ultimate`, and constant beyond. Kent and Park, "Flexural members with confined concrete", J. Struct. Div. ASCE
+// 97(7), 1971. The confinement factor K on stress and strain: Scott, Park and Priestley, "Stress-strain behavior of
+// concrete confined by overlapping hoops at low and high strain rates", ACI Journal 79(1), 1982. Cycles and tension:
+// concrete_cycle.hpp.
 #pragma once
 
 #include "law/fibre/concrete_cycle.hpp"
@@ -46,7 +47,7 @@ struct KentPark {
   using Cycle = ConcreteCycle<KentPark>;
   static constexpr int memory_size = concrete_memory;
   using Memory = Cycle::Memory;
-  static constexpr bool loses_at_every_step = false;  // a step over the kink of a closed crack: its square
+  static constexpr bool loses_at_every_step = false;  // a step over the kink of a closed crack: error of second order
 
   [[nodiscard]] double initial() const { return 2 * strength / strain; }
   [[nodiscard]] double peak_strain() const { return confinement * strain; }

@@ -1,4 +1,4 @@
-// The laws of a fibre: a new one is its own file and a row here.
+// The laws of a fibre. A new law is its own file and a row here.
 #pragma once
 
 #include <concepts>
@@ -15,8 +15,8 @@ namespace trilith {
 using UniaxialLaws = TypeList<UniaxialElastic, BilinearSteel, MenegottoPinto, KentPark, Mander>;
 using UniaxialLaw = UniaxialLaws::Variant;
 
-/// `tangent` is the stiffest a law can be [Pa]; `stored` is the energy of a memory [J/m3]; `loses_at_every_step` is
-/// true where no step of any size gives back more than was stored. Memory of nothing but 0 is that of a new fibre.
+/// `tangent` is the largest stiffness of a law [Pa]; `stored` is the energy of a memory [J/m3]. `loses_at_every_step`
+/// is true where no step of any size returns more energy than was stored. An all-zero memory is a new fibre.
 template <class L>
 concept UniaxialLawType = Declared<L> && requires(const L& law, double strain, const typename L::Memory& before) {
   requires std::same_as<typename L::Memory, std::array<double, L::memory_size>>;
@@ -28,11 +28,11 @@ concept UniaxialLawType = Declared<L> && requires(const L& law, double strain, c
 };
 static_assert(UniaxialLaws::all([]<class L>() { return UniaxialLawType<L>; }));
 
-/// Numbers that a fibre of `law` remembers.
+/// Size of the memory of a fibre with `law`.
 inline int memory_size(const UniaxialLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::memory_size; }, law);
 }
-/// The stiffest it can be [Pa].
+/// Largest stiffness [Pa].
 inline double stiffest(const UniaxialLaw& law) {
   return std::visit([](const auto& l) { return l.tangent(); }, law);
 }

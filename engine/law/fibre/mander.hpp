@@ -1,9 +1,10 @@
 // Concrete after Mander, Priestley and Park: one smooth curve over the peak, crushed at the ultimate strain.
 //
-// s = f x r / (r - 1 + x^r),  x = e / e_c,  r = E / (E - f / e_c),  f = K fc,  e_c = e_0 (1 + 5 (K - 1)).
+// Envelope: `s = f x r / (r - 1 + x^r),  x = e / e_c,  r = E / (E - f / e_c),  f = K fc,  e_c = e_0 (1 + 5 (K - 1))`.
 // "Theoretical stress-strain model for confined concrete", J. Struct. Eng. ASCE 114(8), 1988, eqs. 1 to 6, after
-// Popovics, Cement and Concrete Research 3, 1973. K is f'cc/f'co there, from the hoops. Beyond `ultimate`, where hoops
-// break or the cover falls off, `residual` f is left; never less before. Cycles and tension: concrete_cycle.hpp.
+// Popovics, Cement and Concrete Research 3, 1973. K is f'cc/f'co there and follows from the hoops. Beyond `ultimate`,
+// where hoops break or the cover spalls, the stress is `residual` f; it is never less before. Cycles and tension:
+// concrete_cycle.hpp.
 #pragma once
 
 #include "law/fibre/concrete_cycle.hpp"
@@ -50,7 +51,7 @@ struct Mander {
   using Cycle = ConcreteCycle<Mander>;
   static constexpr int memory_size = concrete_memory;
   using Memory = Cycle::Memory;
-  static constexpr bool loses_at_every_step = false;  // a step over the kink of a closed crack: its square
+  static constexpr bool loses_at_every_step = false;  // a step over the kink of a closed crack: error of second order
 
   [[nodiscard]] double initial() const { return young; }
   [[nodiscard]] double peak_strain() const { return strain * (1 + 5 * (confinement - 1)); }

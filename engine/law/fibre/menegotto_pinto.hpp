@@ -1,19 +1,24 @@
-// Steel with round corners, as reinforcing bars and structural steel show them under cycles.
+// Steel with round corners, as observed for reinforcing bars and structural steel under cyclic strain.
 //
-// From each reversal (e_r, s_r) the curve leaves with E and goes to the line of hardening, which it would meet at
-// (e_0, s_0):
+// From each reversal (e_r, s_r) the curve leaves with the slope E and approaches the hardening line. The tangent at the
+// reversal meets that line at (e_0, s_0). The curve is:
+// ```
 //   s* = b e* + (1 - b) e* / (1 + |e*|^R)^(1/R),   e* = (e - e_r) / (e_0 - e_r),  s* = (s - s_r) / (s_0 - s_r)
 //   R = R0 (1 - cR1 x / (cR2 + x)),   x = |e_m - e_0| / e_y
-// with e_m the farthest strain so far, at least e_y, on the side it goes to. Menegotto and Pinto, IABSE Symposium
+// ```
+// Here e_m is the largest strain so far, at least e_y, on the side of loading. Menegotto and Pinto, IABSE Symposium
 // Lisbon, 1973; Filippou, Popov and Bertero, "Effects of bond deterioration on hysteretic behavior of reinforced
-// concrete joints", EERC 83-19, 1983, where a1 = R0 cR1 and a2 = cR2, and whose isotropic hardening it has too: the
-// line of hardening is shifted by a3 (e_max/e_y - a4) yield, not below 0, e_max the farthest strain to either side.
-// Left out: only the last reversal is remembered, so after a small unloading within a large loop the stress comes back
-// a little above the curve it had left; rupture and buckling of bars.
-// What is stored is s^2 / 2E. As the corner is round, some of the flow after a reversal goes against the stress: steps
-// there give off a little less than nothing, and so may small loops at a high stress by what comes back above: some
-// 1e-5 of what is stored.
-// Memory: strain, stress, way it goes (-1, 0, 1), e_r, s_r, e_0, s_0, least and greatest strain at reversals, R.
+// concrete joints", EERC 83-19, 1983, where a1 = R0 cR1 and a2 = cR2. Isotropic hardening is also theirs: the hardening
+// line is shifted by a3 (e_max/e_y - a4) yield, not below 0, with e_max the largest strain on either side.
+//
+// Not modelled: earlier reversals (only the last one is stored, so after a small unloading within a large loop the
+// stress returns slightly above the previous curve); rupture and buckling of bars.
+//
+// The stored energy is s^2 / 2E. Because the corner is round, part of the flow after a reversal is opposite to the
+// stress. So such steps dissipate a slightly negative energy, and so may small loops at a high stress because of the
+// higher return curve: about 1e-5 of the stored energy.
+//
+// Memory: strain, stress, loading direction (-1, 0, 1), e_r, s_r, e_0, s_0, least and greatest strain at reversals, R.
 #pragma once
 
 #include <algorithm>
@@ -65,7 +70,7 @@ struct MenegottoPinto {
     const double change = strain - before[last_strain];
     if (change != 0 && change * before[side] <= 0) turn(change > 0 ? 1 : -1, m);
     const double span = m[meet_strain] - m[from_strain], gone = strain - m[from_strain];
-    double slope = hardening, share = hardening * gone;  // of E; stress gone over E
+    double slope = hardening, share = hardening * gone;  // relative to E; stress lost over E
     if (m[side] == 0) {
       slope = 1, share = gone;
     } else if (span * m[side] > 1e-9 * yield / young) {
@@ -84,13 +89,13 @@ struct MenegottoPinto {
   static constexpr int side = 2, from_strain = 3, from_stress = 4, meet_strain = 5, meet_stress = 6, least = 7,
                        greatest = 8, sharpness = 9;
 
-  /// Natural logarithm of x above 0 by the series of atanh, to some 1e-16, with the same bits everywhere: a fibre
-  /// cannot pay for the last bit (portable::log takes twenty times as long).
+  /// Natural logarithm of x above 0 by the atanh series, to about 1e-16, with the same bits on every machine.
+  /// portable::log, accurate to the last bit, takes twenty times as long.
   static double quick_log(double x) {
     int exponent = 0;
     double m = std::frexp(x, &exponent);  // from 1/2 to 1
     if (m < M_SQRT1_2) m *= 2, --exponent;
-    const double s = (m - 1) / (m + 1), square = s * s;  // square below .0295
+    const double s = (m - 1) / (m + 1), square = s * s;  // square below 0.0295
     double sum = 0;
     for (int k = 21; k >= 1; k -= 2) sum = sum * square + 1.0 / k;
     return exponent * M_LN2 + 2 * s * sum;
@@ -98,14 +103,14 @@ struct MenegottoPinto {
   struct Bend {
     double secant, slope;
   };
-  /// x / (1 + x^R)^(1/R) over x, and its slope; x from 0 on, however large.
+  /// x / (1 + x^R)^(1/R) over x, and its slope; any x from 0 on.
   static Bend bend_of(double x, double r) {
     const double power = x > 0 ? portable::exp(-r * std::abs(quick_log(x))) : 0;
     const double root = power < 1e-18 ? 1 : portable::exp(-quick_log(1 + power) / r);
     return x <= 1 ? Bend{root, root / (1 + power)} : Bend{root / x, root / x * power / (1 + power)};
   }
 
-  /// The next curve begins where the last step ended and goes to `to` (-1 or 1).
+  /// Starts the next curve at the end of the last step, towards `to` (-1 or 1).
   void turn(double to, Memory& m) const {
     const double first = yield / young, e = m[last_strain], s = m[last_stress];
     m[side] = to, m[from_strain] = e, m[from_stress] = s;

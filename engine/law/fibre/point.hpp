@@ -1,29 +1,29 @@
-// Strain and stress in one direction: a fibre of a beam, a bar. What goes into a law and what comes out.
+// Uniaxial strain and stress of a beam fibre or a bar: input and output of a law.
 //
-// Signs: tension above 0, for strains and stresses. A law remembers a row of numbers of its own size; where they are
-// all 0 it has never been strained. The first two are the strain and stress of the last step, in every law.
+// Signs: tension is positive, for strains and stresses. A law has a memory of its own size; all zeros mean that it was
+// never strained. In every law the first two numbers are strain and stress of the last step.
 #pragma once
 
 #include <array>
 
 namespace trilith {
 
-/// Places in a memory that every law has.
+/// Indices of the memory common to all laws.
 inline constexpr int last_strain = 0, last_stress = 1;
 
-/// Answer of a law to a strain; `size` numbers are what it remembers.
+/// Response of a law to a strain; `size` is the size of its memory.
 template <int size>
 struct UniaxialResponse {
   std::array<double, size> memory{};
-  double tangent = 0;     ///< d stress / d strain for what is remembered from before [Pa]
-  double stored = 0;      ///< elastic energy, that of the memory [J/m3]
-  double dissipated = 0;  ///< of this step: work of its mean stress less what is stored [J/m3]
-  bool yielding = false;  ///< in this step: steel flows, concrete crushes; cracks are none of it
+  double tangent = 0;     ///< d stress / d strain at the given memory [Pa]
+  double stored = 0;      ///< elastic energy of the new memory [J/m3]
+  double dissipated = 0;  ///< in this step: work of the mean stress minus the change of stored energy [J/m3]
+  bool yielding = false;  ///< in this step: steel yields or concrete crushes; cracks do not count
   [[nodiscard]] double stress() const { return memory[last_stress]; }  ///< [Pa]
 };
 
-/// Books the step from `before` to `out.memory`, so that stored and dissipated together are its work. `stored_before`
-/// [J/m3], as out.stored.
+/// Accounts for the step from `before` to `out.memory`, so that stored and dissipated energy add up to its work.
+/// `stored_before` [J/m3], as out.stored.
 template <class Memory, int N>
 void book_work(const Memory& before, double stored_before, UniaxialResponse<N>& out) {
   const double work =

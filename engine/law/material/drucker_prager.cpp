@@ -10,8 +10,8 @@
 namespace trilith {
 namespace {
 
-/// The cone that touches Mohr-Coulomb of angle `angle` in plane strain: its slope eta, and xi for the cohesion
-/// (3 tan and 3, over sqrt(9 + 12 tan^2)).
+/// The cone that matches Mohr-Coulomb with the friction angle `angle` in plane strain: its slope eta, and xi for the
+/// cohesion (3 tan and 3, over sqrt(9 + 12 tan^2)).
 struct Cone {
   double slope, share;
   explicit Cone(double angle) {
@@ -38,10 +38,11 @@ double top_of(const DruckerPrager& law, const Cone& cone) {
   return cone.slope > 0 ? std::min(law.tension, cone.share * law.cohesion / cone.slope) : law.tension;
 }
 
-/// In the plane of the mean stress p and sqrt(J2) (tension to the right), the trial comes back to one of three:
+/// In the plane of the mean stress p (tension to the right) and sqrt(J2), the trial state returns to one of three
+/// parts:
 ///
 ///     sqrt(J2) |`-._    1          1  cone: sqrt(J2) falls by G g, p by K flow g
-///              |    `-._     2     2  the edge of cone and cut-off, or the tip
+///              |    `-._     2     2  the edge of cone and cut-off, or the apex
 ///              |        `-|        3  cut-off: p alone falls
 ///              |          |   3
 ///              +----------+---- p
@@ -61,7 +62,7 @@ Returned return_to_cone(const DruckerPrager& law, const Deviator& trial) {
   return {top, std::max(0.0, limit - eta * top)};
 }
 
-/// With the strain across the plane given, in any case of plane.
+/// With the given out-of-plane strain, in plane strain and plane stress.
 PointResponse respond_in_space(const DruckerPrager& law, const PlaneVector& strain, double across,
                                const PlasticMemory& before) {
   const double shear = law.young / (2 * (1 + law.poisson)), lambda = 2 * shear * law.poisson / (1 - 2 * law.poisson);
@@ -75,8 +76,8 @@ PointResponse respond_in_space(const DruckerPrager& law, const PlaneVector& stra
   if (law.excess(trial) > 1e-13 * (std::abs(d.mean) + d.size)) {
     const Returned r = return_to_cone(law, d);
     const double share = d.size > 0 ? r.size / d.size : 0, gone = 1 - share;
-    // Plastic strain is what the stress gave up, over its stiffness: a third of the volume on each axis, the deviator
-    // by 2 G.
+    // The plastic strain is the stress reduction divided by the stiffness: a third of the volume strain on each axis,
+    // the deviator by 2 G.
     const double swell = (d.mean - r.mean) / bulk / 3;
     grown = {swell + gone * d.xx / (2 * shear), swell + gone * d.yy / (2 * shear), swell + gone * d.zz / (2 * shear),
              gone * d.xy / shear};
@@ -91,12 +92,13 @@ PointResponse respond_in_space(const DruckerPrager& law, const PlaneVector& stra
   return out;
 }
 
-/// The strain across at which there is no stress across: the stress rises with it, so a bracket is halved or cut.
+/// The out-of-plane strain with zero out-of-plane stress. The stress increases with it, so a bracket is bisected or
+/// cut.
 PointResponse respond_without_stress_across(const DruckerPrager& law, const PlaneVector& strain,
                                             const PlasticMemory& before) {
   const double x = strain[0] - before.xx, y = strain[1] - before.yy, xy = strain[2] - before.xy;
   const double size = std::abs(x) + std::abs(y) + std::abs(xy);
-  // Elastic: no stress across.
+  // Elastic: zero out-of-plane stress.
   const double guess = before.zz - law.poisson / (1 - law.poisson) * (x + y);
   PointResponse out = respond_in_space(law, strain, guess, before);
   const double enough = 1e-13 * law.young * size;
@@ -107,7 +109,7 @@ PointResponse respond_without_stress_across(const DruckerPrager& law, const Plan
   for (double reach = size; f_high < 0 && reach < 1e3 * size; reach *= 2)
     high = guess + reach, f_high = respond_in_space(law, strain, high, before).stress.zz;
   for (int i = 0; i < 100; ++i) {
-    // False position, and every third time a half, so that the bracket shrinks from both sides.
+    // False position, and every third time bisection, so that the bracket shrinks from both sides.
     const bool halve = i % 3 == 2 || !(f_high > f_low);
     const double at = halve ? 0.5 * (low + high) : low - f_low * (high - low) / (f_high - f_low);
     out = respond_in_space(law, strain, at, before);

@@ -1,9 +1,9 @@
-// Drucker-Prager: the cone of Mohr-Coulomb made round, with a cut-off of the mean tension, perfectly plastic.
+// Drucker-Prager plasticity: a circular cone with a cut-off of the mean tension, perfectly plastic.
 //
-// sqrt(J2) + eta p <= xi cohesion and p <= tension, p the mean stress, tension positive; eta and xi are those with
-// which the cone gives the collapse loads of Mohr-Coulomb in plane strain (de Souza Neto, Peric and Owen,
-// "Computational Methods for Plasticity", 2008, sec. 6.4.4 and 8.3). Without a cut-off the cone ends in its tip. In
-// plane stress the strain across is found so that there is no stress across.
+// Yield conditions: sqrt(J2) + eta p <= xi cohesion and p <= tension, p the mean stress, tension positive. With eta and
+// xi the cone gives the collapse loads of Mohr-Coulomb in plane strain (de Souza Neto, Peric and Owen, "Computational
+// Methods for Plasticity", 2008, sec. 6.4.4 and 8.3). Without a cut-off the cone ends at its apex. In plane stress the
+// out-of-plane strain is found such that the out-of-plane stress vanishes.
 #pragma once
 
 #include "law/material/mohr_coulomb.hpp"
@@ -37,9 +37,9 @@ struct DruckerPrager {
         P{&DruckerPrager::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
-  /// Throws InputError where the dilation is above the friction, or there is no strength at all.
+  /// Throws InputError where the dilation exceeds the friction, or the strength is 0.
   void check() const;
-  /// The largest of what the two limits are exceeded by [Pa].
+  /// The larger excess over the two yield limits [Pa].
   [[nodiscard]] double excess(const Stress& stress) const;
   [[nodiscard]] PointResponse respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const;
 };

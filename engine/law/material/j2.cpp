@@ -11,7 +11,7 @@ double mises(const Stress& s) {
   return std::sqrt(1.5 * (x * x + y * y + z * z + 2 * s.xy * s.xy));
 }
 
-/// Plastic strain grows by `flow` (xy engineering) and the measure by `measure`.
+/// Adds `flow` (xy engineering) to the plastic strain and `measure` to the equivalent plastic strain.
 PointResponse flown(const J2& law, Plane plane, const PlaneVector& strain, const PlasticMemory& before,
                     const std::array<double, 4>& flow, double measure) {
   PointResponse out;
@@ -25,7 +25,7 @@ PointResponse flown(const J2& law, Plane plane, const PlaneVector& strain, const
   return out;
 }
 
-/// Radial return: the deviator shrinks in its own direction.
+/// Radial return: the deviator shrinks along its direction.
 PointResponse return_in_strain(const J2& law, const PlaneVector& strain, const PlasticMemory& before,
                                const Stress& trial) {
   const double shear = law.young / (2 * (1 + law.poisson)), size = mises(trial);
@@ -36,22 +36,23 @@ PointResponse return_in_strain(const J2& law, const PlaneVector& strain, const P
                measure);
 }
 
-/// Plane stress: with a = (sxx + syy)/sqrt(2), b = (syy - sxx)/sqrt(2) and sxy the elastic and the plastic matrix are
-/// both diagonal, so each shrinks by its own factor of the multiplier g: plastic strain = g P s, f = s'Ps/2 - k^2/3.
+/// Plane stress. With a = (sxx + syy)/sqrt(2), b = (syy - sxx)/sqrt(2) and sxy the elastic and the plastic matrix are
+/// diagonal, so each component shrinks by its own factor of the multiplier g. Plastic strain = g P s, f = s'Ps/2 -
+/// k^2/3.
 struct PlaneStressReturn {
   double a, b, c;           ///< trial values
   double slope_a, slope_b;  ///< E / (3 (1 - nu)), 2 G
   double yield, hardening, measure;
 
   struct At {
-    double size2, slope;  ///< s'Ps = 2/3 of the Mises stress squared, and its derivative by g
+    double size2, slope;  ///< s'Ps = 2/3 of the squared Mises stress, and its derivative with respect to g
   };
   [[nodiscard]] At at(double g) const {
     const double fa = 1 / (1 + slope_a * g), fb = 1 / (1 + slope_b * g);
     const double pa = a * a * fa * fa / 3, pb = (b * b + 2 * c * c) * fb * fb;
     return {pa + pb, -2 * (pa * slope_a * fa + pb * slope_b * fb)};
   }
-  /// Mises stress less the yield stress, times 1; falls with g.
+  /// Mises stress minus the yield stress; decreases with g.
   [[nodiscard]] double excess(double g, double& slope) const {
     const At p = at(g);
     const double size = std::sqrt(1.5 * p.size2), rate = 0.75 * p.slope / size;
@@ -59,7 +60,7 @@ struct PlaneStressReturn {
     slope = rate - hardening * 2 / 3 * (size + g * rate);
     return size - yield - hardening * (measure + 2.0 / 3 * g * size);
   }
-  /// Newton's method kept within a bracket: the excess is convex and falls, so that it comes from the left.
+  /// Newton's method within a bracket: the excess is convex and decreasing, so iterates approach from the left.
   [[nodiscard]] double solve() const {
     double g = 0, slope = 0;
     for (int i = 0; i < 60; ++i) {
@@ -83,7 +84,7 @@ PointResponse return_in_stress(const J2& law, const PlaneVector& strain, const P
                             law.yield,
                             law.hardening,
                             before.measure};
-  // g P s: the plastic strain; the one across keeps the volume.
+  // The plastic strain is g P s; its out-of-plane part conserves the volume.
   const double g = r.solve();
   const double fa = 1 / (1 + r.slope_a * g), fb = 1 / (1 + r.slope_b * g);
   const double a = r.a * fa, b = r.b * fb, xy = r.c * fb, xx = half * (a - b), yy = half * (a + b);

@@ -1,9 +1,9 @@
-// Metal-like plasticity: von Mises yield surface, associated flow, linear isotropic hardening.
+// Metal plasticity: von Mises yield surface, associated flow, linear isotropic hardening.
 //
-// f = sqrt(3 J2) - (yield + hardening e), e the equivalent plastic strain. Return to the surface: radial in plane
-// strain (Simo and Hughes, "Computational Inelasticity", 1998, sec. 3.3); in plane stress in the subspace of plane
-// stress, with one scalar equation in the principal axes of the projection (Simo and Taylor, Int. J. Numer. Meth. Engng
-// 22, 1986).
+// Yield function: f = sqrt(3 J2) - (yield + hardening e), with the equivalent plastic strain e. Return mapping: radial
+// in plane strain (Simo and Hughes, "Computational Inelasticity", 1998, sec. 3.3). In plane stress it acts in the
+// subspace of plane stress, with one scalar equation in the principal axes of the projection (Simo and Taylor, Int. J.
+// Numer. Meth. Engng 22, 1986).
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct J2 {
         P{&J2::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
-  /// sqrt(3 J2) less the yield stress at plastic strain `measure` [Pa].
+  /// sqrt(3 J2) minus the yield stress at the equivalent plastic strain `measure` [Pa].
   [[nodiscard]] double excess(const Stress& stress, double measure) const;
   [[nodiscard]] PointResponse respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const;
 };

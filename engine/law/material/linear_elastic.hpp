@@ -1,4 +1,4 @@
-// Hooke's law, isotropic.
+// Isotropic linear elasticity (Hooke).
 #pragma once
 
 #include <array>

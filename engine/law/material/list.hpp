@@ -1,4 +1,4 @@
-// The solids there are: a new one is its own file and a row here.
+// The material laws. A new law is its own file and a row here.
 #pragma once
 
 #include <variant>
@@ -14,11 +14,11 @@ namespace trilith {
 
 using SolidLaws = TypeList<LinearElastic, J2, MohrCoulomb, DruckerPrager>;
 using SolidLaw = SolidLaws::Variant;
-/// What E, nu and damping alone stand for.
+/// The elastic law defined by E, nu and damping alone.
 using ElasticSolid = LinearElastic;
 
-/// What every law has; one that is not elastic answers `respond(strain, memory)` in space, from which the plane
-/// follows, or `respond(plane, strain, memory)`, of the plane alone unless it `acts_across`.
+/// Requirements of a law. An inelastic law has `respond(strain, memory)` in space, from which the plane forms follow,
+/// or `respond(plane, strain, memory)`, for the plane alone unless it `acts_across`.
 template <class L>
 concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& strain, const PlasticMemory& memory) {
   { law.young } -> std::convertible_to<double>;
@@ -31,10 +31,10 @@ concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& 
 };
 static_assert(SolidLaws::all([]<class L>() { return SolidLawType<L>; }));
 
-/// How an element's strain follows from the motion of its nodes, see element/solid/plane_element.hpp.
+/// How an element's strain follows from nodal displacements, see element/solid/plane_element.hpp.
 enum class ElementForm : std::uint8_t { assumed, plain };
 
-/// True where kind and all declared numbers agree.
+/// True where law and all declared parameters agree.
 inline bool same_numbers(const SolidLaw& a, const SolidLaw& b) {
   if (a.index() != b.index()) return false;
   return std::visit(
@@ -47,17 +47,17 @@ inline bool same_numbers(const SolidLaw& a, const SolidLaw& b) {
       a);
 }
 
-/// The laws here take stress from the stretch less 1, over the area of the reference shape. Squeezed to half its length
-/// a solid has a true (logarithmic) strain of 0.69 instead of 0.5, and what is left of its area is anyone's guess:
-/// beyond this the law says nothing any more, well before an element turns inside out at 1.
+/// The laws here use nominal strain (stretch minus 1) and the reference area. Compressed to half its length a solid has
+/// a true (logarithmic) strain of 0.69 instead of 0.5, and its area is uncertain. Beyond this limit the laws are not
+/// valid, well before an element inverts at 1.
 inline constexpr double usual_strain_limit = 0.5;
 
-/// A solid as bodies are made of it.
+/// A solid material: law, plane case and limits.
 struct Solid {
   SolidLaw law;
   Plane plane = Plane::stress;
   ElementForm form = ElementForm::assumed;
-  double strain_limit = usual_strain_limit;  ///< largest principal strain, of either sign, it is made for [1]
+  double strain_limit = usual_strain_limit;  ///< largest valid principal strain, of either sign [1]
 
   friend bool operator==(const Solid& a, const Solid& b) {
     return a.plane == b.plane && a.form == b.form && a.strain_limit == b.strain_limit && same_numbers(a.law, b.law);
@@ -74,14 +74,14 @@ struct Solid {
   }
 };
 
-/// Stress that a point has at `strain` with the plastic strain of `memory`, without further flow.
+/// Stress at `strain` with the plastic strain in `memory`, without further flow.
 inline Stress point_stress(const Solid& solid, const PlaneVector& strain, const PlasticMemory& memory) {
   const PlaneVector elastic = strain - PlaneVector(memory.xx, memory.yy, memory.xy);
   return std::visit([&](const auto& l) { return elastic_stress(l.young, l.poisson, solid.plane, elastic, memory.zz); },
                     solid.law);
 }
 
-/// Whether a solid has equations in space.
+/// Whether a law has equations in space.
 inline bool has_space_form(const SolidLaw& law) {
   return std::visit([](const auto& l) { return acts_in_space<std::decay_t<decltype(l)>>; }, law);
 }

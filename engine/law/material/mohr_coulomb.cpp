@@ -14,7 +14,8 @@
 namespace trilith {
 namespace {
 
-/// In-plane principal values, the larger first, zz last; and the angle of the first as cosine and sine of its double.
+/// In-plane principal values, the larger first, zz last; and the direction of the first as cosine and sine of its
+/// double angle.
 struct Principal {
   Eigen::Vector3d value;
   double c2, s2;
@@ -26,7 +27,7 @@ struct Principal {
   }
 };
 
-/// (1 + sin) s_i - (1 - sin) s_j <= 2 cohesion cos, flow by the angle of dilation.
+/// (1 + sin) s_i - (1 - sin) s_j <= 2 cohesion cos, with flow by the dilation angle.
 YieldPlane shear_plane(const MohrCoulomb& law, int i, int j) {
   const auto [sine, cosine] = portable::sine_cosine(law.friction);
   const double flow = portable::sin(law.dilation);
@@ -42,8 +43,8 @@ YieldPlane cut_off_plane(double tension, int i) {
   return p;
 }
 
-/// Planes of any two principal stresses, those that the trial is likely to meet first.
-/// In plane stress there is no cut-off across, where the stress is 0.
+/// Yield planes for all pairs of principal stresses; the planes that the trial state probably violates come first. In
+/// plane stress there is no out-of-plane cut-off, because that stress is 0.
 std::vector<YieldPlane> planes_at(const MohrCoulomb& law, Plane plane, const Eigen::Vector3d& trial) {
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int i, int j) { return trial[i] > trial[j]; });
@@ -61,15 +62,15 @@ std::vector<YieldPlane> planes_at(const MohrCoulomb& law, Plane plane, const Eig
 Eigen::Matrix3d principal_stiffness(const MohrCoulomb& law, Plane plane) {
   if (plane == Plane::stress) {
     Eigen::Matrix3d d = elastic_matrix(law.young, law.poisson, plane);
-    d(2, 2) = 0;  // no stress ever
+    d(2, 2) = 0;  // the stress is always 0
     return d;
   }
   const double shear = law.young / (2 * (1 + law.poisson)), lambda = 2 * shear * law.poisson / (1 - 2 * law.poisson);
   return 2 * shear * Eigen::Matrix3d::Identity() + lambda * Eigen::Matrix3d::Ones();
 }
 
-/// All principal stresses at the tip of the surface: what is left where no set of planes answers.
-/// Strain by the elastic compliance of what lies between the trial and the tip.
+/// All principal stresses at the apex of the surface, if no set of planes gives a solution. The plastic strain is the
+/// elastic compliance times the difference between trial stress and apex.
 Eigen::Vector3d plastic_to_tip(const MohrCoulomb& law, Plane plane, const Eigen::Vector3d& trial) {
   const double tip = law.friction > 0 ? std::min(law.tension, law.cohesion / portable::tan(law.friction)) : law.tension;
   Eigen::Vector3d over = trial - Eigen::Vector3d::Constant(tip);
@@ -80,10 +81,10 @@ Eigen::Vector3d plastic_to_tip(const MohrCoulomb& law, Plane plane, const Eigen:
   return compliance * over / law.young;
 }
 
-/// With growth of principal plastic strains turned back into the axes.
+/// Rotates the growth of principal plastic strains back into the axes.
 PointResponse flown(const MohrCoulomb& law, Plane plane, const PlaneVector& strain, const PlasticMemory& before,
                     const Principal& axes, const Eigen::Vector3d& plastic) {
-  // Turned by the double angle: the first principal axis has (c2, s2); xy is engineering.
+  // Rotation by the double angle: the first principal axis has (c2, s2); xy is engineering.
   const double middle = 0.5 * (plastic[0] + plastic[1]), half = 0.5 * (plastic[0] - plastic[1]);
   const double x = middle + half * axes.c2, y = middle - half * axes.c2, xy = 2 * half * axes.s2;
   PointResponse out;
@@ -100,7 +101,7 @@ PointResponse flown(const MohrCoulomb& law, Plane plane, const PlaneVector& stra
 }  // namespace
 
 void MohrCoulomb::check() const {
-  // More dilation than friction would make energy as it flows.
+  // Flow with more dilation than friction would create energy.
   if (dilation > friction)
     throw InputError(
         fmt::format("mohr_coulomb: dilation is {:g} rad, must be at most the friction, {:g} rad", dilation, friction));
@@ -115,8 +116,8 @@ double MohrCoulomb::excess(const Stress& stress) const {
   return std::max(most - least + (most + least) * sine - 2 * cohesion * cosine, most - tension);
 }
 
-/// Trial stress, its principal values, return to the planes there, and back in the axes of the trial, which for
-/// isotropic elasticity are those of the answer too.
+/// Trial stress, its principal values, return to the planes, and rotation back to the trial's axes. With isotropic
+/// elasticity these are also the principal axes of the result.
 PointResponse MohrCoulomb::respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const {
   const PlaneVector elastic = strain - PlaneVector(before.xx, before.yy, before.xy);
   const Stress trial = elastic_stress(young, poisson, plane, elastic, before.zz);

@@ -1,9 +1,9 @@
-// Friction and cohesion: Mohr-Coulomb with a tension cut-off, perfectly plastic.
+// Mohr-Coulomb plasticity (friction and cohesion) with a tension cut-off, perfectly plastic.
 //
-// (s1 - s3) + (s1 + s3) sin(friction) <= 2 cohesion cos(friction), s1 <= tension, for principal stresses s1 >= s2 >=
-// s3, tension positive. The flow of the first has the angle of dilation, that of the cut-off is associated. Return: see
-// law/material/principal_return.hpp (de Souza Neto, Peric and Owen, "Computational Methods for Plasticity", 2008,
-// sec. 8.2; in plane stress one of the principal stresses is 0 and stays so).
+// Yield conditions: (s1 - s3) + (s1 + s3) sin(friction) <= 2 cohesion cos(friction) and s1 <= tension, for principal
+// stresses s1 >= s2 >= s3, tension positive. The flow of the first uses the dilation angle; the cut-off is associated.
+// Return mapping: law/material/principal_return.hpp (de Souza Neto, Peric and Owen, "Computational Methods for
+// Plasticity", 2008, sec. 8.2; in plane stress one principal stress stays 0).
 #pragma once
 
 #include <array>
@@ -42,9 +42,9 @@ struct MohrCoulomb {
         P{&MohrCoulomb::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
-  /// Throws InputError where the dilation is above the friction, or there is no strength at all.
+  /// Throws InputError where the dilation exceeds the friction, or the strength is 0.
   void check() const;
-  /// The largest of what the two limits are exceeded by [Pa].
+  /// The larger excess over the two yield limits [Pa].
   [[nodiscard]] double excess(const Stress& stress) const;
   [[nodiscard]] PointResponse respond(Plane plane, const PlaneVector& strain, const PlasticMemory& before) const;
 };

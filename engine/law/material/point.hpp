@@ -1,4 +1,4 @@
-// Strain and stress at one point of a solid, in the plane and in space.
+// Strain and stress at one integration point of a solid, in the plane and in space.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// What holds across the plane: no stress (a thin wall) or no strain (a slice of something long).
+/// Out-of-plane condition: zero stress (a thin wall) or zero strain (a slice of a long body).
 enum class Plane : std::uint8_t { stress, strain };
 
 /// xx, yy [1] and the engineering shear xy = 2 e_xy [1], or xx, yy, xy of stress [Pa].
@@ -19,13 +19,13 @@ struct Stress {
   [[nodiscard]] PlaneVector in_plane() const { return {xx, yy, xy}; }
 };
 
-/// What an inelastic point remembers: its plastic strain (xy engineering) and a law's own measure of it (never falls).
+/// Memory of an inelastic point: plastic strain (xy engineering) and the law's measure of it (never decreases).
 struct PlasticMemory {
   double xx = 0, yy = 0, zz = 0, xy = 0;
   double measure = 0;
 };
 
-/// Answer of a law to a strain.
+/// Response of a law to a strain.
 struct PointResponse {
   Stress stress;
   PlasticMemory memory;
@@ -37,14 +37,14 @@ struct PointResponse {
 using SpaceVector = Eigen::Matrix<double, 6, 1>;
 using SpaceMatrix = Eigen::Matrix<double, 6, 6>;
 
-/// What an inelastic point in space remembers: its plastic strain (shears engineering) and the law's measure of it.
+/// Memory of an inelastic point in space: plastic strain (engineering shears) and the law's measure of it.
 struct SpaceMemory {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
   double measure = 0;
   [[nodiscard]] SpaceVector strain() const { return (SpaceVector() << xx, yy, zz, xy, yz, zx).finished(); }
 };
 
-/// Answer of a law in space, as PointResponse.
+/// Response of a law in space, like PointResponse.
 struct SpaceResponse {
   SpaceVector stress;
   SpaceMemory memory;
@@ -63,7 +63,7 @@ inline Eigen::Matrix3d elastic_matrix(double young, double poisson, Plane plane)
   return e / (1 - v * v) * c;
 }
 
-/// Stress of elastic strain (xx, yy, xy) in the plane; in plane strain the elastic strain zz is less `plastic_zz`.
+/// Stress of the elastic strain (xx, yy, xy) in the plane; in plane strain the elastic strain zz is minus `plastic_zz`.
 inline Stress elastic_stress(double young, double poisson, Plane plane, const PlaneVector& elastic, double plastic_zz) {
   if (plane == Plane::stress) {
     const PlaneVector s = elastic_matrix(young, poisson, plane) * elastic;

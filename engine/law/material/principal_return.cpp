@@ -7,20 +7,20 @@
 namespace trilith {
 namespace {
 
-/// Return to the planes of `set`; false where they do not meet in one place or a multiplier is negative.
+/// Return to the planes of `set`; false where they do not meet in one point or a multiplier is negative.
 bool return_to_set(const Eigen::Vector3d& trial, const Eigen::Matrix3d& elastic, std::span<const YieldPlane> planes,
                    std::span<const int> set, PrincipalReturn& out) {
   const auto count = static_cast<Eigen::Index>(set.size());
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Eigen::Vector3d excess = Eigen::Vector3d::Zero();
-  // f_i(trial) = sum_j n_i . D r_j multiplier_j: each plane of the set holds exactly after the return.
+  // f_i(trial) = sum_j n_i . D r_j multiplier_j: the stress lies exactly on each plane of the set after the return.
   for (Eigen::Index i = 0; i < count; ++i) {
     const YieldPlane& p = planes[set[i]];
     excess[i] = p.normal.dot(trial) - p.limit;
     for (Eigen::Index j = 0; j < count; ++j) matrix(i, j) = p.normal.dot(elastic * planes[set[j]].flow);
   }
   const auto block = matrix.topLeftCorner(count, count).eval();
-  // Planes that are parallel, or nearly, do not meet in one place.
+  // Parallel or nearly parallel planes do not meet in one point.
   const double scale = block.diagonal().cwiseAbs().prod();
   if (!(std::abs(block.determinant()) > 1e-12 * scale)) return false;
   const Eigen::VectorXd multiplier = block.fullPivLu().solve(excess.head(count));
@@ -44,7 +44,7 @@ PrincipalReturn return_to_planes(const Eigen::Vector3d& trial, const Eigen::Matr
   PrincipalReturn out;
   const double tolerance = 1e-11 * std::max(size, trial.cwiseAbs().maxCoeff());
   const int count = static_cast<int>(planes.size());
-  // Sides first, then edges, then corners. Where the flow is associated no other set would give another answer.
+  // Sides first, then edges, then corners. With associated flow no other set would give a different result.
   const auto is_answer = [&](std::span<const int> set) {
     return return_to_set(trial, elastic, planes, set, out) && within(planes, out.stress, tolerance);
   };

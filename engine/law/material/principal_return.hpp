@@ -1,11 +1,11 @@
-// Return to a yield surface of planes in the space of principal stresses.
+// Return mapping to yield planes in principal stress space.
 //
-// Plane k: f = normal . s - limit <= 0, flow along `flow` (Koiter, 1953: the flow at an edge or corner is a sum of
-// those of the planes that meet there, each with a multiplier that is not negative). The planes that hold in the end
-// are found by trying one, then two, then three of them: the equations are linear and the first set that leaves no
-// plane exceeded and no multiplier negative is the answer (the geometric form of Clausen, Damkilde and Andersen, Int.
-// J. Numer. Meth. Engng 66, 2006, without its table of regions; de Souza Neto, Peric and Owen, "Computational Methods
-// for Plasticity", 2008, sec. 8.2).
+// Plane k: f = normal . s - limit <= 0, with flow along `flow`. Koiter, 1953: the flow at an edge or corner is the sum
+// of the planes' flows, each with a multiplier that is not negative. The active planes are found by trying one, then
+// two, then three of them. The equations are linear, and the first set that violates no plane and has no negative
+// multiplier is the solution. This is the geometric form of Clausen, Damkilde and Andersen, Int. J. Numer. Meth. Engng
+// 66, 2006, without its table of regions; see also de Souza Neto, Peric and Owen, "Computational Methods for
+// Plasticity", 2008, sec. 8.2.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,8 +26,8 @@ struct PrincipalReturn {
   bool found = false;
 };
 
-/// `trial`: principal stresses [Pa]; `elastic`: their matrix by principal strains [Pa]; `size`: of stresses, for what
-/// counts as exceeded [Pa].
+/// `trial`: principal stresses [Pa]; `elastic`: matrix from principal strains to stresses [Pa]; `size`: stress scale of
+/// the yield tolerance [Pa].
 PrincipalReturn return_to_planes(const Eigen::Vector3d& trial, const Eigen::Matrix3d& elastic,
                                  std::span<const YieldPlane> planes, double size);
 

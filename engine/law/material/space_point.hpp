@@ -1,10 +1,10 @@
-// Strain and stress at one point of a solid in space.
+// Strain and stress at one integration point of a solid in space.
 //
-// A law of tensor form (law/material/tensor_form.hpp) is asked as it is. A law that is written for plane strain and
-// whose `acts_across` says that it treats the strain across as the two in its plane is isotropic: what it does is done
-// along the principal axes of the elastic strain of the trial, in which there is no shear. There it is asked for the
-// strains e1, e2 in its plane, with -e3 as what has flown across: its elastic strain across is then e3. What flows
-// comes back along the same axes. A law of the plane alone is refused in space as its body is added.
+// A law of tensor form (law/material/tensor_form.hpp) is used directly. A law written for plane strain must declare
+// `acts_across`: it treats the out-of-plane strain like the in-plane strains, and is isotropic. It is evaluated along
+// the principal axes of the trial's elastic strain, where shear vanishes. The strains e1, e2 are in its plane and its
+// plastic out-of-plane strain is -e3, so that its elastic out-of-plane strain is e3. The plastic strain is rotated back
+// along the same axes. A law for the plane alone is rejected when a body in space is added.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,20 +17,20 @@
 
 namespace trilith {
 
-/// Of a point in D dimensions.
+/// Memory of a point in D dimensions.
 template <int D>
 using PointMemory = std::conditional_t<D == 2, PlasticMemory, SpaceMemory>;
 
 /// Elastic matrix of an isotropic solid in space [Pa].
 SpaceMatrix elastic_in_space(const Solid& solid);
 
-/// Stress of `strain` less the plastic strain of `memory`, without further flow [Pa].
+/// Stress of `strain` minus the plastic strain in `memory`, without further flow [Pa].
 SpaceVector stress_in_space(const Solid& solid, const SpaceVector& strain, const SpaceMemory& memory);
 
-/// Of a strain with engineering shears.
+/// From a strain with engineering shears.
 Eigen::Matrix3d tensor_of_strain(const SpaceVector& strain);
 
-/// What a law that acts across its plane answers at a strain with the memory of before.
+/// Response at a strain of a law that acts across its plane; `before` is the previous memory.
 template <class Law>
 SpaceResponse respond_along_axes(const Law& law, const SpaceVector& strain, const SpaceMemory& before) {
   const Eigen::Matrix3d elastic = tensor_of_strain(strain - before.strain());
@@ -49,7 +49,7 @@ SpaceResponse respond_along_axes(const Law& law, const SpaceVector& strain, cons
   return out;
 }
 
-/// What `law` answers at a strain with the memory of before: of a law that acts in space.
+/// Response at a strain of a law that acts in space; `before` is the previous memory.
 template <class Law>
 SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const SpaceMemory& before) {
   if constexpr (TensorLaw<Law>)

@@ -18,8 +18,8 @@ concept TensorLaw = requires(const L& law, const SpaceVector& strain, const Spac
   { law.respond(strain, before) } -> std::same_as<SpaceResponse>;
 };
 
-/// True of a law that is written for the plane and treats the strain across as the two in it: one that says
-/// `acts_across`. See law/material/space_point.hpp.
+/// True for a plane law that declares `acts_across`: it treats the out-of-plane strain like the in-plane ones. See
+/// law/material/space_point.hpp.
 template <class L>
 concept AcrossLaw = requires {
   requires L::acts_across;
@@ -49,8 +49,8 @@ inline PointResponse plane_part(const SpaceResponse& r) {
           r.dissipated};
 }
 
-/// Without stress across. The bounds are widened until the stress across changes its sign between them; of three or
-/// more steps on one side the other end counts half, so that both ends close in.
+/// With zero out-of-plane stress. The bounds are widened until this stress changes its sign between them. After
+/// repeated steps on one side the value at the other end is halved, so that both ends converge (Illinois method).
 template <class Law>
 SpaceResponse respond_without_stress_across(const Law& law, const PlaneVector& strain, const SpaceMemory& before) {
   const auto at = [&](double across) { return law.respond(space_strain(strain, across), before); };
@@ -78,7 +78,7 @@ SpaceResponse respond_without_stress_across(const Law& law, const PlaneVector& s
   return out;
 }
 
-/// What a law answers in the plane at a strain with the memory of before.
+/// Response of a law in the plane at a strain; `before` is the previous memory.
 template <class Law>
 PointResponse respond_in_plane(const Law& law, Plane plane, const PlaneVector& strain, const PlasticMemory& before) {
   if constexpr (TensorLaw<Law>) {
