@@ -13,18 +13,18 @@
 namespace trilith {
 namespace {
 
-/// Relaxation times lie at most so far apart; one alone is enough for a band as narrow as `narrow` [decades].
+/// Largest spacing of relaxation times; one branch is enough for a band up to `narrow` [decades].
 constexpr double apart = 0.7, narrow = 0.4;
-/// Frequencies of the least squares, for each branch.
+/// Fitted frequencies for each branch.
 constexpr int points_each = 12;
-/// Stiffening above the band beyond which none of it is what was asked for.
+/// Limit of the stiffening above the band; beyond it the beam would differ too much from the requested one.
 constexpr double most_stiffening = 3;
 
 double decades_of(const BandDamping& band) {
   return portable::log(band.to / band.from) / portable::log(10);
 }
 
-/// The frequency at `share` of the band, in its logarithm [Hz].
+/// The frequency at `share` of the band, on a logarithmic scale [Hz].
 double at_share(const BandDamping& band, double share) {
   return band.from * portable::pow(band.to / band.from, share);
 }
@@ -40,16 +40,17 @@ void BandDamping::check() const {
                                  apart * (DampingBranches::most - 1)));
 }
 
-/// What the branches add where they have no time to relax: 1 + sum of shares.
+/// Contribution of the branches without relaxation: 1 + sum of shares.
 double DampingBranches::stiffening() const {
   double sum = 1;
   for (int j = 0; j < count; ++j) sum += share[j];
   return sum;
 }
 
-/// Real and imaginary part of the stiffness over its value at rest: branch j of share a_j and relaxation time t_j gives
+/// Real and imaginary part of the stiffness over its static value. Branch j with share a_j and relaxation time t_j
+/// gives
 ///
-///     a_j (x^2 + i x) / (1 + x^2),   x = w t_j
+///     a_j (x^2 + i x) / (1 + x^2),   x = w t_j.
 double DampingBranches::loss(double w) const {
   double sum = 0;
   for (int j = 0; j < count; ++j) sum += share[j] * w * time[j] / (1 + w * time[j] * w * time[j]);
@@ -62,7 +63,7 @@ double DampingBranches::stiffness(double w) const {
   return sum;
 }
 
-/// Least squares over points that lie evenly in the logarithm of frequency.
+/// Least squares over frequencies that are evenly spaced in the logarithm.
 DampingBranches damping_branches(const BandDamping& band) {
   check_parameters(band);
   band.check();
@@ -76,7 +77,7 @@ DampingBranches damping_branches(const BandDamping& band) {
   }
   const int points = points_each * out.count;
   Eigen::MatrixXd rows(points, out.count);
-  // A ratio zeta all over the band means loss = 2 zeta stiffness: one equation for each frequency, linear in the
+  // A ratio zeta over the whole band means loss = 2 zeta stiffness: one equation for each frequency, linear in the
   // shares.
   for (int i = 0; i < points; ++i) {
     const double w = 2 * M_PI * at_share(band, static_cast<double>(i) / (points - 1));
@@ -87,7 +88,7 @@ DampingBranches damping_branches(const BandDamping& band) {
   }
   const Eigen::VectorXd share = rows.colPivHouseholderQr().solve(Eigen::VectorXd::Constant(points, 2 * band.ratio));
   for (int j = 0; j < out.count; ++j) {
-    // A branch that fed the motion would be none; at the spacing above there is none such.
+    // A branch with a negative share would add energy; at the spacing above no share is negative.
     out.share[j] = std::max(0.0, share[j]);
   }
   if (out.stiffening() > most_stiffening)
@@ -109,7 +110,7 @@ int band_row(const std::optional<BandDamping>& band, std::vector<DampingBranches
   return static_cast<int>(bands.size()) - 1;
 }
 
-/// h' = S' - h/tau with S' even over the step: h dt later is h exp(-dt/tau) + dS (1 - exp(-dt/tau)) tau/dt.
+/// h' = S' - h/tau with constant S' over the step: after dt, h becomes h exp(-dt/tau) + dS (1 - exp(-dt/tau)) tau/dt.
 BranchStep::BranchStep(const DampingBranches& branches, double dt) {
   for (int j = 0; j < branches.count; ++j) {
     const double x = dt / branches.time[j];
@@ -121,7 +122,7 @@ BranchStep::BranchStep(const DampingBranches& branches, double dt) {
 
 namespace {
 
-/// Each branch keeps what is left of its force and takes its part of the change of stress over the step.
+/// Each branch keeps the relaxed part of its force and adds its share of the change of stress over the step.
 template <std::size_t N>
 std::array<double, N> relaxed(const DampingBranches& branches, const BranchStep& step,
                               const std::array<double, N>& stress, std::span<const double> before,

@@ -1,20 +1,21 @@
-// Damping of a beam that is the same share of critical over a band of frequencies, by a few branches that relax.
+// Damping of a beam with a constant damping ratio over a frequency band, by a few relaxing branches.
 //
-// Beside its stress S a beam carries a share g_j of what each branch still remembers of the changes of S,
+// In addition to its stress S a beam carries a share g_j of the memory h_j of each branch:
 //
-//   h_j' = S' - h_j / tau_j,        damping = sum of g_j h_j
+//   h_j' = S' - h_j / tau_j,        damping = sum of g_j h_j.
 //
-// so that at an even frequency w its stiffness is K (1 + sum g_j i w tau_j / (1 + i w tau_j)): springs and dashpots in
-// series beside the beam (a generalised Maxwell body; Emmerich and Korn, "Incorporation of attenuation into time-domain
-// computations of seismic wave fields", Geophysics 52, 1987, who fit the shares by least squares as here). A mode that
-// swings at w by such beams alone has the ratio to critical
-//
-//   Im / (2 Re) = [sum g_j x_j / (1 + x_j^2)] / (2 [1 + sum g_j x_j^2 / (1 + x_j^2)]),     x_j = w tau_j
-//
-// which is that asked for where sum g_j (x_j - 2 ratio x_j^2) / (1 + x_j^2) = 2 ratio, linear in g_j. tau_j lie evenly
-// in the logarithm over the band, g_j follow by least squares there. Memory goes with the stress, so an end that flows
-// has no damping moment beyond what it still remembers. Above the band K is 1 + sum g_j times as stiff, which the
-// longest step has to know; no damping of a band is without that (Kramers and Kronig).
+// At a constant frequency w its stiffness is K (1 + sum g_j i w tau_j / (1 + i w tau_j)): springs and dashpots in
+// series, parallel to the beam. This is a generalised Maxwell body (Emmerich and Korn, "Incorporation of attenuation
+// into time-domain computations of seismic wave fields", Geophysics 52, 1987, also with least squares). A mode at w of
+// such beams alone has the damping ratio
+// ```
+//   Im / (2 Re) = [sum g_j x_j / (1 + x_j^2)] / (2 [1 + sum g_j x_j^2 / (1 + x_j^2)]),     x_j = w tau_j.
+// ```
+// It equals the requested ratio where sum g_j (x_j - 2 ratio x_j^2) / (1 + x_j^2) = 2 ratio, which is linear in g_j.
+// The tau_j are evenly spaced in the logarithm over the band; g_j follow by least squares. The memory follows the
+// stress, so a yielding end has no damping moment beyond its remaining memory. Above the band the stiffness is 1 + sum
+// g_j times K, which the stability limit must include. Damping over a band always stiffens above it (Kramers and
+// Kronig).
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@
 
 namespace trilith {
 
-/// What is asked for.
+/// The requested damping.
 struct BandDamping {
   double ratio = 0;  ///< [1]
   double from = 0;   ///< [Hz]
@@ -41,11 +42,11 @@ struct BandDamping {
                       P{&BandDamping::from, "from", "Hz", no_default, 0, unbounded, false, "where the band begins"},
                       P{&BandDamping::to, "to", "Hz", no_default, 0, unbounded, false, "where it ends"}};
   }
-  /// Throws InputError where the band has no width, or is wider than the branches there may be can span.
+  /// Throws InputError where the band has no width, or is wider than the largest number of branches can cover.
   void check() const;
 };
 
-/// Branches that do it.
+/// The branches that provide it.
 struct DampingBranches {
   static constexpr int most = 10;
   BandDamping band;
@@ -53,11 +54,11 @@ struct DampingBranches {
   std::array<double, most> share{};  ///< g_j [1]
   std::array<double, most> time{};   ///< tau_j [s]
 
-  /// Numbers that a beam of so many stresses remembers: the last ones, and h_j of each branch.
+  /// Size of the memory of a beam with this many stresses: the last stresses, and h_j of each branch.
   [[nodiscard]] int memory_size(int stresses = 3) const { return stresses * (1 + count); }
-  /// Of the stiffness far above the band: 1 + sum of g_j.
+  /// Stiffness far above the band over K: 1 + sum of g_j.
   [[nodiscard]] double stiffening() const;
-  /// Im K over K at w [rad/s], as of a mode that swings by these beams alone, and Re K over K.
+  /// Im K over K at w [rad/s], for a mode of these beams alone, and Re K over K.
   [[nodiscard]] double loss(double w) const;
   [[nodiscard]] double stiffness(double w) const;
 };
@@ -65,10 +66,11 @@ struct DampingBranches {
 /// Throws InputError as BandDamping::check, and for numbers out of range.
 DampingBranches damping_branches(const BandDamping& band);
 
-/// The row of `bands` that is this band, made where there is none; -1 without one. Throws as damping_branches.
+/// Index of this band in `bands`, appended where it is missing; -1 without a band. Throws as damping_branches.
 int band_row(const std::optional<BandDamping>& band, std::vector<DampingBranches>& bands);
 
-/// Over a step: what a branch keeps of its memory, and what it takes of a change of stress that goes evenly over it.
+/// Factors of one step: the kept share of a branch's memory, and its share of a change of stress that is linear over
+/// the step.
 struct BranchStep {
   std::array<double, DampingBranches::most> kept{}, taken{};
   double sum = 0;  ///< of g_j taken_j: damping per change of stress within the step
@@ -77,7 +79,7 @@ struct BranchStep {
   BranchStep(const DampingBranches& branches, double dt);
 };
 
-/// The damping stress with the beam's stress now, of the plane's three numbers or of the six of space. `before` and
+/// The damping stress for the present stress of the beam, with three numbers in the plane or six in space. `before` and
 /// `after` have memory_size numbers.
 BeamStress relax(const DampingBranches& branches, const BranchStep& step, const BeamStress& stress,
                  std::span<const double> before, std::span<double> after);

@@ -1,13 +1,15 @@
-// An element in axes that turn with it.
+// Co-rotational formulation of an element.
 //
-// With X the nodes of the reference shape and x those of now, both from their mean, and g the mean gradients of the
-// shape functions, F = sum x (x) g is the mean deformation gradient. The axes are turned by R of its polar
-// decomposition F = R U, tan = (sum g cross x) / (sum g . x). In these axes the deformation d = R'x - X is free of
-// rigid motion, however large, so that a rigid turn makes no strain, and a homogeneous stretch makes U - 1 (Belytschko
-// and Hsieh, "Non-linear transient finite element analysis with convected co-ordinates", Int. J. Numer. Meth. Engng 7,
-// 1973; Felippa and Haugen, Comput. Methods Appl. Mech. Engng 194, 2005). Forces h that do the work h . rate of d are f
-// = R (h - m/r left(g)), with m = sum (X + d) cross h and r = sum (R g) . x: the couple that the turning of the axes
-// takes. f has no resultant and no moment about where the nodes are, and where h is the gradient of an energy, so is f.
+// With the nodes X of the reference shape and the present nodes x, both relative to their mean, and the mean gradients
+// g of the shape functions, F = sum x (x) g is the mean deformation gradient. The axes are rotated by R of its polar
+// decomposition F = R U, with tan = (sum g cross x) / (sum g . x). In these axes the deformation d = R'x - X contains
+// no rigid motion, however large. So a rigid rotation causes no strain, and a homogeneous stretch gives U - 1
+// (Belytschko and Hsieh, "Non-linear transient finite element analysis with convected co-ordinates", Int. J. Numer.
+// Meth. Engng 7, 1973; Felippa and Haugen, Comput. Methods Appl. Mech. Engng 194, 2005).
+//
+// Forces h conjugate to d give the nodal forces f = R (h - m/r left(g)), with m = sum (X + d) cross h and r = sum (R g)
+// . x. The second term is the couple due to the rotation of the axes. f has no resultant and no moment about the
+// present positions of the nodes. If h is the gradient of an energy, so is f.
 #pragma once
 
 #include <array>
@@ -18,16 +20,16 @@
 
 namespace trilith {
 
-/// Places or velocities of the nodes of an element, or of four, an element in each lane.
+/// Positions or velocities of the nodes of one element, or of four elements in SIMD lanes.
 template <int N, class T>
 struct NodeColumns {
   T x[N], y[N];
 };
 
-/// Deformation of an element of N nodes in turning axes, or of four elements of one shape.
+/// Deformation of an element of N nodes in co-rotating axes, or of four elements of one shape.
 template <int N, class T = double>
 struct Deformation {
-  T c, s;                ///< of the angle of the axes
+  T c, s;                ///< cosine and sine of the rotation of the axes
   T inverse;             ///< 1 / r [1]
   std::array<T, 8> d{};  ///< x0, y0, x1, ... [m]; rows beyond 2 N are 0
 
@@ -44,7 +46,7 @@ struct Deformation {
       turn += gradient[2 * i] * d[2 * i + 1] - gradient[2 * i + 1] * d[2 * i];
     }
     const T r = root(dot * dot + turn * turn), one = T{} + 1.0;
-    const auto spread = r > T{};  // else all nodes stand in one place
+    const auto spread = r > T{};  // false: all nodes coincide
     inverse = select(spread, 1.0 / r, T{});
     c = select(spread, dot * inverse, one), s = turn * inverse;
     for (int i = 0; i < N; ++i) {
@@ -54,7 +56,7 @@ struct Deformation {
     }
   }
 
-  /// Its rate, of the velocities of the nodes [m/s].
+  /// Its rate, from the nodes' velocities [m/s].
   [[nodiscard]] TRILITH_INLINE std::array<T, 8> rate(const double* shape, const NodeColumns<N, T>& velocity) const {
     const double* const gradient = shape + 8;
     std::array<T, 8> v{};
@@ -72,7 +74,7 @@ struct Deformation {
     return v;
   }
 
-  /// Forces on the nodes, in world axes, that do the work of h in the rate of d.
+  /// Nodal forces in world axes, conjugate to d through h.
   TRILITH_INLINE NodeColumns<N, T> forces(const double* shape, const std::array<T, 8>& h) const {
     const double* const gradient = shape + 8;
     T moment{};
@@ -89,7 +91,7 @@ struct Deformation {
   }
 };
 
-/// k d of a symmetric matrix of eight rows, of which the first 2 N count: its columns one after the other.
+/// k d for a symmetric matrix of eight rows, of which the first 2 N are used, stored by columns.
 template <int N>
 TRILITH_INLINE std::array<double, 8> multiply(const double* k, const std::array<double, 8>& d) {
   Lanes low{}, high{};
@@ -105,7 +107,7 @@ TRILITH_INLINE std::array<double, 8> multiply(const double* k, const std::array<
   __builtin_memcpy(out.data() + 4, &high, sizeof high);
   return out;
 }
-/// The same sums for four deformations.
+/// For four deformations.
 template <int N>
 TRILITH_INLINE std::array<Lanes, 8> multiply(const double* k, const std::array<Lanes, 8>& d) {
   std::array<Lanes, 8> out{};

@@ -1,5 +1,5 @@
-// The kinds of body there are: a new one is its own file of equations and a row here. What it touches beyond that is in
-// docs/decisions/0022-body-kinds.md.
+// The kinds of bodies. A new kind is its own file of equations and a row here. docs/decisions/0022-body-kinds.md lists
+// the other places that it affects.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace trilith {
 
 enum class BodyKind : std::uint8_t { rigid, quad, mesh, frame, brick };
 
-/// How the points of a body's skin hang on its nodes: what `place` and its transpose `spread` are.
+/// Kinematics of a body's skin points: defines `place` and its transpose `spread`.
 enum class SkinLayout : std::uint8_t {
-  one_node,   ///< all turn with the one node
-  node_each,  ///< each is a node, which has no rotation; the two run side by side
-  sections,   ///< each turns with one of the nodes, as the ends of a beam's sections do
+  one_node,   ///< all rotate with the one node
+  node_each,  ///< each is a node without rotation; both lists run in parallel
+  sections,   ///< each rotates with one of the nodes, as at the end sections of a beam
 };
 
-/// What of a body answers its deformation: what `resist`, the bound of its rates and its tangent are of.
+/// The part of a body that resists deformation: it defines `resist`, the bound of its rates and its tangent.
 enum class Resistance : std::uint8_t { none, elements, beams };
 
 /// element/rigid/rigid.hpp, element/rigid/rigid_turn.hpp
@@ -76,11 +76,11 @@ struct BrickKind {
   static constexpr Resistance resistance = Resistance::elements;
 };
 
-/// In the order of BodyKind, whose number results and checkpoints hold.
+/// In the order of BodyKind, whose numbers are stored in results and checkpoints.
 using BodyKinds = TypeList<RigidKind, QuadKind, MeshKind, FrameKind, BrickKind>;
 
-/// What a kind says of itself: nodes a body of it has (0 where that varies), whether these have rotations, how its skin
-/// hangs on them and what resists. Skin that turns with nodes needs nodes that turn; one node alone deforms nothing.
+/// Declarations of a kind: number of nodes of a body (0 if it varies), whether they have rotations, skin layout and
+/// resistance. Skin that rotates with nodes requires nodes with rotations. A single node has no deformation.
 template <class K>
 concept BodyKindType = requires {
   { K::kind } -> std::convertible_to<BodyKind>;
@@ -98,13 +98,13 @@ static_assert(BodyKinds::all([]<class K>() { return BodyKindType<K>; }));
 
 struct BodyKindInfo {
   std::string_view name, sentence;
-  int nodes;  ///< nodes a body of this kind has; 0 where it varies
+  int nodes;  ///< number of nodes of a body of this kind; 0 if it varies
   SkinLayout skin;
-  bool nodes_turn;  ///< they have rotations
+  bool nodes_turn;  ///< its nodes have rotations
   Resistance resistance;
 };
 
-/// The same by number, for what is known only when a model is made.
+/// The same declarations by number, for code that knows the kind at run time.
 inline constexpr std::array<BodyKindInfo, BodyKinds::size> body_kinds = [] {
   std::array<BodyKindInfo, BodyKinds::size> out{};
   BodyKinds::for_each([&]<class K>() {

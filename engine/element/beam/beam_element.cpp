@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// K by `near`, the moment of an end by its own bend, and `far`, by that of the other. Beside a pinned end what is left
-/// is near - far^2 / near. `bow`: the terms of L q by theta_0^2, theta_0 theta_1 and theta_1^2.
+/// K from `near`, the moment of an end due to its own bend, and `far`, due to the other end's. If the other end is
+/// pinned the stiffness is near - far^2 / near. `bow`: the terms of L q with theta_0^2, theta_0 theta_1 and theta_1^2.
 BeamStiffness beam_stiffness(const BeamMaterial& material, const Section& section, double length,
                              const std::array<bool, 2>& pinned) {
   const double bending = material.young * section.second_moment;
@@ -26,7 +26,7 @@ BeamStiffness beam_stiffness(const BeamMaterial& material, const Section& sectio
            pinned[1]   ? 0
            : pinned[0] ? one
                        : both};
-  const double alone = near - far * far / near;  // of an end whose other end is pinned: 3 EI / L without shear
+  const double alone = near - far * far / near;  // for an end whose other end is pinned: 3 EI / L without shear
   k.bend = {pinned[0]   ? 0
             : pinned[1] ? alone
                         : near,
@@ -39,21 +39,21 @@ BeamStiffness beam_stiffness(const BeamMaterial& material, const Section& sectio
 
 namespace {
 
-/// What is left of an angle within half a turn.
+/// The angle reduced to within half a turn.
 double within_half_turn(double angle) {
   return std::abs(angle) <= M_PI ? angle : std::remainder(angle, 2 * M_PI);
 }
 
 }  // namespace
 
-/// theta_i = rotation_i - (angle of the chord now - angle_0); the chord spins by n . (v_1 - v_0) / l.
+/// theta_i = rotation_i - (present angle of the chord - angle_0); the spin of the chord is n . (v_1 - v_0) / l.
 BeamNow::BeamNow(const BeamEnd& from, const BeamEnd& to, double length_0, double angle_0) {
   const Vec2 chord = to.place - from.place, speed = to.velocity - from.velocity;
   length = portable::hypot(chord.x(), chord.y());
   along = chord / length;
   const double turned = portable::atan2(chord.y(), chord.x()) - angle_0, spin = cross(along, speed) / length;
-  // Rotations count full turns and the chord's does not: the bend is what is left within half a turn.
-  // u = (l^2 - L^2) / (l + L): the digits of l - L where the stretch is small.
+  // Rotations include full turns, the chord's angle does not, so the bend is reduced to within half a turn. The stretch
+  // is computed as u = (l^2 - L^2) / (l + L), which keeps the digits of l - L where it is small.
   strain = {(chord.squaredNorm() - length_0 * length_0) / (length + length_0), within_half_turn(from.rotation - turned),
             within_half_turn(to.rotation - turned)};
   rate = {along.dot(speed), from.spin - spin, to.spin - spin};
@@ -68,7 +68,7 @@ double beam_frequency2(const BeamStiffness& stiffness, double length, const std:
   for (const int side : {0, 1}) {
     const double sign = side == 0 ? -1 : 1;
     const Vec2& r = arm[side];
-    const double lift = sign * r.x() * per;                   // turn of the chord by a unit rotation of the node
+    const double lift = sign * r.x() * per;                   // rotation of the chord for a unit rotation of the node
     shape.middleCols<3>(3 * side) << sign, 0, -sign * r.y(),  //
         0, -sign * per, (side == 0 ? 1 : 0) - lift,           //
         0, -sign * per, (side == 1 ? 1 : 0) - lift;

@@ -9,8 +9,8 @@
 namespace trilith {
 namespace {
 
-/// Angle over sine, and (1 - cosine angle / sine) / sine^2, of an angle by both. Below a sine of .05 by their series in
-/// its square, whose next terms are below 1e-16, for there the quotients lose digits.
+/// Angle over sine, and (1 - cosine angle / sine) / sine^2, of an angle given by both. Below a sine of 0.05 the
+/// quotients lose digits, so their series in the squared sine is used; its next terms are below 1e-16.
 std::array<double, 2> angle_over_sine(double sine, double cosine) {
   if (cosine > 0 && sine < 0.05) {
     const double s = sine * sine;
@@ -21,7 +21,7 @@ std::array<double, 2> angle_over_sine(double sine, double cosine) {
   return {factor, (1 - factor * cosine) / (sine * sine)};
 }
 
-/// v, square to `axis`, turned by the shortest way that brings `axis` to `along`.
+/// v, normal to `axis`, rotated by the shortest rotation that moves `axis` to `along`.
 Vec3 transported(const Vec3& v, const Vec3& axis, const Vec3& along) {
   return v - along.dot(v) / (1 + along.dot(axis)) * (axis + along);
 }
@@ -54,21 +54,21 @@ BeamNow3::Bend BeamNow3::bend_of(const Turn3& axes) const {
   return b;
 }
 
-/// `spin` is that of the section against the chord: e goes backwards by it in the axes of the section.
+/// `spin`: spin of the section relative to the chord; in the section's axes e rotates backwards by it.
 std::array<double, 2> BeamNow3::bend_rate(const Bend& bend, const Turn3& axes, const Vec3& spin) const {
   const Vec3 rate = axes.undo(cross(along_, spin));
   const double grown = bend.slope * rate.x();
   return {bend.factor * rate.z() + grown * bend.chord.z(), -bend.factor * rate.y() - grown * bend.chord.y()};
 }
 
-/// The transpose of bend_rate: the gradient by e in the axes of the section, then its moment about the section.
+/// The transpose of bend_rate: the gradient with respect to e in the section's axes, then its moment about the section.
 Vec3 BeamNow3::bend_moment(const Bend& bend, const Turn3& axes, const std::array<double, 2>& moment) const {
   const Vec3 gradient(bend.slope * (moment[0] * bend.chord.z() - moment[1] * bend.chord.y()), -bend.factor * moment[1],
                       bend.factor * moment[0]);
   return cross(axes.apply(gradient), along_);
 }
 
-/// Places, axes and their rates come in; strains and their rates, in axes half way between the sections, go out.
+/// Input: positions, axes and their rates. Output: strains and their rates, in axes midway between the sections.
 BeamNow3::BeamNow3(const BeamEnd3& from, const BeamEnd3& to, double length_0) : axes_{from.axes, to.axes} {
   const Vec3 chord = to.place - from.place, speed = to.velocity - from.velocity;
   length_ = chord.norm();
@@ -82,7 +82,7 @@ BeamNow3::BeamNow3(const BeamEnd3& from, const BeamEnd3& to, double length_0) : 
   const double twist_rate = bend_[1].lever.dot(relative[1]) - bend_[0].lever.dot(relative[0]);
   const auto half = portable::sine_cosine(0.5 * twist);
   cosine_ = half.cosine, sine_ = half.sine;
-  // u = (l^2 - L^2) / (l + L): the digits of l - L where the stretch is small.
+  // u = (l^2 - L^2) / (l + L) keeps the digits of l - L where the stretch is small.
   strain_[0] = (chord.squaredNorm() - length_0 * length_0) / (length_ + length_0);
   rate_[0] = along_.dot(speed);
   strain_[5] = twist, rate_[5] = twist_rate;
@@ -97,8 +97,8 @@ BeamNow3::BeamNow3(const BeamEnd3& from, const BeamEnd3& to, double length_0) : 
   }
 }
 
-/// The power of the stress in any rates is that of the action: moments go back by the steps of the constructor, and
-/// what turns the chord is a pair of forces at its ends.
+/// The actions have the power of the stress for any rates. Moments are transposed through the steps of the constructor,
+/// and a couple that rotates the chord is a pair of forces at its ends.
 BeamAction3 BeamNow3::action(const BeamStress3& stress) const {
   double torque = stress[5];
   for (const std::size_t end : {0, 1}) {
@@ -121,7 +121,7 @@ BeamAction3 BeamNow3::action(const BeamStress3& stress) const {
 
 namespace {
 
-/// The bends of a beam in one of its planes, as a beam in the plane has them.
+/// The bends of a beam in one of its planes, as a plane beam has them.
 BeamStrain in_plane(const BeamStrain3& d, std::size_t about) {
   return {d[0], d[1 + about], d[3 + about]};
 }
@@ -162,8 +162,8 @@ double stored_in(const BeamStiffness3& k, const BeamStrain3& d) {
   return 0.5 * sum;
 }
 
-/// The largest eigenvalue of J' K J, with J the rates of the strains by the motion of both nodes at rest, scaled by
-/// 1 / sqrt(m). Columns: x, y, z, turns about x, y, z of end 0, then of end 1.
+/// The largest eigenvalue of J' K J, scaled by 1 / sqrt(m), with J the strain rates due to the motion of both nodes in
+/// the undeformed state. Columns: x, y, z, rotations about x, y, z of end 0, then of end 1.
 double beam_frequency2(const BeamStiffness3& stiffness, double length, double mass, const Vec3& inertia,
                        const std::array<Vec3, 2>& arm) {
   Eigen::Matrix<double, 6, 12> shape = Eigen::Matrix<double, 6, 12>::Zero();
@@ -175,7 +175,7 @@ double beam_frequency2(const BeamStiffness3& stiffness, double length, double ma
     shape(1 + 2 * end, c + 4) = 1, shape(2 + 2 * end, c + 5) = 1;
     const Vec3& a = arm[static_cast<std::size_t>(end)];
     if (a != Vec3(0, 0, 0)) {
-      // A turn w takes the end by w x a.
+      // A rotation w moves the end by w x a.
       for (int k = 0; k < 3; ++k) shape.col(c + 3 + k) += shape.middleCols<3>(c) * cross(Vec3::Unit(k), a);
       const Eigen::Matrix3d tensor = inertia_at(mass, a) + Eigen::Matrix3d(inertia.asDiagonal());
       const Eigen::Matrix3d root = tensor.llt().matrixL();

@@ -3,7 +3,7 @@
 namespace trilith {
 namespace {
 
-/// From the world's axes to those of the beam.
+/// Rotation from world axes to the beam's axes.
 BeamMatrix axes_of(const Vec2& along) {
   BeamMatrix t = BeamMatrix::Zero();
   for (const int end : {0, 3}) {
@@ -14,14 +14,14 @@ BeamMatrix axes_of(const Vec2& along) {
   return t;
 }
 
-/// The velocities of the ends turned left: how they change in axes that turn.
+/// The velocities of the ends rotated by +90 degrees: their rate of change in rotating axes.
 BeamVector left_of_ends(const BeamVector& y) {
   BeamVector out = BeamVector::Zero();
   for (const int end : {0, 3}) out[end] = -y[end + 1], out[end + 1] = y[end];
   return out;
 }
 
-/// What a cubic has without moment at a pinned end, from the motion of its ends.
+/// The rotation of a pinned end of a cubic without moment there, from the motion of the ends.
 BeamMatrix without_moments(double length, const std::array<bool, 2>& pinned) {
   BeamMatrix out = BeamMatrix::Identity();
   BeamVector chord = BeamVector::Zero();
@@ -67,10 +67,10 @@ BeamVector inertia_forces(const BeamMatrix& m, const BeamMotion& motion) {
   const Vec2 apart = motion.rate.segment<2>(3) - motion.rate.segment<2>(0);
   const double turning = across.dot(apart) / motion.length;  // of the chord [rad/s]
   const BeamVector y = axes * motion.rate, momentum = m * y, left = left_of_ends(y);
-  // d/dt of the momenta, which stand in axes that turn.
+  // d/dt of the momenta, which are given in rotating axes.
   const BeamVector rise = axes * motion.rise - turning * left;
   BeamVector force = axes.transpose() * (m * rise + turning * left_of_ends(momentum));
-  // Less what the energy gains as the chord turns: dT/dbeta = -(m y) . left(y), and beta goes with the ends.
+  // Minus the energy's derivative by the chord's rotation: dT/dbeta = -(m y) . left(y), where beta depends on the ends.
   const double gain = -momentum.dot(left);
   force.segment<2>(3) -= gain / motion.length * across;
   force.segment<2>(0) += gain / motion.length * across;

@@ -3,14 +3,14 @@
 namespace trilith {
 namespace {
 
-/// [w]: v -> w x v.
+/// The matrix [w]: v -> w x v.
 Eigen::Matrix3d turning(const Vec3& w) {
   Eigen::Matrix3d out;
   out << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
   return out;
 }
 
-/// Rows of A with a pinned end's b as a cubic without moment there has it.
+/// Rows of A; b of a pinned end is that in a cubic without moment there.
 Eigen::Matrix4d without_moments_across(double length, const std::array<bool, 2>& pinned) {
   Eigen::Matrix4d out = Eigen::Matrix4d::Identity();
   const Eigen::RowVector4d chord(-1 / length, 0, 1 / length, 0);
@@ -24,7 +24,7 @@ Eigen::Matrix4d without_moments_across(double length, const std::array<bool, 2>&
   return out;
 }
 
-/// Of the speeds f of both ends along the chord.
+/// Momenta of the velocities f of both ends along the chord.
 Eigen::Vector2d momentum_along(double mass, const Eigen::Vector2d& f) {
   return mass / 6 * Eigen::Vector2d(2 * f[0] + f[1], f[0] + 2 * f[1]);
 }
@@ -54,8 +54,8 @@ BeamMatrix3 mass_in_space(const BeamInertia3& inertia, const Vec3& along) {
   return out;
 }
 
-/// With r the momenta along and Q = m A those across, both square to e:
-///   dT/dv = r e + Q_a,   dT/dw = e x Q_b,   dT/de = sum of r v - f Q_a + Q_b x w,   e' = (v_1 - v_0) across / l
+/// With the longitudinal momenta r and the transverse ones Q = m A, both normal to e:
+///   dT/dv = r e + Q_a,   dT/dw = e x Q_b,   dT/de = sum of r v - f Q_a + Q_b x w,   e' = (v_1 - v_0) across / l.
 BeamVector3 inertia_forces(const BeamInertia3& inertia, const BeamMotion3& motion) {
   using Vectors = Eigen::Matrix<double, 3, 4>;
   const Vec3& e = motion.along;

@@ -1,14 +1,15 @@
-// Consistent mass of a straight beam in space: element/beam/beam_inertia.hpp with two directions across.
+// Consistent mass of a straight beam in space: element/beam/beam_inertia.hpp with two transverse directions.
 //
 //   T = mu L / 12 (2 f_0^2 + 2 f_0 f_1 + 2 f_1^2) + A' (m x 1) A / 2,     A = (a_0, b_0, a_1, b_1)
-//   f_i = v_i . e,   a_i = v_i - f_i e,   b_i = w_i x e
+//   f_i = v_i . e,   a_i = v_i - f_i e,   b_i = w_i x e.
 //
-// for velocities v_i and spins w_i of its ends and the chord's direction e; m is the 4 x 4 matrix of a cubic across.
-// All of it is vectors, so that no axes of sections are in it and it is alike in any world. At a pinned end b follows
-// as in the plane. The sections' own turning inertia, a share of (thickness / L)^2, stays lumped at the nodes.
+// Here v_i and w_i are velocities and spins of its ends, e is the direction of the chord, and m is the 4 x 4 matrix of
+// a transverse cubic. The form is vectorial: it depends on no section axes. At a pinned end b follows as in the plane.
+// The rotary inertia of the sections, a share of (thickness / L)^2, stays lumped at the nodes.
 //
-// Forces of inertia are Lagrange's: d/dt dT/dv - dT/dx, and d/dt dT/dw - w x dT/dw for turns, as spins are no rates of
-// coordinates (Boltzmann and Hamel; J. G. Papastavridis, "Analytical Mechanics", 2002, ch. 3).
+// Inertia forces follow from Lagrange's equations: d/dt dT/dv - dT/dx, and d/dt dT/dw - w x dT/dw for rotations,
+// because spins are not rates of coordinates (Boltzmann and Hamel; J. G. Papastavridis, "Analytical Mechanics", 2002,
+// ch. 3).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,16 +23,16 @@ namespace trilith {
 using BeamMatrix3 = Eigen::Matrix<double, 12, 12>;
 using BeamVector3 = Eigen::Matrix<double, 12, 1>;
 
-/// Of a beam in space with consistent mass.
+/// Inertia of a beam in space with consistent mass.
 struct BeamInertia3 {
-  double mass = 0;                                   ///< [kg]; either node holds half of it where mass is lumped
+  double mass = 0;                                   ///< [kg]; each node has half of it in lumped form
   Eigen::Matrix4d across = Eigen::Matrix4d::Zero();  ///< m, [kg], [kg m] and [kg m2]
 };
 
 /// `mass` [kg] and `length` [m] above 0.
 BeamInertia3 beam_inertia_in_space(double mass, double length, const std::array<bool, 2>& pinned);
 
-/// Motion of the ends, in the world: velocity and spin of end 0, then of end 1, or their rates.
+/// Motion of the ends in world axes: velocity and spin of end 0, then of end 1, or their rates.
 struct BeamMotion3 {
   Vec3 along;        ///< unit vector of the chord
   double length;     ///< of the chord [m]
@@ -39,10 +40,10 @@ struct BeamMotion3 {
   BeamVector3 rise;  ///< their rates
 };
 
-/// The matrix of T for a chord along `along`.
+/// The mass matrix for a chord along `along`.
 BeamMatrix3 mass_in_space(const BeamInertia3& inertia, const Vec3& along);
 
-/// What it takes to move the ends so: forces [N] and moments [N m].
+/// Inertia forces [N] and moments [N m] of this motion of the ends.
 BeamVector3 inertia_forces(const BeamInertia3& inertia, const BeamMotion3& motion);
 
 }  // namespace trilith

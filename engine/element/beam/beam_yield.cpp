@@ -21,15 +21,15 @@ BeamStress times(const Eigen::Matrix3d& m, const BeamStrain& v) {
   return {out[0], out[1], out[2]};
 }
 
-/// What is left of K while ends flow or are lost.
+/// Remaining K while ends yield or are lost.
 Eigen::Matrix3d left_stiffness(const Beam& beam, const EndHingeMemory& before, const EndHingeMemory& after) {
   std::array<bool, 2> flowing{};
   for (const int end : {0, 1}) flowing[end] = after.gone[end] != 0 || after.turned[end] != before.turned[end];
   return matrix_of(bend_beside(beam.stiffness.bend, flowing), beam.stiffness.axial);
 }
 
-/// Of an elastic beam: K, and what the bow's normal force adds.
-/// d stress / d strain = K + EA/L s s' + N d2(L q), s = d(u + L q)/d(u, theta_0, theta_1).
+/// Tangent of an elastic beam: K, and the contribution of the bow's normal force. d stress / d strain = K + EA/L s s' +
+/// N d2(L q), s = d(u + L q)/d(u, theta_0, theta_1).
 Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, double normal) {
   Eigen::Matrix3d out = matrix_of(k.bend, 0);
   const Eigen::Vector3d stretch(1, 2 * k.bow[0] * d[1] + k.bow[1] * d[2], 2 * k.bow[2] * d[2] + k.bow[1] * d[1]);
@@ -39,7 +39,7 @@ Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, dou
   return out;
 }
 
-/// What a beam that yields does, and how that answers.
+/// Actions of a yielding beam, and their tangent.
 struct Answer {
   BeamTangent tangent;
   double stored = 0, dissipated = 0;
@@ -49,7 +49,7 @@ Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, st
               std::span<double> after) {
   Answer out;
   BeamTangent& t = out.tangent;
-  // The first number of the memory is kept apart from those of the fibres.
+  // The first number of the memory is separate from the fibres' memory.
   if (beam.yield == BeamYield::in_fibres) {
     const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
     const FibreBeamResponse r =
@@ -76,7 +76,7 @@ std::array<double, 3> bend_beside(const std::array<double, 3>& bend, const std::
   std::array<double, 3> left = bend;
   for (const int end : {0, 1}) {
     if (!flowing[end]) continue;
-    // Condensed: K_other - K_01^2 / K_own. With both ends let go nothing is left.
+    // Static condensation: K_other - K_01^2 / K_own. With both ends released nothing remains.
     double &own = left[2 * end], &other = left[2 * (1 - end)];
     if (own > 0) other -= left[1] * left[1] / own;
     own = left[1] = 0;
@@ -104,7 +104,7 @@ BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& 
   return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
 }
 
-/// One that yields is asked for a trial whose memory is thrown away.
+/// A yielding beam is evaluated as a trial, whose memory is discarded.
 BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before) {
   if (beam.yield != BeamYield::never) {
     std::vector<double> after(before.size());
@@ -118,7 +118,7 @@ BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow
   return out;
 }
 
-/// An end that never yields has a law without bound.
+/// An end that never yields has an unbounded law.
 bool has_hinge(const BeamYields& yields, const Beam& beam, int end) {
   return std::isfinite(yields.hinge_laws[yields.hinged_beams[beam.yield_row][end]].sagging);
 }
@@ -129,7 +129,7 @@ EndHingeMemory hinge_memory(std::span<const double> memory) {
   return std::bit_cast<EndHingeMemory>(words);
 }
 
-/// Fibres are one for the beam and told at its end 0.
+/// Fibres have one status for the beam, reported at its end 0.
 HingeStatus yield_status(const Beam& beam, std::span<const double> memory, int end) {
   if (beam.yield == BeamYield::at_hinges) return status_of(hinge_memory(memory), end);
   return end == 0 && memory[0] != 0 ? HingeStatus::yielded : HingeStatus::elastic;

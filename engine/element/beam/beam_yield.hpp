@@ -1,4 +1,4 @@
-// The beams of frames that yield: their rows of the model, and what each makes of how it is strained.
+// Yielding beams of frames: their rows in the model, and their response to strain.
 #pragma once
 
 #include <array>
@@ -12,52 +12,53 @@ namespace trilith {
 
 struct FibreBeamRow {
   FibreBeam beam;
-  int section = -1;  ///< of BeamYields::sections
+  int section = -1;  ///< index into BeamYields::sections
 };
 
-/// Rows that Beam::yield_row means, by Beam::yield.
+/// Rows to which Beam::yield_row refers, depending on Beam::yield.
 struct BeamYields {
   std::vector<FibreSection> sections;
   std::vector<FibreBeamRow> fibre_beams;
   std::vector<HingeLaw> hinge_laws;
-  std::vector<std::array<int, 2>> hinged_beams;  ///< of hinge_laws, for either end
+  std::vector<std::array<int, 2>> hinged_beams;  ///< indices into hinge_laws, for either end
 };
 
-/// Numbers that a beam remembers: all 0 at first. Of fibres, the first one is 1 once any has yielded.
+/// Size of a beam's memory; initially all 0. The first number of a fibre beam is 1 once any fibre has yielded.
 int memory_size(const BeamYields& yields, const Beam& beam);
 
-/// What a beam that yields does to its ends.
+/// Actions of a yielding beam on its ends.
 struct BeamResponse {
   BeamStress stress{};
-  BeamStress damping{};   ///< by Beam::damping, see below
+  BeamStress damping{};   ///< due to Beam::damping, see below
   double stored = 0;      ///< [J]
   double dissipated = 0;  ///< by yielding, in this step [J]
 };
 
-/// `before` and `after` have memory_size numbers and do not overlap. Damping is that of the stiffness which is left: an
-/// end whose hinge flows has none of it, and fibres have that of their tangent, without what of it softens. Dampings of
-/// the elastic stiffness would add moments that no hinge carries (Charney, J. Struct. Eng. ASCE 134(4), 2008).
+/// `before` and `after` have memory_size numbers and do not overlap. Damping is proportional to the remaining
+/// stiffness. An end with a yielding hinge has no damping. Fibres are damped by their tangent, without its softening
+/// part. Damping proportional to the elastic stiffness would add moments that no hinge carries (Charney, J. Struct.
+/// Eng. ASCE 134(4), 2008).
 BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
                      std::span<double> after);
 
-/// How the stresses of a beam, one that yields or not, answer.
+/// Stresses of a beam, yielding or not, and their tangents.
 struct BeamTangent {
-  BeamStress stress{}, damping{};                       ///< as they are
+  BeamStress stress{}, damping{};                       ///< the present values
   Eigen::Matrix3d by_strain = Eigen::Matrix3d::Zero();  ///< of `stress`
-  Eigen::Matrix3d by_rate = Eigen::Matrix3d::Zero();    ///< of `damping`, to the rate of strain
+  Eigen::Matrix3d by_rate = Eigen::Matrix3d::Zero();    ///< of `damping`, with respect to the rate of strain
 };
 BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before);
 
 /// False where the end of a beam with hinges has none: that end never yields.
 bool has_hinge(const BeamYields& yields, const Beam& beam, int end);
 
-/// K (end 0, across, end 1) [N m] where hinges let ends go: their bends follow without moment.
+/// K (end 0, across, end 1) [N m] with yielding ends released: their bends follow without moment.
 std::array<double, 3> bend_beside(const std::array<double, 3>& bend, const std::array<bool, 2>& flowing);
 
-/// What the hinge at an end remembers. `memory`: that of a beam with hinges.
+/// Memory of the hinges. `memory`: the memory of a beam with hinges.
 EndHingeMemory hinge_memory(std::span<const double> memory);
 
-/// Of an end of a beam that yields; one of fibres is told of at end 0, for all of it.
+/// Status of an end of a yielding beam. A fibre beam has one status, which is reported at end 0.
 HingeStatus yield_status(const Beam& beam, std::span<const double> memory, int end);
 
 }  // namespace trilith

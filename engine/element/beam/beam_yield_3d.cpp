@@ -22,7 +22,7 @@ BeamAnswer3 answer_of_fibres(const BeamYields3& yields, const Beam3& beam, const
   return out;
 }
 
-/// K about both axes without the moments of ends that flow, and nothing of a beam that is gone.
+/// K about both axes without the moments of yielding ends; 0 for a removed beam.
 Eigen::Matrix<double, 6, 6> stiffness_beside(const BeamStiffness3& k, const EndHingeResponse3& r) {
   Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
   if (r.memory.gone[0] > 1) return out;

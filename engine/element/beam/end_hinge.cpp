@@ -10,19 +10,21 @@ namespace trilith {
 
 namespace {
 
-// One search within another:
-//   flow_towards     one end, N and the other end given: p along the straight pieces of its law
-//   ends_at          both ends, N given: each in turn until neither moves
-//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which rises with N (element/beam/hinge_normal.hpp)
-// Then book_flow for memory and energies, returned_tangent for how all answers. Signs here: bends and moments are above
-// 0 where the bottom lengthens, those of end 0 are the beam's turned about.
+// Nested searches:
+// ```
+//   flow_towards     one end, with N and the other end given: p along the linear pieces of its law
+//   ends_at          both ends, with N given: in turn until neither changes
+//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which increases with N (element/beam/hinge_normal.hpp)
+// ```
+// Then book_flow updates memory and energies, and returned_tangent gives the tangent. Signs here: bends and moments are
+// positive where the bottom lengthens; at end 0 the sign is opposite to the beam's.
 
 /// A hinge during one step.
 struct HingeStep {
   const HingeLaw* law;
-  double from;   ///< p before [rad]
-  double reach;  ///< before [rad]
-  double worn;   ///< D by energy [1]
+  double from;   ///< p before the step [rad]
+  double reach;  ///< before the step [rad]
+  double worn;   ///< D due to energy [1]
   bool gone;
 
   [[nodiscard]] double kept(double p) const { return gone ? 0.0 : worn * law->kept(std::max(reach, std::abs(p))); }
@@ -30,24 +32,25 @@ struct HingeStep {
   [[nodiscard]] double width(int way, double p) const {
     return kept(p) * law->width(way, std::max(reach, std::abs(p)));
   }
-  /// Most moment towards `way` at p, taken positive that way [N m].
+  /// Moment capacity towards `way` at p, positive in that direction [N m].
   [[nodiscard]] double most(int way, double p, double share) const {
     return kept(p) * way * law->back(p) + width(way, p) * share;
   }
 };
 
-/// Where a hinge has gone to.
+/// Flow of a hinge.
 struct HingeFlow {
   double p = 0;                       ///< [rad]
-  int way = 0;                        ///< -1, 1; 0: it has not flowed
-  double slope = 0;                   ///< of the most moment towards `way`, by rotation that way [N m/rad]
-  double width = 0, width_slope = 0;  ///< dM/dc [N m], and by rotation [N m/rad]
+  int way = 0;                        ///< -1, 1; 0: no flow
+  double slope = 0;                   ///< of the moment capacity towards `way`, by rotation in that direction [N m/rad]
+  double width = 0, width_slope = 0;  ///< dM/dc [N m], and its derivative by rotation
 };
 
-/// p where `trial` - stiffness (p - from) is the most moment towards `way`: exact on each straight piece of the law.
+/// p where `trial` - stiffness (p - from) equals the moment capacity towards `way`: exact on each linear piece of the
+/// law.
 HingeFlow flow_towards(const HingeStep& end, int way, double trial, double stiffness, double share) {
-  // q = way p grows from where the hinge was. `gap` is how far the elastic moment, which falls along the way, is still
-  // above what the hinge can carry, `most`; the answer lies where it comes to 0.
+  // q = way p grows from the hinge's previous position. `gap` is the excess of the elastic moment, which falls along
+  // the way, over the capacity `most`. The solution is at the zero of `gap`.
   //
   //     M |  .                     .   elastic: trial - stiffness (q - from)
   //       |     .  ___-o---.       o   most: bends at the cap, where r begins to grow, where softening ends
@@ -72,7 +75,7 @@ HingeFlow flow_towards(const HingeStep& end, int way, double trial, double stiff
   };
   for (std::size_t i = 0; i < corner.size() && !found; ++i)
     if (std::isfinite(corner[i]) && corner[i] > q) follow(corner[i], false);
-  if (!found) follow(q + step, true);  // the last piece has no end
+  if (!found) follow(q + step, true);  // the last piece is unbounded
   out.p = way * q;
   out.width = end.width(way, out.p);
   return out;
@@ -85,7 +88,7 @@ HingeFlow flow_of(const HingeStep& end, double trial, double stiffness, double s
   return {.p = end.from};
 }
 
-/// The beam in signs where bends are above 0 as the bottom lengthens.
+/// The beam with signs where bends are positive as the bottom lengthens.
 struct BeamOfStep {
   double axial;
   Eigen::Matrix2d bend, bow;  ///< K; second derivatives of L q
@@ -103,11 +106,11 @@ struct BeamOfStep {
 struct EndsAt {
   std::array<HingeFlow, 2> end;
   Eigen::Vector2d p, moment;
-  double stretch = 0;  ///< plastic stretch by both ends' flow, of this step [m]
+  double stretch = 0;  ///< plastic stretch due to the flow of both ends in this step [m]
   bool settled = true;
 };
 
-/// Bending by K + N d2(L q)/dtheta2: a pull makes it stiffer, pressure softer.
+/// Bending by K + N d2(L q)/dtheta2: tension stiffens, compression softens.
 EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, double normal) {
   constexpr int most_turns = 400;
   constexpr double done = 1e-14;
@@ -126,7 +129,7 @@ EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, do
     }
     const Eigen::Vector2d gone = out.p - was;
     out.settled = gone.cwiseAbs().maxCoeff() <= size;
-    // While both flow on the same pieces each turn gains the same ratio, so the end of the row is known.
+    // While both flow on the same linear pieces the changes form a geometric series, whose limit is known.
     const double ratio = k(0, 1) * k(0, 1) / ((k(0, 0) + out.end[0].slope) * (k(1, 1) + out.end[1].slope));
     if (turn > 0 && !out.settled && out.end[0].way != 0 && out.end[1].way != 0 && std::abs(ratio) < 0.99)
       out.p[1] += gone[1] * ratio / (1 - ratio);
@@ -135,7 +138,7 @@ EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, do
   for (const int i : {0, 1})
     for (const int way : {1, -1}) {
       const double most = hinge[i].most(way, out.p[i], share[i]);
-      // A beam pressed beyond its own buckling load has no stiffness to come back by.
+      // A beam beyond its own buckling load has no stiffness for the return.
       if (way * out.moment[i] - most > 1e-9 * (std::abs(most) + hinge[i].law->sagging)) out.settled = false;
     }
   for (const int i : {0, 1})
@@ -145,7 +148,7 @@ EndsAt ends_at(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, do
 
 using Returned = ReturnedNormal<EndsAt>;
 
-/// Rises with N; 0 where the normal force is that of what is left of the stretch.
+/// Increases with N; 0 where the normal force is that on the remaining elastic stretch.
 double missing(const BeamOfStep& beam, double plastic, double normal, const EndsAt& ends) {
   return normal - beam.axial * (beam.stretch + beam.bowed(ends.p) - plastic - ends.stretch);
 }
@@ -157,19 +160,19 @@ Returned return_to_laws(const BeamOfStep& beam, const std::array<HingeStep, 2>& 
       [&](double normal, const EndsAt& ends) { return missing(beam, plastic, normal, ends); });
 }
 
-/// d (N, M_0, M_1) / d (u, theta_0, theta_1) of what was returned, in the signs of the step.
+/// d (N, M_0, M_1) / d (u, theta_0, theta_1) after the return, in the signs of the step.
 Eigen::Matrix3d returned_tangent(const BeamOfStep& beam, const std::array<HingeStep, 2>& hinge, const Returned& at) {
   const Eigen::Matrix2d k = beam.bend + at.normal * beam.bow;
-  const Eigen::Vector2d arm = beam.bow * (beam.turn - at.ends.p);  // of L q by the bends
+  const Eigen::Vector2d arm = beam.bow * (beam.turn - at.ends.p);  // derivative of L q with respect to the bends
   if (at.ends.end[0].way == 0 && at.ends.end[1].way == 0 && !at.held) {
     const Eigen::Vector3d pulled(1, arm[0], arm[1]);
     Eigen::Matrix3d elastic = beam.axial * (pulled * pulled.transpose());
     elastic.bottomRightCorner<2, 2>() += k;
     return elastic;
   }
-  // Unknown: dN, dp_0, dp_1. Given: du, dtheta_0, dtheta_1.
-  // Row 0: N = EA/L (u + L q - p_u), with p_u by the flow at both ends; or dN = 0 at the tip.
-  // Row 1 + i: where end i flows, its moment stays the most it carries; where it does not, dp_i = 0.
+  // Unknown: dN, dp_0, dp_1. Given: du, dtheta_0, dtheta_1. Row 0: N = EA/L (u + L q - p_u), with p_u by the flow at
+  // both ends; or dN = 0 at the apex. Row 1 + i: where end i flows, its moment stays at its capacity; otherwise dp_i =
+  // 0.
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity(), right = Eigen::Matrix3d::Zero();
   if (!at.held) {
     left.row(0) << 1, beam.axial * arm[0], beam.axial * arm[1];
@@ -205,15 +208,15 @@ HingeStep step_of(const HingeLaw& law, const EndHingeMemory& m, int i) {
   return {&law, m.turned[i], m.reach[i], law.worn(m.dissipated[i]), m.gone[i] != 0};
 }
 
-/// Memory and energies of what was returned; `normal` and the moments are those of the end of the step.
-/// Work on the flow, by mean moments and mean N, is what hardening stores more and what is given off; the latter wears
-/// the hinge from the next step on.
+/// Memory and energies after the return; `normal` and the moments hold at the end of the step. The work on the flow, by
+/// mean moments and mean N, is the increase of the energy stored by hardening plus the dissipated energy. Dissipation
+/// wears the hinge from the next step on.
 void book_flow(const std::array<HingeStep, 2>& hinge, const Returned& at, double stretch, const EndHingeMemory& before,
                EndHingeResponse& out) {
   EndHingeMemory& m = out.memory;
   const double pull = 0.5 * (at.normal + before.normal), by_flow = at.ends.stretch;
   m.normal = at.normal, m.stretch = stretch;
-  // Of what a corner of the surface adds to the stretch, half is each end's.
+  // Half of the stretch added at a corner of the surface is assigned to each end.
   const double corner = stretch - before.stretch - by_flow;
   for (const int i : {0, 1}) {
     const HingeFlow& f = at.ends.end[i];
@@ -238,14 +241,14 @@ void book_flow(const std::array<HingeStep, 2>& hinge, const Returned& at, double
 HingeStatus status_of(const EndHingeMemory& memory, int end) {
   if (memory.gone[end] > 1) return HingeStatus::removed;
   if (memory.gone[end] != 0) return HingeStatus::lost;
-  // The stretch is of both ends; what an end has given off tells whether its own law let it flow. Rounding leaves the
-  // other one a trace of it.
+  // The stretch belongs to both ends. The energy dissipated by an end shows whether its own law let it flow; rounding
+  // leaves the other end a trace of it.
   constexpr double trace = 1e-6;
   const double own = memory.dissipated[end], other = memory.dissipated[1 - end];
   return memory.reach[end] > 0 || own > trace * other ? HingeStatus::yielded : HingeStatus::elastic;
 }
 
-/// Bends that belong to the moments: (K + N d2(L q)) b = M, where an end that is pinned has no part.
+/// Bends that belong to the moments: (K + N d2(L q)) b = M, without pinned ends.
 double held_energy(const BeamStiffness& stiffness, const EndHingeMemory& memory) {
   if (memory.gone[0] > 1) return 0;
   const BeamOfStep beam(stiffness, {});
@@ -261,7 +264,7 @@ double held_energy(const BeamStiffness& stiffness, const EndHingeMemory& memory)
 
 namespace {
 
-/// Of a beam that is gone, and of one that goes now: it gives off what it holds, with what hardening has stored.
+/// A beam that is removed before or in this step: its elastic energy and the energy stored by hardening are dissipated.
 EndHingeResponse removed(const BeamStiffness& stiffness, const std::array<const HingeLaw*, 2>& law,
                          const EndHingeMemory& before) {
   EndHingeResponse out;

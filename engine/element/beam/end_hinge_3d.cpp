@@ -12,7 +12,7 @@ namespace {
 
 using SpaceReturned = ReturnedNormal<SpaceEnds>;
 
-/// The search for N, which begins each time from what the last N gave.
+/// The search for N; each iteration starts from the result of the previous one.
 SpaceReturned return_in_space(const SpaceBeamOfStep& beam, const Hinges& hinge, double plastic, double trial) {
   SpaceEnds near;
   bool has_near = false;
@@ -30,16 +30,16 @@ SpaceReturned return_in_space(const SpaceBeamOfStep& beam, const Hinges& hinge, 
                               ends_at, missing);
 }
 
-/// d (N, moments) / d (u, bends) of what was returned, scaled. Unknown: dN, then length and way of each end that flows.
-///   Row 0: N = EA/L (u + L q - p_u), with p_u by the flow at both ends; or dN = 0 at the tip.
-///   Rows of an end: its moments stay what it carries.
+/// d (N, moments) / d (u, bends) after the return, scaled. Unknown: dN, then amount and direction of each flowing end.
+///   Row 0: N = EA/L (u + L q - p_u), with p_u by the flow at both ends; or dN = 0 at the apex.
+///   Rows of an end: its moments stay at its capacity.
 Eigen::Matrix<double, 5, 5> tangent_in_space(const SpaceBeamOfStep& beam, const Hinges& hinge,
                                              const SpaceReturned& at) {
   using Matrix5 = Eigen::Matrix<double, 5, 5>;
   const Eigen::Matrix4d k = beam.bend + at.normal * beam.bow;
   const Eigen::RowVector4d arm = (beam.bow * (beam.turn - at.ends.p)).transpose();  // of L q by the bends
   Matrix5 left = Matrix5::Identity(), right = Matrix5::Zero();
-  Eigen::Matrix4d p_by = Eigen::Matrix4d::Zero();  // by the unknowns
+  Eigen::Matrix4d p_by = Eigen::Matrix4d::Zero();  // with respect to the unknowns
   for (const int i : {0, 1})
     if (at.ends.flows[static_cast<std::size_t>(i)])
       p_by.block<2, 2>(2 * i, 2 * i) = at.ends.flow[static_cast<std::size_t>(i)].p_by;
@@ -80,20 +80,20 @@ SpaceHinge hinge_of(const HingeLaw& law, const EndHingeMemory3& m, std::size_t i
   return {&law, scale, from, m.reach[i], law.worn(m.dissipated[i]), m.gone[i] != 0};
 }
 
-/// What hardening stores: X . dp is its change, as rotations are scaled.
+/// Energy stored by hardening: X . dp is its change, because rotations are scaled.
 double back_energy(const HingeLaw& law, const EndHingeMemory3& m, std::size_t i) {
   if (m.gone[i] != 0 || !std::isfinite(law.sagging)) return 0;
   const double p = portable::hypot(scale_of(law) * m.turned[i][0], m.turned[i][1]);
   return law.worn(m.dissipated[i]) * law.kept(m.reach[i]) * law.stored(p);
 }
 
-/// Memory and energies of what was returned, as in the plane: work on the flow by mean moments and mean N is what
-/// hardening stores more and what is given off, which wears the hinge from the next step on.
+/// Memory and energies after the return, as in the plane. The work on the flow, by mean moments and mean N, is the
+/// increase of the energy stored by hardening plus the dissipated energy, which wears the hinge from the next step on.
 void book_in_space(const Hinges& hinge, const SpaceReturned& at, double stretch, const EndHingeMemory3& before,
                    EndHingeResponse3& out) {
   EndHingeMemory3& m = out.memory;
   const double pull = 0.5 * (at.normal + before.normal);
-  // Of what a corner of the surface adds to the stretch, half is each end's.
+  // Half of the stretch added at a corner of the surface is assigned to each end.
   const double corner = stretch - before.stretch - at.ends.stretch;
   m.normal = at.normal, m.stretch = stretch;
   for (const std::size_t i : {0, 1}) {
@@ -120,7 +120,7 @@ void book_in_space(const Hinges& hinge, const SpaceReturned& at, double stretch,
   }
 }
 
-/// Of a beam that is gone, and of one that goes now: it gives off what it holds, with what hardening has stored.
+/// A beam that is removed before or in this step: its elastic energy and the energy stored by hardening are dissipated.
 EndHingeResponse3 removed_in_space(const BeamStiffness3& stiffness, const std::array<const HingeLaw*, 2>& law,
                                    const EndHingeMemory3& before) {
   EndHingeResponse3 out;
@@ -138,12 +138,12 @@ HingeStatus status_of(const EndHingeMemory3& memory, int end) {
   const auto i = static_cast<std::size_t>(end);
   if (memory.gone[i] > 1) return HingeStatus::removed;
   if (memory.gone[i] != 0) return HingeStatus::lost;
-  constexpr double trace = 1e-6;  // as in the plane: rounding leaves the other end so much of a common stretch
+  constexpr double trace = 1e-6;  // as in the plane
   const double own = memory.dissipated[i], other = memory.dissipated[1 - i];
   return memory.reach[i] > 0 || own > trace * other ? HingeStatus::yielded : HingeStatus::elastic;
 }
 
-/// Bends that belong to the moments: (K + N d2(L q)) b = M about each axis, where a pinned end has no part.
+/// Bends that belong to the moments: (K + N d2(L q)) b = M about each axis, without pinned ends.
 double held_energy(const BeamStiffness3& stiffness, const EndHingeMemory3& memory) {
   if (memory.gone[0] > 1) return 0;
   double sum = 0.5 * memory.normal * memory.normal / stiffness.axial;

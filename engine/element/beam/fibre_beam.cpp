@@ -8,7 +8,7 @@ namespace trilith {
 
 namespace {
 
-/// Place (-1 to 1) and weight (2 in all).
+/// Position (-1 to 1) and weight (sum 2).
 struct RulePoint {
   double place, weight;
 };
@@ -22,7 +22,7 @@ std::vector<RulePoint> mirrored(std::initializer_list<RulePoint> half) {
   return all;
 }
 
-/// With the ends among the points; exact for polynomials up to 2 n - 3.
+/// The ends are points; exact for polynomials up to degree 2 n - 3.
 std::vector<RulePoint> lobatto_points(int count) {
   const double seven = std::sqrt(7.0);
   switch (count) {
@@ -41,7 +41,7 @@ std::vector<RulePoint> lobatto_points(int count) {
   }
 }
 
-/// Points within alone; exact for polynomials up to 2 n - 1.
+/// Inner points only; exact for polynomials up to degree 2 n - 1.
 std::vector<RulePoint> gauss_points(int count) {
   const double six = 2 * std::sqrt(1.2), ten = 2 * std::sqrt(10.0 / 7), thirty = std::sqrt(30.0);
   const double seventy = 13 * std::sqrt(70.0);
@@ -76,9 +76,10 @@ FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>
   FibreBeam beam;
   beam.length = length, beam.stations = stations;
   beam.bow = beam_stiffness({1, 0}, {.area = 1, .second_moment = 1}, length, pinned).bow;
-  // The elastic energy of the slant, 6 EI/((1 + phi) L) theta^2 for two equal bends, less that of its curvature.
+  // The elastic energy of the antisymmetric mode, 6 EI/((1 + phi) L) theta^2 for two equal bends, minus the part of its
+  // curvature.
   beam.shear = 3 * phi * bending / ((1 + phi) * (1 + phi) * length);
-  // Bends at the ends by the bends given: those of pinned ends follow.
+  // Bends of the ends in terms of the given bends: pinned ends follow.
   Eigen::Matrix2d bends = Eigen::Matrix2d::Identity();
   // M = 0 at a pinned end: (4 + phi) theta_i + (2 - phi) theta_j = 0.
   const double follows = -(2 - phi) / (4 + phi);
@@ -88,7 +89,7 @@ FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>
   for (int i = 0; i < stations; ++i) {
     FibreStation& s = beam.station[i];
     s.weight = 0.5 * points[i].weight;
-    // (6 x/L - 3) / ((1 + phi) L) at the place from -1 to 1.
+    // (6 x/L - 3) / ((1 + phi) L) at a position from -1 to 1.
     const double slanted = 3 * points[i].place / ((1 + phi) * length);
     for (const int end : {0, 1})
       s.curvature[end] = (bends(1, end) - bends(0, end)) / length + beam.slant[end] * slanted;
@@ -96,16 +97,16 @@ FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>
   return beam;
 }
 
-/// Both rules have weights of their own for each number of points.
+/// The two rules have different weights for each number of points.
 double place_of_station(const FibreBeam& beam, int station) {
   const bool lobatto = beam.stations >= 3 && 0.5 * lobatto_points(beam.stations)[0].weight == beam.station[0].weight;
   return (lobatto ? lobatto_points(beam.stations) : gauss_points(beam.stations))[station].place;
 }
 
-/// The same integral as `respond` has, with the stiffest that section can be at each station.
+/// The integral in `respond`, with the largest stiffness of the section at each station.
 BeamStiffness stiffest_beam(const FibreBeam& beam, const FibreSection& section) {
   const Eigen::Matrix2d k = section.stiffest();
-  // Where the stiffness is not centred, stretch and bending meet: their coupling adds at most this share to either.
+  // If the stiffness is not centred, stretch and bending are coupled; the coupling adds at most this share to either.
   const double more = 1 + std::abs(k(0, 1)) / std::sqrt(k(0, 0) * k(1, 1));
   BeamStiffness out;
   out.axial = more * k(0, 0) / beam.length, out.bow = beam.bow;

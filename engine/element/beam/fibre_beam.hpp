@@ -1,15 +1,18 @@
-// A beam whose section is fibres, followed at points along it: normal force and end moments with all their plasticity.
+// A beam with fibre sections at stations along it: normal force and end moments including plasticity.
 //
-// Deformation, not force, is what is assumed along it (displacement based), the same as in
-// element/beam/beam_element.hpp, whose stretch u and bends theta_0, theta_1 it takes: an even axial strain, with that
-// of the bow, and a linear curvature
+// The formulation is displacement based: it assumes deformations, not forces, along the beam. The fields are those in
+// element/beam/beam_element.hpp, with its stretch u and bends theta_0, theta_1: a constant axial strain including the
+// bow, and a linear curvature.
+// ```
 //   e = u/L + q,   k = (theta_1 - theta_0)/L + (theta_0 + theta_1)(6 x/L - 3)/((1 + phi) L)
 //   N = mean of N(x),   M_i = L sum w [ N(x) dq/dtheta_i + M(x) dk/dtheta_i ]
-// with the points and weights of Gauss and Lobatto (whose ends are points, where plasticity begins) or of Gauss. For
-// elastic fibres it is the elastic beam to the bit of rounding. phi is that of the elastic section and stays: shear is
-// elastic. A pinned end is as in the elastic beam: its bend follows the other one's by the elastic ratio.
-// As the curvature is linear in each beam, plastic zones at ends need short beams: about the length of a zone.
-// Spacone, Filippou and Taucer, Earthquake Eng. Struct. Dyn. 25, 1996, compare with beams of assumed forces.
+// ```
+// Points and weights follow Gauss-Lobatto, which includes the ends, where plasticity begins, or Gauss. With elastic
+// fibres the beam equals the elastic beam to rounding. The elastic section defines a constant phi: shear is elastic. A
+// pinned end is treated as in the elastic beam: its bend follows the other one by the elastic ratio.
+//
+// Because the curvature is linear in each beam, plastic zones at ends need short beams, about as long as the zone.
+// Spacone, Filippou and Taucer, Earthquake Eng. Struct. Dyn. 25, 1996, compare with force-based beams.
 #pragma once
 
 #include "element/beam/beam_element.hpp"
@@ -17,10 +20,10 @@
 
 namespace trilith {
 
-/// Where sections stand along a beam.
+/// Quadrature rule for the stations along a beam.
 enum class BeamRule : std::uint8_t { lobatto, gauss };
 
-/// A member of fibres, followed at stations along each of its beams.
+/// A member of fibres, with stations along each of its beams.
 struct MemberFibres {
   FibreSpec spec;
   BeamRule rule = BeamRule::lobatto;
@@ -28,15 +31,15 @@ struct MemberFibres {
 };
 
 struct FibreStation {
-  double weight = 0;                  ///< share of the length; all are 1 together
-  std::array<double, 2> curvature{};  ///< by each bend [1/m]
+  double weight = 0;                  ///< share of the length; the sum is 1
+  std::array<double, 2> curvature{};  ///< curvature per unit of each bend [1/m]
 };
 
 struct FibreBeam {
   double length = 0;              ///< [m]
   std::array<double, 3> bow{};    ///< as in BeamStiffness [m]
-  double shear = 0;               ///< moment by elastic shear, per sum of the bends [N m]
-  std::array<double, 2> slant{};  ///< part of each bend in that sum [1]
+  double shear = 0;               ///< moment due to elastic shear, per sum of the bends [N m]
+  std::array<double, 2> slant{};  ///< weight of each bend in that sum [1]
   int stations = 0;
   std::array<FibreStation, 6> station{};
 
@@ -47,11 +50,11 @@ struct FibreBeam {
 FibreBeam make_fibre_beam(const FibreSection& section, double length, const std::array<bool, 2>& pinned,
                           double shear_stiffness = 0, BeamRule rule = BeamRule::lobatto, int stations = 4);
 
-/// The same in one plane of bending: of the elastic bending stiffness EI [N m2].
+/// For one plane of bending, with the elastic bending stiffness EI [N m2].
 FibreBeam fibre_beam_of(double bending, double length, const std::array<bool, 2>& pinned, double shear_stiffness,
                         BeamRule rule, int stations);
 
-/// L q of the bow of one plane [m], and its derivatives by both bends [m].
+/// L q of the bow in one plane [m], and its derivatives by both bends [m].
 struct FibreBow {
   double stretch;
   std::array<double, 2> by;
@@ -61,11 +64,11 @@ struct FibreBow {
         by{2 * beam.bow[0] * bend_0 + beam.bow[1] * bend_1, 2 * beam.bow[2] * bend_1 + beam.bow[1] * bend_0} {}
 };
 
-/// The bending of an elastic beam at least as stiff: EI at all stations and the shear [N m].
+/// Bending of an elastic beam at least as stiff: EI at all stations and the shear [N m].
 std::array<double, 3> stiffest_bend(const FibreBeam& beam, double bending);
 
-/// An elastic beam at least as stiff in every way as this one can be, without its bow's part in bending: for the
-/// longest step (beam_frequency2).
+/// An elastic beam at least as stiff in every mode as this beam can be, without the bow's part in bending: for the
+/// stability limit (beam_frequency2).
 BeamStiffness stiffest_beam(const FibreBeam& beam, const FibreSection& section);
 
 struct FibreBeamResponse {
@@ -76,7 +79,7 @@ struct FibreBeamResponse {
   bool yielding = false;  ///< any fibre, in this step
 };
 
-/// `before` and `after` have memory_size(section) numbers each: those of the section at each station in turn.
+/// `before` and `after` have memory_size(section) numbers for each station, in order.
 FibreBeamResponse respond(const FibreBeam& beam, const FibreSection& section, const BeamStrain& strain,
                           std::span<const double> before, std::span<double> after);
 

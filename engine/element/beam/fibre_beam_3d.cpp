@@ -8,7 +8,7 @@ namespace {
 
 using Stresses = Eigen::Matrix<double, 6, 1>;
 
-/// Where the bends about an axis (0: y, 1: z) are among strains.
+/// Indices of the bends about an axis (0: y, 1: z) in a strain.
 constexpr std::array<std::array<int, 2>, 2> bends_about{{{1, 3}, {2, 4}}};
 
 FibreBow bow_about(const FibreBeam3& beam, const BeamStrain3& d, std::size_t axis) {
@@ -50,8 +50,8 @@ FibreBeam3 make_fibre_beam_in_space(const FibreSection3& section, double length,
   return beam;
 }
 
-/// Where the stiffness is not centred, stretch and bending meet: with rows scaled to a diagonal of 1 no eigenvalue is
-/// above the largest sum of a row.
+/// If the stiffness is not centred, stretch and bending are coupled. With rows scaled to a diagonal of 1 no eigenvalue
+/// exceeds the largest row sum.
 BeamStiffness3 stiffest_beam(const FibreBeam3& beam, const FibreSection3& section) {
   const Eigen::Matrix3d k = section.stiffest();
   double more = 1;
@@ -95,7 +95,7 @@ StationStrain station_strain(const FibreBeam3& beam, const BeamStrain3& d, int s
 }
 
 /// With B = d(e, k_y, k_z)/d(u, bends) at each station: stress = sum of w L B' s, tangent = sum of w L B' t B and the
-/// part of the bows; torsion and shear are springs beside.
+/// part of the bows. Torsion and shear are parallel springs.
 FibreBeamResponse3 respond(const FibreBeam3& beam, const FibreSection3& section, const BeamStrain3& d,
                            std::span<const double> before, std::span<double> after) {
   FibreBeamResponse3 out;

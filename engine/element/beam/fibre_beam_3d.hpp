@@ -1,11 +1,10 @@
-// A beam in space whose section is fibres, followed at points along it: element/beam/fibre_beam.hpp with two planes of
-// bending.
-//
+// A beam in space with fibre sections at stations along it: element/beam/fibre_beam.hpp with two planes of bending.
+// ```
 //   e = u/L + q_y + q_z,   k_y and k_z linear along it, each by the bends about its axis as in the plane
 //   N = mean of N(x),   M_ai = L sum w [ N(x) dq_a/dtheta_ai + M_a(x) dk_a/dtheta_ai ],   T = GJ/L tau
-//
-// A fibre answers to all of it at once, so that bending about one axis takes from what is left about the other, and
-// both from the normal force. Torsion and shear stay elastic. For elastic fibres it is the elastic beam to rounding.
+// ```
+// A fibre responds to the total strain, so bending about one axis reduces the capacity about the other, and the normal
+// force reduces both. Torsion and shear stay elastic. With elastic fibres the beam equals the elastic beam to rounding.
 #pragma once
 
 #include "element/beam/beam_element_3d.hpp"
@@ -15,7 +14,7 @@
 namespace trilith {
 
 struct FibreBeam3 {
-  std::array<FibreBeam, 2> plane;  ///< bending about y and about z: of one length, with the same stations
+  std::array<FibreBeam, 2> plane;  ///< bending about y and about z: equal length and stations
   double torsion = 0;              ///< GJ / L [N m]
 
   [[nodiscard]] int stations() const { return plane[0].stations; }
@@ -23,19 +22,19 @@ struct FibreBeam3 {
   [[nodiscard]] int memory_size(const FibreSection3& section) const { return stations() * section.memory_size(); }
 };
 
-/// `shear_stiffness`: G A_s of bending about y and about z [N], 0 without shear; `torsion`: GJ [N m2]; else as
+/// `shear_stiffness`: G A_s for bending about y and about z [N], 0 without shear; `torsion`: GJ [N m2]; otherwise as
 /// make_fibre_beam. Throws InputError.
 FibreBeam3 make_fibre_beam_in_space(const FibreSection3& section, double length, const std::array<bool, 2>& pinned,
                                     const std::array<double, 2>& shear_stiffness, double torsion,
                                     BeamRule rule = BeamRule::lobatto, int stations = 4);
 
-/// An elastic beam at least as stiff in every way as this one can be, for the longest step.
+/// An elastic beam at least as stiff in every mode as this beam can be, for the stability limit.
 BeamStiffness3 stiffest_beam(const FibreBeam3& beam, const FibreSection3& section);
 
-/// How a station is strained by stretch and bends: axial strain, k_y, k_z.
+/// Strain of a station due to stretch and bends: axial strain, k_y, k_z.
 struct StationStrain {
   Eigen::Vector3d strain;
-  Eigen::Matrix<double, 3, 5> by;  ///< u, and the bends in the order of BeamStrain3
+  Eigen::Matrix<double, 3, 5> by;  ///< with respect to u, and the bends in the order of BeamStrain3
 };
 StationStrain station_strain(const FibreBeam3& beam, const BeamStrain3& d, int station);
 
@@ -47,7 +46,7 @@ struct FibreBeamResponse3 {
   bool yielding = false;  ///< any fibre, in this step
 };
 
-/// `before` and `after` have memory_size(section) numbers each: those of the section at each station in turn.
+/// `before` and `after` have memory_size(section) numbers for each station, in order.
 FibreBeamResponse3 respond(const FibreBeam3& beam, const FibreSection3& section, const BeamStrain3& strain,
                            std::span<const double> before, std::span<double> after);
 

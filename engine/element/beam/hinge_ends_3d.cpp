@@ -7,11 +7,11 @@
 namespace trilith {
 namespace {
 
-/// Unknowns of the ends that flow: two each, one end after the other.
+/// Unknowns of the flowing ends: two each, one end after the other.
 using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
 using UnknownMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 
-/// Finds both ends beside a normal force: those that flow stand on their surfaces at the end of the step.
+/// Solves both ends at a normal force: flowing ends are on their surfaces at the end of the step.
 class EndsBeside {
  public:
   EndsBeside(const SpaceBeamOfStep& beam, const Hinges& hinge, double normal)
@@ -21,13 +21,13 @@ class EndsBeside {
     trial_ = k_ * (turn_ - from_);
   }
 
-  /// `near`: where the search begins, of a normal force nearby; or none.
+  /// `near`: start of the search, from a similar normal force; or null.
   SpaceEnds find(const SpaceEnds* near) {
     SpaceEnds out;
     if (settle(near, out) && keeps(out)) return out;
     out = {};
     if (take_turns(out) && keeps(out)) return out;
-    // From surfaces so wide that none flows, the ends are followed down to their own.
+    // Continuation from surfaces so large that no end flows, down to their size.
     constexpr double least = 1e-12, widest = 1e30;
     const std::array<double, 2> share = share_;
     double wide = 1;
@@ -54,7 +54,7 @@ class EndsBeside {
     return v.segment<2>(2 * static_cast<Eigen::Index>(end));
   }
 
-  /// The laws hold. A beam pressed beyond its own buckling load has no stiffness to come back by.
+  /// Whether the laws hold. A beam beyond its own buckling load has no stiffness for the return.
   [[nodiscard]] bool keeps(const SpaceEnds& at) const {
     for (const std::size_t i : {0, 1}) {
       const SpaceHinge& h = hinge_[i];
@@ -67,7 +67,7 @@ class EndsBeside {
     return true;
   }
 
-  /// Which ends flow is tried until it fits; false where no choice does.
+  /// Tries which ends flow until it is consistent; false if no choice is.
   bool settle(const SpaceEnds* near, SpaceEnds& out) {
     out.p = from_, out.moment = trial_;
     for (const std::size_t i : {0, 1})
@@ -85,7 +85,7 @@ class EndsBeside {
     }
     return out.settled = false;
   }
-  /// One end alone, then the other beside what that one does, as in the plane; once the same ends flow twice, both at
+  /// One end alone, then the other with the first one's flow, as in the plane; once the same ends flow twice, both at
   /// once from there.
   bool take_turns(SpaceEnds& out) const {
     out.p = from_, out.moment = trial_;
@@ -111,7 +111,7 @@ class EndsBeside {
     }
     return out.settled = false;
   }
-  /// As if an end had not flowed.
+  /// Resets an end to no flow.
   void reactivate(std::size_t i, SpaceEnds& out) const {
     out.flows[i] = false, out.p.segment<2>(2 * static_cast<Eigen::Index>(i)) = hinge_[i].from;
     out.moment = k_ * (turn_ - out.p);
@@ -121,7 +121,7 @@ class EndsBeside {
     if (!h.yields() || !(k_(2 * static_cast<Eigen::Index>(i), 2 * static_cast<Eigen::Index>(i)) > 0)) return false;
     return h.gone || gauge(h, part(moment, i), share_[i]) > 1;
   }
-  /// The first way of an end's flow: that of `near`, else the normal of the surface where the elastic moment is.
+  /// First direction of an end's flow: from `near`, else the normal of the surface at the elastic moment.
   void start(std::size_t i, const SpaceEnds* near, SpaceEnds& out) const {
     const SpaceHinge& h = hinge_[i];
     out.flows[i] = true;
@@ -139,7 +139,7 @@ class EndsBeside {
     out.p.segment<2>(2 * static_cast<Eigen::Index>(i)) = out.flow[i].p;
   }
 
-  /// Moments beyond what the ends `which` carry, which shall be 0 [N m]; and their size, for what rounding may leave.
+  /// Excess of the moments over the capacity of the ends `which`, to be made 0 [N m]; and its scale, for the tolerance.
   Unknowns beyond(const SpaceEnds& at, const std::array<bool, 2>& which, double& size) const {
     Unknowns out(2 * (which[0] + which[1]));
     Eigen::Index row = 0;
@@ -173,7 +173,7 @@ class EndsBeside {
     }
     return out;
   }
-  /// The flows a share of a step of Newton's method further.
+  /// The flows after a share of a Newton step.
   [[nodiscard]] SpaceEnds moved(const SpaceEnds& at, const std::array<bool, 2>& which, const Unknowns& go,
                                 double by) const {
     SpaceEnds out = at;
@@ -195,7 +195,7 @@ class EndsBeside {
     out.moment = k_ * (turn_ - out.p);
     return out;
   }
-  /// Newton's method for the flow of the ends `which`, each step shortened until less is left over.
+  /// Newton's method for the flow of the ends `which`; each step is shortened until the residual decreases.
   bool solve(SpaceEnds& at, const std::array<bool, 2>& which) const {
     at.moment = k_ * (turn_ - at.p);
     if (!which[0] && !which[1]) return true;

@@ -1,9 +1,9 @@
-// Both ends of a beam with hinges in space beside a given normal force: which of them flow, and how.
+// Both ends of a beam with hinges in space at a given normal force: which ends flow, and how.
 //
-// Unknown are the length and the way of each end's flow (element/beam/hinge_flow_3d.hpp); sought is that the elastic
-// moments are what the ends carry, K (turn - p) = most, which Newton's method does for both at once. Where it fails,
-// each end in turns as in the plane; where that fails, from surfaces so wide that none flows the ends are followed to
-// their own.
+// Unknown are amount and direction of each end's flow (element/beam/hinge_flow_3d.hpp). The condition is that the
+// elastic moments equal the capacity, K (turn - p) = most, which Newton's method solves for both ends at once. If it
+// fails, the ends are solved in turn as in the plane. If this fails too, a continuation starts from surfaces so large
+// that no end flows and reduces them to their size.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@
 
 namespace trilith {
 
-/// Rows of four: y and z of end 0, y and z of end 1, in signs where bends and moments are above 0 as the side to z and
-/// the bottom lengthen, and scaled by the hinges' sqrt(s) (element/beam/hinge_flow_3d.hpp).
+/// Vectors of four: y and z of end 0, y and z of end 1. Bends and moments are positive as the side to z and the bottom
+/// lengthen, and are scaled by the hinges' sqrt(s) (element/beam/hinge_flow_3d.hpp).
 using Bends = Eigen::Vector4d;
 using Hinges = std::array<SpaceHinge, 2>;
 
@@ -24,7 +24,7 @@ struct SpaceBeamOfStep {
   double axial;
   Eigen::Matrix4d bend = Eigen::Matrix4d::Zero(), bow = Eigen::Matrix4d::Zero();
   double stretch;      ///< [m]
-  Bends turn, factor;  ///< [rad]; of rotations over those of the beam, with their signs
+  Bends turn, factor;  ///< [rad]; ratio of scaled rotations to the beam's, with signs
 
   SpaceBeamOfStep(const BeamStiffness3& k, const BeamStrain3& d, const std::array<double, 2>& scale)
       : axial(k.axial), stretch(d[0]), factor(-scale[0], -1, scale[1], 1) {
@@ -46,11 +46,11 @@ struct SpaceEnds {
   std::array<bool, 2> flows{};
   std::array<SpaceFlow, 2> flow;
   Bends p = Bends::Zero(), moment = Bends::Zero();
-  double stretch = 0;  ///< plastic stretch by both ends' flow, of this step [m]
+  double stretch = 0;  ///< plastic stretch due to the flow of both ends in this step [m]
   bool settled = true;
 };
 
-/// `near`: where the search begins, of a normal force nearby; or null.
+/// `near`: start of the search, from a similar normal force; or null.
 SpaceEnds ends_beside(const SpaceBeamOfStep& beam, const Hinges& hinge, double normal, const SpaceEnds* near);
 
 }  // namespace trilith

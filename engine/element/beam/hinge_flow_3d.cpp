@@ -3,7 +3,7 @@
 namespace trilith {
 namespace {
 
-/// A hinge that comes to carry nothing within a step keeps so much of its moment until the next one.
+/// A hinge that loses its capacity within a step keeps this share of its moment until the next step.
 constexpr double least_kept = 1e-9;
 
 double power(double base, double exponent) {
@@ -25,12 +25,12 @@ double kept_slope(const SpaceHinge& hinge, double reach) {
   return -hinge.worn * (1 - law.residual) / law.softening;
 }
 
-/// Of the surface whose widths are `width`, toward the way n.
+/// Support function of the surface with the widths `width` in direction n.
 struct Support {
   double h;                     ///< [N m]
   Eigen::Vector2d point;        ///< sigma
-  Eigen::Vector2d point_turn;   ///< by the angle of n
-  Eigen::Vector2d point_width;  ///< by widths that grow at `growth`
+  Eigen::Vector2d point_turn;   ///< derivative by the angle of n
+  Eigen::Vector2d point_width;  ///< derivative by the reach, at which widths grow by `growth`
   double h_width;
 };
 
@@ -96,7 +96,7 @@ Eigen::Vector2d normal_at(const SpaceHinge& hinge, const Eigen::Vector2d& moment
   return n.normalized();
 }
 
-/// Where the reach grows with p, D and the widths go with it.
+/// If the reach grows with p, D and the widths change too.
 SpaceFlow flow_along(const SpaceHinge& hinge, const Eigen::Vector2d& way, double length, double share) {
   SpaceFlow f;
   f.way = way, f.length = length, f.p = hinge.from + length * way;

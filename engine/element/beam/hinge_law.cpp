@@ -4,7 +4,7 @@ namespace trilith {
 
 namespace {
 
-/// A concave share keeps the surface of N and M convex, on which the search for N relies.
+/// A concave share keeps the surface of N and M convex, which the search for N requires.
 void check_points(const std::vector<double>& force, const std::vector<double>& share) {
   const std::size_t n = force.size();
   if (share.size() != n || n < 3)
@@ -25,7 +25,7 @@ void check_points(const std::vector<double>& force, const std::vector<double>& s
 
 }  // namespace
 
-/// What no single parameter can say: limits in their order, and forces that belong together.
+/// Conditions on several parameters: the order of limits, and forces that belong together.
 void HingeLaw::check() const {
   if (capping > 0 && !(softening > 0))
     throw InputError("end_hinge: with a capping rotation, softening must be above 0 rad");
@@ -51,8 +51,8 @@ void HingeLaw::check() const {
         "softening or wear without a residual");
 }
 
-/// By the exponent e with n = |N| / Np: c = 1 - n^e, dc/dN = -sign(N) e n^(e-1) / Np, d2c/dN2 = -e (e-1) n^(e-2) /
-/// Np^2. By points: straight between them, at a point the piece on the side away from 0.
+/// With the exponent e and n = |N| / Np: c = 1 - n^e, dc/dN = -sign(N) e n^(e-1) / Np, d2c/dN2 = -e (e-1) n^(e-2) /
+/// Np^2. With points: linear between them; at a point the piece on the side away from 0.
 AxialShare HingeLaw::beside(double normal) const {
   if (!has_axial()) return {};
   if (force.empty()) {
@@ -64,17 +64,17 @@ AxialShare HingeLaw::beside(double normal) const {
     return {1 - power, -sign * exponent * slope / full,
             n > 0 ? -exponent * (exponent - 1) * power / (n * n) / (full * full) : 0.0};
   }
-  std::size_t i = 0;  // of the piece that begins at point i
+  std::size_t i = 0;  // index of the piece that begins at point i
   while (i + 2 < force.size() && (normal < 0 ? normal > force[i + 1] : normal >= force[i + 1])) ++i;
   const double slope = (share[i + 1] - share[i]) / (force[i + 1] - force[i]);
   return {share[i] + slope * (normal - force[i]), slope, 0};
 }
 
-/// From the top of the backbone, yield and hardening up to the cap, down to the residual share of it over `softening`.
+/// From the peak of the backbone (yield and hardening up to the cap) down to its residual share over `softening`.
 void check_softening(const HingeLaw& law, double even_bending) {
   if (!(law.capping > 0)) return;
   const double top = std::max(law.yield(1), law.yield(-1)) + law.hardening * law.capping;
-  // The slope of the way down; a beam less stiff than that would snap.
+  // The descending slope; a less stiff beam would snap back.
   const double steep = (1 - law.residual) * top / law.softening;
   if (!(steep < even_bending))
     throw InputError(fmt::format(

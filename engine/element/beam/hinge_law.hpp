@@ -1,17 +1,21 @@
-// The law of a plastic hinge: moment against plastic rotation, and what a normal force leaves of it.
+// The law of a plastic hinge: moment as a function of plastic rotation, and its reduction by a normal force.
 //
-// With p the plastic rotation (above 0: the bottom lengthens), r the largest |p| so far and c the share that N leaves:
-//   D (X - (hogging + Hi r) c) <= M <= D (X + (sagging + Hi r) c),   X = Hk p,   Hk + Hi = hardening
-// From |p| = `capping` on X and Hi r stand, and D falls straight from 1 to `residual` over `softening`; besides D is
-// less by a straight line of the energy given off so far, down to `residual` once that is `wear` times the sagging
-// moment. Beyond `ultimate` the hinge has lost its moment for good; where it `removes`, its beam is then gone. The
-// backbone with a cap and the loss by energy are those of Ibarra, Medina and Krawinkler, Earthquake Eng. Struct. Dyn.
-// 34, 2005, without their pinching and loss of stiffness. The share of the moment left beside N,
-//   c = 1 - |N/Np|^exponent    (2: a rectangle, Neal, "The plastic methods of structural analysis", 1956)
-// with Np in tension and compression, or by points: a concave line, down to 0 at both of its ends. Flow is associated:
-// plastic stretch dp_u = -(dc/dN) D (sagging + Hi r) |dp|. Bends to either side wear and soften the hinge together.
+// With the plastic rotation p (positive: the bottom lengthens), the largest |p| so far r and the share c left by N:
+// ```
+//   D (X - (hogging + Hi r) c) <= M <= D (X + (sagging + Hi r) c),   X = Hk p,   Hk + Hi = hardening.
+// ```
+// Beyond |p| = `capping` X and Hi r stay constant, and D falls linearly from 1 to `residual` over `softening`. D is
+// further reduced linearly with the dissipated energy, down to `residual` once that is `wear` times the sagging moment.
+// Beyond `ultimate` the hinge has lost its moment for good; if it `removes`, its beam is then removed. The backbone
+// with a cap and the reduction by energy follow Ibarra, Medina and Krawinkler, Earthquake Eng. Struct. Dyn. 34, 2005,
+// without their pinching and loss of stiffness.
 //
-// In space both moments have a part in it, see element/beam/end_hinge_3d.hpp; bent about z alone it is this law.
+// The share c of the moment at a normal force N is c = 1 - |N/Np|^exponent (2: a rectangle, Neal, "The plastic methods
+// of structural analysis", 1956), with Np in tension and compression. Alternatively it is given by points: a concave
+// line, 0 at both of its ends. Flow is associated: plastic stretch dp_u = -(dc/dN) D (sagging + Hi r) |dp|. Rotation to
+// either side wears and softens the hinge as a whole.
+//
+// In space both moments act together, see element/beam/end_hinge_3d.hpp; for bending about z alone it is this law.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +28,7 @@
 
 namespace trilith {
 
-/// Share c of the moment beside a normal force, and its derivatives by it.
+/// Share c of the moment at a normal force, and its derivatives by the force.
 struct AxialShare {
   double share = 1;  ///< [1]
   double slope = 0;  ///< [1/N]
@@ -44,9 +48,9 @@ struct HingeLaw {
   double tension = 0;                          ///< [N]
   double compression = 0;                      ///< [N]
   double exponent = 2;                         ///< [1]
-  double across = 0;                           ///< in space: about the other axis of the section [N m]
+  double across = 0;                           ///< in space: sagging moment about the other axis of the section [N m]
   double contour = 2;                          ///< in space [1]
-  std::vector<double> force = {}, share = {};  ///< points of c, N rising [N], [1]; empty: by the exponent
+  std::vector<double> force = {}, share = {};  ///< points of c, N increasing [N], [1]; empty: uses the exponent
   bool removes = false;                        ///< the beam carries nothing once this hinge has lost its moment
 
   static constexpr std::string_view name = "end_hinge";
@@ -84,30 +88,30 @@ struct HingeLaw {
     law.sagging = 1e5, law.exponent = 2;
     return law;
   }
-  /// Of an end that never yields.
+  /// For an end that never yields.
   static HingeLaw never() {
     HingeLaw law;
     law.sagging = unbounded;
     return law;
   }
-  /// Throws InputError where the numbers do not fit each other.
+  /// Throws InputError where the parameters are inconsistent.
   void check() const;
 
   [[nodiscard]] double yield(int way) const { return way < 0 && hogging > 0 ? hogging : sagging; }
   /// Plastic rotation where hardening ends [rad].
   [[nodiscard]] double cap() const { return capping > 0 ? capping : unbounded; }
   [[nodiscard]] double moving() const { return (1 - isotropic) * hardening; }
-  /// X at p [N m] and what it stores [J], before D.
+  /// X at p [N m] and its stored energy [J], before D.
   [[nodiscard]] double back(double p) const { return moving() * std::clamp(p, -cap(), cap()); }
   [[nodiscard]] double stored(double p) const {
     const double linear = std::min(std::abs(p), cap());
     return moving() * linear * (std::abs(p) - 0.5 * linear);
   }
-  /// Half of the elastic range to one side, beside no normal force, before D [N m].
+  /// Elastic range to one side without normal force, before D [N m].
   [[nodiscard]] double width(int way, double reach) const {
     return yield(way) + isotropic * hardening * std::min(reach, cap());
   }
-  /// D by rotation, and by energy [1].
+  /// D due to rotation, and due to energy [1].
   [[nodiscard]] double kept(double reach) const {
     if (reach <= cap()) return 1;
     return std::max(residual, 1 - (1 - residual) * (reach - capping) / softening);
@@ -125,8 +129,8 @@ struct HingeLaw {
   [[nodiscard]] AxialShare beside(double normal) const;
 };
 
-/// Throws InputError where `law` softens by more moment per rotation than a beam gives, whose stiffness against even
-/// bending is 2 EI/L [N m]: no static path would follow it.
+/// Throws InputError where `law` softens faster than the beam's stiffness in uniform bending, 2 EI/L [N m]: no static
+/// path could follow it.
 void check_softening(const HingeLaw& law, double even_bending);
 
 }  // namespace trilith

@@ -1,5 +1,5 @@
-// The normal force of a beam with hinges, in the plane and in space: the root of one equation that rises with it, or
-// the tip of the surface. What the ends make of a normal force is the caller's.
+// The normal force of a beam with hinges, in the plane and in space: the root of one increasing equation, or the apex
+// of the surface. The caller computes the ends for each normal force.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ struct NormalRange {
   double low = -unbounded, high = unbounded;  ///< [N]
 };
 
-/// Normal forces beside which every hinge with a surface still carries some moment.
+/// Normal forces at which every hinge with a surface still carries some moment.
 inline NormalRange normal_range(const HingeLaw& first, const HingeLaw& second) {
   NormalRange out;
   for (const HingeLaw* const law : {&first, &second})
@@ -22,7 +22,7 @@ inline NormalRange normal_range(const HingeLaw& first, const HingeLaw& second) {
   return out;
 }
 
-/// N and both ends; `held` where N stands at a corner of the surface, whatever the stretch.
+/// N and both ends; `held` where N is at a corner of the surface, whatever the stretch.
 template <class Ends>
 struct ReturnedNormal {
   double normal;  ///< [N]
@@ -30,8 +30,8 @@ struct ReturnedNormal {
   bool held = false;
 };
 
-/// Where `missing` passes 0 between `at.low` (below) and `at.high` (above): false position, halved where that is slow.
-/// `size` [N]: of the forces, for rounding.
+/// The zero of `missing` between `at.low` (negative) and `at.high` (positive): false position, with bisection where
+/// that is slow. `size` [N]: scale of the forces, for rounding.
 template <class Ends, class EndsAt, class Missing>
 ReturnedNormal<Ends> find_normal(NormalRange at, double below, double above, double size, ReturnedNormal<Ends> out,
                                  const EndsAt& ends_at, const Missing& missing) {
@@ -39,7 +39,8 @@ ReturnedNormal<Ends> find_normal(NormalRange at, double below, double above, dou
   for (int i = 0; i < 200; ++i) {
     const double now = missing(out.normal, out.ends);
     if (now == 0 || std::abs(now) <= 2e-15 * size) return out;
-    if (i > 0 && (now < 0) == (last < 0)) (now < 0 ? above : below) *= 0.5;  // Illinois: the other end comes nearer
+    if (i > 0 && (now < 0) == (last < 0))
+      (now < 0 ? above : below) *= 0.5;  // Illinois: halves the value at the other end
     (now < 0 ? at.low : at.high) = out.normal;
     (now < 0 ? below : above) = last = now;
     if (at.high - at.low <= 4e-16 * size) break;
@@ -54,9 +55,9 @@ ReturnedNormal<Ends> find_normal(NormalRange at, double below, double above, dou
   return out;
 }
 
-/// `trial` [N]: of a step without flow, cut to the range; if that is not it already, a bracket from there and its root.
-/// `ends_at(N)` is what the ends do beside N, `missing(N, ends)` [N] rises with N and is 0 where it is the force of
-/// what is left of the stretch; `pull` [N]: the force of the whole stretch, for rounding.
+/// Starts from `trial` [N], the elastic normal force clipped to the range. If that is not the solution, finds a bracket
+/// from there and its root. `ends_at(N)` computes the ends at N. `missing(N, ends)` [N] increases with N and is 0 where
+/// N is the force of the remaining elastic stretch. `pull` [N]: the force of the whole stretch, for rounding.
 template <class EndsAt, class Missing>
 auto normal_beside_hinges(const NormalRange& range, double trial, double pull, const EndsAt& ends_at,
                           const Missing& missing) {
@@ -66,11 +67,11 @@ auto normal_beside_hinges(const NormalRange& range, double trial, double pull, c
   const double now = missing(first, at.ends);
   const double rounding = 2e-15 * (std::abs(trial) + pull);
   if (std::abs(now) <= rounding) return at;
-  // The root lies on the side that `now` says, at the end of the range or where a growing step meets it.
+  // The sign of `now` gives the side of the root: at the end of the range, or found by a growing step.
   double other = first, there = now, step = std::abs(now);
   for (int i = 0; i < 200 && there * now > 0; ++i) {
     const double next = std::clamp(first - std::copysign(step, now), range.low, range.high);
-    if (next == other) return Returned{next, ends_at(next), true};  // the tip
+    if (next == other) return Returned{next, ends_at(next), true};  // the apex
     other = next, there = missing(other, ends_at(other)), step *= 4;
   }
   if (there * now > 0) return at.ends.settled = false, at;

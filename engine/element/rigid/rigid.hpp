@@ -1,4 +1,4 @@
-// A rigid body: its one node carries all motion. Skin points turn with the node.
+// A rigid body: its one node carries all motion. Skin points rotate with the node.
 #pragma once
 
 #include <algorithm>
@@ -16,24 +16,24 @@ namespace trilith {
 template <int D>
 struct NodeMotion {
   Vec<D> position;       ///< [m]
-  Rotation<D> rotation;  ///< [rad] in the plane
+  Rotation<D> rotation;  ///< in the plane [rad]
   Vec<D> velocity;       ///< [m/s]
   Spin<D> spin;          ///< [rad/s]
 };
 
-/// Of two vectors.
+/// Squared lengths of two vectors.
 TRILITH_INLINE LanePair squared_sizes(const LanePair& a, const LanePair& b) {
   const LanePair of_a = a * a, of_b = b * b;
   return LanePair(__builtin_shufflevector(of_a, of_b, 0, 2)) + LanePair(__builtin_shufflevector(of_a, of_b, 1, 3));
 }
 
-/// How fast skin points are and how far they have come since they were placed last.
+/// Largest speed of skin points and largest displacement from their last placement.
 class SkinReach {
  public:
-  /// `drift`: beside which `step` is counted [m].
+  /// `drift`: displacement relative to which `step` is measured [m].
   TRILITH_INLINE explicit SkinReach(const LanePair& drift) : drift_(drift) {}
 
-  /// Where a point is and how fast it moves, (x, y, u, v), and the same of before.
+  /// Adds a point: its position and velocity (x, y, u, v) now and before.
   TRILITH_INLINE void add(const Lanes& now, const Lanes& before) {
     const Lanes moved = now - before, of = __builtin_shufflevector(moved, now, 0, 1, 6, 7), squares = of * of;
     const Lanes sizes = squares + __builtin_shufflevector(squares, squares, 1, 0, 3, 2);
@@ -41,9 +41,9 @@ class SkinReach {
     most2_ = sizes > most2_ ? sizes : most2_;
     step_ = beside > step_ ? beside : step_;
   }
-  [[nodiscard]] TRILITH_INLINE double speed2() const { return most2_[2]; }  ///< the largest square [m2/s2]
-  [[nodiscard]] TRILITH_INLINE double path2() const { return most2_[0]; }   ///< likewise [m2]
-  /// The most along x and along y [m].
+  [[nodiscard]] TRILITH_INLINE double speed2() const { return most2_[2]; }  ///< largest squared speed [m2/s2]
+  [[nodiscard]] TRILITH_INLINE double path2() const { return most2_[0]; }   ///< largest squared displacement [m2]
+  /// Largest displacement along x and along y [m].
   [[nodiscard]] TRILITH_INLINE LanePair step() const { return step_; }
 
  private:
@@ -51,14 +51,14 @@ class SkinReach {
   Lanes most2_{};
 };
 
-/// place: skin points fixed in the body's axes to where they are and how fast they move.
-/// `turn`: of the node's rotation. `Point` has x, y [m], u, v [m/s], side by side at a multiple of 32; of
-/// before, and overwritten. `reach`: taken up.
+/// place: computes positions and velocities of skin points fixed in the body's axes. `turn`: sine and cosine of the
+/// node's rotation. `Point` has x, y [m], u, v [m/s], contiguous and aligned to 32 bytes; the previous values are
+/// overwritten. `reach`: is updated.
 template <class Point>
 TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineCosine& turn, std::span<const Vec2> skin,
                                 std::span<Point> out, SkinReach& reach) {
   const auto [s, c] = turn;
-  // Columns of the turn, to (x, y, y, x); then (x, y) as they are and (y, x) times the spin.
+  // Columns of the rotation, to (x, y, y, x); then (x, y) unchanged and (y, x) times the spin.
   const Lanes to_x{c, s, s, c}, to_y{-s, c, c, -s}, spin{1, 1, -node.spin, node.spin};
   const Lanes origin{node.position.x(), node.position.y(), node.velocity.x(), node.velocity.y()};
   for (std::size_t i = 0; i < skin.size(); ++i) {
@@ -69,13 +69,13 @@ TRILITH_INLINE void place_rigid(const NodeMotion<2>& node, const portable::SineC
   }
 }
 
-/// What forces at skin points come to at the node.
+/// Resultant at the node of forces at skin points.
 struct NodeLoad {
   LanePair force{};   ///< [N]
   double moment = 0;  ///< [N m]
 };
 
-/// spread: forces at skin points to the force and moment at the node; the transpose of `place`.
+/// spread: transforms forces at skin points to the force and moment at the node; the transpose of `place`.
 template <class Point>
 TRILITH_INLINE NodeLoad spread_rigid(const Vec2& node, std::span<const Point> skin, std::span<const Vec2> skin_force) {
   const LanePair origin{node.x(), node.y()};

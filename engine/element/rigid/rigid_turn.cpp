@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// A turn of the body about its own axis k: the rotation, and its momentum in its own axes, which turns back.
+/// Rotation of the body about its axis k: updates the orientation, and rotates its momentum in body axes backwards.
 void turn_about(int k, const Vec3& inertia, double dt, UnitQuaternion& rotation, Vec3& own) {
   const double angle = dt * own[k] / inertia[k];
   const auto half = portable::sine_cosine(0.5 * angle);
@@ -21,7 +21,7 @@ void turn_about(int k, const Vec3& inertia, double dt, UnitQuaternion& rotation,
   own[i] = c * a + s * b, own[j] = c * b - s * a;
 }
 
-/// Corrections of a spin that is held about some axis: each squares the error, which begins with the turn of a step.
+/// Iterations for the spin of a partly held body: each squares the error, which is initially the rotation of a step.
 constexpr int most_corrections = 12;
 
 Eigen::Matrix3d tensor_of(const Vec3& inertia, const UnitQuaternion& rotation) {
@@ -50,8 +50,7 @@ Vec3 solve_free(Eigen::Matrix3d left, Vec3 right, const std::array<bool, 3>& fre
 
 }  // namespace
 
-// In the body's own axes the tensor of inertia is the diagonal J, so that turning there, multiplying and turning back
-// is all: L = R J R^T w, and w = R J^-1 R^T L.
+// In body axes the inertia tensor is the diagonal J: L = R J R^T w and w = R J^-1 R^T L.
 Vec3 momentum_of(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin) {
   const Turn3 turn(rotation);
   return turn.apply(inertia.cwiseProduct(turn.undo(spin)));
@@ -67,14 +66,14 @@ Vec3 spin_rate_by(const Vec3& inertia, const UnitQuaternion& rotation, const Vec
   return solve_free(tensor_of(inertia, rotation), moment, free);
 }
 
-// Free about all axes: L grows by span M, and w follows from it exactly. Held about some, L is not conserved, as
-// supports take part of it. There Euler's equation in the axes of the world, I = R J R^T, holds on the free axes alone,
-// with the mean spin u = (w + w') / 2:
+// Free about all axes: L changes by span M, and w follows exactly. If some axes are held, L is not conserved, because
+// supports take a part. Euler's equation in world axes, I = R J R^T, then holds on the free axes alone, with the mean
+// spin u = (w + w') / 2:
 //
-//   I (w' - w) / span + u x I u = M
+//   I (w' - w) / span + u x I u = M.
 //
-// Its product with u, which on held axes is 0, is (w' I w' - w I w) / (2 span) = M u: the moment's work, and no more.
-// The turn about w' that follows leaves w' I w' as it is. So without moments the energy is kept but for rounding.
+// Its product with u, which is 0 on held axes, is (w' I w' - w I w) / (2 span) = M u: the work of the moment alone. The
+// subsequent rotation about w' leaves w' I w' unchanged. So without moments the energy is conserved to rounding.
 Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin, const Vec3& moment, double span,
                 const std::array<bool, 3>& free, const Vec3& held) {
   if (free[0] && free[1] && free[2])
@@ -95,7 +94,7 @@ Vec3 spin_ahead(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3&
   return next;
 }
 
-// Five turns, the same read backwards: that is what keeps the energy near its own for ever.
+// Five rotations in a symmetric order, which keeps the energy error bounded.
 UnitQuaternion turned_freely(const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& momentum, double dt) {
   UnitQuaternion out = rotation;
   Vec3 own = Turn3(rotation).undo(momentum);

@@ -6,7 +6,7 @@
 namespace trilith {
 namespace {
 
-/// The axes of a body, and vectors to and from them.
+/// The axes of a body, and transformation of vectors to and from them.
 struct AxesInLanes {
   Triple<Lanes> x, y, z;
 
@@ -27,7 +27,7 @@ struct SineCosineInLanes {
   Lanes sine, cosine;
 };
 
-/// Up to here the series below end within rounding [rad].
+/// Up to this angle the series below are exact to rounding [rad].
 constexpr double longest_series = 1.0 / 16;
 
 [[gnu::noinline]] void find_one_by_one(const Lanes& angle, const LaneMask& which, SineCosineInLanes& out) {
@@ -38,7 +38,7 @@ constexpr double longest_series = 1.0 / 16;
   }
 }
 
-/// Taylor's series to the eleventh order; longer angles one by one.
+/// Taylor series to the eleventh order; larger angles one by one.
 TRILITH_INLINE SineCosineInLanes sine_cosine(const Lanes& angle) {
   const Lanes one = Lanes{} + 1.0, z = angle * angle;
   SineCosineInLanes out;
@@ -50,7 +50,7 @@ TRILITH_INLINE SineCosineInLanes sine_cosine(const Lanes& angle) {
   return out;
 }
 
-/// A turn about an own axis: the momentum across it, `a` and `b`, turns back.
+/// Rotation about a body axis: the transverse momentum, `a` and `b`, rotates backwards.
 TRILITH_INLINE SineCosineInLanes turn_back(const Lanes& momentum, const Lanes& inertia, double dt, Lanes& a, Lanes& b) {
   const SineCosineInLanes half = sine_cosine(0.5 * dt * momentum / inertia);
   const Lanes c = half.cosine * half.cosine - half.sine * half.sine, s = 2.0 * half.sine * half.cosine, before = a;
@@ -77,7 +77,7 @@ TRILITH_INLINE void turn_z(TurningInLanes& t, Triple<Lanes>& own, double dt) {
                 q.w * h.sine + q.z * h.cosine};
 }
 
-/// In own axes: the momentum is J times the spin, and grows by the moment; then five turns, the same read backwards.
+/// In body axes the momentum is J times the spin plus the moment's impulse; then five rotations in a symmetric order.
 TRILITH_INLINE void turn_bodies(TurningInLanes& t, double span, double dt) {
   const Lanes one = Lanes{} + 1.0;
   const Triple<Lanes> per{one / t.inertia.x, one / t.inertia.y, one / t.inertia.z};

@@ -9,14 +9,14 @@
 namespace trilith {
 namespace {
 
-/// Corners of a round outline.
+/// Number of corners of a round outline.
 constexpr int round_sides = 96;
 
 Polygon box_between(double left, double right, double low, double high) {
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
-/// Rectangles on one another, from the bottom up, each in the middle of the width.
+/// Stacked rectangles from the bottom up, each centred in the width.
 std::vector<SectionPart> stacked(std::initializer_list<SectionLayer> layers) {
   std::vector<SectionPart> out;
   double level = 0;
@@ -55,7 +55,7 @@ std::vector<SectionPart> parts(const ISection& s) {
 std::vector<SectionPart> parts(const TSection& s) {
   return stacked({{s.web, s.depth - s.thickness}, {s.width, s.thickness}});
 }
-/// Two slabs, and half of the webs at either side.
+/// Two slabs, and half of the web width at either side.
 std::vector<SectionPart> parts(const BoxSection& s) {
   const double half = 0.5 * s.width, web = 0.5 * s.webs, from = s.bottom, to = s.depth - s.top;
   return {{box_between(-half, half, 0, s.bottom)},

@@ -1,4 +1,4 @@
-// What the shape of a section covers up and across, as polygons: for fibres that know both.
+// The shape of a section as polygons in height and width, for fibres with both coordinates.
 #pragma once
 
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace trilith {
 
-/// A simple polygon, counter-clockwise: (across, up) from the middle of the shape's width and from its bottom [m].
+/// A simple polygon, counter-clockwise: (across, up) from the centre of the shape's width and from its bottom [m].
 struct SectionPart {
   Polygon outline;
-  double sign = 1;  ///< -1: a hole in what is beside it
+  double sign = 1;  ///< -1: a hole in the other parts
 };
 
-/// The parts that a shape is made of. A circle is a polygon of 96 sides of its area, whose second moments are right to
+/// The parts of a shape. A circle becomes a polygon with 96 sides of equal area, whose second moments are exact to
 /// 1e-6.
 std::vector<SectionPart> parts_of(const FibreShape& shape);
 
-/// Places across where its width changes at once or where it ends, rising [m].
+/// Coordinates across where its width is discontinuous or where it ends, increasing [m].
 std::vector<double> borders_across(const std::vector<SectionPart>& parts);
 
 }  // namespace trilith

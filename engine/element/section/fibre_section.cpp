@@ -7,10 +7,10 @@ namespace trilith {
 
 namespace {
 
-/// Nearer than this times the depth, two levels are one.
+/// Levels nearer to each other than this times the depth are one.
 constexpr double same_level = 1e-9;
 
-/// Even layers, cut further where the width of shape or core changes at once, from the bottom up.
+/// Equal layers, cut further where the width of shape or core is discontinuous, from the bottom up.
 std::vector<double> levels_of(const FibreSpec& spec, double depth, const FibreShape* core) {
   std::vector<double> all = borders_of(spec.shape);
   for (int i = 1; i < spec.layers; ++i) all.push_back(depth * i / spec.layers);
@@ -23,16 +23,16 @@ std::vector<double> levels_of(const FibreSpec& spec, double depth, const FibreSh
   return out;
 }
 
-/// Two fibres for a layer, whose moments are about the bottom, `below` under the centroid of the whole.
+/// Two fibres for a layer with moments about the bottom, which is `below` under the centroid of the whole.
 void add_layer(const StripMoments& layer, double below, double least_area, std::vector<Fibre>& out) {
   if (layer.area <= least_area) return;
   const double centroid = layer.first / layer.area;
   const double gyration = std::sqrt(std::max(0.0, layer.second / layer.area - centroid * centroid));
-  // Half of the area at plus and minus the radius of gyration keeps area, centroid and second moment.
+  // Half of the area at plus and minus the radius of gyration conserves area, centroid and second moment.
   for (const double way : {-1.0, 1.0}) out.push_back({layer.area / 2, centroid - below + way * gyration});
 }
 
-/// Fibres of one law lie together, so that they are worked on in one loop.
+/// Fibres with one law are stored together, for one loop over them.
 void add_part(const UniaxialLaw& law, const std::vector<Fibre>& fibres, FibreSection& section) {
   if (fibres.empty()) return;
   section.parts.push_back({law, static_cast<int>(section.fibres.size()), static_cast<int>(fibres.size())});
@@ -66,8 +66,8 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
           bar.height, bar.count, bar.spread));
 }
 
-/// Response of the fibres of one law, added to `out`.
-/// Strain e = e_0 - y k of each fibre; N += s A, M -= s A y, and their derivatives by e_0 and k.
+/// Adds the response of the fibres with one law to `out`. Strain e = e_0 - y k of each fibre; N += s A, M -= s A y, and
+/// their derivatives by e_0 and k.
 template <UniaxialLawType L>
 void respond_part(const L& law, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
                   double* after, SectionResponse& out) {
@@ -93,7 +93,7 @@ int FibreSection::memory_size() const {
   return size;
 }
 
-/// Sum of E A (1, -y)(1, -y)', E the largest slope of each law.
+/// Sum of E A (1, -y)(1, -y)', with the largest slope E of each law.
 Eigen::Matrix2d FibreSection::stiffest() const {
   Eigen::Matrix2d out = Eigen::Matrix2d::Zero();
   for (const FibrePart& p : parts) {
@@ -106,7 +106,7 @@ Eigen::Matrix2d FibreSection::stiffest() const {
   return out;
 }
 
-/// Layer by layer: what of it is core, and what is left as cover. Bars are added as they are, at their height.
+/// For each layer the core part, and the rest as cover. Bars are added at their height.
 FibreSection make_fibres(const FibreSpec& spec) {
   const Section whole = section_of(spec.shape);
   check_fibre_spec(spec, whole.depth());
@@ -137,7 +137,7 @@ FibreSection make_fibres(const FibreSpec& spec) {
   return out;
 }
 
-/// Part after part, as fibres and their memories lie.
+/// Part by part, in the order of fibres and memories.
 SectionResponse respond(const FibreSection& section, const SectionStrain& strain, std::span<const double> before,
                         std::span<double> after) {
   assert(before.size() == after.size() && static_cast<int>(after.size()) == section.memory_size());

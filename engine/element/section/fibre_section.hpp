@@ -1,13 +1,15 @@
-// A section as fibres: strain that is plane over its depth, each fibre with its own law.
+// Fibre section: plane strain distribution over the depth, a uniaxial law for each fibre.
 //
-//   e(y) = e_0 - y k,   N = sum s A,   M = -sum s A y,   y up from the centroid of the whole shape
+//   e(y) = e_0 - y k,   N = sum s A,   M = -sum s A y,   y up from the centroid of the whole shape.
 //
-// k is the second derivative of the deflection to the left of the axis (element/beam/beam_element.hpp), so M > 0 pulls
-// the bottom. The shape is cut into layers; a layer is two fibres, a radius of gyration above and below its centroid
-// with half of its area each: area, centroid and second moment of each layer are exact, and with them the elastic
-// section. A cover is what lies outside of a core of the same shape; bars are further fibres (the concrete they stand
-// in is not taken off). Left out: shear and its part in yield, bars that slip or buckle, sections that do not stay
-// plane.
+// Curvature k is the second derivative of the deflection to the left of the axis (element/beam/beam_element.hpp), so M
+// > 0 puts the bottom in tension. The shape is cut into layers. A layer is two fibres with half of its area each, a
+// radius of gyration above and below its centroid. So area, centroid and second moment of each layer are exact, and
+// with them the elastic section.
+//
+// A cover is the part outside of a core with the same shape. Bars are additional fibres; the concrete area that they
+// displace is not subtracted. Not modelled: shear and its influence on yielding, bar slip and buckling, warping of
+// sections.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,26 +25,26 @@
 namespace trilith {
 
 struct FibreBars {
-  double area = 0;    ///< of all at one height [m2]
+  double area = 0;    ///< total area at this height [m2]
   double height = 0;  ///< above the bottom of the section [m]
-  // Where they stand in space:
-  int count = 1;      ///< so many, evenly over `spread`
-  double across = 0;  ///< their middle, from that of the section's width [m]
-  double spread = 0;  ///< from the first to the last [m]
+  // Distribution across the section, in space:
+  int count = 1;      ///< number of bars, evenly over `spread`
+  double across = 0;  ///< their centre, from the centre of the section's width [m]
+  double spread = 0;  ///< distance from the first to the last [m]
 };
 
-/// What fibres are made from.
+/// Specification of the fibres.
 struct FibreSpec {
   FibreShape shape;
   UniaxialLaw law;
-  int layers = 20;  ///< of even depth, cut further where the width changes at once
+  int layers = 20;  ///< of equal depth, cut further where the width is discontinuous
   double cover = 0;
-  UniaxialLaw cover_law = {};           ///< where there is a cover
-  std::optional<FibreShape> core = {};  ///< in place of what `cover` leaves; its bottom is `cover` above the shape's
+  UniaxialLaw cover_law = {};           ///< if there is a cover
+  std::optional<FibreShape> core = {};  ///< replaces the core by `cover`; bottom at height `cover`
   std::vector<FibreBars> bars = {};
   UniaxialLaw bar_law = {};
   std::array<int, 2>
-      cells{};  ///< of sections in space: up and across; 0: chosen, see element/section/fibre_section_3d.hpp
+      cells{};  ///< sections in space: up and across; 0: default, see element/section/fibre_section_3d.hpp
 };
 
 struct Fibre {
@@ -50,7 +52,7 @@ struct Fibre {
   double height = 0;  ///< above the centroid [m]
 };
 
-/// Fibres of one law, one after the other.
+/// Consecutive fibres with one law.
 struct FibrePart {
   UniaxialLaw law;
   int first = 0, count = 0;
@@ -60,13 +62,13 @@ struct FibreSection {
   std::vector<Fibre> fibres;
   std::vector<FibrePart> parts;
 
-  /// Numbers that it remembers: those of each fibre in order. A new section remembers 0 alone.
+  /// Size of its memory: the fibres' memories in order. A new section has zeros only.
   [[nodiscard]] int memory_size() const;
-  /// N, M over axial strain, curvature, of the stiffest that the laws can be [N], [N m], [N m2].
+  /// N, M as functions of axial strain, curvature, with the largest stiffness of each law [N], [N m], [N m2].
   [[nodiscard]] Eigen::Matrix2d stiffest() const;
 };
 
-/// Throws InputError where layers, cover, bars or a law are not sound.
+/// Throws InputError where layers, cover, bars or a law are invalid.
 FibreSection make_fibres(const FibreSpec& spec);
 
 struct SectionStrain {
@@ -75,8 +77,8 @@ struct SectionStrain {
 };
 
 struct SectionResponse {
-  double normal = 0;  ///< tension above 0 [N]
-  double moment = 0;  ///< above 0 where the bottom is in tension [N m]
+  double normal = 0;  ///< tension positive [N]
+  double moment = 0;  ///< positive where the bottom is in tension [N m]
   Eigen::Matrix2d tangent = Eigen::Matrix2d::Zero();
   double stored = 0;      ///< [J/m]
   double dissipated = 0;  ///< in this step [J/m]

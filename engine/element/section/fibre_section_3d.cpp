@@ -11,14 +11,14 @@
 namespace trilith {
 namespace {
 
-/// Where nothing is said: as many levels, and places across about as far from each other.
+/// Default number of levels; coordinates across have about the same spacing.
 constexpr int default_levels = 8, most_across = 64;
-/// Cells along either direction that can be asked for.
+/// Largest number of cells along either direction.
 constexpr int most_cells = 100;
 
 using Region = std::vector<SectionPart>;
 
-/// `count` even stretches from `low` to `high`, cut further at `borders`.
+/// `count` equal intervals from `low` to `high`, cut further at `borders`.
 std::vector<double> grid_lines(double low, double high, int count, std::vector<double> borders) {
   const double same = 1e-9 * (high - low);
   for (int i = 0; i <= count; ++i) borders.push_back(low + (high - low) * i / count);
@@ -29,7 +29,7 @@ std::vector<double> grid_lines(double low, double high, int count, std::vector<d
   return out;
 }
 
-/// What of a region lies between two values of a coordinate (0: across, 1: up).
+/// The part of a region between two values of a coordinate (0: across, 1: up).
 Region between(const Region& region, int coordinate, double low, double high, double same) {
   const Vec2 along = coordinate == 0 ? Vec2::UnitX() : Vec2::UnitY();
   Region out;
@@ -51,13 +51,13 @@ OutlineMoments moments_of(const Region& region) {
   return sum;
 }
 
-/// The lines that a section is cut by, and what less than is no cell.
+/// The lines that cut a section, and the area below which a cell is ignored.
 struct CellGrid {
   std::vector<double> across, up;
   double same;        // [m]
   double least_area;  // [m2]
 
-  /// Calls f(part of each region within the cell) for each cell, regions side by side.
+  /// Calls f(part of each region within the cell) for each cell, with all regions at once.
   template <class F>
   void for_cells(const Region& shape, const Region& core, F&& f) const {
     for (std::size_t j = 0; j + 1 < up.size(); ++j) {
@@ -98,7 +98,7 @@ void add_part(const UniaxialLaw& law, const std::vector<Fibre3>& fibres, FibreSe
   section.fibres.insert(section.fibres.end(), fibres.begin(), fibres.end());
 }
 
-/// Bars of one height stand evenly from one side to the other of what they are spread over.
+/// Bars of one height, evenly distributed from one side to the other of their spread.
 std::vector<Fibre3> bars_of(const FibreSpec& spec, double below, double width) {
   std::vector<Fibre3> out;
   for (const FibreBars& bars : spec.bars) {
@@ -114,8 +114,8 @@ std::vector<Fibre3> bars_of(const FibreSpec& spec, double below, double width) {
   return out;
 }
 
-/// Response of the fibres of one law, added to `out`. With a = (1, z, -y): e = a . strain, stress += s A a,
-/// tangent += E A a a'.
+/// Adds the response of the fibres with one law to `out`. With a = (1, z, -y): e = a . strain, stress += s A a, tangent
+/// += E A a a'.
 template <UniaxialLawType L>
 void respond_part(const L& law, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
                   double* after, SectionResponse3& out) {
@@ -154,9 +154,9 @@ Eigen::Matrix3d FibreSection3::stiffest() const {
   return out;
 }
 
-/// Cell by cell: what of it is core, and what is left as cover.
+/// For each cell the core part, and the rest as cover.
 FibreSection3 make_fibres_in_space(const FibreSpec& spec) {
-  make_fibres(spec);  // says what is not sound of what both have
+  make_fibres(spec);  // validates the specification as in the plane
   for (const int cells : spec.cells)
     if (cells < 0 || cells > most_cells)
       throw InputError(

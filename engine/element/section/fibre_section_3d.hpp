@@ -1,13 +1,13 @@
-// A section as fibres in space: strain that is plane over it, each fibre with its own law.
+// Fibre section in space: plane strain distribution, a uniaxial law for each fibre.
 //
-//   e(y, z) = e_0 - y k_z + z k_y,   N = sum s A,   M_y = sum s A z,   M_z = -sum s A y
+//   e(y, z) = e_0 - y k_z + z k_y,   N = sum s A,   M_y = sum s A z,   M_z = -sum s A y.
 //
-// y up and z across from the centroid of the whole shape; k_y and k_z are how fast the section turns about y and about
-// z along the beam (element/beam/beam_element_3d.hpp). The shape is cut by levels and by places across; what of it is
-// in a cell is four fibres with its area, middle and second moments (geometry/plane/outline_moments.hpp), so that the
-// elastic section is exact with any number of cells. Covers, cores and bars are those of
-// element/section/fibre_section.hpp. Left out: shear and torsion and their part in yield, bars that slip or buckle,
-// sections that do not stay plane.
+// Coordinates y up and z across start at the centroid of the whole shape. k_y and k_z are the rates of rotation of the
+// section about y and about z along the beam (element/beam/beam_element_3d.hpp). The shape is cut by levels and by
+// coordinates across. The part in each cell is four fibres with its area, centroid and second moments
+// (geometry/plane/outline_moments.hpp), so the elastic section is exact for any number of cells. Covers, cores and bars
+// follow element/section/fibre_section.hpp. Not modelled: shear and torsion and their influence on yielding, bar slip
+// and buckling, warping of sections.
 #pragma once
 
 #include "element/section/fibre_section.hpp"
@@ -23,18 +23,17 @@ struct FibreSection3 {
   std::vector<Fibre3> fibres;
   std::vector<FibrePart> parts;
 
-  /// Numbers that it remembers: those of each fibre in order. A new section remembers 0 alone.
+  /// Size of its memory: the fibres' memories in order. A new section has zeros only.
   [[nodiscard]] int memory_size() const;
-  /// N, M_y, M_z over axial strain, k_y and k_z, of the stiffest that the laws can be [N], [N m], [N m2].
+  /// N, M_y, M_z as functions of axial strain, k_y and k_z, with the largest stiffness of each law [N], [N m], [N m2].
   [[nodiscard]] Eigen::Matrix3d stiffest() const;
 };
 
-/// Cut by FibreSpec::cells. Throws InputError as make_fibres does, and for bars that stand outside of the shape's
-/// width.
+/// Cut by FibreSpec::cells. Throws InputError as make_fibres does, and for bars outside of the shape's width.
 FibreSection3 make_fibres_in_space(const FibreSpec& spec);
 
 struct SectionResponse3 {
-  Eigen::Vector3d stress = Eigen::Vector3d::Zero();  ///< N [N], tension above 0; M_y and M_z [N m]
+  Eigen::Vector3d stress = Eigen::Vector3d::Zero();  ///< N, tension positive [N]; M_y and M_z [N m]
   Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
   double stored = 0;      ///< [J/m]
   double dissipated = 0;  ///< in this step [J/m]

@@ -8,7 +8,7 @@ namespace trilith {
 
 namespace {
 
-/// Rectangles on one another, from the bottom up.
+/// Stacked rectangles from the bottom up.
 using LayerStack = std::array<SectionLayer, 3>;
 
 LayerStack stack_of(const RectangleSection& s) {
@@ -39,7 +39,7 @@ StripMoments strip_of_stack(const LayerStack& stack, double low, double high) {
   return out;
 }
 
-/// Of a disc of radius r below the level y, about its centre: integrals of 2 sqrt(r^2 - y^2), times y, times y^2.
+/// Part of a disc of radius r below the level y, about its centre: integrals of 2 sqrt(r^2 - y^2), times y, times y^2.
 StripMoments disc_below(double r, double y) {
   const double at = std::clamp(y, -r, r), half = std::sqrt(std::max(0.0, r * r - at * at));
   // y = r sin(angle - pi/2): from 0 at the bottom to pi at the top.
@@ -48,7 +48,7 @@ StripMoments disc_below(double r, double y) {
           at * half * (2 * at * at - r * r) / 4 + r * r * r * r * angle / 4};
 }
 
-/// The same moments about a level `up` below the one they are about.
+/// The same moments about a level lower by `up`.
 StripMoments lifted(const StripMoments& m, double up) {
   return {m.area, m.first + up * m.area, m.second + up * (2 * m.first + up * m.area)};
 }
@@ -59,8 +59,8 @@ StripMoments strip_of_disc(double diameter, double low, double high) {
   return out -= disc_below(diameter / 2, low);
 }
 
-/// What of a polygon lies on one side of a level: above it where `sign` is 1. Sutherland and Hodgman; parts that hang
-/// together by edges along the level do no harm to integrals.
+/// Clips a polygon by a level; keeps the part above it where `sign` is 1. Sutherland and Hodgman; parts connected by
+/// edges along the level do not affect integrals.
 Polygon cut_at(const Polygon& in, double level, double sign) {
   Polygon out;
   for (std::size_t i = 0; i < in.size(); ++i) {
@@ -98,8 +98,7 @@ RectangleSection core(const RectangleSection& s, double c) {
 CircleSection core(const CircleSection& s, double c) {
   return {s.diameter - 2 * c, s.hollow > 0 ? s.hollow + 2 * c : 0};
 }
-/// Each part of the outline goes in by c: depth and widths by twice that, webs and flanges too, as both of their sides
-/// are covered.
+/// All dimensions shrink by 2 c, of webs and flanges too, because both of their sides are covered.
 ISection core(const ISection& s, double c) {
   return {s.depth - 2 * c,         s.web - 2 * c,          s.top_width - 2 * c,
           s.top_thickness - 2 * c, s.bottom_width - 2 * c, s.bottom_thickness - 2 * c};
@@ -107,7 +106,7 @@ ISection core(const ISection& s, double c) {
 TSection core(const TSection& s, double c) {
   return {s.depth - 2 * c, s.web - 2 * c, s.width - 2 * c, s.thickness - 2 * c};
 }
-/// `webs` are two together.
+/// `webs` is the sum of two.
 BoxSection core(const BoxSection& s, double c) {
   return {s.width - 2 * c, s.depth - 2 * c, s.webs - 4 * c, s.top - 2 * c, s.bottom - 2 * c};
 }
@@ -141,7 +140,8 @@ StripMoments strip_of(const FibreShape& shape, double low, double high) {
       shape);
 }
 
-/// Of an outline all its corners' levels, of a stack where one rectangle gives way to the next, of a pipe its hole's.
+/// For an outline the levels of its corners, for a stack the boundaries of rectangles, for a pipe the levels of its
+/// hole.
 std::vector<double> borders_of(const FibreShape& shape) {
   std::vector<double> out{0, section_of(shape).depth()};
   std::visit(

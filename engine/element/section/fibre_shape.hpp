@@ -1,4 +1,4 @@
-// The shape of a section as fibres need it: what of it lies between two levels, exactly.
+// The shape of a section for fibres: exact moments of the part between two levels.
 #pragma once
 
 #include <variant>
@@ -30,14 +30,14 @@ struct StripMoments {
 
 Section section_of(const FibreShape& shape);
 
-/// Of what lies between `low` and `high`, levels above the bottom of the shape [m], about the bottom.
+/// Moments, about the bottom, of the part between the levels `low` and `high` above the bottom of the shape [m].
 StripMoments strip_of(const FibreShape& shape, double low, double high);
 
-/// Levels above the bottom where its width changes at once, the bottom and the top among them [m].
+/// Levels above the bottom where its width is discontinuous, including bottom and top [m].
 std::vector<double> borders_of(const FibreShape& shape);
 
-/// What is left within a cover of even thickness [m] on all its faces, inner ones too. Throws InputError where nothing
-/// is, and for an outline, whose core has to be given.
+/// The core within a cover of constant thickness [m] on all faces, inner ones too. Throws InputError where nothing
+/// remains, and for an outline, whose core must be given.
 FibreShape core_of(const FibreShape& shape, double cover);
 
 }  // namespace trilith

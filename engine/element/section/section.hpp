@@ -1,6 +1,6 @@
-// Cross-sections of beams: what a plane beam needs of them, and the shapes they are made from.
+// Cross-sections of plane beams: their constants and shapes.
 //
-// A new shape is a struct here with its declared numbers and `numbers()`, and a name in the list below.
+// A new shape is a struct here with its declared parameters and `numbers()`, and a name in the list below.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace trilith {
 
-/// A section as a beam in the plane uses it.
+/// Section constants of a plane beam.
 struct Section {
   double area = 0;           ///< [m2]
   double second_moment = 0;  ///< about the axis through the centroid, out of plane [m4]
@@ -55,7 +55,7 @@ struct CircleSection {
       throw InputError(
           fmt::format("circle_section: hollow is {:g} m, must be below the diameter of {:g} m", hollow, diameter));
   }
-  /// Shear coefficient 0.9; of a pipe 0.5, which holds for a thin one.
+  /// Shear coefficient 0.9; for a pipe 0.5, which is valid for thin walls.
   [[nodiscard]] Section numbers() const {
     const double area = M_PI / 4 * (diameter * diameter - hollow * hollow);
     const double square = diameter * diameter + hollow * hollow;
@@ -63,12 +63,12 @@ struct CircleSection {
   }
 };
 
-/// Rectangles on one another, widths centred: what I, T and box sections are in the plane.
+/// Stacked rectangles with centred widths: plane I, T and box sections.
 struct SectionLayer {
   double width, depth;  ///< [m]
 };
 
-/// From the bottom up; `web` is the one that carries shear, over the whole depth.
+/// From the bottom up; the layer `web` carries shear, over the whole depth.
 inline Section layered_section(std::span<const SectionLayer> layers, std::size_t web) {
   Section s;
   double first = 0, depth = 0;
@@ -207,7 +207,7 @@ struct GivenSection {
 
 using SectionShapes = TypeList<RectangleSection, CircleSection, ISection, TSection, BoxSection, GivenSection>;
 
-/// Of a simple polygon, given in its own axes: x out of plane, y up [m].
+/// A simple polygon, given in its own axes: x out of plane, y up [m].
 Section polygon_section(std::span<const Vec2> outline);
 
 }  // namespace trilith

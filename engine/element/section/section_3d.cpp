@@ -15,7 +15,7 @@ double cube(double x) {
   return x * x * x;
 }
 
-/// By the exponential of base/portable.hpp, so that a section has the same bits on every processor.
+/// Uses the exponential of base/portable.hpp, so that a section has the same bits on every processor.
 double tanh_of(double x) {
   return 1 - 2 / (portable::exp(2 * x) + 1);
 }
@@ -24,14 +24,15 @@ std::vector<Vec2> rectangle(double width, double low, double high) {
   return {{-0.5 * width, low}, {0.5 * width, low}, {0.5 * width, high}, {-0.5 * width, high}};
 }
 
-// A section seen along its beam, y to its top and z across:
-//
+// A section seen along its beam, y to its top and z across.
+// ```
 //         y |  ___          second_moment[1], about z: bends up and down, as in the plane
 //           | |___| flange  second_moment[0], about y: bends across
 //           |  | |  web     torsion: J of the twist, M = G J theta'
 //           +------ z
+// ```
 
-/// Area, bending up and down and its shear as the plane has them; `across`: about y.
+/// Area, vertical bending and its shear as in the plane; `across`: second moment about y.
 Section3 with_numbers(const Section& plane, double across, double shear_across, double torsion) {
   Section3 s;
   s.area = plane.area;
@@ -53,7 +54,7 @@ std::vector<Vec2> round_profile(double diameter) {
   return out;
 }
 
-/// Rectangles on one another, from the bottom of the section up.
+/// Stacked rectangles from the bottom of the section up.
 std::vector<std::vector<Vec2>> layered_profile(std::span<const SectionLayer> layers, double below) {
   std::vector<std::vector<Vec2>> out;
   double level = -below;
@@ -64,7 +65,7 @@ std::vector<std::vector<Vec2>> layered_profile(std::span<const SectionLayer> lay
   return out;
 }
 
-/// Of open walls: flanges bend across on their own; they carry shear across on 5/6 of their area.
+/// For open walls: flanges bend across individually; they carry shear across on 5/6 of their area.
 Section3 open_section(std::span<const SectionLayer> layers, std::span<const double> flange_areas,
                       const Section& plane) {
   double across = 0, torsion = 0, shear = 0;
@@ -85,7 +86,7 @@ Section3 open_section(std::span<const SectionLayer> layers, std::span<const doub
 double rectangle_torsion(double width, double depth) {
   const double a = std::max(width, depth), b = std::min(width, depth);
   double sum = 0;
-  // Terms fall with the fifth power: after 40 of them what is left is below 1e-9 of the sum.
+  // Terms decrease with the fifth power: after 40 terms the remainder is below 1e-9 of the sum.
   for (int n = 79; n >= 1; n -= 2) sum += tanh_of(std::min(n * M_PI * a / (2 * b), 40.0)) / (cube(n) * n * n);
   return a * cube(b) * (1.0 / 3 - 64 / (cube(M_PI) * M_PI * M_PI) * b / a * sum);
 }
@@ -106,7 +107,7 @@ Section3 section_in_space(const CircleSection& s) {
   return out;
 }
 
-/// An open section of thin walls twists as its walls do, J = sum of b t^3 / 3; warping that is held is left out.
+/// An open thin-walled section twists as its walls do, J = sum of b t^3 / 3; restrained warping is not modelled.
 Section3 section_in_space(const ISection& s) {
   const std::array layers{SectionLayer{s.bottom_width, s.bottom_thickness},
                           SectionLayer{s.web, s.depth - s.top_thickness - s.bottom_thickness},
@@ -149,7 +150,7 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
   double across = 0, mixed = 0;
   std::vector<Vec2> own;
   for (const Vec2& p : outline) own.emplace_back(p - moments.centroid);
-  // Green's theorem, side by side: the triangle of the centroid and a side has these moments.
+  // Green's theorem for each side: moments of the triangle between the centroid and the side.
   for (std::size_t i = 0; i < own.size(); ++i) {
     const Vec2 &p = own[i], &q = own[(i + 1) % own.size()];
     const double twice = sign * cross(p, q);
@@ -161,8 +162,8 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
         "polygon_section: up and across are not its principal axes, which a beam in space bends about; turn "
         "its outline by {:.4g} rad, and the orientation of its members back",
         0.5 * portable::atan2(2 * mixed, plane.second_moment - across)));
-  // Saint-Venant's estimate for a solid section, within some percent where it is not far from an ellipse, of which it
-  // is exact: J = A^4 / (40 Ip).
+  // Saint-Venant's estimate for a solid section, J = A^4 / (40 Ip). Exact for an ellipse, within some percent for
+  // similar shapes.
   const double polar = across + plane.second_moment;
   Section3 out =
       with_numbers(plane, across, plane.shear_area, plane.area * plane.area * plane.area * plane.area / (40 * polar));

@@ -1,4 +1,4 @@
-// Faces of elements in space: the plane that each keeps.
+// Faces of elements in space: the plane fitted to each.
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace trilith {
 namespace {
 
-/// A point of a face for integrals over it: shape functions of the face's nodes, their two derivatives, and a weight.
+/// A quadrature point of a face: shape functions of the face's nodes, their two derivatives, and a weight.
 struct FacePoint {
   std::array<double, max_face_nodes> n{};
   std::array<Vec2, max_face_nodes> d;
@@ -62,11 +62,11 @@ std::vector<FacePoint> triangle_points(bool quadratic) {
   return points;
 }
 
-/// Nodes of a face where they are, their middle by area, and its area vector.
+/// Positions of a face's nodes, its area centroid, and its area vector.
 struct FaceNodes {
   std::vector<Vec3> place;
   std::vector<FacePoint> points;
-  std::vector<double> area;  ///< [point] that it stands for
+  std::vector<double> area;  ///< [point] weight
   Vec3 vector = Vec3::Zero();
 
   FaceNodes(ElementShape shape, std::span<const Vec3> nodes, int face) {
@@ -90,7 +90,7 @@ struct FaceNodes {
 
 }  // namespace
 
-/// Least squares of (1, s) over the face: the middle is that of the area, so that mean and gradient do not mix.
+/// Least squares of (1, s) over the face: s starts at the area centroid, so mean and gradient are decoupled.
 FaceFit fit_face(ElementShape shape, std::span<const Vec3> nodes, int face) {
   const FaceNodes f(shape, nodes, face);
   FaceFit fit;

@@ -1,4 +1,4 @@
-// Gradients of the shape functions of elements in space where an element turns inside out first.
+// Gradients of the shape functions of elements in space at the points where an element inverts first.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// At the corners and the points of Gauss of a reference shape: of each node [1/m].
+/// Gradients of each node at the corners and Gauss points of a reference shape [1/m].
 std::vector<std::array<Vec3, max_space_nodes>> watched_gradients(ElementShape shape, std::span<const Vec3> nodes);
 
 }  // namespace trilith

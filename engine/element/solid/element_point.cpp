@@ -13,7 +13,7 @@ std::array<double, 4> volume_coordinates(const Vec3& at) {
 }
 
 std::array<double, max_space_nodes> brick_functions(const Vec3& at) {
-  // Nodes go round the lower face and round the upper one.
+  // Nodes go around the lower face and then around the upper one.
   constexpr std::array<std::array<double, 2>, 4> round{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   std::array<double, max_space_nodes> n{};
   for (std::size_t i = 0; i < 8; ++i)
@@ -52,7 +52,7 @@ std::array<double, max_space_nodes> shape_functions(ElementShape shape, const Ve
   return shape == ElementShape::wedge ? wedge_functions(natural) : tetrahedron_functions(shape, natural);
 }
 
-/// Places are at most quadratic along each natural coordinate, so that central differences are their derivatives.
+/// Positions are at most quadratic along each natural coordinate, so central differences are exact derivatives.
 Vec3 natural_coordinates(ElementShape shape, std::span<const Vec3> nodes, const Vec3& at) {
   constexpr int most_steps = 30;
   constexpr double exact = 1e-13, half = 0.5;

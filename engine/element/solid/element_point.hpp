@@ -1,4 +1,4 @@
-// Points of elements in space: natural coordinates of a place, and the place of natural coordinates.
+// Points of elements in space: conversion between positions and natural coordinates.
 #pragma once
 
 #include <array>
@@ -8,13 +8,14 @@
 
 namespace trilith {
 
-/// Values of the shape functions at natural coordinates; beyond the element too, where they go on.
+/// Shape functions at natural coordinates; extrapolated outside of the element.
 std::array<double, max_space_nodes> shape_functions(ElementShape shape, const Vec3& natural);
 
-/// Natural coordinates of a place [m], by Newton's method from the element's middle; `nodes`: as many as the shape has.
+/// Natural coordinates of a position [m], by Newton's method from the element's centre; `nodes`: as many as the shape
+/// has.
 Vec3 natural_coordinates(ElementShape shape, std::span<const Vec3> nodes, const Vec3& at);
 
-/// How far outside of the element they are, in natural coordinates; 0 within.
+/// Distance from the element in natural coordinates; 0 inside.
 double outside_of(ElementShape shape, const Vec3& natural);
 
 }  // namespace trilith

@@ -8,9 +8,12 @@
 namespace trilith {
 namespace {
 
+// Natural coordinates of a quadrilateral, and its Gauss points xi, eta = +-1/sqrt(3), each with the weight 1.
+// ```
 //     3 (-1, 1) ------ 2 (1, 1)       natural coordinates xi to the right, eta up;
-//        |                |           N_i = (1 + xi xi_i) (1 + eta eta_i) / 4,
-//     0 (-1, -1) ----- 1 (1, -1)      at the Gauss points xi, eta = +-1/sqrt(3), each of weight 1
+//        |                |           N_i = (1 + xi xi_i) (1 + eta eta_i) / 4
+//     0 (-1, -1) ----- 1 (1, -1)
+// ```
 
 constexpr std::array<double, 4> xi_of{-1, 1, 1, -1}, eta_of{-1, -1, 1, 1};
 
@@ -30,14 +33,14 @@ Eigen::Matrix<double, 4, 2> as_rows(std::span<const Vec2> corners) {
   return x;
 }
 
-/// Puts the gradient (d/dx, d/dy) of node or mode `i` where a strain matrix has it.
+/// Writes the gradient (d/dx, d/dy) of node or mode `i` to a strain matrix.
 template <class M>
 void set_strain(M& b, int i, double dx, double dy) {
   b(0, 2 * i) = dx, b(1, 2 * i + 1) = dy;
   b(2, 2 * i) = dy, b(2, 2 * i + 1) = dx;
 }
 
-/// The gradient of corner i is the opposite edge, turned by 90 degrees inwards, over twice the area.
+/// The gradient of corner i is the opposite edge, rotated inwards by 90 degrees, over twice the area.
 ElementStrain triangle_strain(std::span<const Vec2> c) {
   ElementStrain out;
   const double twice = cross(Vec2(c[1] - c[0]), Vec2(c[2] - c[0]));
@@ -55,7 +58,7 @@ using ModeMatrix = Eigen::Matrix<double, 3, 4>;
 
 }  // namespace
 
-/// Gradients in space: J^-1 d, J = d x by rows xi and eta; det J is the area that a point stands for.
+/// Spatial gradients J^-1 d, with the rows of J = d x along xi and eta; det J is the area weight of a point.
 ElementStrain plain_strain(std::span<const Vec2> corners) {
   if (corners.size() == 3) return triangle_strain(corners);
   ElementStrain out;
@@ -82,7 +85,7 @@ ElementStrain assumed_strain(std::span<const Vec2> corners, const Eigen::Matrix3
   Eigen::Matrix4d inner = Eigen::Matrix4d::Zero();
   Eigen::Matrix<double, 4, 8> mixed = Eigen::Matrix<double, 4, 8>::Zero();
   for (int p = 0; p < 4; ++p) {
-    // Gradient of 1 - xi^2 and of 1 - eta^2; the ratio of determinants makes its integral vanish: the patch test.
+    // Gradients of 1 - xi^2 and 1 - eta^2; the ratio of determinants makes their integral vanish: the patch test.
     const double ratio = middle.determinant() / out.area[p];
     const Vec2 along_xi = -2 * at * xi_of[p] * ratio * inverse.col(0),
                along_eta = -2 * at * eta_of[p] * ratio * inverse.col(1);
@@ -118,7 +121,7 @@ std::array<Vec2, max_element_nodes> mean_gradients(std::span<const Vec2> corners
   return mean;
 }
 
-/// Integral of each shape function: the share of the element's mass that goes to its node.
+/// Integral of each shape function: its node's share of the element's mass.
 std::array<double, max_element_nodes> node_areas(std::span<const Vec2> corners) {
   std::array<double, max_element_nodes> areas{};
   if (corners.size() == 3) {
@@ -164,15 +167,14 @@ Vec2 nearest_on_edge(std::span<const Vec2> corners, std::size_t e, const Vec2& x
   return (1 - share) * natural(e) + share * natural(f);
 }
 
-/// Convex and counter-clockwise: to the left of every edge.
+/// A convex counter-clockwise element contains the points to the left of every edge.
 bool is_inside(std::span<const Vec2> corners, const Vec2& x) {
   for (std::size_t e = 0; e < corners.size(); ++e)
     if (cross(Vec2(corners[(e + 1) % corners.size()] - corners[e]), Vec2(x - corners[e])) < 0) return false;
   return true;
 }
 
-/// Newton's method; the map of a convex quadrilateral is one to one inside it.
-/// Natural coordinates of a point inside: x(natural) = x.
+/// Solves x(natural) = x by Newton's method; the map of a convex quadrilateral is one to one inside.
 Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
   if (corners.size() == 3) {
     const Vec2 a = corners[1] - corners[0], b = corners[2] - corners[0], r = x - corners[0];
@@ -182,7 +184,7 @@ Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
   for (int i = 0; i < 50; ++i) {
     const Eigen::Matrix2d jacobian = natural_gradient(natural.x(), natural.y()) * as_rows(corners);
     const Vec2 step = jacobian.transpose().inverse() * (x - place_of(corners, natural));
-    // Kept in the element, where the map is one to one.
+    // Clamped to the element, where the map is one to one.
     natural = (natural + step).cwiseMax(-1).cwiseMin(1);
     if (step.norm() < 1e-15) break;
   }
@@ -191,7 +193,7 @@ Vec2 natural_inside(std::span<const Vec2> corners, const Vec2& x) {
 
 }  // namespace
 
-/// Inside it by the inverse of its map, else on its nearest edge, where the map is straight.
+/// Inside by the inverse map, otherwise on the nearest edge, where the map is linear.
 ElementPoint nearest_in_element(std::span<const Vec2> corners, const Vec2& x) {
   if (is_inside(corners, x)) return {natural_inside(corners, x), 0};
   ElementPoint best{Vec2::Zero(), std::numeric_limits<double>::infinity()};
@@ -203,7 +205,7 @@ ElementPoint nearest_in_element(std::span<const Vec2> corners, const Vec2& x) {
   return best;
 }
 
-/// Of M^-1/2 K M^-1/2, M lumped at the nodes.
+/// Largest eigenvalue of M^-1/2 K M^-1/2, with lumped M.
 double largest_frequency2(const ElementMatrix& stiffness, std::span<const double> mass) {
   const auto count = static_cast<Eigen::Index>(2 * mass.size());
   Eigen::MatrixXd scaled = stiffness.topLeftCorner(count, count);

@@ -1,13 +1,13 @@
-// Elements of deformable bodies in their reference shape: quadrilaterals of four nodes, triangles of three.
+// Plane elements of deformable bodies in their reference shape: quadrilaterals with four nodes, triangles with three.
 //
-// Strain is linear in the deformation of the nodes, in the element's own turning axes (element/corotation.hpp):
-// strain = B d at each Gauss point, 2 x 2 of them in a quadrilateral, one in a triangle.
-//   plain     B of the isoparametric element. It locks in bending.
-//   assumed   B with the incompatible modes 1 - xi^2 and 1 - eta^2 of Wilson et al., made to pass the patch test by
-//             Taylor, Beresford and Wilson ("A non-conforming element for stress analysis", Int. J. Numer. Meth. Engng
-//             10, 1976) with the Jacobian at the centre. The modes are condensed with the elastic matrix once and for
-//             all, which leaves an assumed strain field B - G (G'CG)^-1 (G'CB) without inner unknowns. For a triangle
-//             the two are the same.
+// Strain is linear in the nodal deformation, in the element's co-rotating axes (element/corotation.hpp): strain = B d
+// at each Gauss point, 2 x 2 in a quadrilateral, one in a triangle.
+//
+// Plain strain: B of the isoparametric element. It locks in bending. Assumed strain: B with the incompatible modes 1 -
+// xi^2 and 1 - eta^2 of Wilson et al. The modified form with the Jacobian at the centre passes the patch test: Taylor,
+// Beresford and Wilson, "A non-conforming element for stress analysis", Int. J. Numer. Meth. Engng 10, 1976. The modes
+// are condensed once with the elastic matrix. This leaves an assumed strain field B - G (G'CG)^-1 (G'CB) without
+// internal unknowns. For a triangle both forms are equal.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,15 +23,15 @@ namespace trilith {
 inline constexpr int max_element_nodes = 4;
 inline constexpr int max_element_points = 4;
 
-/// Strain (xx, yy, xy engineering) of unit deformations of the nodes (x0, y0, x1, ...); a triangle's last two columns
-/// are 0 [1/m].
+/// Strain (xx, yy, xy engineering) per unit nodal displacement (x0, y0, x1, ...); a triangle's last two columns are 0
+/// [1/m].
 using StrainMatrix = Eigen::Matrix<double, 3, 2 * max_element_nodes>;
 using ElementMatrix = Eigen::Matrix<double, 2 * max_element_nodes, 2 * max_element_nodes>;
 
 struct ElementStrain {
   int points = 0;
   std::array<StrainMatrix, max_element_points> matrix;
-  std::array<double, max_element_points> area{};  ///< that each point stands for [m2]
+  std::array<double, max_element_points> area{};  ///< weight of each point [m2]
 };
 
 /// `corners`: three or four, counter-clockwise, convex [m]. `elastic`: for the assumed strains [Pa].
@@ -44,14 +44,14 @@ ElementMatrix element_stiffness(const ElementStrain& strain, const Eigen::Matrix
 /// Means over the area of the gradients of the shape functions, 0 beyond the nodes [1/m].
 std::array<Vec2, max_element_nodes> mean_gradients(std::span<const Vec2> corners);
 
-/// Area that each node stands for, the integral of its shape function [m2].
+/// Integral of each node's shape function [m2].
 std::array<double, max_element_nodes> node_areas(std::span<const Vec2> corners);
 
-/// Shape functions at a point in natural coordinates: xi, eta from -1 to 1 in a quadrilateral, from 0 with
-/// xi + eta <= 1 in a triangle.
+/// Shape functions at natural coordinates: xi, eta from -1 to 1 in a quadrilateral, from 0 with xi + eta <= 1 in a
+/// triangle.
 std::array<double, max_element_nodes> shape_functions(std::size_t nodes, const Vec2& natural);
 
-/// Natural coordinates of the point of the element nearest to `x` [m], and how far that is from it [m].
+/// Natural coordinates of the point of the element nearest to `x` [m], and its distance from `x` [m].
 struct ElementPoint {
   Vec2 natural;
   double distance;

@@ -43,7 +43,7 @@ constexpr std::array<ElementShapeInfo, 4> shapes{{
 constexpr std::array<std::array<double, 3>, 8> corner_of{
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
-/// Ends of the edges of a tetrahedron, in the order of the nodes on them.
+/// Ends of a tetrahedron's edges, in the order of the nodes on them.
 constexpr std::array<std::array<int, 2>, 6> edge_of{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
 
 /// Derivatives of the shape functions by the three natural coordinates, a row each.
@@ -101,7 +101,7 @@ struct GaussPoint {
   double weight;
 };
 
-/// Of a tetrahedron with four points, and of a wedge's triangle with three: exact for quadratic fields.
+/// A tetrahedron with four points, and a wedge's triangle with three: exact for quadratic fields.
 std::vector<GaussPoint> gauss_points(ElementShape shape) {
   std::vector<GaussPoint> points;
   if (shape == ElementShape::tetrahedron) return {{Vec3(0.25, 0.25, 0.25), 1.0 / 6}};
@@ -125,14 +125,14 @@ Vec3 middle_of(ElementShape shape) {
   return shape == ElementShape::brick ? Vec3(Vec3::Zero()) : Vec3(0.25, 0.25, 0.25);
 }
 
-/// Rows: the place by each natural coordinate.
+/// Rows: derivatives of the position by each natural coordinate.
 Eigen::Matrix3d jacobian_of(const Gradient& d, std::span<const Vec3> nodes) {
   Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < nodes.size(); ++i) j += d.col(static_cast<Eigen::Index>(i)) * nodes[i].transpose();
   return j;
 }
 
-/// Puts the gradient of node or mode `i` where a strain matrix has it: xx, yy, zz, xy, yz, zx.
+/// Writes the gradient of node or mode `i` to a strain matrix: xx, yy, zz, xy, yz, zx.
 template <class M>
 void set_strain(M& b, int i, const Vec3& g) {
   const int c = 3 * i;
@@ -150,7 +150,7 @@ const ElementShapeInfo& info_of(ElementShape shape) {
 
 namespace {
 
-/// Points of Gauss, then corners.
+/// Gauss points, then corners.
 std::vector<Vec3> watched_points(ElementShape shape) {
   std::vector<Vec3> points;
   for (const GaussPoint& g : gauss_points(shape)) points.push_back(g.at);
@@ -160,7 +160,7 @@ std::vector<Vec3> watched_points(ElementShape shape) {
     for (const double c : {-1.0, 1.0})
       for (const auto& l : triangle_gradient) points.emplace_back(std::max(0.0, l[0]), std::max(0.0, l[1]), c);
   else
-    for (const auto& c : volume_gradient)  // those of l_1 to l_3 are where l_1 to l_3 are 1
+    for (const auto& c : volume_gradient)  // the corner of l_k, k = 1 to 3, is where l_k is 1
       points.emplace_back(std::max(0.0, c[0]), std::max(0.0, c[1]), std::max(0.0, c[2]));
   return points;
 }
@@ -185,7 +185,7 @@ double least_jacobian(ElementShape shape, std::span<const Vec3> nodes) {
   return middle > 0 ? least / middle : 0;
 }
 
-/// Gradients in space: J^-1 d; det J times the weight is the volume that a point stands for.
+/// Spatial gradients J^-1 d; det J times the weight is the volume weight of a point.
 SpaceElementStrain plain_strain(ElementShape shape, std::span<const Vec3> nodes) {
   SpaceElementStrain out;
   for (const GaussPoint& g : gauss_points(shape)) {
@@ -202,10 +202,10 @@ SpaceElementStrain plain_strain(ElementShape shape, std::span<const Vec3> nodes)
 
 namespace {
 
-/// The Jacobian in the middle of an element, with which the strains of its incompatible modes are taken everywhere.
+/// The Jacobian at the centre of an element, used for the strains of its incompatible modes everywhere.
 struct ModeScale {
-  Eigen::Matrix3d inverse;  ///< of the Jacobian in the middle
-  double determinant;       ///< ... in the middle [m3]
+  Eigen::Matrix3d inverse;  ///< inverse Jacobian at the centre
+  double determinant;       ///< determinant at the centre [m3]
 
   ModeScale(ElementShape shape, std::span<const Vec3> nodes) {
     const Eigen::Matrix3d middle = jacobian_of(natural_gradient(shape, middle_of(shape)), nodes);
@@ -229,7 +229,7 @@ void condense(const std::array<Eigen::Matrix<double, 6, Modes>, max_space_points
   for (std::size_t p = 0; p < points; ++p) out.matrix[p].template leftCols<columns>() -= modes[p] * condensed;
 }
 
-/// Nine incompatible modes, three for each displacement, and three of the change of volume alone.
+/// Nine incompatible modes, three for each displacement, and three modes of volume change alone.
 void assume_brick(std::span<const Vec3> nodes, const SpaceMatrix& elastic, SpaceElementStrain& out) {
   const ModeScale scale(ElementShape::brick, nodes);
   const std::vector<GaussPoint> points = gauss_points(ElementShape::brick);
@@ -244,7 +244,7 @@ void assume_brick(std::span<const Vec3> nodes, const SpaceMatrix& elastic, Space
   condense<12, 8>(modes, elastic, out);
 }
 
-/// One incompatible mode for each displacement, from triangle to triangle.
+/// One incompatible mode for each displacement, along the direction between the triangles.
 void assume_wedge(std::span<const Vec3> nodes, const SpaceMatrix& elastic, SpaceElementStrain& out) {
   const ModeScale scale(ElementShape::wedge, nodes);
   const std::vector<GaussPoint> points = gauss_points(ElementShape::wedge);
@@ -318,7 +318,7 @@ ElementVolume node_shares(ElementShape shape, std::span<const Vec3> nodes) {
   return out;
 }
 
-/// Of M^-1/2 K M^-1/2, M lumped at the nodes.
+/// Largest eigenvalue of M^-1/2 K M^-1/2, with lumped M.
 double largest_frequency2(const Eigen::MatrixXd& stiffness, std::span<const double> mass) {
   Eigen::MatrixXd scaled = stiffness;
   for (Eigen::Index i = 0; i < scaled.rows(); ++i)

@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// Below this share of its middle's Jacobian an element counts as turned inside out.
+/// An element counts as inverted below this share of its Jacobian at the centre.
 constexpr double least_share = 1e-3;
 
 int count_of(const SpaceCell& cell) {
@@ -39,7 +39,7 @@ void check_cells(const SpaceMesh& mesh, std::string_view owner) {
     }
 }
 
-/// Seen in a mirror: top and bottom of a brick or a wedge change places, as nodes 1 and 2 of a tetrahedron do.
+/// Mirrors an element: exchanges top and bottom of a brick or a wedge, or nodes 1 and 2 of a tetrahedron.
 void turn_round(SpaceCell& cell) {
   auto& n = cell.node;
   if (cell.shape == ElementShape::brick || cell.shape == ElementShape::wedge) {
@@ -90,7 +90,7 @@ struct CellFace {
   int face;
 };
 
-/// Nodes of the mesh at `places` of an element.
+/// Nodes of the mesh at the indices `places` of an element.
 std::vector<int> nodes_at(const SpaceCell& cell, std::span<const int> places) {
   std::vector<int> out;
   for (const int i : places) out.push_back(cell.node[static_cast<std::size_t>(i)]);
@@ -100,7 +100,7 @@ std::vector<int> corners_on(const SpaceCell& cell, int face) {
   return nodes_at(cell, info_of(cell.shape).corners_of_face(face));
 }
 
-/// Whether two loops of the same corners run the same way round.
+/// Whether two loops of the same corners have the same orientation.
 bool run_alike(const std::vector<int>& a, const std::vector<int>& b) {
   const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
   return b[static_cast<std::size_t>(at + 1) % b.size()] == a[1];
@@ -112,8 +112,8 @@ int root_of(std::vector<int>& parent, int i) {
   return i;
 }
 
-/// Each face by its corners, sorted: two elements have it, or one, whose face is skin then. All elements must hang
-/// together by faces (union and find).
+/// Each face is keyed by its sorted corners. It belongs to two elements, or to one and is then skin. All elements must
+/// be connected by faces (union-find).
 void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
   const SpaceMesh& mesh = out.mesh;
   out.surface.assign(mesh.cell.size(), {});
@@ -152,7 +152,7 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
           "{}: element {} of the mesh hangs on the others by no face; make a body of each part", owner, e + 1));
 }
 
-/// Leaves out nodes of no element.
+/// Removes nodes without elements.
 void keep_used(SpaceMesh& mesh, std::string_view owner, std::vector<std::string>& notes) {
   std::vector<int> number(mesh.node.size(), -1);
   for (const SpaceCell& cell : mesh.cell)
@@ -180,7 +180,7 @@ std::vector<Vec3> nodes_of(const SpaceMesh& mesh, std::size_t cell) {
   return out;
 }
 
-/// Checks from the cheap to the dear.
+/// Cheap checks run first.
 CheckedSpaceMesh check_space_mesh(SpaceMesh mesh, std::string_view owner) {
   CheckedSpaceMesh out;
   check_cells(mesh, owner);
@@ -194,7 +194,7 @@ CheckedSpaceMesh check_space_mesh(SpaceMesh mesh, std::string_view owner) {
 
 namespace {
 
-/// Whether the faces of a solid are those of a brick whose nodes are its corners in their order.
+/// Whether the faces of a solid match a brick whose nodes are the solid's corners in their order.
 bool is_in_order(const FaceLoops& faces) {
   const ElementShapeInfo& brick = info_of(ElementShape::brick);
   for (int f = 0; f < faces.count(); ++f) {
@@ -210,7 +210,7 @@ bool is_in_order(const FaceLoops& faces) {
   return true;
 }
 
-/// The corner that an edge leads to from `corner`, which is not on the loop.
+/// The corner at the other end of an edge from `corner` that is not on the loop.
 int beyond(const FaceLoops& faces, int corner, std::span<const int> loop) {
   for (const SolidEdge& e : solid_edges(faces)) {
     if (e.from != corner && e.to != corner) continue;
@@ -268,7 +268,7 @@ SpaceMesh brick_grid(const std::array<Vec3, 8>& c, const std::array<int, 3>& div
   return mesh;
 }
 
-/// Along the diagonal from node 0 to 6, a tetrahedron for each order in which the three sides may be gone (Kuhn 1960).
+/// Along the diagonal from node 0 to 6, one tetrahedron for each order of the three sides (Kuhn 1960).
 SpaceMesh tetrahedra_of(const SpaceMesh& bricks) {
   constexpr std::array<std::array<std::size_t, 4>, 6> parts{
       {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}}};
