@@ -1,19 +1,20 @@
-// The limit of friction of an area that slides and turns at once, by the shape of the area.
+// The friction limit of an area that slides and turns at once, depending on the shape of the area.
 //
-// In shares of mu N and mu N a (contact/joint/friction_limit.hpp), with V the force in the plane and T the couple,
-//
-//     m = 2 V.AV + |V|^2 (|V|^2 - 2 V.AV) + T^2 (1 + V.CV) = 1
-//
-// It is 1 for V alone in any direction and for T alone. A = I/2 and C = 0 are the ellipse; a long line across which V
-// acts has a = 1 and c = 0 exactly, T = 1 - V^2. Between them both go by the tensor D of the area's second moments,
-// twice their share of the trace less the identity, whose principal values are +d along the length and -d across it,
-// d = (r^2 - 1) / (r^2 + 1) of a rectangle r : 1:
-//
+// The force V in the plane is relative to mu N, and the couple T to mu N a (contact/joint/friction_limit.hpp). The
+// limit is
+// ```
+//     m = 2 V.AV + |V|^2 (|V|^2 - 2 V.AV) + T^2 (1 + V.CV) = 1.
+// ```
+// It is 1 for V alone in any direction and for T alone. A = I/2 and C = 0 give the ellipse. A long line with V acting
+// across it has a = 1 and c = 0 exactly, T = 1 - V^2. In between, A and C depend on the tensor D: twice the area's
+// second moments divided by their trace, minus the identity. Its principal values are +d along the length and -d across
+// it, with d = (r^2 - 1) / (r^2 + 1) for a rectangle r : 1.
+// ```
 //     A = (0.629 - 0.021 d^2 - 0.005 d^4) I - (0.423 - 0.047 d^2) D
 //     C = (0.236 - 0.163 d^2 + 0.047 d^4) I + (0.415 - 0.345 d^2) D
-//
-// Under uniform pressure V and T of a rectangle from 1 : 1 to 5 : 1 that turns about any point of its axes of symmetry
-// are right to 0.016 (1.6 % of their largest). The limit is convex for all r.
+// ```
+// For a uniform pressure on a rectangle from 1 : 1 to 5 : 1 that turns about any point of its axes of symmetry, V and T
+// are accurate to 0.016 (1.6 % of their largest values). The limit is convex for all r.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@
 
 namespace trilith {
 
-/// A symmetric tensor in two axes across the normal.
+/// A symmetric tensor in two axes in the contact plane.
 template <class T>
 struct LimitTensor {
   T xx, xy, yy;
@@ -40,10 +41,10 @@ struct LimitShape {
 };
 inline constexpr double square_slide = 0.629, square_turn = 0.236;  ///< a and c of a square
 inline constexpr LimitShape<double> square_limit{{square_slide, 0, square_slide}, {square_turn, 0, square_turn}};
-inline constexpr double most_turn = 0.45;  ///< no c is more; no a is more than 1
+inline constexpr double most_turn = 0.45;  ///< upper bound of c; the upper bound of a is 1
 
-/// A = a I - along_a B and C = c I - along_c B, B = I + D = p p' + q q' by two arms of which the products sum to the
-/// second moments of the area.
+/// A = a I - along_a B and C = c I - along_c B with B = I + D = p p' + q q'; the two arms p and q have products that
+/// sum to the second moments of the area.
 template <class T>
 struct LimitSpread {
   T a, along_a, c, along_c;
@@ -60,8 +61,8 @@ struct LimitSpread {
     const T scale = select(wide, root(twice), zero);
     p = select<T>(wide, one_arm * scale, Triple<T>{}), q = select<T>(wide, other_arm * scale, Triple<T>{});
   }
-  /// The square of how often a force across the normal and a couple are what the limit has along their ray; see
-  /// beyond_curve. (m itself falls again far beyond the limit.)
+  /// Squared ratio of an in-plane force and a couple to the limit along their ray; see beyond_curve. (Far beyond the
+  /// limit m itself decreases again.)
   [[nodiscard]] TRILITH_INLINE T beyond_square(const Triple<T>& v, const T& turn) const {
     const T v2 = v.square(), t2 = turn * turn, along = p.dot(v), aside = q.dot(v), b = along * along + aside * aside,
             slide = 2.0 * (a * v2 - along_a * b), first = slide + t2,
@@ -76,10 +77,10 @@ struct LimitSpread {
   }
 };
 
-/// The point that friction holds which is nearest to one beyond the limit: nearest_on_limit with `shape` in its axes.
+/// The admissible friction force nearest to one beyond the limit: nearest_on_limit with `shape` in its axes.
 Vec3 nearest_on_limit(const Vec3& spring, double lean, double reach, const LimitShape<double>& shape);
 
-/// FrictionLimit of an area that lies as two arms say (spread_arms); of a square where they are none.
+/// FrictionLimit of an area with the orientation given by two arms (spread_arms); of a square if the arms are zero.
 struct AreaLimit : FrictionLimit {
   LimitSpread<double> spread;
 
@@ -87,12 +88,12 @@ struct AreaLimit : FrictionLimit {
   AreaLimit(double held, const Vec3& across, const Vec3& from_middle, double gyration, double mean_distance,
             const std::array<Vec3, 2>& arms);
 
-  /// As those of FrictionLimit.
+  /// As in FrictionLimit.
   [[nodiscard]] bool is_below(const Vec3& spring) const;
   [[nodiscard]] Vec3 nearest_to(const Vec3& spring) const;
 };
 
-/// slide() of contact/joint/shear_3d.hpp against the limit of an area, which is asked in place of that of `motion`.
+/// slide() of contact/joint/shear_3d.hpp with the limit of an area instead of the limit in `motion`.
 SlidingResponse slide(const SlidingMotion& motion, const AreaLimit& limit, double area, const SlidingForce& before,
                       const SlidingLaw& law);
 

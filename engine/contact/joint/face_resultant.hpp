@@ -1,4 +1,4 @@
-// The resultant of a contact of two faces, found back from where they stand and what the contact remembers.
+// The resultant of a face contact, reconstructed from the faces' positions and the contact's memory.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace trilith {
 struct ContactResultant {
   Vec2 point = Vec2::Zero();  ///< centre of pressure, at mid-gap [m]
   Vec2 force = Vec2::Zero();  ///< on the second body [N]
-  double normal = 0;          ///< pressing part of the force, negative in tension [N]
-  double shear = 0;           ///< part along the faces, with its sign [N]
+  double normal = 0;          ///< normal component, negative in tension [N]
+  double shear = 0;           ///< component along the faces, signed [N]
 };
 
 /// Elastic energy of the normal stresses of two faces [J].
@@ -27,9 +27,9 @@ double pressing_energy(const FaceOverlap<double>& o, const ContactMemory& memory
          law.stored(gaps[1], 0.5 * o.shared, law.hold(memory, own, 1));
 }
 
-/// `memory`: as respond_face_pair left it for these ends. The same force as that spread to the ends, and the same
-/// moment but for the shear times the change of the mid-gap line's height along the contact, which is of the order of
-/// the gaps; where a bond in tension would put the point beyond the shared length, it is held at its end.
+/// `memory`: as respond_face_pair left it for these ends. The force equals the sum of the forces spread to the ends.
+/// The moment differs by the shear times the change in height of the mid-gap line along the contact, which is of the
+/// order of the gaps. If a bond in tension would put the point beyond the shared length, it is placed at its end.
 template <class K>
 ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double>& b, const ContactMemory& memory,
                                 const LawMemory<K>& own, const K& law) {
@@ -41,7 +41,7 @@ ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double
   ContactResultant out;
   out.normal = first.force + second.force + memory.damping_force[0];
   out.shear = memory.shear_total[0] + memory.shear_total[1];
-  // About the middle of the shared length; the damping part is remembered about it.
+  // About the middle of the shared length, to which the damping part in the memory refers.
   const double moment = first.moment - half * first.force + second.moment + memory.damping_force[1];
   const double offset = out.normal != 0 ? std::clamp(moment / out.normal, -half, half) : 0.0;
   const Vec2 d(o.dx, o.dy), n(o.dy, -o.dx), origin(a.x0, a.y0);
@@ -53,7 +53,7 @@ ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double
   return out;
 }
 
-/// The same for a contact of general shape: `normal` is its normal resultant on the second body at `centre`.
+/// For a general contact: `normal` is its normal resultant on the second body at `centre`.
 inline ContactResultant general_resultant(const Vec2& centre, const Vec2& normal, const ContactMemory& memory) {
   const double size = normal.norm(), shear = memory.shear_total[0] + memory.shear_total[1];
   const Vec2 t = size > 0 ? left_of(Vec2(normal / size)) : Vec2::Zero();

@@ -14,8 +14,8 @@ namespace {
 
 using Place = Triple<double>;
 
-/// The way back to an ellipsoid z' D z = 1 that has the limit's normal at a point of it: z + lambda G D z = the point
-/// beyond it, G = L L'.
+/// Projection to an ellipsoid z' D z = 1 that has the limit's normal at one point: z + lambda G D z = the point beyond
+/// it, G = L L'.
 struct WayBack {
   Eigen::Matrix3d ellipsoid, way;  // D, G D
 
@@ -37,10 +37,11 @@ Place on_curve(const LimitPlaces<double>& l, const Place& z) {
   return {z.x / curve, z.y / curve, z.z / curve};
 }
 
-/// By rounds: around the point found last lies the ellipsoid that has the limit's normal there. Its nearest point has
-/// one unknown, for which 1 / |z| is concave: by Newton's rule from the left it grows and never goes too far. The next
-/// point is that one brought to the limit along its ray; it settles because the two surfaces touch. Slow and sure, but
-/// for areas next to a line, where the ellipsoid may have no inside: then the last point found is kept.
+/// Fixed-point iteration. Each round projects to the ellipsoid that has the limit's normal at the last point. The
+/// projection has one unknown lambda, for which 1 / |z| is concave, so Newton's method from the left increases and
+/// never overshoots. The next point is the projection brought to the limit along its ray. It converges because the two
+/// surfaces touch. It is slow and robust, except for areas close to a line, where the ellipsoid may be degenerate: then
+/// the last point is kept.
 Place nearest_by_rounds(const LimitPlaces<double>& places, const Place& beyond) {
   Place z = on_curve(places, beyond);
   for (int i = 0; i < 40; ++i) {
@@ -106,10 +107,10 @@ bool AreaLimit::is_below(const Vec3& spring) const {
   const double turning = normal.dot(spring);
   const Vec3 across = spring - turning * normal, v = across / force;
   const double turn = (radius * turning - normal.dot(cross(offset, across))) / (force * arm);
-  return !(spread.beyond_square(triple_of(v), turn) <= 1);  // of no number: far beyond
+  return !(spread.beyond_square(triple_of(v), turn) <= 1);  // NaN: far beyond
 }
 
-/// Axes: d, across it in the plane, the normal.
+/// Axes: d, the in-plane direction normal to d, the normal.
 Vec3 AreaLimit::nearest_to(const Vec3& spring) const {
   if (!(force > 0)) return Vec3::Zero();
   const Place of = triple_of(spring);

@@ -1,13 +1,13 @@
-// The force nearest to one beyond the limit of friction that friction holds (contact/joint/friction_limit.hpp), of one
-// contact or of four.
+// Projection of a force beyond the friction limit to the nearest admissible one (contact/joint/friction_limit.hpp), for
+// one contact or four.
 //
-// Comes in: a spring's force in shares of mu N along three axes (s), how far the centre of pressure is from it (`lean`)
-// and the radius at which it sits (`reach`), over the mean distance of the pressure. Goes out: z on the limit
-// m(z) = 1, nearest to L s in the spring's energy, by Newton's rule on both of
+// Input: a spring's force s along three axes relative to mu N; the distance of the centre of pressure from the spring
+// (`lean`) and the spring's radius (`reach`), both relative to the mean distance of the pressure. Output: z on the
+// limit m(z) = 1, nearest to L s in the norm of the spring's energy. Newton's method solves both equations:
 //
 //     z + lambda G v(z) = L s,   m(z) = 1,   v half the gradient of m, G = L L'.
 //
-// A lane goes through the operations that it would go through alone, and stands still once it has settled.
+// A lane executes the same operations as a single contact, and stops once it has converged.
 #pragma once
 
 #include "base/simd/lane_vectors.hpp"
@@ -20,8 +20,8 @@ TRILITH_INLINE T largest_size(const Triple<T>& v) {
   return larger<T>(larger<T>(magnitude<T>(v.x), magnitude<T>(v.y)), magnitude<T>(v.z));
 }
 
-/// By how much (V, T) is beyond the curve: over this it lies on it. V has two parts. Along a ray m is P u + Q u^2 with
-/// u the square of the share.
+/// Ratio of (V, T) to the curve along their ray: divided by it the point is on the curve. V has two components. Along a
+/// ray m is P u + Q u^2 with u the square of the scale factor.
 template <class T>
 TRILITH_INLINE T beyond_curve(const Triple<T>& z, const LimitShape<T>& shape) {
   const Pair2<T> v(z.x, z.y), av = shape.a.applied(z.x, z.y), cv = shape.c.applied(z.x, z.y);
@@ -51,7 +51,7 @@ struct LimitNormal {
   }
   /// V.AV = V^2 - u, so m = 2 V.AV + V^2 (2 u - V^2) + T^2 (1 + V.CV).
   [[nodiscard]] TRILITH_INLINE T measure() const { return 2.0 * (v2 - u) + v2 * (2.0 * u - v2) + t2 * turn; }
-  /// The tensor in the plane by which the gradient is that of an ellipsoid.
+  /// In-plane tensor of the ellipsoid with the same gradient.
   [[nodiscard]] TRILITH_INLINE LimitTensor<T> ellipse(const LimitShape<T>& k) const {
     const T round = 2.0 * u;
     return {2.0 * w * k.a.xx + round + t2 * k.c.xx, 2.0 * w * k.a.xy + t2 * k.c.xy,
@@ -65,7 +65,7 @@ struct LimitNormal {
   }
 };
 
-/// z = L s takes the spring's force to V and T.
+/// z = L s maps the spring's force to V and T.
 template <class T>
 struct LimitPlaces {
   T lean, reach;
@@ -77,13 +77,13 @@ struct LimitPlaces {
   [[nodiscard]] TRILITH_INLINE Triple<T> to_spring(const Triple<T>& z) const {
     return {z.x, z.y, (z.z + lean * z.y) / reach};
   }
-  /// G = L L' applied.
+  /// G = L L' applied to a vector.
   [[nodiscard]] TRILITH_INLINE Triple<T> applied(const Triple<T>& v) const {
     return {v.x, v.y - lean * v.z, (lean * lean + reach * reach) * v.z - lean * v.y};
   }
 };
 
-/// The unknowns as they stand, and what is asked of both again and again.
+/// The current unknowns and the quantities derived from them.
 template <class T>
 struct NewtonOnLimit {
   Triple<T> z, v, g;
@@ -95,7 +95,7 @@ struct NewtonOnLimit {
     v = LimitNormal<T>(z, places.shape).vector(), g = places.applied(v);
     lambda = v.dot(beyond - z) / v.dot(g);
   }
-  /// What is to be taken from z, and added to lambda.
+  /// Newton step: to be subtracted from z and added to lambda.
   TRILITH_INLINE void step(const LimitPlaces<T>& places, const Triple<T>& beyond, Triple<T>& less, T& more) const {
     const T none{}, one = none + 1.0;
     const LimitNormal<T> normal(z, places.shape);
@@ -118,8 +118,8 @@ struct NewtonOnLimit {
   }
 };
 
-/// z of those that are `asked`; of the others anything. Returns which of them did not settle in a few rounds on the
-/// near side.
+/// z of the lanes in `asked`; undefined in the others. Returns the lanes that did not converge in a few rounds on the
+/// near branch.
 template <class T>
 TRILITH_INLINE Mask<T> nearest_by_newton(const LimitPlaces<T>& places, const Triple<T>& beyond, const Mask<T>& asked,
                                          Triple<T>& out) {
@@ -136,30 +136,30 @@ TRILITH_INLINE Mask<T> nearest_by_newton(const LimitPlaces<T>& places, const Tri
     now.v = LimitNormal<T>(now.z, places.shape).vector(), now.g = places.applied(now.v);
     open &= sane & flip(largest_size(less) < none + 1e-9);
   }
-  // Farther out m is 1 once more, which is no limit.
+  // Farther out m equals 1 again, which is not the limit.
   const T across = now.z.x * now.z.x + now.z.y * now.z.y;
   failed |= asked & flip(across <= none + (1.0 + 1e-9));
   out = now.z;
   return failed | open;
 }
 
-/// Brought to the curve along its ray, as a spring's force.
+/// Scaled to the curve along its ray, as a spring's force.
 template <class T>
 TRILITH_INLINE Triple<T> spring_on_limit(const LimitPlaces<T>& places, const Triple<T>& z) {
   const T curve = beyond_curve(z, places.shape);
   return places.to_spring({z.x / curve, z.y / curve, z.z / curve});
 }
 
-/// Beyond this many times what friction holds only the direction counts, to the same share; squares stay in range where
-/// a pressure of nothing but rounding holds next to nothing.
+/// Beyond this multiple of the limit only the direction matters. Forces are scaled down to it, which keeps squares in
+/// range where the pressure is rounding error alone and the limit is close to 0.
 inline constexpr double far_beyond = 1e9;
 
-/// A spring's force as nearest_on_limit takes it.
+/// Axes of nearest_on_limit for a spring's force.
 template <class T>
 struct LimitFrame {
-  Triple<T> normal, x, y;  ///< x along the offset of the centre of pressure, else of the force
-  T off;                   ///< that offset's length [m]
-  Mask<T> known;           ///< false where neither has a direction in the plane, and x and y have none
+  Triple<T> normal, x, y;  ///< x along the offset of the centre of pressure, else along the force
+  T off;                   ///< length of this offset [m]
+  Mask<T> known;           ///< false: neither has an in-plane direction, and x and y are undefined
 
   TRILITH_INLINE LimitFrame(const Triple<T>& across, const Triple<T>& offset, const Triple<T>& spring)
       : normal(across), off(root(offset.dot(offset))) {
@@ -171,7 +171,7 @@ struct LimitFrame {
     turn({x.x / length, x.y / length, x.z / length});
   }
   TRILITH_INLINE void turn(const Triple<T>& along) { x = along, y = cross(normal, x); }
-  /// In shares of `force`.
+  /// Relative to `force`.
   [[nodiscard]] TRILITH_INLINE Triple<T> shares(const T& force, const Triple<T>& spring) const {
     const T largest = largest_size(spring);
     const Triple<T> by_size{spring.x / largest, spring.y / largest, spring.z / largest},
@@ -179,7 +179,7 @@ struct LimitFrame {
     const Triple<T> of = select<T>(largest > far_beyond * force, by_size * (T{} + far_beyond), by_force);
     return {x.dot(of), y.dot(of), normal.dot(of)};
   }
-  /// And back [N].
+  /// The inverse [N].
   [[nodiscard]] TRILITH_INLINE Triple<T> force_of(const T& force, const Triple<T>& held) const {
     return (x * held.x + y * held.y + normal * held.z) * force;
   }

@@ -1,8 +1,8 @@
-// A joint where nothing has cracked or slid yet: one spring for all of its area.
+// An intact joint, without cracks and sliding: one spring for its whole area.
 //
-// Overlap and shear are linear over the joint, so that force and moments are those of the area, and the most that any
-// place carries is found at a corner of its outline. Where that may be beyond what the law allows, the joint is looked
-// at patch by patch (contact/joint/joint_step.hpp) from then on.
+// Overlap and shear are linear over the joint, so force and moments follow from the area, and the largest stress is at
+// a corner of its outline. Once it may exceed the law's limit, the joint is computed patch by patch
+// (contact/joint/joint_step.hpp).
 //
 //     V += ks A slip,   T += ks J turn          stress at p:  V/A + T/J times the arm
 #pragma once
@@ -14,12 +14,12 @@
 
 namespace trilith {
 
-/// Second polar moment about the middle [m4].
+/// Second polar moment about the centroid [m4].
 inline double polar_moment(const JointPatch& p) {
   return p.xx + p.yy;
 }
 
-/// What the bonds of a sound joint carry, moved so far since the mortar set.
+/// Normal stress of the bonds of an intact joint, after the motion `moved` from the setting of the mortar.
 inline PatchStress intact_stress(const JointPlan& plan, const LinearOverlap& moved) {
   PatchStress out = over_all(plan.whole, moved);
   out.energy += moved.at * plan.laid.force + moved.slope.dot(plan.laid.moment);
@@ -27,7 +27,7 @@ inline PatchStress intact_stress(const JointPlan& plan, const LinearOverlap& mov
   return out;
 }
 
-/// Shear stress of a sound joint at an arm from its middle [Pa]; `shear`: force and couple about the middle.
+/// Shear stress of an intact joint at an arm from its centroid [Pa]; `shear`: force and couple about the centroid.
 inline Vec2 intact_shear_at(const JointPlan& plan, const Vec3& shear, const Vec2& arm) {
   const double twist = shear.z() / polar_moment(plan.whole);
   return {shear.x() / plan.whole.area - twist * arm.y(), shear.y() / plan.whole.area + twist * arm.x()};
@@ -40,7 +40,7 @@ inline double intact_shear_energy(const JointPlan& plan, const Vec3& elastic, do
          0.5 * elastic.z() * elastic.z() / (ks * polar_moment(plan.whole));
 }
 
-/// The same joint by its patches.
+/// Distributes the joint's shear to its patches.
 inline void spread_shear(JointMemory& joint) {
   const JointPatch& whole = joint.plan->whole;
   joint.sound = false;
@@ -59,7 +59,7 @@ inline void spread_shear(JointMemory& joint) {
   }
 }
 
-/// A step of a sound joint; false, with nothing to be used, where some place may be beyond its limit.
+/// A step of an intact joint; false, without a result, where some point may exceed its limit.
 template <class K>
 bool step_intact(const JointPlan& plan, const JointMotion& motion, const K& law, const JointMemory& before,
                  JointMemory& after, JointSums& sums) {

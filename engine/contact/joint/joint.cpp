@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// Slid by more than this share of their width, faces without bonds share another area than that of their joint.
+/// Unbonded faces that have slid by more than this share of their width share a different area than their joint.
 constexpr double longest_slide = 0.01;
 
 std::uint32_t all_bonds(const JointPlan& plan) {
@@ -40,7 +40,7 @@ void step_as_here(JointStep<K>& step) {
   step_narrow(step);
 }
 
-/// A step patch by patch, of a joint that was sound before too.
+/// A step patch by patch, for a joint that may have been intact before.
 template <class K>
 JointSums step_by_patches(const JointPlan& plan, const JointMotion& motion, const K& law, const JointMemory& joint,
                           JointMemory& after) {
@@ -55,12 +55,12 @@ JointSums step_by_patches(const JointPlan& plan, const JointMotion& motion, cons
   return run(patches);
 }
 
-/// Of a stress along the normal with that moment about the origin of the joint: the moment on b.
+/// Moment on b of a normal stress with the given moment about the joint's origin.
 Vec3 moment_on_b(const JointMotion& motion, const Vec2& moment) {
   return cross(motion.in_world(moment), motion.normal);
 }
 
-/// Forces, and what the contact remembers: also what other solids would, should the joint end.
+/// Forces, and the contact's memory, including the values that ordinary solids need if the joint ends.
 void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& motion, double kn, const BodyMotion& a,
             SolidResponse& out) {
   const Vec3 &n = motion.normal, shear = motion.in_world(step.shear), elastic = motion.in_world(step.shear_elastic);
@@ -78,7 +78,7 @@ void add_up(const JointSums& step, const JointPlan& plan, const JointMotion& mot
   out.memory.state = contact_touching | contact_general;
 }
 
-/// How the seats move; after an implicit step with the mean rates of the way.
+/// Motion of the seats; after an implicit step with the mean rates of the displacement.
 JointMotion motion_over_step(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b, double dt) {
   JointMotion motion(plan, a, b);
   if (a.behind == nullptr || b.behind == nullptr) {
@@ -96,7 +96,7 @@ JointMotion motion_over_step(const JointPlan& plan, const BodyMotion& a, const B
   return motion;
 }
 
-/// Half of the power that both dampings take, of now and of before, times the step [J].
+/// Half of the power of the previous and present damping forces, times the step [J].
 double joint_damping_loss(const BodyMotion& a, const BodyMotion& b, const SolidMemory& before, const SolidMemory& now,
                           double dt) {
   const Vec3 rate = mean_velocity_at(b, a.place, dt) - mean_velocity_at(a, a.place, dt),
@@ -111,15 +111,15 @@ double deepest_overlap(const JointPlan& plan, const JointMotion& motion) {
   return most;
 }
 
-/// Whether the faces lie so far from how they lay that its patches no longer say what they share: slid, tilted or
-/// pressed together beyond what counts as flat. Only a joint without a bond is asked.
+/// Whether the faces have moved so far that the patches no longer represent the shared area: slid, tilted or pressed
+/// together beyond the limits of flat faces. Called only for joints without a bond.
 bool has_left(const JointPlan& plan, const JointMotion& motion, double depth) {
   const double slid = motion.aside.norm() + std::abs(motion.turn.z()) * plan.width;
   return slid > longest_slide * plan.width || motion.turn.head<2>().norm() > flat_faces_max_tilt ||
          depth > flat_faces_max_depth * plan.width;
 }
 
-/// What patch k is pressed by, over the stiffness.
+/// Pressure on patch k, over the stiffness.
 template <class K>
 PatchStress stress_of(const JointMemory& joint, std::size_t k, const K& law) {
   const JointPatch& p = joint.plan->patch[k];
@@ -128,7 +128,7 @@ PatchStress stress_of(const JointMemory& joint, std::size_t k, const K& law) {
   return elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m));
 }
 
-/// What presses the two apart, below 0 where the joint pulls [N].
+/// Compressive force, negative where the joint is in tension [N].
 template <class K>
 double pressing_force(const JointMemory& joint, const K& law) {
   if (joint.sound) return law.kn * intact_stress(*joint.plan, joint.moved).force;
@@ -137,9 +137,9 @@ double pressing_force(const JointMemory& joint, const K& law) {
   return sum;
 }
 
-/// What is stored in a joint [J]. Sound, its stress is linear over the whole face, and the energy is a closed form of
-/// three displacements; else it is summed over patches, each with the bonds and the opening that are left to it. Shear
-/// stores tau^2 / (2 ks) for each unit of area, of which a patch stands for `active` at each of its points.
+/// Stored energy of a joint [J]. For an intact joint the stress is linear over the whole face, and the energy is a
+/// closed form in three displacements. Otherwise it is summed over patches, each with its remaining bonds and opening.
+/// Shear stores tau^2 / (2 ks) per unit area; each point of a patch represents a part of `active`.
 template <class K>
 double energy_of(const JointMemory& joint, const K& law) {
   if (joint.sound)
@@ -165,11 +165,11 @@ bool is_damaged(const JointMemory& m) {
 
 }  // namespace
 
-// Comes in: where both bodies stand and move, and what contact and joint remember. Goes out: force, moment and memories
-// of the trial, and what the step has given off.
-//
-//   sound  --- a limit is passed --->  patch by patch  --- no bond, no touch or slid away --->  ended
-//
+// Input: positions and motions of both bodies, memories of contact and joint. Output: force, moment and memories of the
+// trial step, and its dissipated energy.
+// ```
+//   intact  --- a limit is exceeded --->  patch by patch  --- no bond, no contact or slid away --->  ended.
+// ```
 // The stress of an intact joint is linear over the face, at the cost of one patch. The joint is divided into patches
 // when the stress at a corner reaches a limit. `step_intact` then returns false, and the step by patches starts from
 // the history variables before the step.
@@ -195,7 +195,7 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
     contact.touching = after.bonds != 0 || contact.area > 0;
     out.ends = after.bonds == 0 && (!contact.touching || has_left(plan, motion, contact.depth));
     if (!contact.touching) contact.memory = {};
-    // A joint keeps what its mortar has lost, patch by patch; other solids the most of that for all of the contact.
+    // A joint keeps the crushed depth of each patch; ordinary solids keep the largest one for the whole contact.
     contact.memory.keep_crushed(before.crushed + (out.ends ? after.most_crushed() : 0.0), 0);
     if (joint.bonds != after.bonds || sums.softened) {
       const JointChange change = joint_change(joint, after);
@@ -225,12 +225,12 @@ JointChange joint_change(const JointMemory& before, const JointMemory& now) {
   return change;
 }
 
-// The shear that a contact has carried so far goes over to the joint, in its own axes, so that mortar that sets sets
-// off nothing.
+// The shear carried by the contact is transferred to the joint, in its axes, so that the setting of mortar releases no
+// force.
 JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b, const SolidMemory& before,
                       const ContactLaw& law) {
   const auto plan = std::make_shared<JointPlan>(plan_joint(faces, a, b));
-  if (before.crushed > 0) {  // what was crushed is not there to be pressed
+  if (before.crushed > 0) {  // crushed mortar carries no pressure over its crushed depth
     plan->standing = plan->standing.raised(-before.crushed);
     divide_joint(*plan);
   }

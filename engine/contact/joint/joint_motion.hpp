@@ -1,13 +1,16 @@
-// How the two seats of a joint stand to each other, and how they move.
-//
-//        b  ____________                 The axes are midway between those of both seats, the origin between theirs.
-//             ^ n   b's seat             Comes in: poses and motions of both bodies. Goes out: the overlap gained
-//         .............. mean plane      since the mortar set, linear over the plane, its rate, and the slip of b.
+// Relative position and motion of the two seats of a joint.
+// ```
+//        b  ____________
+//             ^ n   b's seat
+//         .............. mean plane
 //           ____________
-//        a        a's seat               With O midway, n . (v_b - v_a)(O) is the rate of n . (O_b - O_a) exactly, so a
-//                                        stress that follows from the overlap keeps energy.
+//        a        a's seat
+// ```
+// The axes and the origin O are midway between those in both seats. Input: poses and motions of both bodies. Output:
+// the overlap gained from setting, linear over the plane, its rate, and the slip of b. With O midway, n . (v_b -
+// v_a)(O) is exactly the rate of n . (O_b - O_a), so a stress that depends on the overlap conserves energy.
 //
-// For turns of b against a of up to some hundredths, beyond which no bond lasts.
+// For relative rotations up to some hundredths, beyond which no bond remains.
 #pragma once
 
 #include "contact/joint/joint_plan.hpp"
@@ -15,17 +18,17 @@
 namespace trilith {
 
 struct JointMotion {
-  Vec3 origin, x, y, normal;  ///< [m]; of length 1
+  Vec3 origin, x, y, normal;  ///< [m]; unit vectors
   LinearOverlap moved, rate;  ///< overlap gained [m]; its rate [m/s]
-  Vec2 aside;                 ///< how far b's seat stands beside a's [m]
-  Vec3 turn;                  ///< of b's seat against a's, along the axes [rad]
-  Vec2 slip;                  ///< velocity of b against a at the origin [m/s]
-  double spin;                ///< ... and about the normal [rad/s]
-  Vec2 mean_slip;             ///< over the step: those of now, but after an implicit one [m/s]
-  double mean_spin;           ///< likewise [rad/s]
+  Vec2 aside;                 ///< in-plane displacement of b's seat relative to a's [m]
+  Vec3 turn;                  ///< rotation of b's seat relative to a's, along the axes [rad]
+  Vec2 slip;                  ///< velocity of b relative to a at the origin [m/s]
+  double spin;                ///< the same about the normal [rad/s]
+  Vec2 mean_slip;             ///< over the step: equal to `slip` except after an implicit step [m/s]
+  double mean_spin;           ///< the same for `spin` [rad/s]
 
   JointMotion(const JointPlan& plan, const BodyMotion& a, const BodyMotion& b);
-  /// Mean rates from where the seats stood as an implicit step of length dt [s] began.
+  /// Sets mean rates from the seats' position at the beginning of an implicit step of length dt [s].
   void over_step(const JointMotion& begin, double dt);
 
   [[nodiscard]] Vec3 in_world(const Vec2& p) const { return p.x() * x + p.y() * y; }

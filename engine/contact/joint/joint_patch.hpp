@@ -1,17 +1,18 @@
-// One patch of a joint: normal stress, exact where it is linear, and shear by a slider at each of its four places.
+// One patch of a joint: normal stress, exact where it is linear, and shear with a slider at each of its four points.
 //
-// Pressure. u is the overlap that the bond feels, c that of the faces (they differ where mortar fills a gap), both
-// linear. A sound bond carries kn u all over the patch, a lost one kn c where c is above 0, over the true polygon. One
-// that has softened carries u less what it has lost at each of the four places of the patch:
+// Pressure. Let u be the overlap as it acts on the bond, and c the faces' overlap (they differ where mortar fills a
+// gap). Both are linear. An intact bond carries kn u over the whole patch; a lost one carries kn c where c is positive,
+// over the true polygon. A softened one carries u minus the loss at each of the patch's four points; moments and energy
+// are treated alike:
 //
-//     sigma = u - sum over places of (1 - hold) A/4 (u - max(c, 0))        and its moments and its energy alike
+//     sigma = u - sum over points of (1 - hold) A/4 (u - max(c, 0)).
 //
-// Shear. Each place has a quarter of the area that carries, a Kelvin-Voigt spring in series with a slider as half of a
-// line has in the plane (law/contact/shear.hpp), of which the direction is free: it slides along its force. As the
-// places have the second moments of the patch, all of them together turn about any axis with the stiffness ks J. Where
-// a patch has lost its bond its pressure is shared out among them as the overlap at each says.
+// Shear. Each point has a quarter of the area and a Kelvin-Voigt spring in series with a slider, like half a line in
+// the plane (law/contact/shear.hpp). The slider slides along its force, in any direction. Because the points have the
+// second moments of the patch, together they turn about any axis with the stiffness ks J. If a patch has lost its bond,
+// its pressure is distributed to the points in proportion to their overlaps.
 //
-// The places of a patch are the lanes of one.
+// The points of a patch are the lanes of one SIMD register.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 
 namespace trilith {
 
-/// Of a kernel: its bonds lose their strength by and by, or at once.
+/// Whether a kernel's bonds soften gradually or fail at once.
 template <class K>
 inline constexpr bool is_softening = [] {
   if constexpr (K::bonds)
@@ -59,13 +60,13 @@ TRILITH_INLINE PatchStress where_closed(const JointPlan& plan, const JointPatch&
   return {sum.first, sum.first_moment, sum.energy, sum.area};
 }
 
-/// The overlaps of a patch that has gained `moved` since the mortar set.
+/// Overlaps of a patch that has gained `moved` from the setting of the mortar.
 struct PatchOverlaps {
   LinearOverlap gained, bond, faces;
   PatchOverlaps(const JointPlan& plan, const JointPatch& p, const LinearOverlap& moved)
       : gained(moved), bond(moved.plus(p.laid)), faces(moved.plus(plan.standing)) {}
 
-  /// What the strength of the bond is asked with at a point of the patch, and at its places [m].
+  /// Overlap used for the strength of the bond at a point of the patch, and at its four points [m].
   [[nodiscard]] double asked(const JointPatch& p, const Vec2& x) const {
     return p.filled ? gained(x) + std::max(p.laid(x), 0.0) : bond(x);
   }
@@ -74,7 +75,7 @@ struct PatchOverlaps {
   }
 };
 
-/// `hold`: shares of the stiffness that its places hold.
+/// `hold`: stiffness shares of its points.
 TRILITH_INLINE PatchStress elastic_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o,
                                           bool bonded, const Lanes& hold) {
   if (!bonded) return where_closed(plan, p, o.faces);
@@ -89,7 +90,7 @@ TRILITH_INLINE PatchStress elastic_stress(const JointPlan& plan, const JointPatc
   return out;
 }
 
-/// The part where the faces of a patch overlap, under another overlap that is counted where it is above 0.
+/// Integrals of another overlap `f`, where positive, over the part of a patch whose faces overlap.
 inline PatchStress where_both_closed(const JointPlan& plan, const JointPatch& p, const LinearOverlap& faces,
                                      const LinearOverlap& f) {
   std::array<Vec2, 2 * max_face_corners> closed;
@@ -106,7 +107,7 @@ inline PatchStress where_both_closed(const JointPlan& plan, const JointPatch& p,
   return {sum.first, sum.first_moment, 0, 0};
 }
 
-/// Of overlaps that grow at `rate`, times beta [m]: where faces alone press they never pull by it.
+/// For overlaps that grow at `rate`, times beta [m]: unbonded faces have no tension due to it.
 TRILITH_INLINE PatchStress damping_stress(const JointPlan& plan, const JointPatch& p, const PatchOverlaps& o,
                                           bool bonded, const Lanes& hold, const LinearOverlap& rate) {
   if (!bonded) {
@@ -124,8 +125,8 @@ TRILITH_INLINE PatchStress damping_stress(const JointPlan& plan, const JointPatc
   return out;
 }
 
-/// Normal forces at the places of a patch over kn, of which `all` is the sum where its bond is lost [m3]. `damping`:
-/// rate of the overlap times beta [m].
+/// Normal forces at the points of a patch over kn; if its bond is lost, `all` is their sum [m3]. `damping`: rate of the
+/// overlap times beta [m].
 TRILITH_INLINE Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& o, bool bonded, const Lanes& hold,
                                       const LinearOverlap& damping, double all) {
   const Lanes c = larger(at_points(p, o.faces), Lanes{});
@@ -134,7 +135,7 @@ TRILITH_INLINE Lanes normal_at_points(const JointPatch& p, const PatchOverlaps& 
   return sum > 0 ? larger(all, 0.0) / sum * c : Lanes{} + 0.25 * larger(all, 0.0);
 }
 
-/// A vector at each place of a patch.
+/// A vector at each point of a patch.
 struct PointVectors {
   Lanes x, y;
 
@@ -149,10 +150,10 @@ struct PointVectors {
   [[nodiscard]] TRILITH_INLINE Lanes dot(const PointVectors& o) const { return x * o.x + y * o.y; }
 };
 
-/// A step of the shear of a patch before its sliders are asked. As ShearTrial in the plane.
+/// Trial state of a patch's shear, before its sliders. Corresponds to ShearTrial in the plane.
 struct PatchTrial {
-  PointVectors kept, elastic, total;  ///< force kept, with the step's slip all elastic, and with its damping [N]
-  PointVectors path, along;           ///< [m]; direction of the total, of length 1
+  PointVectors kept, elastic, total;  ///< force kept, force with all slip elastic, force with damping [N]
+  PointVectors path, along;           ///< [m]; unit vector along the total
   Lanes size;                         ///< of the total [N]
   double stiffness, compliance, relaxed;
 
@@ -177,12 +178,12 @@ struct PatchTrial {
   }
 };
 
-/// Energies that a patch gives off in a step [J].
+/// Energies dissipated by a patch in a step [J].
 struct PatchLosses {
   double damping = 0, friction = 0, fracture = 0;
 };
 
-/// Ends a step of shear: where places slide, by `slip` [m] and under the force `held` [N] along that of the trial.
+/// Ends a shear step. Sliding points move by `slip` [m] with the force `held` [N] along the trial force.
 TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& before, double area,
                                     const LaneMask& slides, const Lanes& slip, const Lanes& held, PatchMemory& after,
                                     PatchLosses& lost) {
@@ -195,7 +196,7 @@ TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& 
   lost.friction += trial.relaxed;
   const PointVectors elastic_before{lanes_of(before.elastic_x), lanes_of(before.elastic_y)};
   const PointVectors total_before{lanes_of(before.total_x), lanes_of(before.total_y)};
-  if (!(trial.stiffness > 0)) {  // the force of before worked for half of the way, and nothing takes that
+  if (!(trial.stiffness > 0)) {  // work of the previous force over half of the displacement, not dissipated
     lost.friction += 0.5 * sum_of(elastic_before.dot(trial.path));
     lost.damping += 0.5 * sum_of((total_before - elastic_before).dot(trial.path));
     return;
@@ -207,7 +208,7 @@ TRILITH_INLINE void end_patch_shear(const PatchTrial& trial, const PatchMemory& 
   lost.damping += sum_of((mean_total - mean_elastic).dot(stretch));
 }
 
-/// Friction up to `limit` [N], and nothing beside it, as Coulomb::slide.
+/// Coulomb friction up to `limit` [N] without a bond, as Coulomb::slide.
 template <class K>
 TRILITH_INLINE void slide_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area,
                                 const Lanes& limit, PatchMemory& after, PatchLosses& lost) {
@@ -217,7 +218,7 @@ TRILITH_INLINE void slide_patch(const K& law, const PatchTrial& trial, const Pat
   end_patch_shear(trial, before, area, trial.size > limit, slip, limit, after, lost);
 }
 
-/// A bond that softens, there or lost, as Cohesive::Kernel::slide. `normal`: pressures [N].
+/// A softening bond, present or lost, as Cohesive::Kernel::slide. `normal`: normal forces [N].
 template <class K>
 TRILITH_INLINE void soften_patch(const K& law, const PatchTrial& trial, const PatchMemory& before, double area,
                                  const Lanes& normal, PatchMemory& after, PatchLosses& lost) {

@@ -9,14 +9,14 @@
 namespace trilith {
 namespace {
 
-/// Patches of less than this share of the joint are left out.
+/// Patches smaller than this share of the joint are omitted.
 constexpr double least_patch = 1e-9;
-/// Gaps of less than this share of the joint's width are rounding, and are not filled.
+/// Gaps smaller than this share of the joint's width are rounding errors and are not filled.
 constexpr double least_gap = 1e-12;
-/// Of sides that differ by less than this share the first is the longest.
+/// Among sides whose lengths agree within this share, the first counts as the longest.
 constexpr double same_length = 1e-6;
 
-/// The direction of the longest side, of sides as long the first.
+/// Direction of the longest side; the first of equally long ones.
 Vec2 longest_side(std::span<const Vec2> corners) {
   Vec2 best = Vec2::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -26,7 +26,7 @@ Vec2 longest_side(std::span<const Vec2> corners) {
   return best.normalized();
 }
 
-/// Keeps what lies on the left of the line through `from` along `along`.
+/// Keeps the part to the left of the line through `from` along `along`.
 std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& from, const Vec2& along) {
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -38,7 +38,7 @@ std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& from, 
   return kept;
 }
 
-/// What of a convex polygon lies in a rectangle: cut by its four sides, one after the other.
+/// The part of a convex polygon in a rectangle: clipped by its four sides, one after the other.
 std::vector<Vec2> in_cell(const std::vector<Vec2>& polygon, const Vec2& low, const Vec2& high) {
   std::vector<Vec2> cut = left_part(polygon, low, Vec2::UnitX());
   cut = left_part(cut, Vec2(high.x(), low.y()), Vec2::UnitY());
@@ -46,7 +46,7 @@ std::vector<Vec2> in_cell(const std::vector<Vec2>& polygon, const Vec2& low, con
   return left_part(cut, Vec2(low.x(), high.y()), -Vec2::UnitY());
 }
 
-/// The linear function over a patch that has the integral and the first moments of `standing` where that is above 0.
+/// The linear function over a patch with the integral and the first moments of the positive part of `standing`.
 LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, std::span<const Vec2> corners) {
   const FaceIntegrals pressed = integrals_in_contact(corners, standing.at, standing.slope);
   const Vec2 moment = pressed.first_moment - pressed.first * patch.middle;
@@ -58,7 +58,7 @@ LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, st
   return laid;
 }
 
-/// What follows from the corners of a patch.
+/// Computes the derived quantities of a patch from its corners.
 void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   patch.middle = m.middle, patch.area = m.area;
   patch.xx = m.xx, patch.xy = m.xy, patch.yy = m.yy;
@@ -75,7 +75,7 @@ void complete(JointPlan& plan, JointPatch& patch, const OutlineMoments& m) {
   plan.laid.add(over_all(patch, patch.laid), 1);
 }
 
-/// Where the plane of the joint lies in the axes of a body, so that it goes with it.
+/// Position of the joint's plane in the axes of a body, with which it moves.
 JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaternion& axes) {
   const UnitQuaternion back = inverse(body.rotation);
   return {Turn3(back).apply(origin - body.place), back * axes};
@@ -83,13 +83,17 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 
 }  // namespace
 
-/// A grid over the box of the outline:
-///
-///      +----+----+----+----+   Each cell that has a part of the outline in it is a patch, with its own area,
-///      |    |    |    |    |   middle and second moments. Four points at one radius of gyration along its
-///      +----+----+----+----+   principal axes stand for it, which gives its axial and bending stiffness
-///      |    |  . | .  |    |   exactly.
+/// A grid over the bounding box of the outline. Each cell that contains a part of the outline is a patch, with its own
+/// area, centroid and second moments.
+/// ```
 ///      +----+----+----+----+
+///      |    |    |    |    |
+///      +----+----+----+----+
+///      |    |  . | .  |    |
+///      +----+----+----+----+
+/// ```
+/// Four points at one radius of gyration along its principal axes represent it, which gives its axial and bending
+/// stiffness exactly.
 void divide_joint(JointPlan& plan) {
   plan.corner.clear(), plan.patch.clear();
   const OutlineMoments all(plan.outline);
@@ -118,8 +122,8 @@ void divide_joint(JointPlan& plan) {
     }
 }
 
-/// The axes of a joint: origin in the middle of the shared polygon, x along its larger principal axis (the longest side
-/// where there is none), z along the normal out of a.
+/// The axes of a joint: origin at the centroid of the shared polygon, x along its larger principal axis (the longest
+/// side if there is none), z along the normal out of a.
 JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b) {
   const std::span<const Vec2> shared(faces.shared.corner.data(), static_cast<std::size_t>(faces.shared.count));
   const OutlineMoments moments(shared);

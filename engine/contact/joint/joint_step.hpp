@@ -1,6 +1,6 @@
-// A step of a joint that has cracked or slid somewhere: patch by patch, by the law of its kernel.
+// A step of a joint that has cracked or slid somewhere: patch by patch, with the law of its kernel.
 //
-// Comes in: how the joint moves, what its patches remember. Goes out: what they remember then, and the sums over them.
+// Input: the motion of the joint and the memory of its patches. Output: their new memory, and the sums over them.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace trilith {
 
-/// Turned further than this no bond lasts [rad].
+/// No bond remains beyond this rotation [rad].
 inline constexpr double longest_bond_turn = 0.02;
-/// Shares of its stiffness that a patch holds at its places.
+/// Stiffness shares of a patch at its points.
 template <class K>
 TRILITH_INLINE Lanes holds_of(const K& law, const PatchMemory& m) {
   const Lanes one = Lanes{} + 1.0;
@@ -23,15 +23,15 @@ TRILITH_INLINE Lanes holds_of(const K& law, const PatchMemory& m) {
   return one;
 }
 
-/// How far sliding has opened a patch [m].
+/// Opening of a patch due to sliding [m].
 template <class K>
 double opened_by(const K& law, double slip) {
   if constexpr (is_softening<K>) return law.dilation > 0 ? law.dilated(slip, 0.0) : 0.0;
   return 0;
 }
 
-/// The depth by which a patch is crushed once the mean pressure over the part of it that is pressed is no more than its
-/// mortar's strength, see law/contact/cohesive.hpp [m]. `f`: its overlap, crushed by `before` [m].
+/// Crushed depth of a patch at which the mean pressure over its pressed part does not exceed the mortar's strength, see
+/// law/contact/cohesive.hpp [m]. `f`: its overlap after crushing by `before` [m].
 template <class K>
 double crushed_patch(const K& law, const JointPlan& plan, const JointPatch& p, const LinearOverlap& f, double before) {
   if constexpr (K::crushes) {
@@ -43,13 +43,13 @@ double crushed_patch(const K& law, const JointPlan& plan, const JointPatch& p, c
   return before;
 }
 
-/// What a step of a joint adds up to.
+/// Sums of a joint step.
 struct JointSums {
   PatchStress pressed, damping;  ///< of all patches, over the stiffness
   Vec2 shear = Vec2::Zero(), shear_elastic = Vec2::Zero();
   double couple = 0, couple_elastic = 0;  ///< about the origin [N m]
   double slip = 0;                        ///< mean of all patches in this step [m]
-  bool softened = false;                  ///< some place lost strength, or depth
+  bool softened = false;                  ///< some point lost strength, or mortar was crushed
   PatchLosses lost;
 };
 /// The law of kernel K over one step of a joint.
@@ -76,14 +76,14 @@ class JointStep {
     return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip) - crushed)};
   }
 
-  /// Of any bond at a corner of its patch, or more [m].
+  /// Upper bound of the opening of any bond at a corner of its patch [m].
   [[nodiscard]] TRILITH_INLINE double widest_opening() const {
     double least = std::numeric_limits<double>::max();
     for (const Vec2& p : plan_.outline) least = std::min(least, motion_.moved(p) + plan_.least_at(p));
     return -least;
   }
 
-  /// Brittle bonds that are beyond their limit: of tension at a corner of a patch, of shear at one of its places.
+  /// Brittle bonds beyond their limit: of tension at a corner of a patch, of shear at one of its points.
   [[nodiscard]] TRILITH_INLINE std::uint32_t lost_bonds(double widest) const {
     std::uint32_t gone = 0;
     for (std::size_t k = 0; k < plan_.patch.size(); ++k) {
@@ -101,7 +101,7 @@ class JointStep {
     return gone != 0 && !law_.by_point ? ~0U : gone;
   }
 
-  /// Damage by opening. A patch whose places have all failed has lost its bond.
+  /// Damage by opening. A patch whose points have all failed has lost its bond.
   TRILITH_INLINE void open_patch(std::size_t k, const PatchOverlaps& o) {
     if constexpr (is_softening<K>) {
       PatchMemory& m = after_.patch[k];
@@ -145,7 +145,7 @@ class JointStep {
     sum_shear(p, is, is.slip - was.slip);
   }
 
-  /// Crushes a patch as far as its overlap asks; returns by how much [m].
+  /// Crushes a patch as its overlap requires; returns the increase of its depth [m].
   TRILITH_INLINE double crush(std::size_t k, bool bonded) {
     if constexpr (K::crushes) {
       const double before = before_.crushed[k];
@@ -163,7 +163,7 @@ class JointStep {
     return 0;
   }
 
-  /// `normal`: at its places [N].
+  /// `normal`: at its points [N].
   TRILITH_INLINE void slide(std::size_t k, const PatchStress& stress, const Lanes& normal) {
     const PatchMemory& was = before_.patch[k];
     PatchMemory& is = after_.patch[k];
@@ -171,7 +171,7 @@ class JointStep {
     if constexpr (is_softening<K>) {
       soften_patch(law_, trial, was, stress.area, normal, is, sums.lost);
       keep_bond(k);
-      // The work sliding does against the pressure as it opens the joint comes out of what friction would take.
+      // Sliding that opens the joint does work against the pressure; friction dissipates less by this amount.
       const double opened = opened_by(law_, is.slip) - opened_by(law_, was.slip);
       if (opened > 0) sums.lost.friction -= law_.kn * (stress.force + 0.5 * opened * stress.area) * opened;
     } else {
@@ -181,10 +181,10 @@ class JointStep {
     }
   }
 
-  /// What a bond that holds less than before, or mortar that was crushed, gave off: its energy before and after the
-  /// step, and the work between, with the mean of the stresses of both instants, which is what a leapfrog step does
-  /// [J]. Of a bond without what the faces alone would press: what a step misses of that as they part is no fracture.
-  /// `now`: the stress of now; `crushes`: its mortar was crushed, which takes of that pressure.
+  /// Energy dissipated by a weakened bond or crushed mortar [J]: its energy before minus after the step, plus the work
+  /// of the mean stresses of both instants, which is the work of a leapfrog step. Pressure of the faces alone is
+  /// excluded, because the integration error as they separate is no fracture. `now`: the present stress; `crushes`:
+  /// crushing dissipates part of that pressure.
   [[nodiscard]] double dissipated(std::size_t k, PatchStress now, bool crushes) const {
     const JointPatch& p = plan_.patch[k];
     const PatchOverlaps then = overlaps(k, before_.moved, before_.crushed[k]),

@@ -8,12 +8,12 @@
 namespace trilith {
 namespace {
 
-/// Share of the cohesion that shear beyond friction may take of a joint that stays sound.
+/// Largest share of the cohesion that shear beyond friction may use if the joint stays intact.
 constexpr double most_cohesion = 0.1;
-/// Places that press closer together than this share of the joint's radius of gyration carry no couple.
+/// Pressed points within this share of the joint's radius of gyration carry no couple.
 constexpr double least_radius = 1e-3;
 
-/// At no corner is the shear of a sound joint beyond friction by more than that.
+/// Whether the shear of an intact joint exceeds friction by no more than this share at any corner.
 bool is_light(const JointMemory& joint, double kn, double mu, double cohesion) {
   const JointPlan& plan = *joint.plan;
   const Vec2& middle = plan.whole.middle;
@@ -24,7 +24,7 @@ bool is_light(const JointMemory& joint, double kn, double mu, double cohesion) {
   });
 }
 
-/// The places of all patches, each with what it presses.
+/// The points of all patches, weighted by their pressure.
 struct PressedPlaces {
   std::array<Lanes, most_patches> weight{};
   double sum = 0, polar = 0;  ///< [m3], [m5] about the centre

@@ -1,17 +1,18 @@
-// Shear between two solids: a Kelvin-Voigt spring in series with a slider, as law/contact/shear.hpp, of which the
-// direction is free.
+// Shear between two solids: a Kelvin-Voigt spring in series with a slider, as in law/contact/shear.hpp, in any
+// direction.
+// ```
+//            F t   ____
+//          <------|__c_|
+//             (   couple
+// ```
+// Slip along the plane of contact and rotation about its normal n act on one slider. Its motion is u = slip + n r turn
+// and its force F = shear + n (couple / r), where r is the radius of gyration of the area. The spring dF = ks A du is
+// exactly the area's. Sliding begins at the limit of contact/joint/friction_limit.hpp and follows its normal: the force
+// is the nearest admissible one. So sliding never creates energy: F . du >= F' . du for any other admissible force F'.
 //
-//            F t   ____          Slip along the plane of contact and turning about its normal n go through one slider:
-//          <------|__c_|         the motion is u = slip + n r turn, the force F = shear + n (couple / r), r the radius
-//             (   couple         of gyration of the area, and the spring dF = ks A du that of the area to the last
-//                                term. Sliding begins at the limit of contact/joint/friction_limit.hpp and goes along
-//                                its normal: the force is the nearest that friction holds.
-//
-// So sliding never gives energy: F . du >= F' . du for any other force F' within the limit.
-//
-// Comes in: the motion of the step, the force remembered, turned along with the pair, the area that carried it and the
-// one that does now. Goes out: the force now, and what damping and sliding gave off, by the mean of force before and
-// after the step.
+// Input: the motion of the step, the force in memory, rotated with the pair, and the areas that carry it before and
+// now. Output: the present force, and the energies dissipated by damping and sliding, by the mean of the force before
+// and after the step.
 #pragma once
 
 #include <algorithm>
@@ -23,27 +24,27 @@
 
 namespace trilith {
 
-/// What a contact remembers of its shear; parts along the normal are couples over the radius.
+/// Shear memory of a contact; components along the normal are couples over the radius.
 struct SlidingForce {
   Vec3 elastic = Vec3::Zero(), total = Vec3::Zero();  ///< [N]
   double area = 0;                                    ///< that carries it [m2]
 };
 
-/// The same of one contact or of four.
+/// For one contact or four.
 template <class T>
 struct ShearForce {
   Triple<T> elastic, total;
   T area{};
 };
 
-/// The motion of b against a in a step.
+/// The motion of b relative to a in a step.
 struct SlidingMotion {
   Vec3 path;  ///< [m]
-  Vec3 rate;  ///< now [m/s]
+  Vec3 rate;  ///< present rate [m/s]
   FrictionLimit limit;
 };
 
-/// How the slider is made.
+/// Parameters of the slider.
 struct SlidingLaw {
   double ks, beta, dt;  ///< [Pa/m], [s], [s]
 };
@@ -53,23 +54,23 @@ struct SlidingResponse {
   double slip = 0, lost_friction = 0, lost_damping = 0;  ///< [m], [J], [J]
 };
 
-/// Compliance of an area that carries shear [m/N]; 0 where there is none.
+/// Compliance of an area that carries shear [m/N]; 0 if there is none.
 template <class T>
 TRILITH_INLINE T sliding_compliance(T ks, T area) {
   const T stiffness = ks * area;
   return select(stiffness > T{}, 1.0 / stiffness, T{});
 }
 
-/// Elastic energy held [J].
+/// Stored elastic energy [J].
 inline double sliding_energy(double ks, const SlidingForce& f) {
   return 0.5 * f.elastic.squaredNorm() * sliding_compliance(ks, f.area);
 }
 
-/// A step of the slider of one contact or of four. Area that parts takes its share of the force along and lets its
-/// energy go; new area carries none.
+/// A step of the slider for one contact or four. Area that separates takes its share of the force with it and releases
+/// its energy; new area starts without force.
 ///
-/// First the spring: what it would carry if nothing slid is `total`. Then `hold(held, slides)` with what friction holds
-/// of that and where it does not hold all.
+/// First the spring: `total` is its force without sliding. Then `hold(held, slides)` with the admissible force and a
+/// mask of the sliding lanes.
 template <class T>
 struct SlidingStep {
   Triple<T> path, kept, elastic, total;
@@ -93,7 +94,7 @@ struct SlidingStep {
   }
 };
 
-/// What a step gave off: by the mean of the force before and after it.
+/// Energy dissipated in a step, by the mean of the force before and after it.
 template <class T>
 struct SlidingLoss {
   T slip, friction, damping;
@@ -121,9 +122,9 @@ inline SlidingResponse slide(const SlidingMotion& motion, double area, const Sli
   return {{vector_of(step.elastic), vector_of(step.total), area}, lost.slip, lost.friction, lost.damping};
 }
 
-/// Takes vectors that belong to a plane of contact along with it: from a plane of normal `from` to one of normal `to`,
-/// the shortest way, and about `to` by `turn` [rad], small, as the two bodies turn together in a step. Lengths stay;
-/// the turn is right to the fifth order.
+/// Rotates vectors with a plane of contact. The first rotation is the shortest from the normal `from` to the normal
+/// `to`. The second is about `to` by `turn` [rad], the small common rotation of the two bodies in a step. Lengths are
+/// conserved; the rotation is accurate to fifth order.
 template <class T>
 struct TurnedPlane {
   Triple<T> axis, normal;
@@ -133,13 +134,13 @@ struct TurnedPlane {
       : axis(cross(from, to)), normal(to), cosine(from.dot(to)) {
     const T one = T{} + 1.0;
     share = one / (one + cosine);
-    // Cayley's turn by the tangent of half the angle, of which two terms are taken.
+    // Cayley's rotation by the tangent of half the angle, with two terms.
     const T tangent = 0.5 * turn * (one + turn * turn * (1.0 / 12)), scale = 2.0 / (one + tangent * tangent);
     sine = scale * tangent, less = -scale * tangent * tangent;
   }
   TRILITH_INLINE Triple<T> carry(const Triple<T>& v) const {
-    // Rodrigues with the sine in the axis: v + a x v + a x (a x v) / (1 + c); turned over there is no shortest way
-    // worth the name.
+    // Rodrigues' formula with the sine in the axis: v + a x v + a x (a x v) / (1 + c). Near a half turn the shortest
+    // rotation is undefined, and vectors are reflected.
     const Triple<T> once = cross(axis, v), shortest = v + once + cross(axis, once) * share,
                     over = v - normal * (2.0 * v.dot(normal));
     const Triple<T> in_plane = select<T>(cosine <= T{} - 0.5, over, shortest);

@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// Points of pieces and how they move, as columns.
+/// Points of pieces and their motion, as columns.
 struct PieceMotions {
   Plane2 at, velocity;
   Lanes spin, chord;
@@ -26,19 +26,19 @@ struct PieceMotions {
     spin = Lanes{p[0]->spin, p[1]->spin, p[2]->spin, p[3]->spin};
     chord = chord_rate(spin, dt);
   }
-  /// Of the point of the piece that is at a point of the world, over the step.
+  /// Velocity of the piece's point at a world position, mean over the step.
   [[nodiscard]] TRILITH_INLINE Plane2 velocity_at(const Plane2& x) const {
     const Plane2 arm = x - at;
     return {velocity.x - spin * arm.y + chord * arm.x, velocity.y + spin * arm.x + chord * arm.y};
   }
-  /// The same with the velocities of now.
+  /// The same with present velocities.
   [[nodiscard]] TRILITH_INLINE Plane2 rigid_velocity_at(const Plane2& x) const {
     const Plane2 arm = x - at;
     return {velocity.x - spin * arm.y, velocity.y + spin * arm.x};
   }
 };
 
-/// What contacts remembered, both halves as one.
+/// Memory of the contacts, both halves merged.
 struct RememberedFour {
   ShearBefore<Lanes> shear;
   Plane2 damping;
@@ -57,8 +57,8 @@ struct RememberedFour {
   }
 };
 
-/// A force at v with a moment about it, as forces on the two corners of an edge, a row for each lane: first x and y,
-/// second x and y.
+/// A force at v and a moment about it, as forces on the two corners of an edge, one row per lane: first x and y, second
+/// x and y.
 TRILITH_INLINE FourByFour on_edge(const EdgeColumns& e, const Plane2& v, const Plane2& force, const Lanes& moment) {
   const Plane2 along{e.along_x, e.along_y}, from_start{v.x - e.x, v.y - e.y};
   const Lanes share = dot_of(along, from_start) / e.length2;
@@ -73,14 +73,14 @@ TRILITH_INLINE void write_row(const Lanes& row, double* first_two, double* last_
   store_pair(last_two, LanePair{row[2], row[3]});
 }
 
-/// What every lane came to.
+/// Results of each lane.
 struct CornerAnswer {
   Plane2 force, centre, damping;  ///< on b [N], [m], [N]
   Lanes damping_moment, length, depth, lost_damping;
   HalfResponse<Lanes> shear;
 };
 
-/// The same, row by row, as it is written.
+/// The results as rows, for storage.
 struct AnswerRows {
   FourByFour force_and_centre, sizes_and_losses, shears, dampings, others;
   TRILITH_INLINE explicit AnswerRows(const CornerAnswer& r)
@@ -106,7 +106,7 @@ struct AnswerRows {
   }
 };
 
-/// Lanes in which the shape is clearly the one that was said.
+/// Lanes in which the assumed shape is clearly valid.
 template <class Shape>
 TRILITH_INLINE std::uint64_t clear_lanes(const Shape& t, const PiecesOfPairs& pieces,
                                          std::span<const CornerCase> pairs) {
@@ -118,8 +118,7 @@ TRILITH_INLINE std::uint64_t clear_lanes(const Shape& t, const PiecesOfPairs& pi
   return clear;
 }
 
-/// Four pairs, a lane each; beyond the last one the first again. `Shape`: of what they share, Triangle or
-/// CornerPair.
+/// Four pairs in lanes; unused lanes repeat the first pair. `Shape`: the shape of the overlap, Triangle or CornerPair.
 template <class Shape>
 TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, const PlainFriction& given) {
   const PlainFriction law = given;
@@ -129,14 +128,14 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   if (sound == 0) return 0;
   const Lanes zero{}, one = all_lanes(1);
   const LaneMask wedge_is_b = mask_of_bits(pieces.wedge_is_b);
-  const Lanes sign = select(wedge_is_b, one, -one);  // of the force on b to that on the wedge
+  const Lanes sign = select(wedge_is_b, one, -one);  // from the force on b to the force on the wedge
   const PieceMotions w(pieces.wedge, law.dt), o(pieces.owner, law.dt);
   RelativeMotion motion;
   motion.at_corner = w.velocity_at(t.corner) - o.velocity_at(t.corner);
   motion.spin = w.spin - o.spin, motion.chord = w.chord - o.chord;
   const WedgeSums sums = press(t, motion, law);
   const Lanes normal = sums.size;
-  // Where the damping of pieces that part takes all the pressure away, the other one says what is left.
+  // If damping cancels the whole pressure of separating pieces, the general contact is used.
   const LaneMask pressed = (sums.pressure > zero) & (normal > zero);
   CornerAnswer r;
   const Plane2 direction = sign * sums.normal, along{-direction.y, direction.x}, force = normal * sums.normal;
@@ -150,8 +149,8 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   const ContactMemory* memory[lane_count];
   for (std::size_t i = 0; i < lane_count; ++i) memory[i] = pairs[i < pairs.size() ? i : 0].before;
   const RememberedFour before(memory);
-  // The mean of the damping force of before and of now does the work, the former at the motion of b against a now, as
-  // rigid pieces.
+  // Damping work uses the mean of the previous and the present damping force; the previous one acts on the present
+  // rigid motion of b relative to a.
   const Plane2 at_a = sign * (w.rigid_velocity_at(origin_a) - o.rigid_velocity_at(origin_a));
   const Lanes power_before = dot_of(before.damping, at_a) + before.damping_moment * (sign * motion.spin);
   r.lost_damping = (0.5 * law.dt) * (sums.power - power_before);
@@ -160,7 +159,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   state.slip_rate = state.slip_mean = dot_of(along, sign * motion.at(arm));
   r.shear.normal = normal;
   law.slide(state, sums.length, before.shear, r.shear);
-  // Shear above 0 drives a along t and b against it.
+  // Positive shear drives a along t and b against it.
   const Plane2 friction = (-sign * r.shear.shear_total) * along, whole = force + friction;
   const Lanes moment = sums.moment + cross_of(arm, friction);
   const FourByFour on_wedge = on_edge(t.before, t.corner, whole, moment),
@@ -177,7 +176,7 @@ TRILITH_INLINE std::uint32_t respond_four(std::span<const CornerCase> pairs, con
   return static_cast<std::uint32_t>(sound);
 }
 
-// One copy for each width of registers: the same operations, so the same bits.
+// One copy for each register width: the same operations, so the same bits.
 
 TRILITH_INLINE std::uint32_t respond_shapes(std::span<const CornerCase> pairs, const PlainFriction& law) {
   return pairs.front().at.both ? respond_four<CornerPair>(pairs, law) : respond_four<Triangle>(pairs, law);

@@ -1,9 +1,8 @@
-// What two convex pieces share where one corner of either lies in the other, or one of both; four pairs, a lane each.
+// Overlap of two convex pieces with one corner of either inside the other, or one of both; four pairs in lanes.
 //
-// Comes in: the edges at those corners, where they stand; how the pieces move; a law of friction alone. Goes out: the
-// stretches over which the pressure is linear, the forces on the wedge about its corner v and what goes with them, and
-// in which lanes the shape is clearly the one that was said (contact/plane/corner_overlap.hpp has both in pictures and
-// words).
+// Input: the edges at these corners, in the present positions; the motion of the pieces; a law of pure friction.
+// Output: the sections with linear pressure, the forces on the wedge about its corner v and related sums, and the lanes
+// in which the shape is clearly valid. See contact/plane/corner_overlap.hpp for a sketch.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace trilith {
 
-/// Where an edge crosses a face, as a share of either: nearer than this to an end is not clear.
+/// Limit for intersections of an edge and a face, relative to either length: closer to an end is not clearly valid.
 inline constexpr double clear_share = 1e-9;
 
 struct Plane2 {
@@ -36,7 +35,7 @@ TRILITH_INLINE Plane2 select_point(const LaneMask& m, const Plane2& a, const Pla
   return {select(m, a.x, b.x), select(m, a.y, b.y)};
 }
 
-/// The motion of the wedge against the owner about the corner v.
+/// Motion of the wedge relative to the owner about the corner v.
 struct RelativeMotion {
   Plane2 at_corner;
   Lanes spin, chord;  ///< `chord`: difference of chord_rate, see contact/joint/chord.hpp
@@ -45,13 +44,13 @@ struct RelativeMotion {
   }
 };
 
-/// The edge before that with this number, or before that corner.
+/// The edge before this edge or corner.
 TRILITH_INLINE int edge_before(const PlacedPiece& piece, int e) {
   return (e > 0 ? e : static_cast<int>(piece.corner.size())) - 1;
 }
 
-/// Four edges of one piece of each pair: those before and after a corner, the one after these, and the one left of a
-/// piece with four; of one with three the former again.
+/// Four edges of one piece of each pair: before and after a corner, the next one, and the edge before these in a piece
+/// with four. In a triangle the first edge is repeated.
 struct CornerRowsOf {
   const EdgeRow *before[lane_count], *after[lane_count], *next[lane_count], *far[lane_count];
   TRILITH_INLINE void set(int lane, const PlacedPiece& piece, int corner) {
@@ -62,7 +61,7 @@ struct CornerRowsOf {
   }
 };
 
-/// These as columns.
+/// The same edges as columns.
 struct CornerEdges {
   EdgeLanes before, after, next, far;
   TRILITH_INLINE explicit CornerEdges(const CornerRowsOf& e)
@@ -70,7 +69,7 @@ struct CornerEdges {
 
   [[nodiscard]] TRILITH_INLINE EdgeColumns edge_before() const { return {before, after}; }
   [[nodiscard]] TRILITH_INLINE EdgeColumns edge_after() const { return {after, next}; }
-  /// Where a point of the world is deeper than `depth` below the two edges that do not meet in the corner.
+  /// Where a world point is deeper than `depth` below the two edges that do not meet in the corner.
   [[nodiscard]] TRILITH_INLINE LaneMask is_nearer(const Plane2& at, const Lanes& depth) const {
     return ~(below(next, at) <= depth) & ~(below(far, at) <= depth);
   }
@@ -79,8 +78,8 @@ struct CornerEdges {
   }
 };
 
-/// How deep a point of the world lies below the edges of a piece with many, four at a time: true where it is deeper
-/// than `depth` below all but two.
+/// Depth of a world point below the edges of a piece with many, four at a time: true where it is deeper than `depth`
+/// below all but two.
 TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, double depth, int but, int and_but) {
   const Lanes px = all_lanes(x), py = all_lanes(y);
   std::uint64_t shallow = 0;
@@ -92,15 +91,15 @@ TRILITH_INLINE bool is_deeper(const PlacedPiece& piece, double x, double y, doub
   return (shallow & piece.sides.surface & ~(std::uint64_t{1} << but | std::uint64_t{1} << and_but)) == 0;
 }
 
-/// The two pieces of each pair, and the edges that matter: about the corner of the wedge; of the owner, about the
-/// corner that its face begins at.
+/// The two pieces of each pair, and the relevant edges: about the corner of the wedge, and about the corner at which
+/// the owner's face begins.
 struct PiecesOfPairs {
   const PlacedPiece *wedge[lane_count], *owner[lane_count];
   CornerRowsOf of_wedge, of_owner;
-  std::uint64_t wedge_is_b = 0;  ///< bit i: of lane i
+  std::uint64_t wedge_is_b = 0;  ///< bit i: in lane i
   std::uint64_t many = 0;        ///< bit i: a piece of lane i has more than four corners
 
-  /// Beyond the last pair the first again.
+  /// Unused lanes repeat the first pair.
   TRILITH_INLINE explicit PiecesOfPairs(std::span<const CornerCase> pairs) {
     for (int i = 0; i < lane_count; ++i) {
       const CornerCase& pair = pairs[static_cast<std::size_t>(i) < pairs.size() ? static_cast<std::size_t>(i) : 0];
@@ -114,15 +113,15 @@ struct PiecesOfPairs {
   }
 };
 
-/// The triangle of every lane, about the corner v, and where it is none.
+/// The triangle of each lane, about the corner v, and where it is valid.
 struct Triangle {
   EdgeColumns before, after, face;  ///< edges p v and v n of the wedge; the face of the owner
-  Plane2 corner;                    ///< v in the world [m]
+  Plane2 corner;                    ///< v in world coordinates [m]
   Lanes depth, depth_b;             ///< of v below f, of B below both edges [m]
-  Lanes share_before, share_after;  ///< what of both edges is below f
-  Plane2 p1, p2, b;                 ///< from v [m]
-  Lanes share_b;                    ///< of B on the way from P2 to P1
-  LaneMask clear;                   ///< that is what they share, and no other edges are as near
+  Lanes share_before, share_after;  ///< parts of both edges below f
+  Plane2 p1, p2, b;                 ///< relative to v [m]
+  Lanes share_b;                    ///< position of B between P2 and P1, relative
+  LaneMask clear;                   ///< the triangle is the overlap, and no other edges are as near
 
   TRILITH_INLINE Triangle(const CornerEdges& wedge, const CornerEdges& owner)
       : before(wedge.edge_before()), after(wedge.edge_after()), face(owner.edge_after()), corner{after.x, after.y} {
@@ -139,7 +138,7 @@ struct Triangle {
     const Lanes at1 = dot_of(from_start + p1, along) / face.length2,
                 at2 = dot_of(from_start + p2, along) / face.length2;
     const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
-    // How deep each end of the base lies below the edge that the other one is on.
+    // Depth of each end of the base below the edge through the other end.
     const Lanes below_before = -(before.nx * p2.x + before.ny * p2.y),
                 below_after = -(after.nx * p1.x + after.ny * p1.y);
     clear &= is_clear(share_before) & is_clear(share_after) & is_clear(at1) & is_clear(at2) & (below_before > zero) &
@@ -152,7 +151,7 @@ struct Triangle {
              wedge.is_nearer(corner + b, depth_b);
   }
   [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(depth, depth_b); }
-  /// The last two of all edges, of pieces with many.
+  /// The last two conditions for pieces with many edges.
   [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PiecesOfPairs& pairs, const CornerOnFace& at) const {
     const PlacedPiece &wedge = *pairs.wedge[i], &owner = *pairs.owner[i];
     return is_deeper(owner, corner.x[i], corner.y[i], depth[i], at.face, at.face) &&
@@ -161,29 +160,29 @@ struct Triangle {
   }
 };
 
-/// A stretch of an edge under pressure: it begins at `from` and goes `way`, both from v [m], pushes the wedge along
-/// `push`, and is as deep as d0 at its begin and d1 at its end [m].
+/// A section of an edge under pressure. It begins at `from` and extends along `way`, both relative to v [m], pushes the
+/// wedge along `push`, and has the depths d0 at its start and d1 at its end [m].
 struct alignas(32) DeepStretch {
   Plane2 push, from, way;
   Lanes d0, d1, length;
 
-  /// The mean depth over it, times its length, along its push: what its springs come to over kn.
+  /// Mean depth times length, along its push: the force of its springs over kn.
   [[nodiscard]] TRILITH_INLINE Plane2 springs() const { return (0.5 * length * (d0 + d1)) * push; }
 };
 
-/// Forces on the wedge and what goes with them, about v. Springs push along the normals of their edges, and together
-/// along `normal`; dampings all along that.
+/// Forces on the wedge and related sums, about v. Springs push along the normals of their edges, and in total along
+/// `normal`; all dampings act along `normal`.
 struct alignas(32) WedgeSums {
-  Plane2 normal;                              ///< of length 1
+  Plane2 normal;                              ///< unit vector
   Lanes size{}, damping{};                    ///< of the force along `normal`, and its damping part [N]
   Lanes moment{}, damping_moment{}, power{};  ///< [N m], its damping part [N m], power of that [W]
-  Lanes pressure{}, length{};                 ///< whatever way it acts [N]; [m]
-  Plane2 arm{};                               ///< pressure times place [N m]
+  Lanes pressure{}, length{};                 ///< magnitude in any direction [N]; [m]
+  Plane2 arm{};                               ///< pressure times position [N m]
 
   TRILITH_INLINE explicit WedgeSums(const Plane2& n) : normal(n) {}
 
-  /// The share m of the push that is along the normal n says what of the motion along it closes the stretch, at
-  /// -m (n . v), and what of the damping acts against it.
+  /// m is the component of the push along the normal n. The section closes at -m (n . v), and its damping acts along n
+  /// with the factor m.
   TRILITH_INLINE void add(const PlainFriction& law, const RelativeMotion& motion, const DeepStretch& s) {
     const Lanes along = dot_of(normal, s.push), facing = larger(along, Lanes{});
     const Lanes c0 = -facing * dot_of(normal, motion.at(s.from)),
@@ -200,12 +199,13 @@ struct alignas(32) WedgeSums {
   }
 };
 
-/// The elastic force is along the normal of the one face f, as moving along that changes nothing.
+/// The elastic force is along the normal of the single face f, because motion along the face does not change it.
 TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, const PlainFriction& law) {
   const Plane2 zero{}, e{t.before.nx, t.before.ny}, g{t.after.nx, t.after.ny}, f{t.face.nx, t.face.ny};
   const Lanes none{}, base = root(dot_of(t.p1 - t.p2, t.p1 - t.p2));
   WedgeSums sums(f);
-  // Where the wedge walks, it is pushed back against its own normals, and where the owner does, along that.
+  // Sections on the wedge's edges push it back along their normals; sections on the owner's face push along the face's
+  // normal.
   sums.add(law, motion, {zero - e, t.p1, zero - t.p1, none, t.depth, t.share_before * root(t.before.length2)});
   sums.add(law, motion, {zero - g, zero, t.p2, t.depth, none, t.share_after * root(t.after.length2)});
   sums.add(law, motion, {f, t.p2, t.b - t.p2, none, t.depth_b, t.share_b * base});
@@ -213,20 +213,20 @@ TRILITH_INLINE WedgeSums press(const Triangle& t, const RelativeMotion& motion, 
   return sums;
 }
 
-/// Two edges of one piece, the walker, that meet in a corner inside the other: in through the edge `first` of that one
-/// and out through `last`, the edges before and after its own corner in reverse. Up to `turn` the first of the two is
-/// the nearer one, from there on the last; `turn` lies on the way to the corner where it is `early`, else beyond it.
-/// Depths are linear on each of both ways:
+/// Two edges of one piece, the walker, that meet in a corner inside the other. They enter through the edge `first` of
+/// the other piece and leave through `last`, its edges before and after its own corner in reverse. Up to `turn` the
+/// edge `first` is nearer, beyond it `last`. The point `turn` is before the corner if it is `early`, otherwise after
+/// it. Depths are linear on both parts:
 ///
-///     first: 0 .. d0 at the corner .. d0_out      last: d1_in .. d1 at the corner .. 0
+///     first: 0 .. d0 at the corner .. d0_out      last: d1_in .. d1 at the corner .. 0.
 struct CornerChain {
   EdgeColumns before, after;
-  Plane2 corner, in, out, turn;  ///< all from v [m]
-  Lanes share_in, share_out;     ///< what of both edges is inside
-  Lanes d0, d1, depth, on_way;   ///< [m]; [m] at `turn`; share of its way there
+  Plane2 corner, in, out, turn;  ///< all relative to v [m]
+  Lanes share_in, share_out;     ///< parts of both edges inside
+  Lanes d0, d1, depth, on_way;   ///< [m]; [m] at `turn`; its relative position
   LaneMask early, clear;
 
-  /// `v`: of the wedge, in the world [m].
+  /// `v`: of the wedge, in world coordinates [m].
   TRILITH_INLINE CornerChain(const EdgeColumns& w0, const EdgeColumns& w1, const EdgeColumns& first,
                              const EdgeColumns& last, const Plane2& v)
       : before(w0), after(w1), corner{after.x - v.x, after.y - v.y} {
@@ -254,17 +254,17 @@ struct CornerChain {
     depth = select(early, on_way * d0, (1.0 - on_way) * d1);
   }
   [[nodiscard]] TRILITH_INLINE Lanes deepest() const { return larger(select(early, d1, d0), depth); }
-  /// Where the edges of the other piece but those two are deeper below at the corner and where it turns.
+  /// Where all other edges of the other piece are deeper at the corner and at `turn`.
   [[nodiscard]] TRILITH_INLINE LaneMask are_nearest(const CornerEdges& other, const Plane2& v) const {
     return other.is_nearer(v + corner, smaller(d0, d1)) & other.is_nearer(v + turn, depth);
   }
-  /// The same of lane i and of all edges of a piece with many; `at`: the corner of the other piece.
+  /// For lane i and all edges of a piece with many; `at`: the corner of the other piece.
   [[nodiscard]] TRILITH_INLINE bool is_nearest(int i, const PlacedPiece& other, int at, const Plane2& v) const {
     const int before_it = edge_before(other, at);
     return is_deeper(other, v.x[i] + corner.x[i], v.y[i] + corner.y[i], smaller(d0[i], d1[i]), before_it, at) &&
            is_deeper(other, v.x[i] + turn.x[i], v.y[i] + turn.y[i], depth[i], before_it, at);
   }
-  /// Its three stretches. `way` is 1.0 for the edges of the wedge, -1.0 for those of the owner, which push it along
+  /// Its three sections. `way` is 1.0 for edges of the wedge, -1.0 for edges of the owner, which push the wedge along
   /// their normals.
   [[nodiscard]] TRILITH_INLINE std::array<DeepStretch, 3> stretches(double way) const {
     const Lanes zero{}, one = all_lanes(1);
@@ -279,11 +279,11 @@ struct CornerChain {
   }
 };
 
-/// One corner of each of two pieces in the other: what they share has these two corners and the two points at which
-/// their edges cross. Comes in: four edges; goes out: the way of each piece through the other.
+/// One corner of each of two pieces inside the other: the overlap has these two corners and the two intersections of
+/// edges. Input: four edges; output: the path of each piece through the other.
 struct CornerPair {
   EdgeColumns before, after, face;  ///< of the wedge; the edge after the owner's corner
-  Plane2 corner;                    ///< v of the wedge in the world [m]
+  Plane2 corner;                    ///< v of the wedge in world coordinates [m]
   CornerChain wedge, owner;
   LaneMask clear;  ///< see Triangle
 

@@ -1,8 +1,8 @@
-// The cells of a pressed face: where which face of the other solid is nearest.
+// Partition of a pressed face into cells, in each of which one face of the other solid is nearest.
 //
-// Comes in: a convex part of a face, by points whose depths below all faces of the other solid are known
-// (geometry/plane/depth_table.hpp). Goes out: for each face f that is nearest somewhere, the polygon where depth_f <=
-// depth_g for all others g. All depths are linear over it, so each g cuts it along a line, and most cut nothing.
+// Input: a convex part of a face, as points with known depths below all faces of the other solid
+// (geometry/plane/depth_table.hpp). Output: for each face f that is nearest somewhere, the polygon where depth_f <=
+// depth_g for all other faces g. All depths are linear over it, so each g cuts it along a line; most cut nothing.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace trilith {
 
-/// A point of a pressed face: where it is from the point that moments are about, and how deep in the other solid.
+/// A point of a pressed face: its arm from the reference point of moments, and its depth in the other solid.
 struct PressedPoint {
   Vec3 arm;
   double depth;  // [m]
 };
 
-/// A convex polygon with room for a triangle cut by many planes.
+/// A convex polygon with capacity for a triangle cut by many planes.
 struct PressedPolygon {
   static constexpr std::size_t most = 128;
   std::array<PressedPoint, most> corner;
@@ -32,14 +32,14 @@ struct PressedPolygon {
   }
 };
 
-/// Of a function at the corners of a polygon.
+/// Values of a function at the corners of a polygon.
 using CornerHeights = std::array<double, PressedPolygon::most>;
 
 inline PressedPoint between(const PressedPoint& p, const PressedPoint& q, double share) {
   return {p.arm + share * (q.arm - p.arm), p.depth + share * (q.depth - p.depth)};
 }
 
-/// The part of a polygon where a function that is linear over it is not negative.
+/// The part of a polygon where a linear function is not negative.
 inline void keep_above(const PressedPolygon& from, const CornerHeights& height, PressedPolygon& kept) {
   kept.count = 0;
   for (std::size_t i = 0; i < from.count; ++i) {
@@ -50,7 +50,7 @@ inline void keep_above(const PressedPolygon& from, const CornerHeights& height, 
   }
 }
 
-/// A convex part of a face of the walker: points of the shared solid in their order.
+/// A convex part of a face of the walker: points of the shared solid in order.
 struct Rim {
   static constexpr std::size_t most = 64;
   std::array<int, most> point;
@@ -59,10 +59,9 @@ struct Rim {
   void add(int p) { point[count++] = p; }
 };
 
-/// What of a rim is nearest to one of the faces of the owner. `noise` is well above what rounding does to a depth [m]:
-/// of most other faces the corners tell that they cut nothing away, or all of it.
-///
-/// Depths below two faces are compared, and the first cut is taken from what that gave, before any point is copied.
+/// The cells of a rim by nearest face of the owner. `noise` is well above the rounding error of a depth [m]. For most
+/// faces the values at the corners show that they cut nothing or everything. The first cut uses the depths already
+/// compared, before any point is copied.
 class CellCutter {
  public:
   CellCutter(const DepthTable& owner, std::span<const Vec3> arms, const Rim& rim, double noise)
@@ -73,7 +72,7 @@ class CellCutter {
 
   [[nodiscard]] std::size_t faces() const { return faces_; }
 
-  /// The cell of one of these faces; null where there is none.
+  /// The cell of a face; null if it is empty.
   const PressedPolygon* cell(std::size_t f) {
     if (!list_cutters(f)) return nullptr;
     cell_ = &polygon_[0], spare_ = &polygon_[1];
@@ -83,10 +82,10 @@ class CellCutter {
   }
 
  private:
-  static constexpr std::size_t most = 256;           // faces of the owner
-  using RimHeights = std::array<double, Rim::most>;  ///< of a function at the points of the rim
+  static constexpr std::size_t most = 256;           // capacity for faces of the owner
+  using RimHeights = std::array<double, Rim::most>;  ///< values of a function at the points of the rim
 
-  /// A face that all of the rim is deeper below than below some other is nearest nowhere.
+  /// A face is nearest nowhere if the whole rim is deeper below it than below some other face.
   void list_near_faces() {
     std::array<double, most> low;
     const auto columns = static_cast<std::size_t>(std::min(owner_.columns(), static_cast<int>(most)));
@@ -102,8 +101,8 @@ class CellCutter {
       if (low[k] <= reach && !owner_.has_first_like(static_cast<int>(k))) column_[faces_++] = static_cast<int>(k);
   }
 
-  /// Those that may cut something away; false where one takes all. The heights above face f's own depth of the depths
-  /// below the first of them are kept.
+  /// Lists the faces that may cut the cell; false where one removes all of it. The difference of depths for the first
+  /// of them is kept.
   bool list_cutters(std::size_t f) {
     cutters_ = 0;
     for (std::size_t i = 0; i < rim_.count; ++i) own_[i] = larger(row_[i][column_[f]], 0.0);
@@ -125,7 +124,7 @@ class CellCutter {
     return {arms_[static_cast<std::size_t>(rim_.point[i])], own_[i]};
   }
 
-  /// The rim, cut by the first of the cutters if there is one.
+  /// The rim, cut by the first cutter if there is one.
   void begin_cell() {
     cell_->count = 0;
     for (std::size_t i = 0; i < rim_.count; ++i) {
@@ -158,8 +157,8 @@ class CellCutter {
   const Rim& rim_;
   double noise_;
   std::array<const double*, Rim::most> row_;  // depths below all faces
-  RimHeights own_;                            // depths below the face asked for
-  std::array<RimHeights, 2> height_;          // above them, of depths below the first cutter and another face
+  RimHeights own_;                            // depths below the given face
+  std::array<RimHeights, 2> height_;          // depths minus own_, for the first cutter and another face
   std::array<int, most> column_, cutter_;
   std::size_t faces_ = 0, cutters_ = 0;
   std::array<PressedPolygon, 2> polygon_;

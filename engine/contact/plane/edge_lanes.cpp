@@ -5,7 +5,7 @@
 namespace trilith {
 namespace {
 
-/// Those of a piece with four corners, as most have: a lane each.
+/// Edges of a piece with four corners, the most frequent number: one per lane.
 TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeRow* row) {
   const auto two = [&](int first) {
     const LanePair low = load_pair(corner[first].data()), high = load_pair(corner[first + 1].data());
@@ -23,8 +23,8 @@ TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeRow* row) {
 
 }  // namespace
 
-/// Edges of a convex piece four at once: start and outward unit normal (the edge turned to the right, as corners run
-/// counter-clockwise).
+/// Edges of a convex piece, four at once: start and unit outward normal (the edge rotated to the right, because corners
+/// are counter-clockwise).
 [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]] void place_edges(std::span<const Vec2> corner,
                                                                              EdgeRow* row) {
   const int count = static_cast<int>(corner.size());

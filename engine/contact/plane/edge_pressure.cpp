@@ -18,8 +18,7 @@ namespace {
     if (shared.loop[l].count == 0) continue;
     const bool of_b = l >= few_faces;
     const Vec3& n = (of_b ? b : a).placed.normals[l % few_faces];
-    // On b acts -n on its own face, as n then points from b into a, and +n on
-    // one of a.
+    // The force on b is along -n on its own face, because n points from b into a, and along +n on a face of a.
     const Lanes face{n.x(), n.y(), n.z(), of_b ? -1.0 : 1.0};
     if (is_tetrahedron && tetrahedron.add_to(triangles, face, l)) continue;
     if (!parts.find(shared, l, shared.depth[of_b ? 0 : 1])) return false;

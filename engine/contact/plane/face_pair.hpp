@@ -1,18 +1,19 @@
-// Stress spread over the overlap of two faces that look at each other: exact for a linear overlap.
+// Stress over the overlap of two opposed faces: exact for a linear overlap.
 //
-// A's face runs from a.0 to a.1, B's from b.0 to b.1, each counter-clockwise around its own body, so they run
-// against each other. d is their common direction, n = -left_of(d) points from A to B. Over the shared length
-// [lo, hi] the gap g(s) is linear. It is cut into two halves that keep their own shear history and bond
-// (ContactMemory); what they carry is the law's, see law/contact/coulomb.hpp.
-// Forces at the face ends have the resultant, the moment and the power of the stresses (rigid or linear faces).
-//
+// A's face runs from a.0 to a.1, B's from b.0 to b.1, each counter-clockwise around its body, so they run in opposite
+// directions. Their common direction is d, and n = -left_of(d) points from A to B. Over the shared length [lo, hi] the
+// gap g(s) is linear. It is divided into two halves with separate shear history and bond (ContactMemory); their
+// stresses follow the law, see law/contact/coulomb.hpp. Forces at the face ends have the resultant, the moment and the
+// power of the stresses (rigid or linear faces).
+// ```
 //            b.1 ____________________________ b.0
 //                      B         ^ n
 //                    lo |--half 0--+--half 1--| hi
 //            a.0 ________________________________ a.1      --> d
 //                      A
+// ```
 //
-// Written over T = double or Lanes. Source: Barbosa, "Discontinuous structural analysis", eqs. 3 to 5.
+// Written for T = double or Lanes. Source: Barbosa, "Discontinuous structural analysis", eqs. 3 to 5.
 #pragma once
 
 #include "law/contact/coulomb.hpp"
@@ -20,19 +21,19 @@
 
 namespace trilith {
 
-/// `M`: what the law remembers.
+/// `M`: the law's memory.
 template <class T, class M>
 struct FaceResponse {
   T ax0, ay0, ax1, ay1, bx0, by0, bx1, by1;  ///< forces at the face ends [N]
   FaceMemory<T> memory;
   M own{};
-  T lost_damping, lost_friction, lost_fracture;  ///< energy given off in this step [J]
-  Mask<T> is_face_pair;                          ///< false: nothing above holds, the shape is general
+  T lost_damping, lost_friction, lost_fracture;  ///< energy dissipated in this step [J]
+  Mask<T> is_face_pair;                          ///< false: the results are not valid, the contact is a general one
   Mask<T> touching;
 };
 
-/// Forces at the four face ends from the stresses of both halves: same resultant, moment and power. The couple
-/// moves the shear to mid-gap, so that both bodies feel it along one line and angular momentum is kept.
+/// Forces at the four face ends from the stresses of both halves: same resultant, moment and power. The couple moves
+/// the shear to mid-gap, so that it acts on both bodies along one line and angular momentum is conserved.
 template <class T, class M>
 TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T>& s0, const HalfResponse<T>& s1,
                                    FaceResponse<T, M>& out) {
@@ -57,9 +58,9 @@ TRILITH_INLINE void spread_to_ends(const FaceOverlap<T>& o, const HalfResponse<T
   out.by1 = tb1 * o.dy - nb1 * o.dx;
 }
 
-/// Takes over what a contact of general shape remembers: its shear and the length that carried it are spread by the
-/// `length` of both halves that carries shear now [m], its damping force counts along the normal; its moment is not
-/// kept.
+/// Converts the memory of a general contact. Its shear and the length that carried it are distributed by the lengths of
+/// both halves that carry shear now, `length` [m]. Its damping force counts along the normal; the moment of this force
+/// is dropped.
 template <class T>
 TRILITH_INLINE void take_over(const FaceOverlap<T>& o, const T* length, FaceMemory<T>& m) {
   const T zero{}, one = zero + 1.0, sum = length[0] + length[1];
@@ -74,8 +75,8 @@ TRILITH_INLINE void take_over(const FaceOverlap<T>& o, const T* length, FaceMemo
   m.damping_force[1] = select(m.general, zero, m.damping_force[1]);
 }
 
-/// New memory and energy given off; `r`: mean rates over the step. The power of the damping force is taken with the
-/// mean of the forces before and after the step, which is what a leapfrog step does work with.
+/// New memory and dissipated energy; `r`: mean rates over the step. The power of the damping uses the mean of its force
+/// before and after the step, which is the work of a leapfrog step.
 template <class T, class M>
 TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, const FaceMemory<T>& before, double dt,
                              const HalfResponse<T>& s0, const HalfResponse<T>& s1, FaceResponse<T, M>& out) {
@@ -95,8 +96,8 @@ TRILITH_INLINE void remember(const FaceOverlap<T>& o, const FaceRates<T>& r, con
   out.lost_friction = s0.lost_friction + s1.lost_friction;
 }
 
-/// One step of two faces under the law of kernel `law`. `Motion`: LeapfrogMotion or FaceMotion. `before`, `own`: what
-/// is remembered up to now.
+/// One step of two faces under the law of kernel `law`. `Motion`: LeapfrogMotion or FaceMotion. `before`, `own`: the
+/// previous memory.
 template <class K, class T, template <class> class Motion, class M = typename K::template Memory<T>>
 TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const Motion<T>& motion, FaceMemory<T> before, const M& own,
                                                       const K& law) {

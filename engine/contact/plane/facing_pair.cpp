@@ -1,4 +1,4 @@
-// The one pair of faces of two solids that may lie flat, and for how long no other can.
+// The only pair of faces of two solids that may lie flat, and the motion for which no other pair can.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,14 +15,13 @@
 namespace trilith {
 namespace {
 
-/// Two faces, and by how much the product of their normals is beyond that of
-/// faces that may lie flat.
+/// Two faces, and the amount by which the product of their normals exceeds the limit of flat faces.
 struct PairOfFaces {
   int f = 0, g = 0;
   double beyond = unbounded;
 };
 
-/// Of those that are beyond it the one that is so by the least.
+/// Among the pairs beyond the limit the nearest to it.
 PairOfFaces least_to_turn(const PlacedSolid& a, const PlacedSolid& b) {
   PairOfFaces least;
   for (int f = 0; f < a.solid->shape.faces.count(); ++f)
@@ -34,13 +33,13 @@ PairOfFaces least_to_turn(const PlacedSolid& a, const PlacedSolid& b) {
   return least;
 }
 
-/// How far the products of all normals of two solids of few faces are beyond
-/// that of faces that may lie flat, eight for each face of a.
+/// Amount by which the products of all normals of two solids with few faces exceed the limit of flat faces, eight for
+/// each face of a.
 struct BeyondOpposed {
   static constexpr std::size_t most = few_faces;
   std::array<std::array<Lanes, 2>, most> of;
-  std::size_t faces;  // of a
-  double least;       // of those above 0
+  std::size_t faces;  // number of faces of a
+  double least;       // least positive value
 
   TRILITH_INLINE BeyondOpposed(const PlacedSolid& a, const PlacedSolid& b) : faces(a.normals.size()) {
     std::array<Triple<Lanes>, 2> n;
@@ -60,8 +59,8 @@ struct BeyondOpposed {
       }
     least = smaller(smaller(smallest[0], smallest[1]), smaller(smallest[2], smallest[3]));
   }
-  /// f(face of a, face of b, beyond) of all that are not above 0, and of those
-  /// below what `enough` comes to meanwhile.
+  /// Calls f(face of a, face of b, beyond) for all values not above 0, and for those below the current value of
+  /// `enough`.
   template <class F>
   TRILITH_INLINE void for_below(std::size_t faces_of_b, const double& enough, F&& f) const {
     for (std::size_t i = 0; i < faces; ++i) {
@@ -74,7 +73,7 @@ struct BeyondOpposed {
       }
     }
   }
-  /// The two faces that have the least far to turn.
+  /// The two faces with the least rotation to the limit.
   [[nodiscard]] TRILITH_INLINE PairOfFaces nearest() const {
     for (std::size_t f = 0; f < faces; ++f)
       if (const unsigned bits = lane_bits(of[f][0] == least, of[f][1] == least); bits != 0)
@@ -83,7 +82,7 @@ struct BeyondOpposed {
   }
 };
 
-/// Which corners of its solid a face has, the last again and again beyond its own; false where they are many.
+/// Corner indices of a face in its solid, the last one repeated; false where there are too many.
 bool list_few(const ConvexSolid& solid, int face, std::array<std::uint8_t, few_corners>& corner) {
   const std::span<const int> loop = solid.shape.faces[face];
   if (loop.size() > corner.size()) return false;
@@ -95,7 +94,7 @@ bool list_few(const ConvexSolid& solid, int face, std::array<std::uint8_t, few_c
   return true;
 }
 
-/// What goes with the two faces found.
+/// Sets the data that belong to the two faces found.
 void describe(const PlacedSolid& a, const PlacedSolid& b, FacePair& found) {
   found.near = near_faces(a, b), found.b_is_larger = a.solid->size < b.solid->size;
   found.few = list_few(*a.solid, found.a, found.corner_a) && list_few(*b.solid, found.b, found.corner_b);
@@ -107,25 +106,24 @@ FacePair none_yet() {
   return found;
 }
 
-/// What is known of the pair of faces of two solids that may lie flat, as one pair after the other is looked at.
+/// State of the search for the pair of faces of two solids that may lie flat.
 ///
-/// Corners that have gone by at most t have turned a body of inner radius r (ConvexSolid) by so little that a unit
-/// vector in it has moved by t / r or less. So with t of both together, and r the smaller of theirs, the product of two
-/// normals changes by t / r, and the depth of a corner x below a plane through c by t + |c - x| t / r. A pair that is
-/// none stays none until either could have made it one.
+/// If corners have moved by at most t, a body of inner radius r (ConvexSolid) has rotated by so little that a unit
+/// vector fixed in it has changed by at most t / r. So with the sum t of both bodies, and r the smaller inner radius,
+/// the product of two normals changes by at most t / r. The depth of a corner x below a plane through c changes by at
+/// most t + |c - x| t / r. A pair that is not flat stays so until one of these changes reaches its limit.
 struct FacePairSearch {
   const PlacedSolid &a, &b;
   double near = near_faces(a, b), turns = 1 / std::min(a.solid->inner_radius, b.solid->inner_radius);
   FacePair found = none_yet();
-  double enough = unbounded;  // of turning: another pair may be one before
+  double enough = unbounded;  // motion after which another pair may be flat
   bool several = false;
 
   void may_become_one(double beyond, const PlaneDistance& distance) {
     const double by_turn = beyond / turns, by_way = (distance.depth - near) / (1 + distance.corner * turns);
     found.until = std::min(found.until, std::max(by_turn, by_way)), enough = found.until * turns;
   }
-  /// The pair that has the least far to turn comes first: of most others it
-  /// then is known that they come later.
+  /// Starts with the pair that needs the least rotation: most other pairs are then known to need more.
   void begin_with(const PairOfFaces& nearest) {
     if (nearest.beyond < unbounded && fits_faces(a, nearest.f) && fits_faces(b, nearest.g))
       may_become_one(nearest.beyond, PlaneDistance(a, nearest.f, b, nearest.g));

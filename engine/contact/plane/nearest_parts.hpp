@@ -1,9 +1,10 @@
-// A face of a shared solid in parts, in each of which one face of the other solid is nearest: of solids of few faces.
+// Divides a face of the shared solid into parts, in each of which one face of the other solid is nearest; for solids
+// with few faces.
 //
-// Comes in: the corners of the face, with their depths below all faces of the other solid. Goes out: convex parts that
-// cover it, over each of which the depth below the nearest face is linear. One face of the other after the other is
-// compared with those before: where the difference of two depths, which is linear, has both signs over a part, the line
-// where it is zero parts it in two.
+// Input: the corners of the face, with their depths below all faces of the other solid. Output: convex parts that cover
+// it, over each of which the depth below the nearest face is linear. The faces of the other solid are compared one
+// after the other with the previous ones. Where the linear difference of two depths has both signs over a part, its
+// zero line divides the part.
 #pragma once
 
 #include <array>
@@ -16,13 +17,13 @@
 
 namespace trilith {
 
-/// A corner of a part of a pressed face: its arm, and its depths below the faces that may be nearest to it.
+/// A corner of a part of a pressed face: its arm, and its depths below the faces that may be nearest.
 struct PartCorner {
   Lanes arm, depth;
 
   PartCorner() = default;
   TRILITH_INLINE PartCorner(const Lanes& at, const Lanes& below) : arm(at), depth(below) {}
-  // As lanes: moved in halves of a register, they would be waited for as they are read.
+  // Copied as lanes: a copy in halves of a register would stall the loads that follow.
   TRILITH_INLINE PartCorner(const PartCorner& o) : arm(o.arm), depth(o.depth) {}
   TRILITH_INLINE PartCorner& operator=(const PartCorner& o) {
     arm = o.arm, depth = o.depth;
@@ -30,7 +31,7 @@ struct PartCorner {
   }
 };
 
-/// A convex part of a pressed face, to which one of these faces is nearer than those it has been compared with.
+/// A convex part of a pressed face, and the face that is nearest to it among those compared so far.
 struct NearestPart {
   static constexpr int most = 24;
   int count, nearest;
@@ -42,7 +43,7 @@ struct NearestPart {
 /// A face of the shared solid in parts, in each of which one face of the other solid is nearest.
 class NearestParts {
  public:
-  /// False where more faces of the other may be nearest than there is room for.
+  /// False where too many faces of the other may be nearest for the buffer.
   TRILITH_INLINE bool find(const EdgeOverlap& shared, std::size_t loop,
                            const std::array<DepthRow, EdgeOverlap::most_points>& depth) {
     const EdgeOverlap::Loop& rim = shared.loop[loop];
@@ -81,7 +82,7 @@ class NearestParts {
  private:
   static constexpr int most_nearest = lane_count, most_parts = 8, most_rooms = 2 * most_parts - 1;
 
-  /// A face that all of the rim is deeper below than below some other is nearest nowhere.
+  /// A face is nearest nowhere if the whole rim is deeper below it than below some other face.
   TRILITH_INLINE bool list_nearest(const EdgeOverlap::Loop& rim,
                                    const std::array<DepthRow, EdgeOverlap::most_points>& depth) {
     const double* first_row = depth[rim.point[0]].below.data();
@@ -107,7 +108,7 @@ class NearestParts {
     return true;
   }
 
-  /// What of a part is nearer to another face becomes a part of its own.
+  /// Splits off the portion of a part that is nearer to another face.
   TRILITH_INLINE void give_to(int face, std::size_t which) {
     NearestPart& part = part_[room_[which]];
     std::array<double, NearestPart::most> height;
@@ -143,7 +144,7 @@ class NearestParts {
 
   int faces_ = 0, parts_ = 0, rooms_ = 0;
   std::array<std::uint8_t, most_nearest> face_{};
-  std::array<std::size_t, most_parts> room_;  // where each part is
+  std::array<std::size_t, most_parts> room_;  // slot of each part
   std::array<NearestPart, most_rooms> part_;
 };
 

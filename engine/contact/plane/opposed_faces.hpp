@@ -1,4 +1,4 @@
-// Whether a face of one solid and one of another may lie on each other.
+// Whether a face of one solid and a face of another may lie on each other.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace trilith {
 
-/// Whether a face is of the surface, and has no more corners than overlaps of faces are made for.
+/// Whether a face is surface, with no more corners than the overlap of faces supports.
 inline bool fits_faces(const PlacedSolid& solid, int face) {
   return solid.solid->is_surface(face) && solid.solid->shape.faces[face].size() <= max_face_corners;
 }
 
-/// How far the plane of a face of the larger solid is from a corner of the
-/// smaller one's [m], and that corner from one of the face [m].
+/// Distance of a corner of the smaller solid from the plane of the larger one's face [m], and from a corner of that
+/// face [m].
 struct PlaneDistance {
   double depth, corner;
 
@@ -28,7 +28,7 @@ struct PlaneDistance {
   }
 };
 
-/// The product of their normals: -1 where they are parallel and look at each other.
+/// The product of their normals: -1 where they are parallel and opposed.
 inline double opposed(const PlacedSolid& a, int f, const PlacedSolid& b, int g) {
   return a.normals[static_cast<std::size_t>(f)].dot(b.normals[static_cast<std::size_t>(g)]);
 }

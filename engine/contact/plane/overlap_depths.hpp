@@ -1,8 +1,9 @@
-// How deep the corners of one convex piece lie below the edges of another, four edges at once.
+// Depths of the corners of one convex piece below the edges of another, four edges at once.
 //
-// Comes in: the edges of the owner (corner c_f, outward normal n_f) and the corners x_v of the other piece. Goes out:
-// depth(f, v) = n_f . (c_f - x_v), above 0 inside; for each corner the faces it is outside of, as bits; and along an
-// edge (v, w), where the depths are linear, the part that is inside all faces and the face that is nearest there.
+// Input: the edges of the owner (corner c_f, outward normal n_f) and the corners x_v of the other piece. Output: the
+// depth n_f . (c_f - x_v) of corner v below face f, positive inside. Further, for each corner a bit set of the faces
+// that it is outside of. Along an edge (v, w), where the depths are linear, the part inside all faces and the face that
+// is nearest there.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ TRILITH_INLINE std::uint64_t bits_of_mask(const LaneMask& m) {
   const LaneMask bits = m & LaneMask{1, 2, 4, 8}, pairs = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
   return static_cast<std::uint64_t>(pairs[0] | pairs[1]);
 }
-/// The other way: lanes of the lowest four bits.
+/// The inverse: lanes from the lowest four bits.
 TRILITH_INLINE LaneMask mask_of_bits(std::uint64_t bits) {
   const auto all = static_cast<std::int64_t>(bits);
   return (LaneMask{all, all, all, all} & LaneMask{1, 2, 4, 8}) != LaneMask{};
@@ -35,24 +36,24 @@ TRILITH_INLINE double largest_lane(const Lanes& v) {
   return larger(pairs[0], pairs[1]);
 }
 
-/// The surface face that is nearest from some share of an edge on, and the share up to which it stays so.
+/// The surface face that is nearest from some position along an edge on, and the position up to which it stays nearest.
 struct NearestFace {
   int face;
   double slope, until;
 };
 
-/// A face that keeps two pieces apart, and by how much at least [m].
+/// A separating face, and the least distance that it gives [m].
 struct ApartBy {
   int face = -1;
   double gap = 0;
 };
 
-/// Of pieces with any number of corners: four faces at once. `most`: corners either piece may have, a multiple of four.
+/// For pieces with any number of corners: four faces at once. `most`: capacity for corners, a multiple of four.
 template <int most>
 struct alignas(32) DepthsOfMany {
   static_assert(most % lane_count == 0 && most <= max_piece_corners);
   std::array<Lanes, static_cast<std::size_t>(most) * most / lane_count> value;  ///< [corner][four faces]
-  std::array<std::uint64_t, most> outside;  ///< [corner] bit f: not inside face f; lanes beyond the last are as face 0
+  std::array<std::uint64_t, most> outside;  ///< [corner] bit f: outside of face f; unused lanes equal face 0
   int corners, fours;                       ///< of the other piece; of the owner's faces
 
   [[nodiscard]] TRILITH_INLINE int blocks() const { return most == lane_count ? 1 : fours; }
@@ -63,7 +64,7 @@ struct alignas(32) DepthsOfMany {
     return reinterpret_cast<const double*>(value.data())[(corner * blocks() + block) * lane_count + lane];
   }
 
-  /// Returns the faces that have all corners outside: bits, some of them for lanes beyond the last face.
+  /// Returns a bit set of the faces that have all corners outside, possibly including unused lanes.
   TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int faces, const PieceSides& /*sides*/,
                                     std::span<const Vec2> other) {
     corners = static_cast<int>(other.size()), fours = edge_blocks(faces);
@@ -81,7 +82,7 @@ struct alignas(32) DepthsOfMany {
     return apart;
   }
 
-  /// Of the faces in `apart` the one that all corners are farthest from.
+  /// Among the faces in `apart` the one with the largest separation.
   [[nodiscard]] TRILITH_INLINE ApartBy widest(std::uint64_t apart) const {
     ApartBy widest;
     for (int k = 0; k < blocks(); ++k) {
@@ -96,7 +97,7 @@ struct alignas(32) DepthsOfMany {
     return widest;
   }
 
-  /// The part of edge (v, w) that lies inside all faces, where no face has both ends outside.
+  /// The part of edge (v, w) inside all faces; no face may have both ends outside.
   [[nodiscard]] TRILITH_INLINE EdgeSpan inside(int v, int w) const {
     const Lanes zero{}, one = all_lanes(1);
     Lanes from = zero, to = one;
@@ -110,9 +111,10 @@ struct alignas(32) DepthsOfMany {
     return {largest_lane(from), least_lane(to)};
   }
 
-  /// Next face of the lower envelope of depths along (v, w) at share `at_share`. Going up, the slopes of an envelope of
-  /// lines only fall: only faces that fall faster than `steeper_than` count, so that rounding at a crossing cannot
-  /// choose the last face again. Of faces at one depth that which falls fastest, of these the first. Face -1: none.
+  /// Next face of the lower envelope of depths along (v, w) at the relative position `at_share`. Along an envelope of
+  /// lines the slopes decrease. So only faces with a slope below `steeper_than` count, and rounding at a crossing
+  /// cannot select the last face again. Among faces with equal depth the steepest descent wins, then the first. Face
+  /// -1: none.
   [[nodiscard]] TRILITH_INLINE NearestFace nearest(std::uint64_t surface, int v, int w, double at_share, double to,
                                                    double steeper_than) const {
     const Lanes none = all_lanes(std::numeric_limits<double>::infinity());
@@ -142,22 +144,22 @@ struct alignas(32) DepthsOfMany {
     return {std::countr_zero(found), slope, least_lane(until)};
   }
 
-  /// Calls push(stretch) for the stretches of edge e, from its first corner on.
+  /// Calls push(section) for the sections of edge e, from its first corner on.
   template <class Push>
   TRILITH_INLINE void stretches_of(int e, std::uint64_t surface, bool walker_is_b, Push&& push) const {
     const int w = e + 1 < corners ? e + 1 : 0;
     const EdgeSpan span = inside(e, w);
     double at_share = span.from, slope = std::numeric_limits<double>::infinity();
-    // Each turn presses it against one face, up to where the next one is nearer.
+    // Each iteration handles one face, up to the position where the next one is nearer.
     while (at_share < span.to) {
       const NearestFace next = nearest(surface, e, w, at_share, span.to, slope);
-      if (next.face < 0) break;  // the last face of the envelope has been passed, up to rounding
+      if (next.face < 0) break;  // the last face of the envelope is passed, up to rounding
       const int block = next.face / lane_count, lane = next.face % lane_count;
       push(OverlapStretch{{at_share, next.until}, at(e, block, lane), at(w, block, lane), e, next.face, walker_is_b});
       at_share = next.until, slope = next.slope;
     }
   }
-  /// Counts the corners of the other piece that lie in the owner; `at` becomes the last of them with the nearest face.
+  /// Counts the corners of the other piece inside the owner; `at` becomes the last of them with its nearest face.
   [[nodiscard]] TRILITH_INLINE int corners_inside(int corner_count, int faces, CornerOnFace& at) const {
     int count = 0;
     for (int v = 0; v < corner_count; ++v) {
@@ -171,7 +173,7 @@ struct alignas(32) DepthsOfMany {
     }
     return count;
   }
-  /// Edges of the other piece that no face has both ends outside of.
+  /// Edges of the other piece for which no face has both ends outside.
   [[nodiscard]] TRILITH_INLINE std::uint64_t edges_inside() const {
     std::uint64_t edges = 0;
     for (int e = 0; e < corners; ++e) {
@@ -183,29 +185,30 @@ struct alignas(32) DepthsOfMany {
   }
 };
 
-/// Of pieces with at most four corners: a lane for each corner of the other piece, or for the edge that begins there.
+/// For pieces with at most four corners: one lane for each corner of the other piece, or for the edge that begins
+/// there.
 struct alignas(32) DepthsOfFour {
-  Lanes depth[lane_count], slope[lane_count];  ///< [face] of corners; from each corner to the next
+  Lanes depth[lane_count], slope[lane_count];  ///< [face] at corners; from each corner to the next
   LaneMask out;                                ///< of edges: some face has both ends outside
   int faces;
 
   TRILITH_INLINE static Lanes next(const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 3, 0); }
 
-  /// As DepthsOfMany::fill.
+  /// Corresponds to DepthsOfMany::fill.
   TRILITH_INLINE std::uint64_t fill(const PieceSides& owner, int face_count, const PieceSides& other,
                                     std::span<const Vec2> /*corners*/) {
     const EdgeLanes ends(other.row);
     const Lanes zero{}, x = ends.x, y = ends.y;
     faces = face_count;
     out = LaneMask{};
-    for (int f = 0; f < lane_count; ++f) {  // beyond the last face the first again
+    for (int f = 0; f < lane_count; ++f) {  // unused lanes repeat the first face
       const EdgeRow& row = owner.row[f];
       depth[f] = row.nx * (row.x - x) + row.ny * (row.y - y);
       const Lanes to = next(depth[f]);
       slope[f] = to - depth[f];
       out |= (depth[f] <= zero) & (to <= zero);
     }
-    // A face that has all corners outside has all edges so.
+    // A face with all corners outside has all edges outside too.
     if (bits_of_mask(out) != 15) return 0;
     std::uint64_t apart = 0;
     for (int f = 0; f < lane_count; ++f) apart |= std::uint64_t{bits_of_mask(depth[f] <= zero) == 15 ? 1U : 0U} << f;
@@ -219,11 +222,11 @@ struct alignas(32) DepthsOfFour {
     }
     return widest;
   }
-  /// As DepthsOfMany::corners_inside.
+  /// Corresponds to DepthsOfMany::corners_inside.
   [[nodiscard]] TRILITH_INLINE int corners_inside(int corner_count, int face_count, CornerOnFace& at) const {
     Lanes least = depth[0];
     LaneMask face{};
-    for (int f = 1; f < lane_count; ++f) {  // beyond the last face the first again, which is no nearer than itself
+    for (int f = 1; f < lane_count; ++f) {  // unused lanes repeat the first face, which does not change the minimum
       const LaneMask nearer = depth[f] < least;
       least = select(nearer, depth[f], least);
       face = nearer ? LaneMask{} + f : face;
@@ -234,16 +237,16 @@ struct alignas(32) DepthsOfFour {
     at.corner = static_cast<std::uint8_t>(v), at.face = static_cast<std::uint8_t>(face[v] < face_count ? face[v] : 0);
     return std::popcount(inside);
   }
-  /// The stretches of all edges of the walker, edge by edge, written from `list` on; returns how many there are.
+  /// The sections of all edges of the walker, edge by edge, written from `list` on; returns their number.
   TRILITH_INLINE int stretches(std::uint64_t owner_surface, std::uint64_t walker_surface, bool walker_is_b,
                                OverlapStretch* list) const;
 
  private:
-  /// One turn of all edges: each goes along the face that is nearest at its `from`, up to where the next one is nearer.
+  /// One step of all edges: each follows the face that is nearest at its `from`, up to where the next one is nearer.
   struct alignas(32) Leg {
     LaneMask face;
     Lanes from, until;
-    std::uint64_t edges;  ///< which of them there are
+    std::uint64_t edges;  ///< bit set of the active edges
   };
   struct alignas(32) Spans {
     Lanes from, to;
@@ -252,7 +255,7 @@ struct alignas(32) DepthsOfFour {
   TRILITH_INLINE int legs(std::uint64_t owner_surface, const Spans& spans, std::uint64_t edges, Leg* leg) const;
 };
 
-/// As DepthsOfMany::inside, of all edges.
+/// DepthsOfMany::inside for all edges.
 TRILITH_INLINE DepthsOfFour::Spans DepthsOfFour::inside() const {
   const Lanes zero{}, one = all_lanes(1);
   Spans spans{zero, one};
@@ -266,12 +269,12 @@ TRILITH_INLINE DepthsOfFour::Spans DepthsOfFour::inside() const {
   return spans;
 }
 
-/// As DepthsOfMany::nearest turn by turn, of all `edges`; returns how many turns there are. Slopes fall, so these are
-/// no more than faces.
+/// DepthsOfMany::nearest step by step for all `edges`; returns the number of steps. Slopes decrease, so there are at
+/// most as many steps as faces.
 TRILITH_INLINE int DepthsOfFour::legs(std::uint64_t owner_surface, const Spans& spans, std::uint64_t edges,
                                       Leg* leg) const {
   const Lanes one = all_lanes(1), none = all_lanes(std::numeric_limits<double>::infinity());
-  // No edge goes along a face that is not surface: as if it rose without end.
+  // Faces that are not surface are skipped by an infinite slope.
   Lanes rise[lane_count];
   for (int f = 0; f < lane_count; ++f) rise[f] = (owner_surface >> f & 1) != 0 ? slope[f] : none;
   LaneMask active = mask_of_bits(edges);

@@ -24,8 +24,8 @@ Outline clip(const Outline& outline, Depth&& inside_depth) {
   return kept;
 }
 
-/// Where a point lies deeper in a piece than its mortar is crushed: the area, and the integral of the pressure there
-/// over the stiffness.
+/// Region where points lie deeper in a piece than the crushed depth of its mortar: its area, and the integral of the
+/// pressure there over the stiffness.
 struct Pressed {
   double area = 0, pressure = 0;  // [m2], [m3] per metre of thickness
 
@@ -35,9 +35,9 @@ struct Pressed {
   }
 };
 
-/// Over `outline`; depths are those below the nearest surface face of `piece`.
-/// phi is the least of linear depths, so each face f has a cell in which it is the nearest: what is left of the outline
-/// where depth_g >= depth_f for all others. There phi is linear, and the law integrates it over a fan of triangles.
+/// Over `outline`; depths are measured below the nearest surface face of `piece`. Phi is the minimum of linear depths,
+/// so each face f has a cell in which it is nearest: the part of the outline where depth_g >= depth_f for all others.
+/// There phi is linear, and the law integrates it over a fan of triangles.
 template <class K>
 Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piece, const PlacedEdges& edges,
                    double crushed) {
@@ -57,7 +57,7 @@ Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piec
   return sum;
 }
 
-/// In the place of a law where only the area is asked for.
+/// Replaces a law if only the area is needed.
 struct AreaAlone {
   static double over(double /*area*/, double /*d0*/, double /*d1*/, double /*d2*/) { return 0; }
 };
@@ -65,7 +65,7 @@ struct AreaAlone {
 template <class K>
 Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b, double crushed) {
   const PlacedEdges edges_a(a), edges_b(b);
-  // What lies in both: b, clipped at the line of each edge of a, inner cuts too.
+  // The intersection: b, clipped by the line of each edge of a, including inner cuts.
   Outline common(b.corner.begin(), b.corner.end());
   for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
     common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
@@ -81,7 +81,7 @@ double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse
   return with_kernel(law, [&](const auto& k) { return 0.5 * k.kn * pressed_between(k, a, b, from).pressure; });
 }
 
-/// W = kn/2 integral of phi - z over what is pressed in either piece, so -dW/dz is kn/2 times that area.
+/// W = kn/2 integral of phi - z over the pressed region of either piece, so -dW/dz is kn/2 times its area.
 double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed) {
   return 0.5 * kn * pressed_between(AreaAlone{}, a, b, crushed).area;
 }
@@ -90,7 +90,7 @@ OverlapResponse whole_overlap(const PlacedPiece& a, const PlacedPiece& b, const 
   constexpr std::size_t numbers = *std::max_element(law_number_counts.begin(), law_number_counts.end());
   const std::array<double, numbers> none{};
   std::array<double, numbers> after;
-  std::array<Vec2, 2 * max_piece_corners> force;  // asked for by the walk, and left
+  std::array<Vec2, 2 * max_piece_corners> force;  // required by the walk, unused
   force.fill(Vec2::Zero());
   return respond_overlap(a, b, {ContactMemory{}, none.data()}, law, std::span(force).first(a.corner.size()),
                          std::span(force).subspan(max_piece_corners, b.corner.size()), after.data());

@@ -1,17 +1,17 @@
-// The elastic energy that contact/plane/overlap_pair.hpp has its forces from.
+// The elastic energy from which the forces of contact/plane/overlap_pair.hpp derive.
 #pragma once
 
 #include "contact/plane/overlap_pair.hpp"
 
 namespace trilith {
 
-/// Of the normal pressures of two pieces whose mortar is crushed by `crushed` [m]; without shear [J].
+/// Energy of the normal pressures of two pieces with mortar crushed by `crushed` [m]; without shear [J].
 double overlap_energy(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law, double crushed = 0);
 
-/// What that energy falls by where the mortar is crushed deeper [N]: of a law with linear springs.
+/// Decrease of that energy per crushed depth [N], for a law with linear springs.
 double crushing_force(const PlacedPiece& a, const PlacedPiece& b, double kn, double crushed);
 
-/// What two pieces press by that remember nothing.
+/// Contact forces of two pieces without a memory.
 OverlapResponse whole_overlap(const PlacedPiece& a, const PlacedPiece& b, const LawInUse& law);
 
 }  // namespace trilith

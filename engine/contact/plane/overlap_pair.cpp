@@ -25,17 +25,17 @@ TRILITH_INLINE ShearBefore<double> both_halves(const ContactMemory& m) {
   return {m.shear_elastic[0] + m.shear_elastic[1], m.shear_total[0] + m.shear_total[1], m.active[0] + m.active[1]};
 }
 
-/// Elastic shear energy let go where a contact parts [J].
+/// Elastic shear energy released where a contact separates [J].
 double released_energy(const ContactMemory& m, double ks) {
   const ShearBefore<double> both = both_halves(m);
   double kept = 0;
   return released_energy(both, 0.0, ShearCompliance<double>(both.active, 0.0, ks), kept);
 }
 
-/// Elastic shear energy let go where two halves of unlike stress become one contact; never negative.
-/// T_0^2 / 2 ks l_0 + T_1^2 / 2 ks l_1 is at least (T_0 + T_1)^2 / 2 ks (l_0 + l_1).
+/// Elastic shear energy released where two halves of different stress merge to one contact; never negative. T_0^2 / 2
+/// ks l_0 + T_1^2 / 2 ks l_1 is at least (T_0 + T_1)^2 / 2 ks (l_0 + l_1).
 TRILITH_INLINE double merging_loss(const ContactMemory& m, double ks) {
-  // Halves of like stress, as every contact of general shape leaves them, lose nothing.
+  // Halves of equal stress, as every general contact leaves them, lose nothing.
   if (m.shear_elastic[0] == m.shear_elastic[1] && m.active[0] == m.active[1]) return 0;
   double sum = 0;
   for (const int h : {0, 1}) sum += 0.5 * m.shear_elastic[h] * m.shear_elastic[h] * inverse_or_zero(ks * m.active[h]);
@@ -43,7 +43,7 @@ TRILITH_INLINE double merging_loss(const ContactMemory& m, double ks) {
   return std::max(0.0, sum - 0.5 * both.elastic * both.elastic * inverse_or_zero(ks * both.active));
 }
 
-/// Velocities of b against a where they press each other: of now, and their mean over the step.
+/// Velocities of b relative to a at the centre of pressure: present, and mean over the step.
 struct CentreRates {
   Vec2 now, mean;
   TRILITH_INLINE CentreRates(const PlacedPiece& a, const PlacedPiece& b, const OverlapSums& sums, const Vec2& centre,
@@ -52,7 +52,7 @@ struct CentreRates {
         mean(a.over_step == nullptr && b.over_step == nullptr ? now : at_centre(a.mean(), b.mean(), sums, centre)) {}
 
  private:
-  /// Of a rigid piece after a leapfrog step; corners go straight.
+  /// For a rigid piece after a leapfrog step; corners move straight.
   TRILITH_INLINE static Vec2 chord_of(const PlacedPiece& p, const Vec2& x, double dt) {
     if (p.over_step != nullptr || !p.corner_velocity.empty()) return Vec2::Zero();
     return chord_rate(p.spin, dt) * (x - p.origin);
@@ -63,8 +63,8 @@ struct CentreRates {
   }
 };
 
-/// Power of a remembered damping force in the motion of b against a, as rigid pieces [W]. That of two faces acted along
-/// the normal, which is taken to be that of the force on b now, at `rate`.
+/// Power of the previous damping force in the present rigid motion of b relative to a [W]. A face contact's damping
+/// force acted along the normal, which is assumed to be the direction of the present force on b, at `rate`.
 TRILITH_INLINE double damping_power(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& m,
                                     const Vec2& force, const Vec2& rate_now) {
   if ((m.state & contact_general) == 0) {
@@ -75,16 +75,16 @@ TRILITH_INLINE double damping_power(const PlacedPiece& a, const PlacedPiece& b, 
   return Vec2(m.damping_force[0], m.damping_force[1]).dot(rate) + m.damping_moment * (b.mean().spin - a.mean().spin);
 }
 
-/// Share of what the damping force of now does that the one remembered does, where both act alike.
+/// Ratio of the previous damping force to the present one, where both have the same direction.
 double similarity(const ContactMemory& before, const ContactMemory& now) {
   const Vec2 was(before.damping_force[0], before.damping_force[1]), is(now.damping_force[0], now.damping_force[1]);
   const double size2 = is.squaredNorm();
   return (before.state & contact_general) != 0 && size2 > 0 ? std::clamp(was.dot(is) / size2, 0.0, 1.0) : 0.0;
 }
 
-/// Energy the damping takes in a step: with the mean of its force before and now. Pieces that deform move otherwise
-/// than as rigid ones; for the force remembered that is made up for as it is for the one of now. `rate`: mean over the
-/// step.
+/// Energy dissipated by damping in a step: with the mean of its force before and now. The motion of deforming pieces
+/// differs from the rigid one. The correction of the present force is also applied, scaled, to the previous one.
+/// `rate`: mean over the step.
 TRILITH_INLINE double damping_loss(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before,
                                    const OverlapSums& sums, const Vec2& rate, double dt, const OverlapResponse& out) {
   double taken = sums.damped - damping_power(a, b, before, out.force, rate);
@@ -93,8 +93,8 @@ TRILITH_INLINE double damping_loss(const PlacedPiece& a, const PlacedPiece& b, c
   return 0.5 * dt * taken;
 }
 
-/// Adds `force` at point `x` to the two corners of edge e of one piece, and what is opposite to those of edge f of the
-/// other: same resultants, and same moments through a couple. A lane each.
+/// Adds `force` at point `x` to the two corners of edge e of one piece, and the opposite force to the corners of edge f
+/// of the other: same resultants, and same moments through a couple. One lane each.
 TRILITH_INLINE void add_opposite(std::span<Vec2> on_p, const PlacedPiece& p, int e, std::span<Vec2> on_q,
                                  const PlacedPiece& q, int f, const Vec2& x, const Vec2& force) {
   const int e1 = e + 1 < static_cast<int>(p.corner.size()) ? e + 1 : 0;
@@ -128,8 +128,8 @@ TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, con
     return;
   }
   const Vec2 t = left_of(sums.normal);
-  // The law is asked as about one half of a face; either half then remembers half of it, good for two faces at any
-  // step.
+  // The law is evaluated as for one half of a face; each half then stores half of the memory, valid for two faces in
+  // any step.
   HalfState<double> state{};
   state.length = sums.length;
   state.slip_rate = t.dot(rates.now);
@@ -149,7 +149,7 @@ TRILITH_INLINE void add_friction(const PlacedPiece& a, const PlacedPiece& b, con
   out.lost_friction += half.lost_friction;
 }
 
-/// Keeps how far the mortar is crushed, and gives off what that takes.
+/// Updates the crushed depth of the mortar and its dissipated energy.
 template <class K>
 void keep_crushed(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const LawMemory<K>& own,
                   double depth, const K& law, LawMemory<K>& after, OverlapResponse& out) {
@@ -161,8 +161,8 @@ void keep_crushed(const PlacedPiece& a, const PlacedPiece& b, const ContactMemor
   }
 }
 
-/// What stays, and what is given off, where the two part.
-/// Their elastic shear is let go, and the last damping force works for half a step more.
+/// Memory and dissipation where the two separate. The elastic shear is released, and the last damping force does work
+/// for half a step more.
 template <class K>
 void part(const PlacedPiece& a, const PlacedPiece& b, const ContactMemory& before, const K& law, double merged,
           OverlapResponse& out) {
@@ -174,7 +174,7 @@ template <class K, int most>
 TRILITH_INLINE void respond(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
   const PlacedPiece &a = of.a, &b = of.b;
   const ContactMemory& before = of.before;
-  const K law = of.law;  // a copy of its own: nothing that is written here can change it
+  const K law = of.law;  // a copy that nothing written here can alias
   Overlapping<K, most> pair(of);
   out.memory.state = before.state & contact_kept;  // as ContactMemory::parted
   after = K::parted(of.own);
@@ -234,7 +234,7 @@ template <class K, int most>
 void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapResponse& out) {
 #ifdef __x86_64__
   static const Registers here = registers_here();
-  // Few have many corners: a third copy for those would only make the program larger.
+  // Many corners are rare: a third copy for them would only enlarge the program.
   if constexpr (most == lane_count)
     if (here == Registers::widest) return respond_widest<K, most>(of, after, out);
   if (here != Registers::narrow) return respond_wide<K, most>(of, after, out);
@@ -242,7 +242,7 @@ void respond_as_here(const OverlapCase<K>& of, LawMemory<K>& after, OverlapRespo
   respond_narrow<K, most>(of, after, out);
 }
 
-/// The sides of a piece, placed in `room` where nobody has placed them yet.
+/// The sides of a piece, placed in `room` if they have not been placed yet.
 struct SidesRoom {
   std::array<EdgeRow, max_piece_corners> row;
 

@@ -1,9 +1,9 @@
-// The pressures on stretches of edges inside another piece, four at once.
+// Pressures on sections of edges inside another piece, four at once.
 //
-// Comes in: stretches, each a part of an edge of one piece (the walker) over which one face of the other (the owner) is
-// the nearest, so that the depth is linear; how both move; a law. Goes out: forces at the corners of both, and sums of
-// what they come to. A lane is a stretch: what is found of it alone is found of four at once, and the sums are then
-// taken stretch by stretch in the order of the list, so that the bits do not depend on the lanes.
+// Input: sections, the motion of both pieces, and a law. A section is a part of an edge of one piece (the walker) over
+// which one face of the other (the owner) is nearest, so that its depth is linear. Output: forces at the corners of
+// both, and sums. A lane is a section. Values of single sections are computed four at once. The sums are then taken
+// section by section in the order of the list, so the bits do not depend on the lanes.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ TRILITH_INLINE Lanes all_lanes(double v) {
   return Lanes{v, v, v, v};
 }
 
-/// A part of an edge, in shares of it.
+/// A part of an edge, as relative positions.
 struct EdgeSpan {
   double from, to;
 };
@@ -28,7 +28,7 @@ struct EdgeSpan {
 /// Part of an edge of the walker over which its depth below one face of the owner counts.
 struct alignas(32) OverlapStretch {
   EdgeSpan span;
-  double d0, d1;  ///< depths below that face of the whole edge's ends [m]; read with the span as one row
+  double d0, d1;  ///< depths of the whole edge's ends below that face [m]; read with the span as one row
   int edge, face;
   bool walker_is_b;
 };
@@ -37,17 +37,17 @@ struct alignas(32) OverlapStretch {
 struct OverlapSums {
   Vec2 push = Vec2::Zero();    ///< of the springs on b, over kn / 2 [m2]
   Vec2 normal = Vec2::Zero();  ///< see OverlapPress
-  double force = 0;            ///< on b along it [N]
+  double force = 0;            ///< on b along `normal` [N]
   Vec2 moment_arm = Vec2::Zero();
-  Vec2 damping = Vec2::Zero();  ///< damping part of the force on b ...
-  double damping_moment = 0;    ///< ... and its moment about a's origin ...
-  double damped = 0;            ///< ... and the power it takes [W]
+  Vec2 damping = Vec2::Zero();  ///< damping part of the force on b
+  double damping_moment = 0;    ///< its moment about a's origin
+  double damped = 0;            ///< its power [W]
   double pressure = 0, length = 0, deepest = 0;
-  double most_a = 0, most_b = 0;  ///< largest share of the pressure on one edge, and which edge
+  double most_a = 0, most_b = 0;  ///< largest share of the pressure on one edge, and this edge
   int edge_a = 0, edge_b = 0;
 };
 
-/// Edges, a lane each: with the way to where the next one begins [m] and its square [m2].
+/// Edges in lanes, with the vector to the start of the next one [m] and its square [m2].
 struct alignas(32) EdgeColumns {
   Lanes x, y, along_x, along_y, nx, ny, length2;
   TRILITH_INLINE EdgeColumns(const EdgeLanes& e, const EdgeLanes& next)
@@ -57,7 +57,7 @@ struct alignas(32) EdgeColumns {
 };
 
 /// A force at a point and a moment about it, as forces on the two corners of an edge: same resultant, and same moment
-/// through a couple. row(i): of lane i, first x and y, second x and y.
+/// through a couple. row(i): for lane i, first x and y, second x and y.
 struct alignas(32) CornerForces {
   FourByFour row;
   TRILITH_INLINE CornerForces(const EdgeColumns& e, const Lanes& x, const Lanes& y, const Lanes& fx, const Lanes& fy,
@@ -75,12 +75,12 @@ struct alignas(32) CornerForces {
   }
 };
 
-/// The edge after that with this number, or the corner it ends at.
+/// The edge after this one, or the corner at its end.
 TRILITH_INLINE int edge_after(const PlacedPiece& piece, int e) {
   return e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
 }
 
-/// To the corners of edge e of a piece.
+/// Adds to the corners of edge e of a piece.
 TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e, const Lanes& row) {
   const int e1 = edge_after(piece, e);
   double *first = on[e].data(), *second = on[e1].data();
@@ -88,12 +88,12 @@ TRILITH_INLINE void add_row(std::span<Vec2> on, const PlacedPiece& piece, int e,
   store_pair(second, load_pair(second) + LanePair{row[2], row[3]});
 }
 
-/// Two pieces whose stretches press each other under a law, above a depth by which the mortar is crushed [m].
+/// Two pieces whose sections press each other under a law, above the crushed depth of the mortar [m].
 ///
-/// Springs push along the normals of the walkers' edges, and together along some n; where other pieces of the same two
-/// bodies press at the same place n is the direction of all of them. What is damped is the motion along that: a stretch
-/// whose push on b is along u closes at -m (n . v), m = u . n where that is above 0, and its damping acts on b along n
-/// with the share m. So what slides across n is not braked, and damping takes energy from any motion.
+/// Springs push along the normals of the walkers' edges, and in total along some n. If other pieces of the same two
+/// bodies press at the same position, n is the direction of their total. The motion along n is damped. A section whose
+/// push on b is along u closes at -m (n . v), with m = u . n where positive, and its damping acts on b along n with the
+/// factor m. So sliding across n is not braked, and damping dissipates energy for any motion.
 template <class K>
 struct OverlapPress {
   const PlacedPiece &a, &b;
@@ -101,10 +101,10 @@ struct OverlapPress {
   const K& law;
   double crushed;
   std::span<Vec2> on_a, on_b;
-  Vec2 normal = Vec2::Zero();  ///< n, of length 1
+  Vec2 normal = Vec2::Zero();  ///< n, unit vector
 
-  /// What the springs of `count` stretches from `list` on push b by, over kn / 2 [m2]. A stretch times its normal is
-  /// its way turned to the right.
+  /// Force on b of the springs of `count` sections from `list` on, over kn / 2 [m2]. Length times normal is the
+  /// section's vector rotated to the right.
   [[nodiscard]] TRILITH_INLINE Vec2 springs(const OverlapStretch* list, int count) const {
     Vec2 push = Vec2::Zero();
     for (int i = 0; i < count; ++i) {
@@ -120,13 +120,13 @@ struct OverlapPress {
     return push;
   }
 
-  /// `count` stretches from `list` on, in fours.
+  /// `count` sections from `list` on, in groups of four.
   TRILITH_INLINE void press(const OverlapStretch* list, int count, OverlapSums& sums) const {
     for (int i = 0; i < count; i += lane_count) press_four(list + i, std::min(count - i, lane_count), sums);
   }
 
  private:
-  /// Speed along the normal at which b moves against a at points of the stretches, a lane each [m/s].
+  /// Speed along the normal at which b moves against a at points of the sections, in lanes [m/s].
   [[nodiscard]] TRILITH_INLINE Lanes speed(const PlacedPiece& p, const PlacedPiece& q, const OverlapStretch* const* s,
                                            const Lanes& x, const Lanes& y) const {
     Lanes u, v;
@@ -156,7 +156,7 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const OverlapStretch* s[lane_count];
   const EdgeRow *walkers[lane_count], *owners[lane_count], *past_walkers[lane_count], *past_owners[lane_count];
   Lanes sign{};
-  for (int i = 0; i < lane_count; ++i) {  // beyond the last it stands again, and counts nothing
+  for (int i = 0; i < lane_count; ++i) {  // unused lanes repeat the last section with weight 0
     s[i] = &list[i < count ? i : 0];
     const bool b_walks = s[i]->walker_is_b;
     const PieceSides &walks = b_walks ? sides_b : sides_a, &owns = b_walks ? sides_a : sides_b;
@@ -174,12 +174,12 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;
   const Lanes way_x = x1 - x0, way_y = y1 - y0;
   const Lanes phi0 = larger(d0 + (d1 - d0) * from - crushed, zero), phi1 = larger(d0 + (d1 - d0) * to - crushed, zero);
-  // On b acts -n where b walks, as n then points from b into a, and +n where a does: hence `sign`.
+  // The force on b is along -n where b walks, because n points from b into a, and along +n where a does: hence `sign`.
   const Lanes along = -sign * (normal.x() * nx + normal.y() * ny), facing = larger(along, zero);
   const auto closing = [&](const PlacedPiece& p, const PlacedPiece& q, const Lanes& x, const Lanes& y) {
     return Lanes(-facing * speed(p, q, s, x, y));
   };
-  // c > 0: they close. k is half of kn, and half the length counts, as the other piece's walk brings the other halves.
+  // c > 0: closing. k is half of kn, and half the length counts, because the other piece's walk adds the other halves.
   const Lanes c0 = closing(a, b, x0, y0), c1 = closing(a, b, x1, y1);
   const Lanes length = root(way_x * way_x + way_y * way_y), force = (0.5 * law.kn) * length;
   const auto [stress, spring] = law.stretch(phi0, phi1, c0, c1);
@@ -193,9 +193,9 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   if (a.over_step != nullptr || b.over_step != nullptr)
     m0 = closing(a.mean(), b.mean(), x0, y0), m1 = closing(a.mean(), b.mean(), x1, y1);
   const Lanes damped = damping * m0 + first_moment * (m1 - m0);
-  // No pressure where the two part fast; what the damping took of the spring then is booked above.
+  // No pressure where the two separate fast; the damping that cancels the spring force is accounted for above.
   const LaneMask counts = LaneMask{0, 1, 2, 3} < count, presses = counts & ~(elastic <= zero);
-  // At the centre of what the springs press; the damping has a moment about that.
+  // At the centre of the spring pressure; the damping has a moment about it.
   const Lanes share = spring.moment / select(presses, spring.sum, all_lanes(1));
   const Lanes x = x0 + share * way_x, y = y0 + share * way_y;
   const Lanes on_b_x = along_n * normal.x() - sign * elastic * nx, on_b_y = along_n * normal.y() - sign * elastic * ny,
@@ -221,7 +221,7 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
     add_row(b_walks ? on_b : on_a, b_walks ? b : a, stretch.edge, on_walker.row.v[i]);
     add_row(b_walks ? on_a : on_b, b_walks ? a : b, stretch.face, on_owner.row.v[i]);
     sums.moment_arm += Vec2(arm_x[i], arm_y[i]);
-    // The edges that carry most stand for their pieces where friction is added, which acts at one point.
+    // The edges with the largest pressure represent their pieces for friction, which acts at one point.
     const int edge_a = b_walks ? stretch.face : stretch.edge, edge_b = b_walks ? stretch.edge : stretch.face;
     if (total[i] > sums.most_a) sums.most_a = total[i], sums.edge_a = edge_a;
     if (total[i] > sums.most_b) sums.most_b = total[i], sums.edge_b = edge_b;

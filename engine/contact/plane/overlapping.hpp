@@ -1,7 +1,7 @@
-// Two convex pieces that may overlap: how deep the corners of each lie in the other, and what they press by.
+// Two convex pieces that may overlap: depths of each one's corners in the other, and their pressure.
 //
-// Comes in: both where they stand, with their edges placed; a law and what it remembers. Goes out: forces at the
-// corners of both, and sums of what the stretches inside the other piece come to (contact/plane/overlap_press.hpp).
+// Input: both pieces in position, with their edges placed; a law and its memory. Output: forces at the corners of both,
+// and sums over the sections inside the other piece (contact/plane/overlap_press.hpp).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace trilith {
 
-/// One contact, and what its law remembers of it.
+/// One contact, and its law's memory.
 template <class K>
 struct OverlapCase {
   const PlacedPiece &a, &b;
@@ -22,12 +22,12 @@ struct OverlapCase {
   const LawMemory<K>& own;
   const K& law;
   std::span<Vec2> on_a, on_b;
-  CornerOnFace* alone;  ///< nullptr: not asked for
-  double held;          ///< depth up to which a bearing stands for it [m]
+  CornerOnFace* alone;  ///< nullptr: not needed
+  double held;          ///< depth up to which a bearing replaces it [m]
   const Vec2* along;    ///< see respond_overlap
 };
 
-/// The part of `span` where a depth that is linear from d0 to d1 over all of the edge is above `crushed`.
+/// The part of `span` where a depth that is linear from d0 to d1 over the whole edge exceeds `crushed`.
 TRILITH_INLINE EdgeSpan above(double crushed, double d0, double d1, const EdgeSpan& span) {
   const auto depth = [&](double share) { return d0 + (d1 - d0) * share - crushed; };
   const double width = span.to - span.from;
@@ -35,7 +35,7 @@ TRILITH_INLINE EdgeSpan above(double crushed, double d0, double d1, const EdgeSp
   return {span.from + width * part.from, span.from + width * part.to};
 }
 
-/// Keeps of each stretch what lies deeper than the mortar is crushed; returns how many are left.
+/// Keeps the part of each section that is deeper than the crushed depth; returns the number left.
 TRILITH_INLINE int pressed_part(double crushed, OverlapStretch* list, int count) {
   if (!(crushed > 0)) return count;
   int left = 0;
@@ -47,17 +47,17 @@ TRILITH_INLINE int pressed_part(double crushed, OverlapStretch* list, int count)
   return left;
 }
 
-/// Two pieces that may overlap, and how deep the corners of each lie in the other. `most`: corners either may have.
+/// Two pieces that may overlap, and the depths of each one's corners in the other. `most`: capacity for corners.
 template <class K, int most>
 struct Overlapping {
   const PlacedPiece &a, &b;
   const PieceSides &sides_a, &sides_b;
-  OverlapDepths<most> b_in_a, a_in_b;  // not filled here: they are large
+  OverlapDepths<most> b_in_a, a_in_b;  // not initialised here: they are large
 
   TRILITH_INLINE explicit Overlapping(const OverlapCase<K>& of)
       : a(of.a), b(of.b), sides_a(of.sides_a), sides_b(of.sides_b) {}
 
-  /// False where the two are apart; then `by` says why.
+  /// False where the two are apart; `by` is then the separating face.
   TRILITH_INLINE bool measure(ApartBy& by) {
     if (const std::uint64_t apart = b_in_a.fill(sides_a, edges(a), sides_b, b.corner); apart != 0) {
       by = b_in_a.widest(apart);
@@ -70,7 +70,7 @@ struct Overlapping {
     }
     return true;
   }
-  /// The one corner of either piece that lies in the other, or one of both; none where there are several or none.
+  /// The only corner of either piece inside the other, or one of both; none where there are several or none.
   [[nodiscard]] TRILITH_INLINE CornerOnFace corner_alone() const {
     CornerOnFace of_b, of_a;
     const int in_a = b_in_a.corners_inside(edges(b), edges(a), of_b),
@@ -106,16 +106,16 @@ struct Overlapping {
     }
     return sums;
   }
-  /// Mean overlap above that at which the mortar crushes [m]. `springs`: without damping.
-  /// force / (kn length) is the overlap of parallel faces with this mean pressure; law.crushing is fc / kn.
+  /// Mean overlap minus the overlap at which the mortar crushes [m]. `springs`: without damping. force / (kn length) is
+  /// the overlap of parallel faces with this mean pressure; law.crushing is fc / kn.
   [[nodiscard]] TRILITH_INLINE double excess(const K& springs, double crushed) const {
-    std::array<Vec2, most> on_a, on_b;  // asked for by the walk, and left
+    std::array<Vec2, most> on_a, on_b;  // required by the walk, unused
     on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
     const OverlapSums sums = press(springs, crushed, on_a, on_b);
     return sums.length > 0 ? sums.force / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
   }
-  /// The depth by which the mortar is crushed now: such that the mean pressure of the springs is its strength at most.
-  /// Below a bearing that stands for the contact up to the depth `held` none is crushed.
+  /// The new crushed depth of the mortar, at which the mean spring pressure does not exceed its strength. Below a
+  /// bearing that replaces the contact up to the depth `held`, nothing is crushed.
   [[nodiscard]] TRILITH_INLINE double crushed_now(const K& law, const LawMemory<K>& own, double held) const {
     if constexpr (!K::crushes)
       return held;
@@ -130,7 +130,7 @@ struct Overlapping {
  private:
   static constexpr int room = most == lane_count ? 2 * most * most : 4 * most;
 
-  /// f(count) for the stretches of pieces of many corners, of which as many as there is room for are in `list`.
+  /// Calls f(count) for the sections of pieces with many corners, in batches that fit in `list`.
   template <class F>
   TRILITH_INLINE void by_parts(double crushed, OverlapStretch* list, F&& f) const {
     int count = 0;
@@ -141,7 +141,7 @@ struct Overlapping {
       for (; edges != 0; edges &= edges - 1) {
         depths.stretches_of(std::countr_zero(edges), owner, walker_is_b,
                             [&](const OverlapStretch& stretch) { list[count++] = stretch; });
-        // An edge may have a stretch for every face.
+        // An edge may have one section for every face.
         if (count <= room - most) continue;
         f(pressed_part(crushed, list, count));
         count = 0;

@@ -1,4 +1,4 @@
-// The edges of a convex piece where it stands.
+// The edges of a placed convex piece.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct PlacedEdges {
       surface[i] = piece.is_face[i] != 0;
       any = any || surface[i];
     }
-    // A piece cut out of the inside of a body has no surface of its own: then every edge pushes back.
+    // A piece cut out of the interior of a body has no surface edge: then every edge counts.
     if (!any) std::fill_n(surface.begin(), count, true);
   }
 };

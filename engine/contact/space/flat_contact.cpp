@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// The overlap over the mean plane, and how fast it grows.
+/// The overlap over the mean plane, and its rate.
 struct OverlapMotion {
   LinearInLanes overlap, rate;
 
@@ -26,7 +26,7 @@ struct OverlapMotion {
   }
 };
 
-/// Integrals of a function that is linear over a polygon: of it, and of it times the place.
+/// Integrals of a linear function over a polygon: of the function, and of its product with the position.
 struct LinearIntegrals {
   Lanes force;
   Pair2<Lanes> first;
@@ -40,9 +40,9 @@ struct LinearIntegrals {
   }
 };
 
-/// Whether the faces lie flat: they look at each other within the tilt, are near enough to be asked at all, touch, and
-/// are not too deep for the width of what they share. `depth`: the deepest overlap, `least`: that of the corner that is
-/// the least deep, below 0 where it is open.
+/// Whether the faces lie flat: they oppose each other within the tilt limit, are near, touch, and are not too deep for
+/// the width of their shared polygon. `depth`: largest overlap; `least`: smallest overlap of a corner, negative where
+/// it is open.
 TRILITH_INLINE LaneMask lies_flat(const FlatContacts& in, const EdgesInLanes& shared, const LinearInLanes& overlap,
                                   Lanes& depth, Lanes& least) {
   const Lanes zero{};
@@ -73,11 +73,11 @@ struct FlatPressure {
   AreaInLanes area;  // in contact
   Lanes pressure, damping, damped;
   Pair2<Lanes> centre, middle;
-  Triple<Lanes> damping_moment;  // about the centre
+  Triple<Lanes> damping_moment;  // about the centre of pressure
   Lanes radius, friction_arm;
   std::array<Triple<Lanes>, 2> arm;
 
-  /// `open`: some corner of the polygon is no overlap, or may be by rounding.
+  /// `open`: some corner of the polygon has no overlap, or may have none by rounding.
   TRILITH_INLINE FlatPressure(const FlatContacts& in, const PlaneInLanes& plane, const OverlapMotion& motion,
                               const LaneMask& open, EdgesInLanes& polygon) {
     if (any(open))
@@ -100,7 +100,7 @@ struct FlatPressure {
   }
 
  private:
-  /// The moments of the part where there is overlap and the pressure is above 0; of the area in contact besides.
+  /// The moments of the part with overlap and positive pressure; also of the area in contact.
   TRILITH_INLINE MomentsInLanes pressed_part(EdgesInLanes& polygon, const LinearInLanes& damped_overlap) {
     const int before = polygon.count;
     LaneMask cut{};
@@ -150,7 +150,7 @@ struct FourLimits {
     radius = select(wide, gyration, one), arm = select(wide, larger(distance, 0.01 * gyration), one);
     offset = select<Lanes>(wide, from_middle - across * across.dot(from_middle), Triple<Lanes>{});
   }
-  /// `arms`: how the area lies, which is asked only where some contact comes near its limit.
+  /// `arms`: orientation of the area, used only where a contact is near its limit.
   [[nodiscard]] TRILITH_INLINE LaneMask is_below(const Triple<Lanes>& spring,
                                                  const std::array<Triple<Lanes>, 2>& arms) const {
     const Lanes zero{}, one = zero + 1.0, turning = normal.dot(spring), per = 1.0 / force;
@@ -158,7 +158,7 @@ struct FourLimits {
     const Lanes couple = (radius * turning - normal.dot(cross(offset, spring - normal * turning))) * per / arm;
     const Lanes x2 = across.square(), y2 = couple * couple;
     const LaneMask none = flip(force > zero);
-    // At V^2 up to 1 no area's measure is more than this.
+    // Upper bound of the measure of any area for V^2 up to 1.
     const LaneMask near = (x2 > one) | flip(x2 * (2.0 - x2) + y2 * (one + most_turn * x2) <= one);
     if (!any(none | near)) return LaneMask{};
     return none | (near & flip(spread(arms).beyond_square(across, couple) <= one));
@@ -169,7 +169,7 @@ struct FourLimits {
   }
 };
 
-/// The same one by one, of those few that do not settle, or push along no line of the plane.
+/// One by one, for the few lanes that do not converge or have no direction in the plane.
 [[gnu::noinline]] void hold_alone(const FourLimits& limits, const LimitSpread<Lanes>& spread, const LaneMask& alone,
                                   const Triple<Lanes>& spring, Triple<Lanes>& held) {
   for (int i = 0; i < lane_count; ++i) {
@@ -184,7 +184,7 @@ struct FourLimits {
   }
 }
 
-/// The nearest that friction holds, of those that are below their limit.
+/// Projects the lanes in `below`, whose limit is exceeded, to the nearest admissible force.
 TRILITH_INLINE void hold_back(const FourLimits& limits, const std::array<Triple<Lanes>, 2>& arms, const LaneMask& below,
                               Triple<Lanes>& spring) {
   const LimitSpread<Lanes> spread = limits.spread(arms);
@@ -201,13 +201,13 @@ TRILITH_INLINE void hold_back(const FourLimits& limits, const std::array<Triple<
   if (any(alone)) hold_alone(limits, spread, alone, before, spring);
 }
 
-/// Power of the damping force remembered in the motion of b against a [W].
+/// Power of the previous damping force in the motion of b relative to a [W].
 TRILITH_INLINE Lanes power_remembered(const FlatContacts& in) {
   const Triple<Lanes> rate = in.b.velocity_at(in.a.origin) - in.a.velocity;
   return in.before.damping.dot(rate) + in.before.damping_moment.dot(in.b.spin - in.a.spin);
 }
 
-/// Of a kind: friction slides.
+/// Bit of a kind: friction slides.
 constexpr std::int64_t slides_bit = std::int64_t{1} << told_lines;
 
 /// Friction on the resultant, and about its normal: see add_friction of contact/space/solid_contact.cpp.
@@ -242,8 +242,8 @@ TRILITH_INLINE void add_friction(const FlatContacts& in, const FlatPressure& p, 
   out.lost_damping += select(out.presses, lost.damping, Lanes{}), out.lost_friction = lost.friction;
 }
 
-/// Pressure first, then friction on it. Where there is pressure without a force (nothing but damping that pulls) there
-/// is no friction, and what the spring held is given off.
+/// Pressure first, then friction. If the pressure has no force (only tensile damping), there is no friction, and the
+/// spring's energy is dissipated.
 TRILITH_INLINE void respond_four(const FlatContacts& in, FlatResponses& out) {
   const Lanes zero{};
   PlaneInLanes plane = mean_plane(in.faces);
@@ -258,7 +258,7 @@ TRILITH_INLINE void respond_four(const FlatContacts& in, FlatResponses& out) {
   const Pair2<Lanes> middle = middle_of(polygon);
   move_edges(polygon, middle), motion.move(middle);
   plane.origin = plane.origin + plane.along(middle);
-  // Moved about the middle, overlaps are others by rounding: far less than this.
+  // Moving the reference to the centroid changes overlaps by rounding, far less than this.
   const LaneMask open = out.flat & (least <= 1e-6 * out.depth);
   const FlatPressure p(in, plane, motion, open, polygon);
   out.rough |= polygon.rough, out.kind = lines_of(polygon);
@@ -276,7 +276,7 @@ TRILITH_INLINE void respond_four(const FlatContacts& in, FlatResponses& out) {
   Triple<Lanes> moment{};
   const Lanes let_go = 0.5 * in.before.shear.elastic.square() * sliding_compliance<Lanes>(in.ks, in.before.shear.area);
   add_friction(in, p, out, moment);
-  // Without a force: no friction, and its elastic energy is gone.
+  // Without force there is no friction, and its elastic energy is lost.
   out.force = select<Lanes>(out.presses, out.force, none), moment = select<Lanes>(out.presses, moment, none);
   out.memory.normal = out.normal;
   out.memory.shear.elastic = select<Lanes>(out.presses, out.memory.shear.elastic, none);
@@ -289,7 +289,7 @@ TRILITH_INLINE void respond_four(const FlatContacts& in, FlatResponses& out) {
   out.presses = has_area;
 }
 
-// A copy for each width of registers: the same operations, so the same bits. The widest takes a tenth to a fifth off.
+// One copy for each register width: the same operations, so the same bits. The widest saves a tenth to a fifth.
 
 void respond_narrow(const FlatContacts& in, FlatResponses& out) {
   respond_four(in, out);

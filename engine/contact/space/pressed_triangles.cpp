@@ -5,20 +5,20 @@
 namespace trilith {
 namespace {
 
-/// What of four triangles counts: 1 or 0 in each lane, for the springs and the area, and for the springs with their
-/// damping; how they face the push, and their closing speeds.
+/// Weights of four triangles: 1 or 0 in each lane, for springs and area, and for springs with damping; the cosine to
+/// the push, and their closing speeds.
 struct alignas(32) CountedFour {
   Lanes springs, damped, along;
   std::array<Lanes, 3> closing;
 };
 
-/// A pressure that is linear over each triangle, as its integrals.
+/// Integrals of a pressure that is linear over each triangle.
 struct LinearPressure : TrianglePressure {
   std::array<Lanes, 3> at;  // the corners
   Lanes sum;
   Triple<Lanes> weighted;
 
-  /// `speed`: the sum of the closing speeds at the corners; `twelfth` of the area.
+  /// `speed`: sum of the closing speeds at the corners; `twelfth` of the area.
   TRILITH_INLINE LinearPressure(const std::array<Lanes, 3>& corners, const FourTriangles& in,
                                 const std::array<Lanes, 3>& closing, const Triple<Lanes>& arms, const Lanes& speed,
                                 const Lanes& twelfth)
@@ -54,13 +54,13 @@ TRILITH_INLINE void sum_four(const FourTriangles& in, const CountedFour& of, dou
   for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d * of.springs);
 }
 
-/// A corner of a triangle that is pressed in part.
+/// A corner of a triangle that is partly pressed.
 struct DampedCorner {
   Vec3 arm;
   double depth, closing, damped;
 };
 
-/// The part of a triangle in one lane where the damped pressure is above 0.
+/// The part of a triangle in one lane where the damped pressure is positive.
 struct PressedPart {
   std::array<DampedCorner, 4> corner;
   std::size_t count = 0;
@@ -83,7 +83,7 @@ struct PressedPart {
   }
 };
 
-/// Parts of triangles, of which damping counts, and the springs have counted.
+/// Parts of triangles with active damping; their springs are already counted.
 class PressedParts {
  public:
   PressedParts(double beta, TriangleSums& sums) : beta_(beta), sums_(sums) {}
@@ -119,8 +119,8 @@ class PressedParts {
   CountedFour counted_{};
 };
 
-/// Springs and area of all triangles, and the damping of those where it leaves the pressure above 0 in all corners. Of
-/// those where it does in some, the part where it does is added by itself.
+/// Springs and area of all triangles, and damping of triangles whose pressure is positive at all corners. If it is
+/// positive at some corners only, the pressed part is added separately.
 TRILITH_INLINE TriangleSums sum_all(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
   TriangleSums sums;
   PressedParts parts(beta, sums);

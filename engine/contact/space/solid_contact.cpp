@@ -10,7 +10,7 @@
 namespace trilith {
 namespace {
 
-/// The shear remembered, turned with the plane of contact and, about its normal, with both bodies.
+/// The previous shear, rotated with the plane of contact and, about its normal, with both bodies.
 SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double turn) {
   SlidingForce f = before.shear;
   if (before.normal.squaredNorm() == 0) return f;
@@ -19,22 +19,22 @@ SlidingForce turned_along(const SolidMemory& before, const Vec3& normal, double 
   return f;
 }
 
-/// Power of the damping force remembered in the motion of b against a over the step [W].
+/// Power of the previous damping force in the motion of b relative to a over the step [W].
 double damping_power(const MovingSolid& a, const MovingSolid& b, const SolidMemory& m, double dt) {
   return m.damping.dot(Vec3(mean_velocity_at(b, a.origin, dt) - mean_velocity_at(a, a.origin, dt))) +
          m.damping_moment.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt)));
 }
 
-/// Mean motion of b against a over an implicit step as friction has it: slip along the plane, and along its normal the
-/// turn times the radius.
+/// Mean motion of b relative to a over an implicit step, as friction uses it: slip along the plane, and along its
+/// normal the rotation times the radius.
 Vec3 mean_sliding(const MovingSolid& a, const MovingSolid& b, const Vec3& x, const Vec3& n, double radius, double dt) {
   const Vec3 slip = mean_slip(a, b, x, dt);
   return slip + (radius * n.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt))) - n.dot(slip)) * n;
 }
 
-/// Friction on the resultant, and about its normal. Its spring sits in the middle of the area, whatever the pressure
-/// does: were it to follow the centre of pressure, a body that leans would feel couples that no energy stands behind,
-/// and flutter. What it can hold goes by the centre of pressure.
+/// Friction on the resultant, and about its normal. Its spring is at the centroid of the area, whatever the pressure.
+/// If the spring followed the centre of pressure, a leaning body would be loaded by couples that derive from no energy,
+/// and would flutter. The friction limit does depend on the centre of pressure.
 template <class K>
 void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const K& law,
                   const SolidPressure& pressed, SolidResponse& out) {
@@ -61,7 +61,7 @@ void add_friction(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
   out.lost_damping += s.lost_damping, out.lost_friction += s.lost_friction;
 }
 
-/// Whether some point of the shared solid lies so deep in both that no axis can part them, however it is rounded: a
+/// Whether some point of the shared solid is so deep in both that no axis can separate them, whatever the rounding. The
 /// normal of two edges a millionth off parallel may be wrong by 1e-10.
 bool surely_overlap(const PlacedSolid& a, const PlacedSolid& b, const SolidOverlapBuffer& shared) {
   Vec3 sum = Vec3::Zero();
@@ -76,8 +76,8 @@ bool surely_overlap(const PlacedSolid& a, const PlacedSolid& b, const SolidOverl
   return is_deep(a) && is_deep(b);
 }
 
-/// Whether two solids share some volume, and no axis parts them but for rounding. Of two that were apart the axes are
-/// asked first, of others the volume: either order gives the same answer.
+/// Whether two solids share volume, and no axis separates them beyond rounding. If they were apart the axes are tested
+/// first, otherwise the volume: both orders give the same result.
 bool overlap(const PlacedSolid& a, const PlacedSolid& b, Separation3& apart, SolidOverlapBuffer& shared) {
   const bool was_apart = apart.distance > 0;
   if (was_apart) apart = separation_from(apart, a, b);
@@ -89,8 +89,8 @@ bool overlap(const PlacedSolid& a, const PlacedSolid& b, Separation3& apart, Sol
   return true;
 }
 
-/// Two that part let their elastic shear go, and the last damping force works for half a step more. How far their
-/// mortar is crushed stays.
+/// As two solids separate, their elastic shear is released, and the last damping force does work for half a step more.
+/// The crushed depth of their mortar is kept.
 SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, double ks, double dt) {
   SolidResponse out;
   out.memory.keep_crushed(before.crushed, 0);
@@ -99,8 +99,8 @@ SolidResponse parted(const MovingSolid& a, const MovingSolid& b, const SolidMemo
   return out;
 }
 
-/// Crushes the mortar of the solid in `shared` until its mean pressure is no more than its strength: what it presses
-/// then, damping with it. The mean over what is pressed of the springs alone is asked.
+/// Crushes the mortar until the mean pressure of the solid in `shared` does not exceed its strength; returns the
+/// pressure with damping. The mean is taken over the pressed region, of the springs alone.
 template <class K>
 SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, const K& law,
                                SolidOverlapBuffer& shared, double before, const Vec3* along) {
@@ -116,8 +116,8 @@ SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const
   return pressed;
 }
 
-/// What crushing takes as its depth has grown, with the mean of the forces that crush before and now, and what stays.
-/// What the two share is in the room, where pressure_between has left it.
+/// Energy dissipated by the increase of the crushed depth, with the mean of the crushing force before and now, and the
+/// remaining memory. pressure_between has left the shared solid in the buffer.
 void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before, const LawInUse& use,
                   double depth, SolidRoom& room, SolidResponse& out) {
   const double force = solid_crushing_force(a.placed, b.placed, use, room.shared, room.part, depth);
@@ -131,7 +131,7 @@ void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
 
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
                                SolidOverlapBuffer& shared, bool may_be_flat, double crushed, const Vec3* along) {
-  const bool whole = !(use.held > 0);  // the short ways know no depth from which on contact presses
+  const bool whole = !(use.held > 0);  // the fast methods do not support a contact that starts at a depth
   if (FaceOverlap3 faces; whole && may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
     return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), plain_friction(use), faces);

@@ -1,7 +1,6 @@
-// Contact of two convex solids of any shape and pose: pressure from the volume they share, friction on its resultant.
+// Contact of two convex solids of any shape and pose: pressure from the shared volume, friction on its resultant.
 //
-// Where they are near and do not touch, the axis that parted them last is asked first
-// (geometry/space/separation_3d.hpp).
+// For near solids without contact the last separating axis is tested first (geometry/space/separation_3d.hpp).
 #pragma once
 
 #include "contact/joint/shear_3d.hpp"
@@ -11,25 +10,25 @@
 
 namespace trilith {
 
-/// History of the contact of two convex solids. All zero means: nothing to remember.
+/// History of the contact of two convex solids. All zeros: no history.
 struct SolidMemory {
-  SlidingForce shear;                  ///< b drives a by it; in the axes of the world
-  Vec3 normal = Vec3::Zero();          ///< of the plane of contact, from a to b, of length 1
+  SlidingForce shear;                  ///< force of b on a, in world axes
+  Vec3 normal = Vec3::Zero();          ///< unit normal of the plane of contact, from a to b
   Vec3 damping = Vec3::Zero();         ///< damping part of the last normal force on b [N]
-  Vec3 damping_moment = Vec3::Zero();  ///< ... about a's origin [N m]
+  Vec3 damping_moment = Vec3::Zero();  ///< its moment about a's origin [N m]
   double slip = 0;                     ///< accumulated sliding distance [m]
-  double crushed = 0;                  ///< depth by which the mortar between the two is crushed, also apart [m]
-  double crushing_force = 0;           ///< that crushed it at the last step, of any shape but a joint; or 0 [N]
-  std::uint32_t state = 0;             ///< bits of ContactState; contact_kept: it is crushed
+  double crushed = 0;                  ///< crushed depth of the mortar between the two, kept when apart [m]
+  double crushing_force = 0;  ///< force that crushed it in the last step, for any contact but a joint; or 0 [N]
+  std::uint32_t state = 0;    ///< bits of ContactState; contact_kept: it is crushed
 
   [[nodiscard]] bool empty() const { return state == 0; }
-  /// What stays as the two part, and for others that touch anew.
+  /// Memory that remains as the two separate, and for new contacts of the same solids.
   void keep_crushed(double depth, double force) {
     crushed = depth, crushing_force = force;
     if (depth > 0) state |= contact_kept;
   }
 
-  /// Calls f with every number in turn, and g with the state: for the hash and checkpoints.
+  /// Calls f with each number in turn, then g with the state: for the hash and checkpoints.
   template <class Self, class F, class G>
   static void fields(Self& m, F&& f, G&& g) {
     for (auto* v : {&m.shear.elastic, &m.shear.total, &m.normal, &m.damping, &m.damping_moment})
@@ -39,36 +38,35 @@ struct SolidMemory {
   }
 };
 
-/// What the contact gives. Forces on a are the opposite ones, along the same lines.
+/// Result of the contact. Forces on a are opposite, along the same lines.
 struct SolidResponse {
   SolidMemory memory;
   bool touching = false;
   Vec3 force = Vec3::Zero();   ///< on b [N]
-  Vec3 moment = Vec3::Zero();  ///< ... about `centre` [N m]
+  Vec3 moment = Vec3::Zero();  ///< on b about `centre` [N m]
   Vec3 normal_force = Vec3::Zero();
   Vec3 centre = Vec3::Zero();                                     ///< of pressure [m]
   double area = 0, depth = 0;                                     ///< [m2], [m]
   int face_a = -1, face_b = -1;                                   ///< see SolidPressure
   Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();              ///< of the area, for the step estimate [m]
   double radius = 0, friction_arm = 0;                            ///< see SolidPressure [m]
-  std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};            ///< likewise [m]
+  std::array<Vec3, 2> arm{Vec3::Zero(), Vec3::Zero()};            ///< see SolidPressure [m]
   double lost_damping = 0, lost_friction = 0, lost_fracture = 0;  ///< [J]
 };
 
-/// Room of one thread: for the solid that two share, and for a part of it.
+/// Scratch buffers of one thread: for the shared solid, and for a part of it.
 struct SolidRoom {
   SolidOverlapBuffer shared, part;
 };
 
-/// The normal pressure of two solids where they stand: of faces where they lie flat on each other, else of the volume
-/// they share; nothing where they are apart. `apart`: the axis that parted them last, and what parts them now. Not
-/// `may_be_flat`: it is known that no faces lie flat. `crushed`: depth by which their mortar was crushed before [m].
-/// `along`: see solid_pressure; faces that lie flat have a normal of their own.
+/// Normal pressure of two placed solids: of faces where they lie flat on each other, otherwise of the shared volume;
+/// zero where they are apart. `apart`: the last separating axis, updated. `may_be_flat` false: no faces lie flat.
+/// `crushed`: previous crushed depth of their mortar [m]. `along`: see solid_pressure; flat faces use their own normal.
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& law, Separation3& apart,
                                SolidOverlapBuffer& shared, bool may_be_flat = true, double crushed = 0,
                                const Vec3* along = nullptr);
 
-/// Of two solids that press each other by `pressed`. The motion over the step is that of now.
+/// Contact forces of two solids with the pressure `pressed`, assuming the present motion over the step.
 SolidResponse polyhedron_contact_forces(const MovingSolid& a, const MovingSolid& b, const SolidMemory& before,
                                         const LawInUse& law, const SolidPressure& pressed, SolidRoom& room);
 

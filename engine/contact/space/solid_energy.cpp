@@ -6,8 +6,8 @@
 namespace trilith {
 namespace {
 
-/// Integral of effective(depth) over a tetrahedron, from the depths at its corners, for laws that are not linear:
-/// Gauss's points along each of three shares, the corner that they close in on taken into the weight.
+/// Integral of effective(depth) over a tetrahedron, from the depths at its corners, for nonlinear laws. Gauss
+/// quadrature along each of three collapsed coordinates, whose Jacobian is part of the weight.
 template <class K>
 double energy_of_tetrahedron(double volume, const std::array<double, 4>& depth, const K& law) {
   constexpr std::array<double, 4> point{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
@@ -25,7 +25,7 @@ double energy_of_tetrahedron(double volume, const std::array<double, 4>& depth, 
   return 6 * volume * sum;
 }
 
-/// Where a solid is pressed: the volume [m3], and the integral of what the law makes of the depth over it [m4].
+/// The pressed region of a solid: its volume [m3], and the integral over it of the law's function of the depth [m4].
 struct PressedVolume {
   double volume = 0, depth = 0;
 
@@ -39,7 +39,7 @@ double depth_below(const BoundingPlane& plane, const Vec3& x) {
   return plane.normal.dot(plane.point - x);
 }
 
-/// Over one cell, in which depths below a plane of the owner's are linear and above `crushed`.
+/// Over one cell, in which depths below a plane of the owner are linear and exceed `crushed`.
 template <class K>
 PressedVolume over_cell(const BoundingPlane& plane, const K& law, const SolidOverlapBuffer& cell, double crushed) {
   if constexpr (K::linear) {
@@ -65,7 +65,7 @@ PressedVolume over_cell(const BoundingPlane& plane, const K& law, const SolidOve
   }
 }
 
-/// f(plane) of all planes that bound the body of a solid, one of those that lie in each other.
+/// Calls f(plane) for all planes that bound the body of a solid, once for coplanar ones.
 template <class F>
 void for_planes(const PlacedSolid& owner, F&& f) {
   const FaceLoops& faces = owner.solid->shape.faces;
@@ -76,7 +76,7 @@ void for_planes(const PlacedSolid& owner, F&& f) {
   for (std::size_t i = 0; i < owner.beside.size(); ++i) f(owner.beside[i], faces.count() + static_cast<int>(i));
 }
 
-/// Over what of the solid in `shared` lies deeper in `owner` than its mortar is crushed, cell by cell.
+/// Over the part of the solid in `shared` that is deeper in `owner` than its mortar is crushed, cell by cell.
 template <class K>
 PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared,
                          SolidOverlapBuffer& cell, double crushed) {
@@ -86,7 +86,7 @@ PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOver
     bool some = !cell.faces.empty();
     for_planes(owner, [&](const BoundingPlane& other, int g) {
       if (g == f || !some) return;
-      // depth below f at most that below g
+      // depth below f at most the depth below g
       const Vec3 &n = own.normal, &m = other.normal;
       some = cut({m - n, m.dot(other.point) - n.dot(own.point), 0}, cell) && !cell.edges.empty();
     });
@@ -106,12 +106,12 @@ PressedVolume pressed_in_both(const PlacedSolid& a, const PlacedSolid& b, const 
 
 }  // namespace
 
-/// Energy of a pair of solids of any shape [J], the potential whose gradient their force is:
+/// Energy of a pair of solids of any shape [J], the potential of their contact force:
 ///
-///     E = kn / 2 (integral over the shared volume of e(phi_a) + the same of e(phi_b)),
+///     E = kn / 2 (integral over the shared volume of e(phi_a) + integral of e(phi_b)).
 ///
-/// phi the depth below the nearest face of a solid less that by which mortar is crushed, e the law's pressure at it
-/// over kn (e = phi where it is linear), both where above 0.
+/// Here phi is the depth below the nearest face of a solid minus the crushed depth, and kn e the law's pressure (e =
+/// phi where it is linear), both where positive.
 double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law, SolidOverlapBuffer& shared,
                     SolidOverlapBuffer& scratch, double crushed) {
   if (!(shared_volume(a, b, shared) > 0)) return 0;
@@ -120,7 +120,7 @@ double solid_energy(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& 
   });
 }
 
-/// -dE/dz is kn / 2 times the volumes in which phi is above 0.
+/// -dE/dz is kn / 2 times the volumes in which phi is positive.
 double solid_crushing_force(const PlacedSolid& a, const PlacedSolid& b, const LawInUse& law,
                             const SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch, double crushed) {
   return with_kernel(law, [&](const auto& kernel) {

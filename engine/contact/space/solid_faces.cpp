@@ -18,17 +18,15 @@ bool may_touch_flatly(const PlacedSolid& a, int f, const PlacedSolid& b, int g) 
          PlaneDistance(a, f, b, g).depth <= near_faces(a, b);
 }
 
-/// Whether two opposed faces are near enough for mortar: the distance of a
-/// corner of b's below a's plane is that of no other one but for the tilt over
-/// the size of both.
+/// Whether two opposed faces are near enough for mortar. The distance of one corner of b's face from a's plane is
+/// tested; other corners differ from it by at most the tilt times the size of both.
 bool may_meet(const PlacedSolid& a, int face_a, const PlacedSolid& b, int face_b) {
   const Vec3& corner = b.corners[static_cast<std::size_t>(b.solid->shape.faces[face_b][0])];
   const double reach = 2 * flat_faces_max_tilt * (a.solid->size + b.solid->size);
   return std::abs(depth_below(a, face_a, corner)) <= reach;
 }
 
-/// The largest overlap and the largest gap over the shared polygon, its area,
-/// and its width: that over its longest extent.
+/// The largest overlap and the largest gap over the shared polygon, its area, and its width: area over longest extent.
 struct FlatMeasures {
   double deepest = 0, widest = 0, area = 0, width = 0;
 
@@ -52,13 +50,13 @@ struct FlatMeasures {
   [[nodiscard]] bool are_flat() const { return deepest <= flat_faces_max_depth * width; }
 };
 
-/// The same plane and polygon, of which only the corners there are are copied.
+/// Copies plane and polygon; of the corners only those in use.
 void copy_shared(const FaceOverlap3& from, FaceOverlap3& to) {
   to.plane = from.plane, to.shared.count = from.shared.count;
   std::copy_n(from.shared.corner.begin(), from.shared.count, to.shared.corner.begin());
 }
 
-/// ... the part of it where c > 0.
+/// Copies the part of the polygon where c > 0.
 void copy_closed(const FaceOverlap3& from, FaceOverlap3& to) {
   const SharedPolygon& all = from.shared;
   SharedPolygon& kept = to.shared;
@@ -75,8 +73,7 @@ void copy_closed(const FaceOverlap3& from, FaceOverlap3& to) {
   }
 }
 
-/// How fast the overlap grows, over the mean plane: at its origin, and its
-/// slope.
+/// Rate of the overlap over the mean plane: at its origin, and its slope.
 struct ClosingRate {
   double at_origin;
   Vec2 slope;
@@ -86,13 +83,13 @@ struct ClosingRate {
     at_origin = -plane.normal.dot(rate);
     slope = {-plane.normal.dot(cross(spin, plane.x)), -plane.normal.dot(cross(spin, plane.y))};
   }
-  /// Integral of a pressure times this, from the pressure's integrals.
+  /// Integral of a pressure times this rate, from the pressure's integrals.
   [[nodiscard]] double power(const FaceIntegrals& of) const {
     return at_origin * of.first + slope.dot(of.first_moment);
   }
 };
 
-/// The pressure with its damping, where there is overlap and it is above 0.
+/// The pressure with its damping, where there is overlap and it is positive.
 FaceMoments damped_moments(const FaceOverlap3& faces, const ClosingRate& rate, double beta, bool open) {
   FaceOverlap3 damped;
   if (open)
@@ -104,7 +101,7 @@ FaceMoments damped_moments(const FaceOverlap3& faces, const ClosingRate& rate, d
   return damped.shared.count > 2 ? moments_in_contact(damped) : FaceMoments{};
 }
 
-/// How the area in contact lies about its middle.
+/// Second moments of the area in contact about its centroid.
 void set_spread(const FaceIntegrals& of, const MeanPlane& plane, SolidPressure& out) {
   const Vec2 middle = of.area_moment / of.area;
   const double xx = of.xx / of.area - middle.x() * middle.x(), yy = of.yy / of.area - middle.y() * middle.y(),
@@ -131,16 +128,15 @@ bool is_linear(const ContactLaw& law) {
 
 namespace {
 
-/// How two opposed faces touch: flatly; not themselves, but the one next to either may; otherwise; not at all.
+/// Contact of two opposed faces: flat; not these, but neighbouring faces may be flat; other contact; none.
 enum class Touch { flat, beside, rough, none };
 
-/// `tried`: what the two faces share.
+/// `tried`: the polygon shared by the two faces.
 ///
-/// Where two meshed sides lie on each other, a face meets the one across and, by the little that nodes have slid, the
-/// next one too. That sliver is part of a flat joint though it is narrower than it is deep. So a depth is compared with
-/// the width of what two faces share together with the faces in line with them, as in the plane
-/// (broad_phase/face_line.hpp). Two that an inner edge of either parts share at most a wedge of their depth squared,
-/// which its neighbour has too.
+/// If two meshed sides lie on each other, a face meets the opposite face and also, because nodes slide slightly, the
+/// next one. That sliver is part of a flat joint although it is narrower than it is deep. So the depth is compared with
+/// the width shared by two faces together with their coplanar neighbours, as in the plane (broad_phase/face_line.hpp).
+/// Two faces separated by an inner edge share at most a wedge of their depth squared, which the neighbour also has.
 Touch touch_of(const PlacedSolid& a, int f, const PlacedSolid& b, int g, FaceOverlap3& tried) {
   if (lies_beyond(b, g, a, f) || lies_beyond(a, f, b, g)) return Touch::beside;
   FaceRoom room_a, room_b;
@@ -158,8 +154,8 @@ Touch touch_of(const PlacedSolid& a, int f, const PlacedSolid& b, int g, FaceOve
 
 }  // namespace
 
-/// All pairs of opposed faces are asked; more than one that touches flatly, as of a wedge in a notch, are no flat
-/// contact.
+/// All pairs of opposed faces are tested. If more than one touches flatly, as for a wedge in a notch, the contact is
+/// not flat.
 bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   int found = 0;
   bool beside = false;
@@ -181,8 +177,7 @@ bool flat_faces(const PlacedSolid& a, const PlacedSolid& b, FaceOverlap3& out) {
   return found == 1 || beside;
 }
 
-/// The pair of opposed faces that share the largest area, among those near
-/// enough and wide enough for mortar.
+/// The pair of opposed faces with the largest shared area, among those near enough and wide enough for mortar.
 bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, double width, FaceOverlap3& out) {
   double most = 0;
   FaceRoom room_a, room_b;
@@ -201,9 +196,8 @@ bool meeting_faces(const PlacedSolid& a, const PlacedSolid& b, double reach, dou
   return most > 0;
 }
 
-/// Faces that lie flat. Over the shared polygon the pressure is kn (c + beta
-/// dc/dt) where that is above 0 and there is overlap; force, centre, damping
-/// and its power are exact integrals of it, see shape/face_overlap_3d.
+/// Flat faces. Over the shared polygon the pressure is kn (c + beta dc/dt), where it is positive and the faces overlap.
+/// Force, centre, damping and its power are exact integrals, see geometry/space/face_overlap_3d.hpp.
 SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const PlainFriction& law,
                             const FaceOverlap3& faces) {
   const bool is_damped = law.beta > 0;
@@ -236,8 +230,7 @@ SolidPressure face_pressure(const MovingSolid& a, const MovingSolid& b, const Pl
   return out;
 }
 
-/// kn / 2 times the integral of the overlap squared over the part in contact
-/// [J].
+/// kn / 2 times the integral of the squared overlap over the part in contact [J].
 double face_energy(const PlainFriction& law, const FaceOverlap3& faces) {
   return law.kn * integrals_in_contact(faces).energy;
 }

@@ -13,11 +13,11 @@
 namespace trilith {
 namespace {
 
-// Stages of one call: depths of all points of the shared solid below the faces of both; for each face of the shared
-// solid, its rim as a loop of points; of each rim the cells in which one face of the other solid is nearest, as
-// triangles; over all triangles, four at a time, the pressure and its moments.
+// Stages of one call. First the depths of all points of the shared solid below the faces of both. Then for each face of
+// the shared solid its rim as a loop of points, and the cells in which one face of the other solid is nearest, as
+// triangles. Last, four triangles at a time, the pressure and its moments.
 
-/// Integrals over kn of a pressure that is known at points of the triangles: six, exact to degree 4 (Dunavant 1985, as
+/// Integrals over kn of a pressure sampled at points of the triangles: six points, exact to degree 4 (Dunavant 1985, as
 /// in law/contact/power.hpp).
 struct alignas(32) SampledPressure : TrianglePressure {
   SampledPressure() {
@@ -32,7 +32,7 @@ struct alignas(32) SampledPressure : TrianglePressure {
 constexpr std::array<std::array<double, 3>, 2> sample_rule{{{0.108103018168070, 0.445948490915965, 0.223381589678011},
                                                             {0.816847572980459, 0.091576213509771, 0.109951743655322}}};
 
-/// What the springs of four triangles push b by, over half the stiffness [m3].
+/// Force on b of the springs of four triangles, over half the stiffness [m3].
 template <class K>
 Vec3 sampled_push(const FourTriangles& in, const K& law) {
   Lanes springs{};
@@ -66,7 +66,7 @@ void sum_sampled(const FourTriangles& in, const K& law, const DampedMotion& moti
   for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d);
 }
 
-/// Of a law whose pressure does not go with the depth.
+/// For a law with nonlinear pressure.
 template <class K>
 PressedSums sampled_triangles(std::span<const FourTriangles> triangles, const K& law, const ClosingMotion& motion,
                               const Vec3* along) {
@@ -78,11 +78,11 @@ PressedSums sampled_triangles(std::span<const FourTriangles> triangles, const K&
   return over_lanes(sums, damped.normal, along == nullptr ? nullptr : &push);
 }
 
-/// A face of the walker inside the owner, of which what lies deeper than `crushed` [m] is pressed, by what is left of
-/// its depth.
+/// A face of the walker inside the owner. Its part deeper than `crushed` [m] carries pressure for the excess depth.
 class PressedFace {
  public:
-  /// `normal`: out of the walker. On b acts -n where b walks, as n then points from b into a, and +n where a does.
+  /// `normal`: out of the walker. The force on b is along -n where b walks, because n points from b into a, and along
+  /// +n where a does.
   PressedFace(const Vec3& normal, bool walker_is_b, double crushed, TriangleLanes& triangles)
       : face_{normal.x(), normal.y(), normal.z(), walker_is_b ? -1.0 : 1.0},
         crushed_(crushed),
@@ -120,10 +120,10 @@ class PressedFace {
   std::size_t owner_;
 };
 
-/// What is pressed: the shared solid, and how deep its points are in both.
+/// The shared solid, and the depths of its points in both.
 struct PressedSolid {
   const SolidOverlapBuffer& shared;
-  Vec3 origin;                       // of arms
+  Vec3 origin;                       // origin of arms
   double noise;                      // see CellCutter
   std::array<DepthTable, 2> depths;  // below the faces of a and of b
 
@@ -143,8 +143,8 @@ struct PressedSolid {
   }
 };
 
-/// Presses a part of a face of the walker against the owner's nearest faces. Where one face is nearest to all corners
-/// it is so to all of the part, as depths are linear.
+/// Presses a part of a face of the walker against the owner's nearest faces. If one face is nearest to all corners it
+/// is nearest to the whole part, because depths are linear.
 void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& rim, const PressedFace& face) {
   const int nearest = owner.nearest(rim.point[0]);
   const auto end = rim.point.begin() + static_cast<std::ptrdiff_t>(rim.count);
@@ -161,8 +161,8 @@ void press_rim(const PressedSolid& solid, const DepthTable& owner, const Rim& ri
 
 using RimEdges = std::span<const SolidOverlapBuffer::Edge>;
 
-/// The points of these edges in the order in which they follow on each other; false where they are not one loop that
-/// has room, as rounding may leave them.
+/// The points of these edges in connected order; false where rounding leaves more than one loop, or the loop exceeds
+/// the capacity.
 bool make_rim(RimEdges edges, Rim& rim) {
   if (edges.size() < 3 || edges.size() > Rim::most) return false;
   const int first = edges[0].from;
@@ -170,7 +170,7 @@ bool make_rim(RimEdges edges, Rim& rim) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && at == first) return false;
     rim.add(at);
-    std::size_t next = i;  // mostly the next in the list
+    std::size_t next = i;  // usually the next in the list
     if (edges[i].from != at)
       for (next = 0; next < edges.size() && edges[next].from != at;) ++next;
     if (next == edges.size()) return false;
@@ -179,11 +179,11 @@ bool make_rim(RimEdges edges, Rim& rim) {
   return at == first;
 }
 
-/// One face of the shared solid: `whole`, or as triangles about one of its points, as laws are that are not linear,
-/// whose sums are the better the smaller the cells.
+/// One face of the shared solid: as a whole, or as triangles about one of its points for nonlinear laws, whose
+/// quadrature improves with smaller cells.
 void press_face(const PressedSolid& solid, const PressedFace& face, RimEdges edges, bool whole) {
   const DepthTable& owner = solid.depths[face.owner()];
-  if (owner.columns() == 0) return;  // a piece without a surface presses nothing
+  if (owner.columns() == 0) return;  // a piece without surface carries no pressure
   Rim rim;
   if (whole && make_rim(edges, rim)) return press_rim(solid, owner, rim, face);
   const int base = edges[0].from;
@@ -195,7 +195,7 @@ void press_face(const PressedSolid& solid, const PressedFace& face, RimEdges edg
   }
 }
 
-/// Second moments of unit area or force about `middle`.
+/// Second moments per area or force about `middle`.
 Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, const Vec3& middle) {
   const auto& [xx, yy, zz, xy, yz, zx] = second;
   Eigen::Matrix3d about;
@@ -203,7 +203,7 @@ Eigen::Matrix3d spread_about(const std::array<double, 6>& second, double whole, 
   return about / whole - middle * middle.transpose();
 }
 
-/// Which face of which solid a face of the shared one is.
+/// The normal of the solid's face that a face of the shared solid belongs to.
 const Vec3& normal_of(const PlacedSolid& a, const PlacedSolid& b, int of) {
   return of >= 0 ? a.normals[static_cast<std::size_t>(of)] : b.normals[static_cast<std::size_t>(-1 - of)];
 }
@@ -211,7 +211,7 @@ bool is_pressed(const PlacedSolid& a, const PlacedSolid& b, int of) {
   return of >= 0 ? a.solid->is_pressed(of) : b.solid->is_pressed(-1 - of);
 }
 
-/// Lists the triangles of all faces of the shared solid that are pressed.
+/// Lists the triangles of all pressed faces of the shared solid.
 void list_triangles(const PressedSolid& solid, const PlacedSolid& a, const PlacedSolid& b, bool whole, double crushed,
                     TriangleLanes& triangles) {
   int first = 0;
@@ -251,7 +251,7 @@ Vec3 line_across(const Vec3& n) {
   return cross(n, Vec3(Vec3::Unit(least))).normalized();
 }
 
-/// By Cholesky: a = (sqrt(xx), xy / sqrt(xx)), b = (0, the root of what is left).
+/// Cholesky decomposition: a = (sqrt(xx), xy / sqrt(xx)), b = (0, the root of the remainder).
 std::array<Vec3, 2> spread_arms(double xx, double xy, double yy, const Vec3& x, const Vec3& y) {
   if (!(xx > 0)) return {Vec3(Vec3::Zero()), Vec3(std::sqrt(std::max(0.0, yy)) * y)};
   const double along = std::sqrt(xx), aside = xy / along;

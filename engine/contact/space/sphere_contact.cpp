@@ -6,17 +6,17 @@
 namespace trilith {
 namespace {
 
-/// Mean distance from the middle of a disc, weighed by a pressure that falls to 0 at its rim as that of a sphere does.
+/// Mean distance from the centre of a disc, weighted by a pressure that falls to 0 at its rim, as for a sphere.
 constexpr double arm_of_turning = 8.0 / 15;
 
-/// The area in which two meet and what presses there.
+/// The contact area and its pressure.
 struct SphereArea {
   Vec3 normal, middle;             ///< from a to b; where friction acts [m]
   double area, depth;              ///< [m2], [m]
   double elastic, force, closing;  ///< [N], [N] with damping, [m/s]
 };
 
-/// The force over kn with its damping; pressed(relief) is that of max(e - relief, 0).
+/// The force over kn with damping; pressed(relief) is the force of max(e - relief, 0).
 template <class Pressed>
 double damped_force(double elastic, double area, double closing, double beta, Pressed&& pressed) {
   if (closing >= 0 || beta == 0) return elastic + beta * closing * area;
@@ -48,8 +48,8 @@ bool meet_spheres(const SphereSide& a, const SphereSide& b, const K& law, Sphere
   return true;
 }
 
-/// The same of a sphere and a polyhedron. The middle lies below the centre by the mean height of what is pressed: on a
-/// face its foot, at an edge or a corner the point of it.
+/// Contact of a sphere and a polyhedron. The contact point is below the sphere's centre by the mean height of the
+/// pressed area: on a face its foot, at an edge or a corner the point on it.
 template <class K>
 bool meet_facets(const SphereSide& a, const SphereSide& b, const K& law, SphereArea& out, double& apart) {
   const bool a_is_sphere = a.sphere.radius > 0;
@@ -73,13 +73,13 @@ bool meet_facets(const SphereSide& a, const SphereSide& b, const K& law, SphereA
   return true;
 }
 
-/// Turns what was remembered with the plane of contact, by the shortest way, and about its normal.
+/// Rotates the previous shear with the plane of contact, by the shortest rotation, and about its normal.
 class CarriedShear {
  public:
-  /// From one normal to another; `turn` about the latter [rad], small: by Cayley's map, which keeps lengths.
+  /// From one normal to another; `turn` about the new one [rad], small: by Cayley's map, which conserves lengths.
   CarriedShear(const Vec3& from, const Vec3& to, double turn) : to_(to), axis_(cross(from, to)) {
     const double cosine = from.dot(to);
-    turned_over_ = cosine <= -0.5;  // no shortest way worth the name
+    turned_over_ = cosine <= -0.5;  // the shortest rotation is ill-conditioned
     share_ = 1 / (1 + cosine), half_ = 0.5 * turn, scale_ = 2 * half_ / (1 + half_ * half_);
   }
   [[nodiscard]] Vec3 operator()(const Vec3& v) const {
@@ -96,8 +96,8 @@ class CarriedShear {
   bool turned_over_;
 };
 
-/// A Kelvin-Voigt spring in series with a slider, as contact/joint/shear_3d.hpp, but for the limit: what is beyond it
-/// comes back along the radius, so that slip and turn go the way of the force. Area that parts takes its share along.
+/// A Kelvin-Voigt spring in series with a slider, as in contact/joint/shear_3d.hpp, but with a radial return: slip and
+/// rotation follow the direction of the force. Area that separates takes its share with it.
 template <class K>
 void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMemory& before, const K& law,
                          const SphereArea& at, SolidResponse& out) {
@@ -138,13 +138,13 @@ void add_sphere_friction(const SphereSide& a, const SphereSide& b, const SolidMe
   out.moment -= radius * along * n;
 }
 
-/// Power of the damping force remembered in the motion of b against a [W].
+/// Power of the previous damping force in the motion of b relative to a [W].
 double power_of_damping(const SphereSide& a, const SphereSide& b, const SolidMemory& m, double dt) {
   return m.damping.dot(Vec3(mean_velocity_at(b, a.origin, dt) - mean_velocity_at(a, a.origin, dt))) +
          m.damping_moment.dot(Vec3(mean_spin(b, dt) - mean_spin(a, dt)));
 }
 
-/// Two that part let their elastic shear go, and the last damping force works for half a step more.
+/// As two solids separate, their elastic shear is released, and the last damping force does work for half a step more.
 template <class K>
 SolidResponse respond_by(const SphereSide& a, const SphereSide& b, const SolidMemory& before, const K& law,
                          double& apart) {

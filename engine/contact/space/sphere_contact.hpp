@@ -1,41 +1,44 @@
-// Contact of spheres with spheres and with convex polyhedra: pressure over the area that they share, friction on it.
-//
-//        .-""-.            Two spheres press each other over the plane disc in which they cut: kn e(s) at each place, s
-//       /  A   \           the overlap there along the line of centres. Where the law is linear the sum is
+// Contact of spheres with spheres and with convex polyhedra: pressure over the shared area, and friction.
+// ```
+//        .-""-.
+//       /  A   \
 //       \.-""-./  s
-//       /'-..-'\               F = kn V,   V the volume of the lens;   W = integral of F,   dF/d(overlap) = kn pi a^2
+//       /'-..-'\
 //       \  B   /
-//        '-..-'            A polyhedron is pressed on the parts of its faces inside of the sphere by kn e(phi), phi the
-//                          depth below the sphere's surface, R - |x - centre|. That is the derivative of
+//        '-..-'
+// ```
+// Two spheres press each other over the plane disc of their intersection: kn e(s) at each point, where s is the overlap
+// there along the line of centres. For a linear law the sum is F = kn V with the volume V of the lens. The energy W is
+// the integral of F, and dF/d(overlap) = kn pi a^2.
 //
-//                              W = kn * integral of (energy of phi) over the volume they share,   phi where linear
+// A polyhedron is pressed on the parts of its faces inside the sphere by kn e(phi), where phi = R - |x - centre| is the
+// depth below the sphere's surface. This is the derivative of W = kn times the integral over the shared volume of the
+// energy of phi, which is phi for a linear law. So energy is conserved over faces, edges and corners, and the force
+// passes through the sphere's centre. Two polyhedra with flush faces act as one: the joint between them has no effect.
 //
-//                          so energy is kept over faces, edges and corners alike, the force goes through the sphere's
-//                          centre, and two polyhedra that lie flush press as one: nothing is felt at the joint.
-//
-// Both come to kn pi R d^2 for a shallow overlap d of a sphere and a plane. Damping is kn beta times the speed at which
-// the two close at the middle of the area, cut off where the sum would pull: as they part at the speed v, a place is
-// pressed by as much as its e is above beta v.
+// Both cases tend to kn pi R d^2 for a shallow overlap d of a sphere and a plane. Damping is kn beta times the closing
+// speed at the centre of the area, cut off where the sum would be tension. As they separate at the speed v, a point has
+// the pressure by which its e exceeds beta v.
 #pragma once
 
 #include "contact/space/solid_contact.hpp"
 
 namespace trilith {
 
-/// One of the two, and how its body moves.
+/// One of the two, and the motion of its body.
 struct SphereSide {
   const Sphere& sphere;       ///< radius 0: it is the polyhedron
-  const PlacedSolid& placed;  ///< read of a polyhedron alone
+  const PlacedSolid& placed;  ///< used for a polyhedron only
   Vec3 origin, velocity, spin;
   const StepBehind* behind = nullptr;  ///< see MovingSolid
 
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - origin)); }
 };
 
-/// At least one of the two is a sphere. Friction is a spring and slider of any direction at the middle of the area,
-/// which turns with the pair; turning about the normal counts as a path at 8/15 of the radius of the area, so that the
-/// most it carries is that of a disc under the pressure of a sphere. Slip and turn share one limit, a circle.
-/// `apart`: at least how far they are from each other where they do not touch [m].
+/// At least one of the two is a sphere. Friction is a spring and slider of any direction at the centre of the area,
+/// which rotates with the pair. Rotation about the normal counts as a path at 8/15 of the area's radius, so its limit
+/// equals a disc's under the pressure of a sphere. Slip and rotation share one limit, a circle. `apart`: lower bound of
+/// their distance where they do not touch [m].
 SolidResponse respond_spheres(const SphereSide& a, const SphereSide& b, const SolidMemory& before, const LawInUse& law,
                               double& apart);
 

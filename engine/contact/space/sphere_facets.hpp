@@ -1,14 +1,14 @@
-// A sphere in a convex polyhedron: what presses on the parts of the polyhedron's faces that lie inside of the sphere.
+// A sphere in a convex polyhedron: pressure on the parts of the polyhedron's faces inside the sphere.
 //
-// Comes in: the sphere (centre c, radius R) and the polyhedron where it stands. On a face at the height h below c the
-// part inside is the face's polygon within a disc about the foot of c, of radius a = sqrt(R^2 - h^2). A quantity p that
-// depends on the distance m from c alone, m^2 = h^2 + rho^2, sums up there to an integral around the foot,
-//
-//      integral of Q dtheta,   Q(rho) = integral of p rho drho = rho^2 mean(rho^2),
-//
-// with rho going along the polygon's sides where they are inside of the disc, and along its rim else: the rim is the
-// whole of it less the angles of the sides. Along a side at the distance q from the foot, dtheta = q dt / (q^2 + t^2),
-// so the integrand is mean(q^2 + t^2) q, smooth, and taken by Gauss's rule. Goes out: the sums over all faces.
+// Input: the sphere (centre c, radius R) and the placed polyhedron. On a face at the height h below c the part inside
+// is the face's polygon within a disc about the foot of c, of radius a = sqrt(R^2 - h^2). A quantity p that depends on
+// the distance m from c alone, m^2 = h^2 + rho^2, has a sum that is an integral around the foot.
+// ```
+//      integral of Q dtheta,   Q(rho) = integral of p rho drho = rho^2 mean(rho^2)
+// ```
+// Here rho follows the polygon's sides where they are inside the disc, and its rim elsewhere. The rim is the full
+// circle minus the angles of the sides. Along a side at the distance q from the foot, dtheta = q dt / (q^2 + t^2), so
+// the integrand mean(q^2 + t^2) q is smooth and Gauss quadrature applies. Output: the sums over all faces.
 #pragma once
 
 #include "base/portable.hpp"
@@ -18,12 +18,12 @@
 
 namespace trilith {
 
-/// Sums over the faces inside of a sphere.
+/// Sums over the faces inside a sphere.
 struct SphereFacets {
   Vec3 pressed = Vec3::Zero();  ///< of p along the outward normals
-  Vec3 area = Vec3::Zero();     ///< of the area, likewise [m2]
+  Vec3 area = Vec3::Zero();     ///< of the area along the outward normals [m2]
   double lever = 0;             ///< of p times the height of the centre
-  double apart = -unbounded;    ///< greatest height of the centre over a face, less the radius [m]
+  double apart = -unbounded;    ///< largest height of the centre over a face, minus the radius [m]
 };
 
 /// p and 1 over a part of a face.
@@ -43,7 +43,7 @@ FaceSums face_in_disc(const PlacedSolid& solid, int face, const Vec3& foot, doub
     const Vec3& from = solid.corners[static_cast<std::size_t>(loop[i])];
     const Vec3 side = solid.corners[static_cast<std::size_t>(loop[i + 1 < loop.size() ? i + 1 : 0])] - from;
     const Vec3 arm = from - foot;
-    // Outwards in the plane: side x n. Most sides are far from the disc, and found so without a root.
+    // Outwards in the plane: side x n. Most sides are far from the disc; the squares show this without a root.
     const double scaled = arm.dot(cross(side, n)) + 0.0, length2 = side.squaredNorm();
     if (scaled * scaled >= square * length2) {
       if (scaled < 0) return {};
@@ -66,8 +66,8 @@ FaceSums face_in_disc(const PlacedSolid& solid, int face, const Vec3& foot, doub
   return out;
 }
 
-/// Sums of `quantity` over all faces, inner ones too: those cancel between the pieces that share them.
-/// quantity(height)(rho^2) is mean(rho^2) on a face at that height, not below 0.
+/// Sums of `quantity` over all faces, including inner ones, which cancel between the pieces that share them.
+/// quantity(height)(rho^2) is mean(rho^2) on a face at that height, not negative.
 template <class Quantity>
 SphereFacets facets_in_sphere(const PlacedSolid& solid, const Sphere& sphere, Quantity&& quantity) {
   SphereFacets out;
@@ -88,7 +88,7 @@ SphereFacets facets_in_sphere(const PlacedSolid& solid, const Sphere& sphere, Qu
   return out;
 }
 
-/// Of max(e(phi) - relief, 0), phi = R - m [m3]; relief [m].
+/// Sums of max(e(phi) - relief, 0), phi = R - m [m3]; relief [m].
 template <class K>
 SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, const K& law, double relief) {
   if constexpr (K::linear) {
@@ -101,7 +101,7 @@ SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, cons
       };
     });
   } else {
-    // With m dm = (R - phi) dphi, Q is what T(x), the integral of p (R - phi) from 0 to x, loses along the way.
+    // With m dm = (R - phi) dphi, Q is the decrease along the path of T(x), the integral of p (R - phi) from 0 to x.
     const double radius = sphere.radius;
     const auto pressure = [&](double depth) { return std::max(0.0, law.effective(depth) - relief); };
     const auto total = [&, radius](double x) {
@@ -120,8 +120,8 @@ SphereFacets pressed_facets(const PlacedSolid& solid, const Sphere& sphere, cons
   }
 }
 
-/// The work over kn that brings the sphere from where it touches nothing to where it stands [m4], along the line
-/// through the nearest point of the surface. Any other way takes as much, for the force is the derivative of an energy.
+/// Work over kn to move the sphere from first contact to its position [m4], along the line through the nearest point of
+/// the surface. The work is independent of the path, because the force derives from an energy.
 template <class K>
 double facets_energy(const PlacedSolid& solid, const Sphere& sphere, const K& law) {
   constexpr int stretches = 3;

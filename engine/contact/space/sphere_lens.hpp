@@ -1,8 +1,8 @@
-// Two spheres that cut each other: the disc between them, and what presses over it.
+// Two intersecting spheres: the disc between them, and the pressure over it.
 //
-// Comes in: radii R, r and the distance d of the centres. The overlap at the distance rho from the axis is
-// s = sqrt(R^2 - rho^2) + sqrt(r^2 - rho^2) - d; the area of the disc times its mean is the volume of the lens,
-// pi (R + r - d)^2 (d^2 + 2 d (R + r) - 3 (R - r)^2) / 12 d. Goes out: the force over kn.
+// Input: radii R, r and the distance d of the centres. The overlap at the distance rho from the axis is s = sqrt(R^2 -
+// rho^2) + sqrt(r^2 - rho^2) - d. The area of the disc times its mean is the volume of the lens, pi (R + r - d)^2 (d^2
+// + 2 d (R + r) - 3 (R - r)^2) / 12 d. Output: the force over kn.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace trilith {
 
-/// Gauss's rule of 5 points from 0 to 1.
+/// Gauss quadrature with 5 points from 0 to 1.
 inline constexpr std::array<double, 5> sphere_point{0.046910077030668, 0.2307653449471584, 0.5, 0.7692346550528415,
                                                     0.953089922969332};
 inline constexpr std::array<double, 5> sphere_weight{0.1184634425280945, 0.2393143352496832, 0.2844444444444444,
                                                      0.2393143352496832, 0.1184634425280945};
 
-/// Integral of f over 0 to 1, where f goes with a power of 1 - x^2: f(1 - w^2) 2 w.
+/// Integral of f over 0 to 1 for f that varies with a power of 1 - x^2: f(1 - w^2) 2 w.
 template <class F>
 double integral_to_rim(F&& f) {
   double sum = 0;
@@ -31,14 +31,14 @@ double integral_to_rim(F&& f) {
 
 struct SphereLens {
   double large, small;  ///< radii [m]
-  double distance;      ///< of the centres, below the sum of the radii [m]
-  double inverse;       ///< of it [1/m]
+  double distance;      ///< of the centres, less than the sum of the radii [m]
+  double inverse;       ///< 1 / distance [1/m]
 
   SphereLens(double r, double s, double d) : SphereLens(r, s, d, 1 / d) {}
   SphereLens(double r, double s, double d, double one_over) : large(r), small(s), distance(d), inverse(one_over) {}
 
   [[nodiscard]] double overlap() const { return large + small - distance; }
-  /// One lies within the other: what they share has no rim.
+  /// One lies inside the other: the overlap has no rim.
   [[nodiscard]] bool is_swallowed() const { return distance <= large - small; }
   /// From the centre of a sphere to the plane of the disc [m].
   [[nodiscard]] double plane_from(double radius, double other) const {
@@ -78,7 +78,7 @@ double lens_force(const SphereLens& lens, const K& law, double relief) {
   }
 }
 
-/// The work over kn that brings the two from touching to where they are [m4].
+/// Work over kn to move the two from touching to their position [m4].
 template <class K>
 double lens_energy(const SphereLens& lens, const K& law) {
   const double from = lens.large + lens.small, way = lens.overlap();

@@ -1,24 +1,23 @@
-// The parts of the faces of a shared solid that is a tetrahedron: of a corner
-// under a face, or of an edge across an edge, which are half of what touches in
-// a heap. They are those of contact/plane/nearest_parts.hpp, written down.
-//
-//                 C          On a face at the corner C the one face g of the
-//                 other solid is nearest. On that, E1 E2 E3,
-//                /|\         the three faces at C are, each beside its own
-//                edge, as far as where they meet: in
+// Parts of the faces of a shared solid that is a tetrahedron: a corner below a face, or an edge across an edge. These
+// are half of the contacts in a heap. The parts are those in contact/plane/nearest_parts.hpp, in closed form.
+// ```
+//                 C
+//                /|\
 //               / | \.
-//             E1--|--E3        P = d (E1/h1 + E2/h2 + E3/h3),   1/d = 1/h1 +
-//             1/h2 + 1/h3,
-//               \ | /
-//                 E2         hk the depth of Ek below the face of the corner
-//                 that it is not on.
+//             E1--|--E3        P = d (E1/h1 + E2/h2 + E3/h3)
+//               \ | /          1/d = 1/h1 + 1/h2 + 1/h3
+//                 E2
+// ```
+// A corner C of one solid is below one face g of the other. On the faces at C, the face g is nearest. On the face E1 E2
+// E3, each of the three faces at C is nearest next to its own edge, up to the point P where they meet. Here hk is the
+// depth of Ek below the face at the corner that does not contain it.
 //
-// Of two edges each face has both ends X, Y of one part of an edge and one end
-// Z of the other's. Below one of the two faces of the other solid X and Z are
-// at no depth, below the other Y and Z; they meet in Z S,
+// For two edges each face has both ends X, Y of one edge's part and one end Z of the other's. X and Z have zero depth
+// below one of the two faces of the other solid, Y and Z below the other. The two regions meet in Z S:
 //
-//   S = X + t (Y - X),   t = hx / (hx + hy),   d = t hy,   hx, hy: the depths
-//   of X and Y below the one they are not on.
+//   S = X + t (Y - X),   t = hx / (hx + hy),   d = t hy.
+//
+// Here hx and hy are the depths of X and Y below the face that does not contain them.
 #pragma once
 
 #include "geometry/plane/edge_overlap.hpp"
@@ -26,8 +25,7 @@
 
 namespace trilith {
 
-/// A shared solid of four corners and four faces, some of each of the two
-/// solids.
+/// A shared solid of four corners and four faces, some of each of the two solids.
 class TetrahedronParts {
  public:
   TRILITH_INLINE explicit TetrahedronParts(const EdgeOverlap& shared) : shared_(shared) {
@@ -44,8 +42,7 @@ class TetrahedronParts {
     return shared_.points == 4 && count_[0] + count_[1] == 4 && count_[0] > 0 && count_[1] > 0;
   }
 
-  /// Adds the parts of a face. False, and nothing added, where a further face
-  /// of the other solid may be nearest.
+  /// Adds the parts of a face. Returns false, and adds nothing, where another face of the other solid may be nearest.
   TRILITH_INLINE bool add_to(TriangleLanes& triangles, const Lanes& face, std::size_t loop) const {
     const std::size_t own = loop / few_faces;
     const Corners of(shared_, shared_.loop[loop], 1 - own, is_face_[1 - own]);
@@ -60,9 +57,8 @@ class TetrahedronParts {
   }
 
  private:
-  /// The corners of a face: arms, and depths below that face of the other solid
-  /// in the tetrahedron which they are not on, if there is one; below all its
-  /// others at least `least` [m].
+  /// The corners of a face: arms, and depths below the other solid's face in the tetrahedron that does not contain
+  /// them, if any; below all its other faces at least `least` [m].
   struct Corners {
     std::array<Lanes, 3> arm;
     std::array<double, 3> depth;
@@ -124,8 +120,8 @@ class TetrahedronParts {
   }
 
   const EdgeOverlap& shared_;
-  std::array<std::array<Lanes, 2>, 2> is_face_;  // [solid] 1: the face has a part in the tetrahedron
-  std::array<int, 2> count_{};                   // [solid] of those
+  std::array<std::array<Lanes, 2>, 2> is_face_;  // [solid] 1: the face is part of the tetrahedron
+  std::array<int, 2> count_{};                   // [solid] number of these
 };
 
 }  // namespace trilith

@@ -1,10 +1,11 @@
-// What pressed triangles come to, a lane each: forces, moments, power and how the pressure lies, springs and damping.
+// Sums over pressed triangles in lanes: forces, moments, power and second moments of the pressure, for springs and
+// damping.
 //
-// Comes in: of four triangles the integrals of the pressure of springs and of that with its damping; which way they
-// push b. Goes out: sums. Springs push along the normals of the faces, and together along some n; where other pieces of
-// the same two bodies press at the same place n is the direction of all of them. What is damped is the motion along
-// that, v . n: a face whose push is along u closes at c = -m (v . n), m = u . n where that is above 0, and
-// its damping acts on b along n with the share m. So what slides across n is not braked, and any motion loses energy.
+// Input: integrals of the pressure of four triangles, without and with damping; their direction of push on b. Output:
+// sums. Springs push along the normals of the faces, and in total along some n. If other pieces of the same two bodies
+// press at the same position, n is the direction of their total. The motion v . n along n is damped. A face whose push
+// is along u closes at c = -m (v . n), with m = u . n where positive, and its damping acts on b along n with the factor
+// m. So sliding across n is not braked, and any motion loses energy.
 #pragma once
 
 #include <array>
@@ -14,32 +15,31 @@
 
 namespace trilith {
 
-/// Sums over triangles in the room of one pair of solids, all over half the stiffness. Moments are about the point that
-/// arms are from.
+/// Sums over the triangles of one pair of solids, over half the stiffness. Moments are about the origin of arms.
 struct PressedSums {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();            ///< on b
-  Vec3 damping = Vec3::Zero(), damping_moment = Vec3::Zero();  ///< the part that damping adds
-  double damped = 0;                                           ///< power that damping takes
-  double pressure = 0;                                         ///< integral of the pressure, whatever way it acts
-  Vec3 arm = Vec3::Zero();                                     ///< ... of the pressure times the arm
-  std::array<double, 6> arm_second{};                          ///< ... and times its products: xx, yy, zz, xy, yz, zx
-  double area = 0;                                             ///< of both sides
-  Vec3 area_arm = Vec3::Zero();                                ///< integral of the arm over it
-  std::array<double, 6> area_second{};                         ///< ... of its products
-  double depth = 0;                                            ///< greatest [m]
+  Vec3 damping = Vec3::Zero(), damping_moment = Vec3::Zero();  ///< the part due to damping
+  double damped = 0;                                           ///< power dissipated by damping
+  double pressure = 0;                                         ///< integral of the pressure's magnitude
+  Vec3 arm = Vec3::Zero();                                     ///< integral of the pressure times the arm
+  std::array<double, 6> arm_second{};   ///< integral of the pressure times the arm's products: xx, yy, zz, xy, yz, zx
+  double area = 0;                      ///< of both sides
+  Vec3 area_arm = Vec3::Zero();         ///< integral of the arm over the area
+  std::array<double, 6> area_second{};  ///< integral of the arm's products over the area
+  double depth = 0;                     ///< largest depth [m]
 };
 
-/// How b moves against a.
+/// Motion of b relative to a.
 struct ClosingMotion {
   Vec3 velocity, spin;  ///< at the origin of arms [m/s], [rad/s]
 };
 
-/// The part of it along the push of the springs.
+/// The component of the motion along the push of the springs.
 struct alignas(32) DampedMotion {
   Triple<Lanes> normal, turning;  ///< n; n x w, as n . (w x r) = r . (n x w)
   Lanes moving;                   ///< n . v [m/s]
 
-  /// `push` of any length; where it is zero nothing is pressed on the whole.
+  /// `push` of any length; zero means no resultant pressure.
   TRILITH_INLINE DampedMotion(const Vec3& push, const ClosingMotion& motion) {
     const double size = push.norm();
     const Vec3 n = size > 0 ? Vec3(push / size) : Vec3(Vec3::Zero()), t = cross(n, motion.spin);
@@ -48,7 +48,7 @@ struct alignas(32) DampedMotion {
   }
   /// u . n.
   [[nodiscard]] TRILITH_INLINE Lanes along(const FourTriangles& in) const { return in.sign * in.normal.dot(normal); }
-  /// At the corners [m/s].
+  /// Closing speeds at the corners [m/s].
   [[nodiscard]] TRILITH_INLINE std::array<Lanes, 3> closing(const FourTriangles& in, const Lanes& along) const {
     const Lanes facing = larger<Lanes>(along, Lanes{});
     const auto at = [&](std::size_t k) { return Lanes(-facing * (moving + in.arm[k].dot(turning))); };
@@ -56,19 +56,19 @@ struct alignas(32) DampedMotion {
   }
 };
 
-/// Of the triangles [m2].
+/// Areas of the triangles [m2].
 TRILITH_INLINE Lanes area_of(const FourTriangles& in) {
   return 0.5 * in.normal.dot(cross(in.arm[1] - in.arm[0], in.arm[2] - in.arm[0]));
 }
 
-/// Products of vectors, in the order of PressedSums.
+/// Products of vector components, in the order of PressedSums.
 struct ArmProducts {
   std::array<Lanes, 6> of;
   TRILITH_INLINE ArmProducts(const Triple<Lanes>& a, const Triple<Lanes>& b)
       : of{a.x * b.x, a.y * b.y, a.z * b.z, a.x * b.y, a.y * b.z, a.z * b.x} {}
 };
 
-/// Integrals over triangles of a pressure over kn, and of it times the arm and the closing speed.
+/// Integrals over triangles of a pressure over kn, and of its product with arm and closing speed.
 struct alignas(32) TrianglePressure {
   Lanes force, power;
   Triple<Lanes> first;
@@ -81,7 +81,7 @@ struct alignas(32) TriangleSums {
       pressure, area, depth;
   std::array<Lanes, 6> arm_second, area_second;
 
-  /// Each for itself: set as one stretch of memory, they would be waited for.
+  /// Initialised one by one: as one block of memory, the stores would stall the loads that follow.
   TRILITH_INLINE TriangleSums() {
     const Lanes none{};
     for (Triple<Lanes>* v : {&moment, &turning, &arm, &area_arm}) v->x = none, v->y = none, v->z = none;
@@ -104,16 +104,16 @@ struct alignas(32) TriangleSums {
   }
 };
 
-/// What the springs of all triangles push b by, over half the stiffness [m3].
+/// Force on b of the springs of all triangles, over half the stiffness [m3].
 Vec3 spring_force(std::span<const FourTriangles> triangles);
 
-/// Over all lanes; `normal` that of the damped motion. `push`: that of the springs where they do not push along it,
+/// Sums over all lanes; `normal`: direction of the damped motion. `push`: the springs' force if its direction differs,
 /// else nullptr.
 PressedSums over_lanes(const TriangleSums& sums, const Triple<Lanes>& normal, const Vec3* push);
 
 struct SolidPressure;
-/// What such sums come to, with arms from `origin` [m] and `k` half of the stiffness [Pa/m], as the faces of the other
-/// solid bring the other half: moments about the centre of pressure, and how area and pressure are spread.
+/// The pressure from such sums, with arms from `origin` [m]: moments about the centre of pressure, and second moments
+/// of area and pressure. `k` is half of the stiffness [Pa/m], because the faces of the other solid add the other half.
 SolidPressure pressure_of_sums(const Vec3& origin, double k, const PressedSums& sums);
 
 }  // namespace trilith

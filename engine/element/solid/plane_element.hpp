@@ -4,10 +4,10 @@
 // at each Gauss point, 2 x 2 in a quadrilateral, one in a triangle.
 //
 // Plain strain: B of the isoparametric element. It locks in bending. Assumed strain: B with the incompatible modes 1 -
-// xi^2 and 1 - eta^2 of Wilson et al. The modified form with the Jacobian at the centre passes the patch test: Taylor,
-// Beresford and Wilson, "A non-conforming element for stress analysis", Int. J. Numer. Meth. Engng 10, 1976. The modes
-// are condensed once with the elastic matrix. This leaves an assumed strain field B - G (G'CG)^-1 (G'CB) without
-// internal unknowns. For a triangle both forms are equal.
+// xi^2 and 1 - eta^2, due to Wilson and others. The modified form with the Jacobian at the centre passes the patch
+// test: Taylor, Beresford and Wilson, "A non-conforming element for stress analysis", Int. J. Numer. Meth. Engng 10,
+// 1976. The modes are condensed once with the elastic matrix. This leaves an assumed strain field B - G (G'CG)^-1
+// (G'CB) without internal unknowns. For a triangle both forms are equal.
 #pragma once
 
 #include <Eigen/Core>
