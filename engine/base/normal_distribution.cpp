@@ -11,8 +11,8 @@ double normal_density(double x) {
   return portable::exp(-0.5 * x * x) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
 }
 
-/// Marsaglia's series (J. Stat. Software 11, 2004) near the middle, Laplace's continued fraction in the tails, where 1
-/// - Phi would lose its digits.
+/// Marsaglia's series (J. Stat. Software 11, 2004) near the middle, Laplace's continued fraction in the tails,
+/// where 1 - Phi would lose its digits.
 double normal_share(double x) {
   const double density = normal_density(x);
   if (std::abs(x) < 3) {

@@ -101,9 +101,9 @@ void stand_for(const Model<D>& model, const BroadPhaseState<D>& search, const Ne
 }
 
 // Whether a bearing that replaces the contact covers this force. Its faces, normal to the axial direction as fixed to
-// each body, must still lie flat on each other. The force must be within 45 degrees of that axis: (z . f)^2 >= f . f /
-// 2. In the plane, any two faces that lie flat on each other also qualify. Contact at another face, or of tilted faces,
-// acts as if there were no bearing.
+// each body, must still lie flat on each other. The force must be within 45 degrees of that axis:
+// 2 (z . f)^2 >= f . f. In the plane, any two faces that lie flat on each other also qualify. Contact at another face,
+// or of tilted faces, acts as if there were no bearing.
 template <int D>
 bool presses_flat(const Model<D>& model, const State<D>& state, const Work<D>& work,
                   std::span<const BearingMemory<D>> bearings, const NearPair& pair, const Vec<D>& force) {

@@ -4,12 +4,12 @@
 // slightly, the next one. That sliver is shorter than it is deep, so `FaceOverlap::is_flat` would reject it although it
 // belongs to a flat joint. Therefore the depth is compared with the length that the faces share together with their
 // collinear neighbours, one on each side. The neighbours' tilt must be within the limit for faces.
-// ```
+//
 //            b.1 ___________ b.0 ____________ before b.0
 //                          |-|                           the sliver
 //       before a.0 ______ a.0 ______________ a.1
 //            |----------------------------------|        compared with the depth
-// ```
+//
 // The pressure on the sliver is computed as for two faces, and the slivers of a joint add up to its length. Collinear
 // faces that share no length are a face pair without contact.
 #pragma once

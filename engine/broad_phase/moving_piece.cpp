@@ -73,12 +73,12 @@ int deepest_corner(const MovingPiece& piece, const Vec2& n) {
 
 /// Updates the least overlap with the overlaps of `other` below the edges of `owner`. The overlap along the normal n of
 /// an edge is the depth of the other's deepest corner below it.
-/// ```
+///
 ///             |  other |
 ///       ______|________|______  edge, n upwards
 ///      |      `-._  _.-'      |
 ///      | owner    `'          |
-/// ```
+///
 /// The least overlap over all edges of both pieces is the shortest way out; `at` is midway between the deepest corner
 /// and the edge.
 void add_edges(const MovingPiece& owner, const MovingPiece& other, PieceOverlap& least) {

@@ -8,9 +8,9 @@
 // series, parallel to the beam. This is a generalised Maxwell body (Emmerich and Korn, "Incorporation of attenuation
 // into time-domain computations of seismic wave fields", Geophysics 52, 1987, also with least squares). A mode at w of
 // such beams alone has the damping ratio
-// ```
-//   Im / (2 Re) = [sum g_j x_j / (1 + x_j^2)] / (2 [1 + sum g_j x_j^2 / (1 + x_j^2)]),     x_j = w tau_j.
-// ```
+//
+//     Im / (2 Re) = [sum g_j x_j / (1 + x_j^2)] / (2 [1 + sum g_j x_j^2 / (1 + x_j^2)]),     x_j = w tau_j.
+//
 // It equals the requested ratio where sum g_j (x_j - 2 ratio x_j^2) / (1 + x_j^2) = 2 ratio, which is linear in g_j.
 // The tau_j are evenly spaced in the logarithm over the band; g_j follow by least squares. The memory follows the
 // stress, so a yielding end has no damping moment beyond its remaining memory. Above the band the stiffness is 1 + sum

@@ -1,10 +1,9 @@
 // Transpose of four rows of four numbers.
-// ```
+//
 //     row 0   a0 b0 c0 d0              v[0] = a0 a1 a2 a3
 //     row 1   a1 b1 c1 d1    ----->    v[1] = b0 b1 b2 b3
 //     row 2   a2 b2 c2 d2              v[2] = c0 c1 c2 c3
 //     row 3   a3 b3 c3 d3              v[3] = d0 d1 d2 d3
-// ```
 #pragma once
 
 #include "base/simd/lanes.hpp"

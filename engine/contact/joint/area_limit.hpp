@@ -2,17 +2,17 @@
 //
 // The force V in the plane is relative to mu N, and the couple T to mu N a (contact/joint/friction_limit.hpp). The
 // limit is
-// ```
+//
 //     m = 2 V.AV + |V|^2 (|V|^2 - 2 V.AV) + T^2 (1 + V.CV) = 1.
-// ```
+//
 // It is 1 for V alone in any direction and for T alone. A = I/2 and C = 0 give the ellipse. A long line with V acting
 // across it has a = 1 and c = 0 exactly, T = 1 - V^2. In between, A and C depend on the tensor D: twice the area's
 // second moments divided by their trace, minus the identity. Its principal values are +d along the length and -d across
 // it, with d = (r^2 - 1) / (r^2 + 1) for a rectangle r : 1.
-// ```
+//
 //     A = (0.629 - 0.021 d^2 - 0.005 d^4) I - (0.423 - 0.047 d^2) D
 //     C = (0.236 - 0.163 d^2 + 0.047 d^4) I + (0.415 - 0.345 d^2) D
-// ```
+//
 // For a uniform pressure on a rectangle from 1 : 1 to 5 : 1 that turns about any point of its axes of symmetry, V and T
 // are accurate to 0.016 (1.6 % of their largest values). The limit is convex for all r.
 #pragma once

@@ -1,5 +1,5 @@
 // Combined limit of sliding and turning friction of an area.
-// ```
+//
 //      y
 //
 //     1 |----._
@@ -7,7 +7,7 @@
 //       |         \               x = V / mu N,   y = T / mu N a
 //       |__________|_ x
 //                  1              m(x, y) = 1
-// ```
+//
 // The limit for the force V in the plane and the couple T about the centre of pressure is a convex curve. An area at
 // the limit moves along the curve's normal (Goyal, Ruina and Papadopoulos, "Planar sliding with dry friction", Wear
 // 143, 1991). Here a is the mean distance of the pressure from its centre, and m depends on the shape of the area:

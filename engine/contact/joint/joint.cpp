@@ -167,9 +167,9 @@ bool is_damaged(const JointMemory& m) {
 
 // Input: positions and motions of both bodies, memories of contact and joint. Output: force, moment and memories of the
 // trial step, and its dissipated energy.
-// ```
-//   intact  --- a limit is exceeded --->  patch by patch  --- no bond, no contact or slid away --->  ended.
-// ```
+//
+//     intact  --- a limit is exceeded --->  patch by patch  --- no bond, no contact or slid away --->  ended.
+//
 // The stress of an intact joint is linear over the face, at the cost of one patch. The joint is divided into patches
 // when the stress at a corner reaches a limit. `step_intact` then returns false, and the step by patches starts from
 // the history variables before the step.

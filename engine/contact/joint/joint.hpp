@@ -1,10 +1,10 @@
 // Two solids whose faces are bonded by mortar: a bond over each patch of the area that they shared when it set.
-// ```
-//        b
-//    ____________________
-//   |____|____|____|_  _|
-//        a       ->  crack from one side
-// ```
+//
+//          b
+//      ____________________
+//     |____|____|____|_  _|
+//          a       ->  crack from one side
+//
 // Input: poses and motions of both bodies, the joint's memory, the law. Output: forces, the remaining bond of each
 // patch, and the dissipated energies. Each patch opens, slips and turns with the two bodies and loses its bond
 // separately (contact/joint/joint_patch.hpp). A patch without bond carries pressure and friction in place.

@@ -1,11 +1,11 @@
 // Relative position and motion of the two seats of a joint.
-// ```
+//
 //        b  ____________
 //             ^ n   b's seat
 //         .............. mean plane
 //           ____________
 //        a        a's seat
-// ```
+//
 // The axes and the origin O are midway between those in both seats. Input: poses and motions of both bodies. Output:
 // the overlap gained from setting, linear over the plane, its rate, and the slip of b. With O midway, n . (v_b -
 // v_a)(O) is exactly the rate of n . (O_b - O_a), so a stress that depends on the overlap conserves energy.

@@ -85,13 +85,13 @@ JointSeat seat_in(const BodyMotion& body, const Vec3& origin, const UnitQuaterni
 
 /// A grid over the bounding box of the outline. Each cell that contains a part of the outline is a patch, with its own
 /// area, centroid and second moments.
-/// ```
+///
 ///      +----+----+----+----+
 ///      |    |    |    |    |
 ///      +----+----+----+----+
 ///      |    |  . | .  |    |
 ///      +----+----+----+----+
-/// ```
+///
 /// Four points at one radius of gyration along its principal axes represent it, which gives its axial and bending
 /// stiffness exactly.
 void divide_joint(JointPlan& plan) {

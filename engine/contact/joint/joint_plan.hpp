@@ -1,12 +1,12 @@
 // Geometry of a joint when it set: the area shared by two faces, divided into patches, and its position in each of the
 // two bodies.
-// ```
-//       y
-//    ___|_________
-//   |__|__|__|__|/
-//   |__|__|__|_/_ x
-//   |__|__|__|/
-// ```
+//
+//         y
+//      ___|_________
+//     |__|__|__|__|/
+//     |__|__|__|_/_ x
+//     |__|__|__|/
+//
 // The axes are the principal axes of the shared polygon, the origin is its centroid, the normal points from a to b. A
 // grid of 4 by 4 over its extent cuts it. Each patch is a convex polygon, so areas, moments and pressed parts are
 // exact. Each patch has four points at c +- sqrt(l1) e1 +- sqrt(l2) e2 with a quarter of the area (l, e: principal

@@ -1,10 +1,10 @@
 // Shear between two solids: a Kelvin-Voigt spring in series with a slider, as in law/contact/shear.hpp, in any
 // direction.
-// ```
+//
 //            F t   ____
 //          <------|__c_|
 //             (   couple
-// ```
+//
 // Slip along the plane of contact and rotation about its normal n act on one slider. Its motion is u = slip + n r turn
 // and its force F = shear + n (couple / r), where r is the radius of gyration of the area. The spring dF = ks A du is
 // exactly the area's. Sliding begins at the limit of contact/joint/friction_limit.hpp and follows its normal: the force

@@ -1,6 +1,6 @@
 // One corner of a convex piece below one face of another, or one corner of each inside the other: the usual contacts of
 // rubble, four pairs at once in SIMD lanes.
-// ```
+//
 //         p                     n
 //          \                   /
 //     ----- P1 ------ B ----- P2 ----
@@ -9,7 +9,7 @@
 //                 \   :  /
 //                   \ : /
 //                     v
-// ```
+//
 // The corner v of one piece, the wedge, lies below the face f of the other, the owner, and nothing else of either lies
 // in the other. The overlap is the triangle P1 v P2. It has four pressed sections, as contact/plane/overlap_press.hpp
 // would find: P1 v and v P2 along the wedge, P2 B and B P1 along f, each below the nearer edge of the wedge. Both edges

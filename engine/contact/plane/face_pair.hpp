@@ -5,13 +5,12 @@
 // gap g(s) is linear. It is divided into two halves with separate shear history and bond (ContactMemory); their
 // stresses follow the law, see law/contact/coulomb.hpp. Forces at the face ends have the resultant, the moment and the
 // power of the stresses (rigid or linear faces).
-// ```
+//
 //            b.1 ____________________________ b.0
 //                      B         ^ n
 //                    lo |--half 0--+--half 1--| hi
 //            a.0 ________________________________ a.1      --> d
 //                      A
-// ```
 //
 // Written for T = double or Lanes. Source: Barbosa, "Discontinuous structural analysis", eqs. 3 to 5.
 #pragma once

@@ -1,10 +1,10 @@
 // Contact of solids that lie flat on each other, four pairs at once: pressure over the polygon shared by one face of
 // each, and friction on its resultant.
-// ```
+//
 //     b ________________
 //        |  c > 0      /
 //     a ________________
-// ```
+//
 // Input: positions of the two faces, motion of both bodies, the contact's memory, the law. Output: force and moment on
 // both bodies, the new memory, dissipated energies, and whether the faces do lie flat (contact/space/solid_faces.hpp).
 // If not, the other results must not be used.

@@ -4,12 +4,12 @@
 // e(phi_B) ) over the shared volume, where phi is the distance to the nearest surface face of a solid. Its derivative
 // is a pressure kn/2 e(phi_A) on the faces of B inside A, along their own normals, and likewise for A's faces inside B.
 // So energy is conserved by construction, and two parallel faces press each other by kn times their overlap.
-// ```
+//
 //            _______________
 //           |  A            |
 //           |   \__f__/ - - | - B
 //           |_______________|
-// ```
+//
 // On the face f of B inside A, phi_A is the least of the depths below A's faces. It is linear in cells, each a convex
 // polygon, so all integrals are exact for a linear law.
 //

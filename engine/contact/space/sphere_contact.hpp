@@ -1,12 +1,12 @@
 // Contact of spheres with spheres and with convex polyhedra: pressure over the shared area, and friction.
-// ```
+//
 //        .-""-.
 //       /  A   \
 //       \.-""-./  s
 //       /'-..-'\
 //       \  B   /
 //        '-..-'
-// ```
+//
 // Two spheres press each other over the plane disc of their intersection: kn e(s) at each point, where s is the overlap
 // there along the line of centres. For a linear law the sum is F = kn V with the volume V of the lens. The energy W is
 // the integral of F, and dF/d(overlap) = kn pi a^2.

@@ -3,9 +3,9 @@
 // Input: the sphere (centre c, radius R) and the placed polyhedron. On a face at the height h below c the part inside
 // is the face's polygon within a disc about the foot of c, of radius a = sqrt(R^2 - h^2). A quantity p that depends on
 // the distance m from c alone, m^2 = h^2 + rho^2, has a sum that is an integral around the foot.
-// ```
+//
 //      integral of Q dtheta,   Q(rho) = integral of p rho drho = rho^2 mean(rho^2)
-// ```
+//
 // Here rho follows the polygon's sides where they are inside the disc, and its rim elsewhere. The rim is the full
 // circle minus the angles of the sides. Along a side at the distance q from the foot, dtheta = q dt / (q^2 + t^2), so
 // the integrand mean(q^2 + t^2) q is smooth and Gauss quadrature applies. Output: the sums over all faces.

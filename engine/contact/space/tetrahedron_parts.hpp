@@ -1,13 +1,13 @@
 // Parts of the faces of a shared solid that is a tetrahedron: a corner below a face, or an edge across an edge. These
 // are half of the contacts in a heap. The parts are those in contact/plane/nearest_parts.hpp, in closed form.
-// ```
+//
 //                 C
 //                /|\
 //               / | \.
 //             E1--|--E3        P = d (E1/h1 + E2/h2 + E3/h3)
 //               \ | /          1/d = 1/h1 + 1/h2 + 1/h3
 //                 E2
-// ```
+//
 // A corner C of one solid is below one face g of the other. On the faces at C, the face g is nearest. On the face E1 E2
 // E3, each of the three faces at C is nearest next to its own edge, up to the point P where they meet. Here hk is the
 // depth of Ek below the face at the corner that does not contain it.

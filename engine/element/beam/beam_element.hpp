@@ -1,18 +1,17 @@
 // A straight beam between two rotating ends: large displacements, small strains, co-rotational with its chord.
-// ```
-//            theta_1                    e  along the chord from end 0 to end 1, n = left of e
-//        ___/          \ ___            u        = l - L                          stretch
-//   0 o--   - - chord - -   --o 1      theta_i  = rotation_i - rotation of chord   bend of end i relative to the chord
 //
-//   N = EA/L (u + L q),   q = (2 theta_0^2 - theta_0 theta_1 + 2 theta_1^2) / 30
-//   M = K (theta_0, theta_1) + N L dq/dtheta,   K = EI / ((1 + phi) L) [4 + phi, 2 - phi; 2 - phi, 4 + phi]
-// ```
+//              theta_1                    e  along the chord from end 0 to end 1, n = left of e
+//          ___/          \ ___            u        = l - L                          stretch
+//     0 o--   - - chord - -   --o 1      theta_i  = rotation_i - rotation of chord   bend of end i to the chord
+//
+//     N = EA/L (u + L q),   q = (2 theta_0^2 - theta_0 theta_1 + 2 theta_1^2) / 30
+//     M = K (theta_0, theta_1) + N L dq/dtheta,   K = EI / ((1 + phi) L) [4 + phi, 2 - phi; 2 - phi, 4 + phi]
+//
 // The term q is the mean stretch due to the bow of a cubic between the ends. With it a member buckles at its critical
 // load, including its own bow. The shear parameter phi = 12 EI / (G A_s L^2) is 0 without shear deformation (Euler and
 // Bernoulli); otherwise the beam is Timoshenko's. A pinned end carries no moment: its rotation is condensed from K, and
-// from q with phi =
-// 0. Forces on the ends are the exact derivatives of N (u + L q) / 2 + theta K theta / 2. So energy, momentum and
-//    angular momentum are conserved for any size of motion.
+// from q with phi = 0. Forces on the ends are the exact derivatives of N (u + L q) / 2 + theta K theta / 2. So energy,
+// momentum and angular momentum are conserved for any size of motion.
 //
 // Crisfield, "Non-linear finite element analysis of solids and structures", vol. 1, 1991, ch. 7 (corotational beams,
 // shallow-arch strain); Przemieniecki, "Theory of matrix structural analysis", 1968, sec. 5.6 (shear).

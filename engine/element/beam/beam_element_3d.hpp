@@ -1,22 +1,22 @@
 // A straight beam in space between two rotating ends: large displacements, small strains, co-rotational with its chord.
-// ```
-//   e        along the chord from end 0 to end 1, l its length; t_k, q_k axes of the sections at end 0 and end 1
-//   u        = l - L                                             stretch
-//   theta_i  = rotation vector from e to the axis t_1 of section i, which is normal to both: bend about y and z
-//   tau      = angle about e from section 0 to section 1, after both are rotated back by their bends     twist
 //
-//   N = EA/L (u + L q_y + L q_z),   M = K theta + N L dq/dtheta about y and about z,   T = GJ/L tau
-// ```
+//     e        along the chord from end 0 to end 1, l its length; t_k, q_k axes of the sections at end 0 and end 1
+//     u        = l - L                                             stretch
+//     theta_i  = rotation vector from e to the axis t_1 of section i, which is normal to both: bend about y and z
+//     tau      = angle about e from section 0 to section 1, after both are rotated back by their bends     twist
+//
+//     N = EA/L (u + L q_y + L q_z),   M = K theta + N L dq/dtheta about y and about z,   T = GJ/L tau
+//
 // K and q are those in element/beam/beam_element.hpp for either plane, so a beam that moves in a plane equals the plane
 // beam. Bends are measured along axes midway between the two sections. The frame of the chord is co-rotational (M. A.
 // Crisfield, "A consistent co-rotational formulation for non-linear, three-dimensional, beam-elements", Comput. Methods
 // Appl. Mech. Eng. 81, 1990). The twist uses the parallel transport from t_1 to e, as in M. Bergou et al., "Discrete
 // elastic rods", ACM Trans. Graph. 27(3), 2008. It needs no mean of the two sections. Its derivative is simple, with
 // spins w_i of the sections and velocities v_i.
-// ```
-//   d tau = beta_1 . (w_1 - psi) - beta_0 . (w_0 - psi)
-//   beta_i = (t_1 + e) / (1 + t_1 . e),   psi = e x (v_1 - v_0) / l
-// ```
+//
+//     d tau = beta_1 . (w_1 - psi) - beta_0 . (w_0 - psi)
+//     beta_i = (t_1 + e) / (1 + t_1 . e),   psi = e x (v_1 - v_0) / l
+//
 // Forces are the exact derivatives of one energy that depends on relative positions and rotations alone. So no rigid
 // motion of any size causes a force, and energy, momentum and angular momentum are conserved. A section must not bend
 // by half a turn relative to the chord.

@@ -1,11 +1,11 @@
 // Consistent mass of a straight beam: the kinetic energy of a cubic between its ends, co-rotational with its chord.
-// ```
-//   T = y' m y / 2,   y = (along_0, across_0, spin_0, along_1, across_1, spin_1): velocities of its ends in its axes
 //
-//   along:   mu L / 6 [2, 1; 1, 2]
-//   across:  mu L / 420 [156, 22 L, 54, -13 L; . , 4 L^2, 13 L, -3 L^2; ., ., 156, -22 L; ., ., ., 4 L^2]
-//            + mu (I/A) / (30 L) [36, 3 L, -36, 3 L; ., 4 L^2, -3 L, -L^2; ., ., 36, -3 L; ., ., ., 4 L^2]
-// ```
+//     T = y' m y / 2,   y = (along_0, across_0, spin_0, along_1, across_1, spin_1): velocities of its ends in its axes
+//
+//     along:   mu L / 6 [2, 1; 1, 2]
+//     across:  mu L / 420 [156, 22 L, 54, -13 L; . , 4 L^2, 13 L, -3 L^2; ., ., 156, -22 L; ., ., ., 4 L^2]
+//              + mu (I/A) / (30 L) [36, 3 L, -36, 3 L; ., 4 L^2, -3 L, -L^2; ., ., 36, -3 L; ., ., ., 4 L^2]
+//
 // The second term across is the rotary inertia of the sections. At a pinned end the beam rotates by 3/2 of its chord's
 // rotation minus half of the other end's, like a cubic without moment there. Archer, "Consistent mass matrix for
 // distributed mass systems", J. Struct. Div. ASCE 89, 1963; Przemieniecki, "Theory of matrix structural analysis",

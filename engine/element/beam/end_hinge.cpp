@@ -11,11 +11,11 @@ namespace trilith {
 namespace {
 
 // Nested searches:
-// ```
-//   flow_towards     one end, with N and the other end given: p along the linear pieces of its law
-//   ends_at          both ends, with N given: in turn until neither changes
-//   return_to_laws   N: the root of N - EA/L (u + L q - p_u), which increases with N (element/beam/hinge_normal.hpp)
-// ```
+//
+//     flow_towards     one end, with N and the other end given: p along the linear pieces of its law
+//     ends_at          both ends, with N given: in turn until neither changes
+//     return_to_laws   N: the root of N - EA/L (u + L q - p_u), which increases with N (element/beam/hinge_normal.hpp)
+//
 // Then book_flow updates memory and energies, and returned_tangent gives the tangent. Signs here: bends and moments are
 // positive where the bottom lengthens; at end 0 the sign is opposite to the beam's.
 

@@ -2,11 +2,11 @@
 //
 // The yield surface uses the moments m_y, m_z on an end and D, X = Hk p, r, Hi and the share c from
 // element/beam/hinge_law.hpp.
-// ```
-//   [ |m_y - D X_y|^a / W_y^a + |m_z - D X_z|^a / W_z^a ]^(1/a) <= D c(N),     a = contour
-//   W_z = sagging or hogging + Hi r,   W_y = across + s Hi r,   X_y = s Hk p_y,   s = across / sagging
-//   r = largest sqrt(p_z^2 + s p_y^2).
-// ```
+//
+//     [ |m_y - D X_y|^a / W_y^a + |m_z - D X_z|^a / W_z^a ]^(1/a) <= D c(N),     a = contour
+//     W_z = sagging or hogging + Hi r,   W_y = across + s Hi r,   X_y = s Hk p_y,   s = across / sagging
+//     r = largest sqrt(p_z^2 + s p_y^2).
+//
 // It is the load contour of Bresler ("Design criteria for reinforced columns under axial load and biaxial bending", J.
 // ACI 57, 1960, a 1.15 to 1.55). The exponent a = 2 is the circle. For a = 1.7 it matches the fully plastic rectangle
 // within 2.1 %. It then also matches, without a normal force, the I sections of Orbison, McGuire and Abel within 5 %

@@ -3,10 +3,10 @@
 // The formulation is displacement based: it assumes deformations, not forces, along the beam. The fields are those in
 // element/beam/beam_element.hpp, with its stretch u and bends theta_0, theta_1: a constant axial strain including the
 // bow, and a linear curvature.
-// ```
-//   e = u/L + q,   k = (theta_1 - theta_0)/L + (theta_0 + theta_1)(6 x/L - 3)/((1 + phi) L)
-//   N = mean of N(x),   M_i = L sum w [ N(x) dq/dtheta_i + M(x) dk/dtheta_i ]
-// ```
+//
+//     e = u/L + q,   k = (theta_1 - theta_0)/L + (theta_0 + theta_1)(6 x/L - 3)/((1 + phi) L)
+//     N = mean of N(x),   M_i = L sum w [ N(x) dq/dtheta_i + M(x) dk/dtheta_i ]
+//
 // Points and weights follow Gauss-Lobatto, which includes the ends, where plasticity begins, or Gauss. With elastic
 // fibres the beam equals the elastic beam to rounding. The elastic section defines a constant phi: shear is elastic. A
 // pinned end is treated as in the elastic beam: its bend follows the other one by the elastic ratio.

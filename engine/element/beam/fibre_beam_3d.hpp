@@ -1,8 +1,8 @@
 // A beam in space with fibre sections at stations along it: element/beam/fibre_beam.hpp with two planes of bending.
-// ```
-//   e = u/L + q_y + q_z,   k_y and k_z linear along it, each by the bends about its axis as in the plane
-//   N = mean of N(x),   M_ai = L sum w [ N(x) dq_a/dtheta_ai + M_a(x) dk_a/dtheta_ai ],   T = GJ/L tau
-// ```
+//
+//     e = u/L + q_y + q_z,   k_y and k_z linear along it, each by the bends about its axis as in the plane
+//     N = mean of N(x),   M_ai = L sum w [ N(x) dq_a/dtheta_ai + M_a(x) dk_a/dtheta_ai ],   T = GJ/L tau
+//
 // A fibre responds to the total strain, so bending about one axis reduces the capacity about the other, and the normal
 // force reduces both. Torsion and shear stay elastic. With elastic fibres the beam equals the elastic beam to rounding.
 #pragma once

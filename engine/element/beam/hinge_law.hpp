@@ -1,9 +1,9 @@
 // The law of a plastic hinge: moment as a function of plastic rotation, and its reduction by a normal force.
 //
 // With the plastic rotation p (positive: the bottom lengthens), the largest |p| so far r and the share c left by N:
-// ```
-//   D (X - (hogging + Hi r) c) <= M <= D (X + (sagging + Hi r) c),   X = Hk p,   Hk + Hi = hardening.
-// ```
+//
+//     D (X - (hogging + Hi r) c) <= M <= D (X + (sagging + Hi r) c),   X = Hk p,   Hk + Hi = hardening.
+//
 // Beyond |p| = `capping` X and Hi r stay constant, and D falls linearly from 1 to `residual` over `softening`. D is
 // further reduced linearly with the dissipated energy, down to `residual` once that is `wear` times the sagging moment.
 // Beyond `ultimate` the hinge has lost its moment for good; if it `removes`, its beam is then removed. The backbone

@@ -25,12 +25,11 @@ std::vector<Vec2> rectangle(double width, double low, double high) {
 }
 
 // A section seen along its beam, y to its top and z across.
-// ```
+//
 //         y |  ___          second_moment[1], about z: bends up and down, as in the plane
 //           | |___| flange  second_moment[0], about y: bends across
 //           |  | |  web     torsion: J of the twist, M = G J theta'
 //           +------ z
-// ```
 
 /// Area, vertical bending and its shear as in the plane; `across`: second moment about y.
 Section3 with_numbers(const Section& plane, double across, double shear_across, double torsion) {

@@ -9,11 +9,10 @@ namespace trilith {
 namespace {
 
 // Natural coordinates of a quadrilateral, and its Gauss points xi, eta = +-1/sqrt(3), each with the weight 1.
-// ```
+//
 //     3 (-1, 1) ------ 2 (1, 1)       natural coordinates xi to the right, eta up;
 //        |                |           N_i = (1 + xi xi_i) (1 + eta eta_i) / 4
 //     0 (-1, -1) ----- 1 (1, -1)
-// ```
 
 constexpr std::array<double, 4> xi_of{-1, 1, 1, -1}, eta_of{-1, -1, 1, 1};
 

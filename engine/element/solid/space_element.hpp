@@ -1,13 +1,13 @@
 // Elements of deformable bodies in space in their reference shape: bricks with eight nodes, tetrahedra with four and
 // ten, wedges with six.
-// ```
+//
 //        7 -------- 6          brick: natural coordinates from -1 to 1, node 0 at (-1, -1, -1), 6 at (1, 1, 1)
 //       /|         /|          tetrahedron: its volume is positive, i.e. node 3 lies to the left of the face 0, 1, 2
 //      4 -------- 5 |          seen from inside; with ten nodes, 4 to 9 lie on the edges 01, 12, 02, 03, 23, 13, as in
 //      | 3 -------|-2          Gmsh
 //      |/         |/           wedge: triangles 0, 1, 2 and 3, 4, 5 above it in the same order; two natural coordinates
 //      0 -------- 1            of the triangle, the third from -1 to 1
-// ```
+//
 // Strain is linear in the nodal deformation, in the element's co-rotating axes (element/corotation_3d.hpp): strain = B
 // d at each Gauss point. A brick has 2 x 2 x 2 points, a tetrahedron one (four nodes) or four (ten nodes), a wedge 3 x
 // 2.
@@ -91,9 +91,9 @@ struct ElementVolume {
 ElementVolume node_shares(ElementShape shape, std::span<const Vec3> nodes);
 
 /// The plane fitted to the node positions of an element's face. A nodal field becomes the linear field
-/// ```
+///
 ///     u(s) = sum of (mean_i + gradient_i . s) u_i,    s from the centroid, in the face's two axes at the start,
-/// ```
+///
 /// with the same integral and first moments over the face as the shape functions' field. So a linear pressure over the
 /// whole face gives the nodes the element's consistent forces. Reference shape.
 struct FaceFit {

@@ -18,13 +18,13 @@ struct Cut {
 
 /// Every piece with a reflex corner is cut there, starting with the whole outline. Then unnecessary cuts are removed
 /// (Hertel and Mehlhorn 1983).
-/// ```
+///
 ///       w----------+
 ///       | `.       |     v is reflex: the cut from v to w makes two pieces.
 ///       |   `v-----+
 ///       |    |
 ///       +----+
-/// ```
+///
 /// Good cuts leave v without a right turn on either side, and w too if w was reflex. Among equally good cuts the
 /// shortest one is used. Both pieces are then treated alike.
 class Partition {

@@ -1,10 +1,10 @@
 // A face of a mesh, widened over the coplanar surface next to it.
-// ```
+//
 //        _______ _____________
 //       |       |             .
 //       |  face |  next face  .
 //       |_______|_____________.
-// ```
+//
 // Each edge across which the surface continues in the face's plane (ConvexSolid::goes_on) is moved outward by that
 // length. Where two such edges meet, the corner region between them counts as part of the surface.
 #pragma once

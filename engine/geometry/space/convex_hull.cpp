@@ -26,12 +26,12 @@ struct HullTriangle {
 // The hull grows point by point: quickhull (Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Softw. 22, 1996). Each new
 // triangle tests all points, because these solids have some dozen. Starting with a tetrahedron, the point farthest
 // above any triangle is added:
-// ```
+//
 //            * p                 * p
 //           . .                 /|\        the triangles visible from p, one patch without holes, are removed;
 //        __.___.__           __/ | \__     each edge of their rim makes a triangle with p
 //       /  visible\         /         \    (seen from the side)
-// ```
+//
 // Points within `tolerance` of the hull count as inside and see no triangle, so rounding makes no slivers.
 class HullBuilder {
  public:

@@ -14,7 +14,7 @@ constexpr double most_crossing_work = 3e7;
 
 // An edge that begins above the plane of another face and ends below it passes through that face if the intersection x
 // lies inside its loop (nonzero winding number) or on it.
-// ```
+//
 //                 o from
 //          _______|_______
 //         /       |      /
@@ -22,7 +22,6 @@ constexpr double most_crossing_work = 3e7;
 //       /_________:____/
 //                 :
 //                 o to
-// ```
 class CrossingSearch {
  public:
   CrossingSearch(const Polyhedron& surface, double within) : surface_(surface), within_(within) {

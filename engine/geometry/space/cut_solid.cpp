@@ -12,13 +12,13 @@ namespace {
 
 // Corners are classified by their height over the plane: on it (0) within `same`, above (1) or below (-1). Each corner
 // is classified once, so that the two faces of an edge agree.
-// ```
+//
 //          +1 o-------o +1            o : removed
 //            /       /
 //       ----x-------x----  plane      x : new corner, the same for both faces of its edge
 //          /       /
 //      -1 *-------* -1                * : kept; a new face (the lid) closes the opening
-// ```
+//
 /// One cut of one solid.
 class SolidCut {
  public:

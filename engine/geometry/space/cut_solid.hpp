@@ -1,11 +1,11 @@
 // Cuts a convex solid by planes; the remainder is a closed solid with plane faces.
-// ```
+//
 //          _______
 //         /|     /|
 //        /_|_ _ /_|_ _ _  plane
 //       | /    | /
 //       |/_____|/
-// ```
+//
 // Corners below the plane keep their bits; corners within `same` of it count as on it. Where an edge passes through it
 // a new corner is made, once for both faces of the edge. A new face, the lid, closes the opening.
 #pragma once

@@ -4,13 +4,13 @@
 // have fixed slots: first the edges of a's face, then one for each line that cuts the polygon (an edge of b's face, or
 // the line where the overlap is 0). No slot depends on another one. So four pairs of faces whose edges cross in
 // different orders execute the same operations, and a lane has the same bits as a single pair.
-// ```
-//      q3 ______ p3=q2
-//        |      \
-//    ----x-------x----    line
-//        |________\
-//       p0        q0=p1
-// ```
+//
+//       q3 ______ p3=q2
+//         |      \
+//     ----x-------x----    line
+//         |________\
+//        p0        q0=p1
+//
 // Cut by a line: each edge that crosses it has one end moved to the crossing. An edge beyond the line is no longer
 // alive. A new edge runs along the line between the two crossings. Neighbours share their common corner to the bit, so
 // the remainder is closed. A polygon that rounding makes cross a line more than twice is marked `rough`; its results

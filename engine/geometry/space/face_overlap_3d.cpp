@@ -23,13 +23,13 @@ void add_corner(SharedPolygon& polygon, const Vec2& p, int edge) {
 }
 
 // Two facing convex faces are intersected in the plane midway between them.
-// ```
+//
 //         \  face b  /             corners of a projected to the mean plane,
 //      ----\--------/----  c < 0   then clipped by the edges of b (Sutherland and Hodgman 1974);
 //        ---\------/---            over the remainder the overlap c is linear
 //      ------\----/------  c > 0
 //           face a
-// ```
+//
 /// Keeps the part of `polygon` to the left of the line; `spare` is scratch.
 void clip_shared(SharedPolygon& polygon, const PlaneLine& line, SharedPolygon& spare) {
   std::array<double, most_shared> side;

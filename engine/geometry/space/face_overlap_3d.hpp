@@ -2,13 +2,13 @@
 //
 // n points from a to b: the mean of a's outward normal and the reversed normal of b. The mean plane is normal to n and
 // midway between both faces everywhere. Over it the overlap c is linear, negative where the faces are apart:
-// ```
+//
 //        b ______________________                    c(p) = overlap + slope . p,  p = (x, y) in the mean plane
 //                 ` - . _         ` - .
 //     ^ n   - - - - - - -`- . - - - - - -            mean plane
 //     |                 _ . - `              c > 0 to the right of the crossing
 //        a _____________________________
-// ```
+//
 // The shared polygon is the intersection of both faces' projections along n. Nothing here allocates.
 //
 // A law with stress Kn c over the part where c > 0 gives the force Kn `first` along n, acting at `first_moment` /

@@ -154,10 +154,10 @@ void cut_face(int first, int end, Buffer3& s) {
 
 // Sums over triangles (base, p, q) of all faces, seen from one point of the solid. With d = base . (p - base) x (q -
 // base):
-// ```
-//   V = sum d / 6        centroid = sum d (base + p + q) / (4 sum d)
-//   A = sum (p - base) x (q - base) / 2        moment = sum (base + p + q) x ((p - base) x (q - base)) / 6
-// ```
+//
+//     V = sum d / 6        centroid = sum d (base + p + q) / (4 sum d)
+//     A = sum (p - base) x (q - base) / 2        moment = sum (base + p + q) x ((p - base) x (q - base)) / 6
+//
 // Each is an exact surface integral (Gauss's theorem) and depends on the reference point by rounding alone. A point of
 // the solid is used because the overlap is small compared with its distance from the world's origin.
 /// Six times the volume, with the bits of sum_up.

@@ -1,5 +1,5 @@
 // The intersection of two convex solids: volume, centroid, and derivative of the volume with respect to motion.
-// ```
+//
 //            _________
 //           |   a     |
 //           |     ____|____
@@ -7,7 +7,7 @@
 //           |____|////|    |
 //                |    b    |
 //                |_________|
-// ```
+//
 // The surface of the shared solid consists of a's surface inside b and b's surface inside a. As b moves by t and
 // rotates by w about the centroid, the volume changes by -t . area_vector - w . area_moment. So an energy W that
 // depends on the volume V gives the force (dW/dV) area_vector on b. The two parts of the surface form a closed one, so

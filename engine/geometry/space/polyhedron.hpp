@@ -1,5 +1,5 @@
 // Solids bounded by plane polygons: data, measures and checks.
-// ```
+//
 //              7 ________ 6
 //              /|       /|
 //            4/_|_____5/ |
@@ -7,7 +7,7 @@
 //            | /      | /         z |  / y
 //            |/_______|/            | /
 //            0        1             |/___ x
-// ```
+//
 // Each face is a loop of corners, counter-clockwise seen from outside. So every edge belongs to two faces, which run
 // along it in opposite directions.
 #pragma once

@@ -20,12 +20,11 @@ namespace {
 // Moments of overlapping spheres, from horizontal sections. A section is a union of discs, whose moments follow from
 // its rim by Green's theorem. The sections are integrated by Gauss quadrature between the heights where a sphere, or
 // the intersection circle of two spheres, begins or ends; areas are smooth in between.
-// ```
+//
 //        __                    __
 //       /  \__     section    /  \_
 //      |   |  |    of two:   |  (  |   the rim is an arc of each disc
 //       \__/\_/               \__/
-// ```
 
 /// Gauss quadrature with 16 points: the positive points in -1 to 1, and their weights.
 constexpr std::array<double, 8> gauss_point{0.0950125098376374, 0.2816035507792589, 0.4580167776572274,

@@ -2,9 +2,9 @@
 //
 // The slider of a pendulum law is on a dish of radius R. A horizontal displacement u raises it by h(u) with the slope
 // h'(u):
-// ```
+//
 //     h(u) = R - sqrt(R^2 - u^2),      dh/du = u / sqrt(R^2 - u^2) = tan(angle of the dish)
-// ```
+//
 // So the axial law uses z - h(u) instead of its displacement z. Its force F acts along the normal of the dish: F
 // axially and -F dh/du horizontally, which is N tan(angle) under a compression N. Both derive from the one potential
 // V(z - h(u)) of the axial law, so the axial law accounts for the work of the dish, and the horizontal law is the

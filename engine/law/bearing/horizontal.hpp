@@ -1,10 +1,10 @@
 // Two directions of a bearing at once: input and output of a law of both.
 //
 // A law that slips or yields under the resultant of the two has, in addition to its `respond` for one direction:
-// ```
-//   struct Horizontal { double ...; };                      its memory: doubles only, any number of them
-//   respond_horizontal(const HorizontalMotion&, const Horizontal& before) -> HorizontalResponse<Horizontal>
-// ```
+//
+//     struct Horizontal { double ...; };                      its memory: doubles only, any number of them
+//     respond_horizontal(const HorizontalMotion&, const Horizontal& before) -> HorizontalResponse<Horizontal>
+//
 // It also has begin_horizontal_at(displacement) unless its memory starts at 0. Signs follow law/bearing/direction.hpp.
 #pragma once
 

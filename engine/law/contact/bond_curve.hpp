@@ -1,10 +1,10 @@
 // Traction of a bond at one point as a function of displacement, and the work of a step along it.
-// ```
-//   traction   top        . peak
-//                        / \
-//                       /   \___________
-//                      /    last
-// ```
+//
+//     traction   top        . peak
+//                          / \
+//                         /   \___________
+//                        /    last
+//
 // The first line has the slope of the remaining stiffness. The second falls to the traction carried by friction. A
 // brittle bond drops to it at the peak.
 //

@@ -2,12 +2,12 @@
 //
 // A law's kernel holds its equations and its parameters prepared for one step, i.e. multiplied by the model's
 // thickness. The driver in contact/plane/face_pair.hpp calls it for each half of two faces, in this order:
-// ```
-//   begin   effect of the new gaps on bond and mortar      -> dissipated energy
-//   press   gaps and rates                                 -> normal stress, its damping part, length that carries
-//   slide   slip and normal force                          -> shear                -> dissipated energy
-//   end     remaining bond and mortar                      -> memory               -> dissipated energy
-// ```
+//
+//     begin   effect of the new gaps on bond and mortar      -> dissipated energy
+//     press   gaps and rates                                 -> normal stress, its damping part, length that carries
+//     slide   slip and normal force                          -> shear                -> dissipated energy
+//     end     remaining bond and mortar                      -> memory               -> dissipated energy
+//
 // General polygons in the plane call `stretch`, `over` and `slide`. Flat faces, polyhedra and spheres in space call
 // `effective` and `friction`. Readings call `gaps`, `hold`, `stored`, `pressure`, `tangent` and the queries below.
 //

@@ -3,12 +3,12 @@
 // Notation, also in the laws: s is the coordinate along the half, from 0 to 1. The gap g is negative where the faces
 // overlap, and c = -g is the overlap. The gap rate is r, and q = c - beta r is the overlap with damping. Both g and r
 // are linear over a half, so they are given by their values at its ends 0 and 1.
-// ```
+//
 //          B  ______g0 .                        g(s) = g0 + (g1 - g0) s
 //                       ` - . _                 closed where g < 0, from `from` to `to`
 //      0 ----------------------` - ._______ 1   p = stress over the stiffness; sum and moment are its
 //          A                           g1       integrals with 1 and with s
-// ```
+//
 // A rate is the present one, used for damping. A mean rate times the step is the change over the step, used for slip
 // and losses. In a leapfrog step, whose velocities are half a step old, both are equal.
 //

@@ -1,19 +1,19 @@
 // Geometries in which the equations of a contact law act.
-// ```
-// | geometry                      | members of the kernel in use        | caller                       |
-// |-------------------------------|-------------------------------------|------------------------------|
-// | faces in the plane            | begin, press, slide, end            | contact/plane/face_pair.hpp        |
-// | polygons of any shape         | stretch, over, slide                | contact/plane/overlap_pair.hpp     |
-// | flat faces, polyhedra, spheres| effective, friction                 | contact/space/solid_contact.hpp    |
-// ```
+//
+//     | geometry                      | members of the kernel in use        | caller                       |
+//     |-------------------------------|-------------------------------------|------------------------------|
+//     | faces in the plane            | begin, press, slide, end            | contact/plane/face_pair.hpp        |
+//     | polygons of any shape         | stretch, over, slide                | contact/plane/overlap_pair.hpp     |
+//     | flat faces, polyhedra, spheres| effective, friction                 | contact/space/solid_contact.hpp    |
+//
 // PointLaw derives all other members from `effective` and `friction`, so a law with these acts everywhere. A kernel
 // that overrides other members acts only where they are called; models that could use it elsewhere are rejected. A
 // kernel may still declare that it is complete. It names itself as the type, so that derived kernels do not inherit the
 // declaration:
-// ```
-//   using FrictionRemains = Kernel   outside of face contact, pressure and Coulomb friction are complete
-//   using JointForm = Kernel         contact/joint/joint.hpp has its equations for faces in space
-// ```
+//
+//     using FrictionRemains = Kernel   outside of face contact, pressure and Coulomb friction are complete
+//     using JointForm = Kernel         contact/joint/joint.hpp has its equations for faces in space
+//
 // All checks run at compile time.
 #pragma once
 

@@ -1,8 +1,8 @@
 // A contact law defined by its equations at one point, which every geometry integrates.
-// ```
+//
 //     sigma = kn (e(delta) + beta d(delta)/dt), never below 0        e = effective(delta) [m], delta the overlap
 //     |tau| <= mu(sigma, v) sigma                                    mu = friction(sigma, v), v the slip speed
-// ```
+//
 // A kernel K that derives from PointLaw<K> defines `effective` or `friction` for scalars. PointLaw makes from them the
 // members used by faces and polygons in the plane (law/contact/coulomb.hpp). The pressure is integrated by Gauss
 // quadrature; friction acts on the resultant of a half or of a contact. Flat faces, polyhedra and spheres in space call

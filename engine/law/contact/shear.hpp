@@ -1,9 +1,9 @@
 // Shear of one half of two faces: a Kelvin-Voigt spring in series with a slider.
-// ```
+//
 //      body A ---/\/\/\/---+---[ slider: |shear| <= limit ]--- body B
 //             ---[|-------+
 //               beta ks         slip = stretch of the spring + sliding
-// ```
+//
 // Input: the slip of the step, the force in memory, and the lengths that carry it before and now. Output: the present
 // force, of which the spring keeps a part, and the energy dissipated by damping and sliding. Both energies use the mean
 // of their force before and after the step, which is the work of a leapfrog step. Written for T = double or Lanes.

@@ -2,9 +2,9 @@
 //
 // Compression follows the law's envelope. Unloading and reloading follow one line from the envelope at the greatest
 // compression e_c to the plastic strain e_p, where it closes and opens. With r = e_c / e_0:
-// ```
-//   e_p / e_0 = 0.145 r^2 + 0.13 r up to r = 2,  beyond 0.84 + 0.707 (r - 2),  at most (e_c - s_c / E) / e_0
-// ```
+//
+//     e_p / e_0 = 0.145 r^2 + 0.13 r up to r = 2,  beyond 0.84 + 0.707 (r - 2),  at most (e_c - s_c / E) / e_0
+//
 // Source: Karsan and Jirsa, "Behavior of concrete under compressive loadings", J. Struct. Div. ASCE 95(12), 1969 (with
 // 0.834, which would jump at r = 2). From e_p on it carries tension with the modulus E_u of that line, up to the strain
 // tension/E. So concrete that was crushed has also lost tensile strength. The crack then opens along a line down to 0

@@ -2,10 +2,10 @@
 //
 // From each reversal (e_r, s_r) the curve leaves with the slope E and approaches the hardening line. The tangent at the
 // reversal meets that line at (e_0, s_0). The curve is:
-// ```
-//   s* = b e* + (1 - b) e* / (1 + |e*|^R)^(1/R),   e* = (e - e_r) / (e_0 - e_r),  s* = (s - s_r) / (s_0 - s_r)
-//   R = R0 (1 - cR1 x / (cR2 + x)),   x = |e_m - e_0| / e_y
-// ```
+//
+//     s* = b e* + (1 - b) e* / (1 + |e*|^R)^(1/R),   e* = (e - e_r) / (e_0 - e_r),  s* = (s - s_r) / (s_0 - s_r)
+//     R = R0 (1 - cR1 x / (cR2 + x)),   x = |e_m - e_0| / e_y
+//
 // Here e_m is the largest strain so far, at least e_y, on the side of loading. Menegotto and Pinto, IABSE Symposium
 // Lisbon, 1973; Filippou, Popov and Bertero, "Effects of bond deterioration on hysteretic behavior of reinforced
 // concrete joints", EERC 83-19, 1983, where a1 = R0 cR1 and a2 = cR2. Isotropic hardening is also theirs: the hardening
