@@ -16,7 +16,7 @@ constexpr double extents_around = 10, least_margin = 100;  // [1], [m]
 
 }  // namespace
 
-/// The box of all skin at the start, and around it ten times its larger side, at least 100 m.
+/// The box of all skin at the start, extended by ten times its larger side, at least 100 m.
 template <int D>
 Bounds<D> default_bounds(const Model<D>& model) {
   Bounds<D> box{Vec<D>::Constant(unbounded), Vec<D>::Constant(-unbounded)};
@@ -25,7 +25,7 @@ Bounds<D> default_bounds(const Model<D>& model) {
     const Vec<D> x = skin_start(model, static_cast<int>(i));
     box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
   }
-  for (const ConvexSolid& piece : model.piece_solid)  // spheres reach beyond their one point
+  for (const ConvexSolid& piece : model.piece_solid)  // spheres extend beyond their one point
     if (piece.is_sphere()) most = std::max(most, piece.radius);
   box.low.array() -= most, box.high.array() += most;
   if (model.skin_place.empty()) return {};
@@ -37,7 +37,7 @@ template <int D>
 void set_bounds(Model<D>& model, const Bounds<D>& chosen) {
   Bounds<D> out = default_bounds(model);
   for (int k = 0; k < D; ++k) {
-    // Sides that are not given are the preset ones.
+    // Sides that are not given use the defaults.
     if (std::isfinite(chosen.low[k])) out.low[k] = chosen.low[k];
     if (std::isfinite(chosen.high[k])) out.high[k] = chosen.high[k];
     if (!(out.low[k] < out.high[k]))

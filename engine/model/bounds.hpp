@@ -1,4 +1,4 @@
-// Where bodies are followed unless the script says otherwise.
+// Default bounds of the region in which bodies are simulated.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// What the two sides along each axis are called: in space x runs to the right, y to the back and z up.
+/// Names of the two sides along each axis: in space x points right, y back and z up.
 template <int D>
 inline constexpr auto bound_names = [] {
   using Names = std::pair<std::string_view, std::string_view>;
@@ -19,13 +19,13 @@ inline constexpr auto bound_names = [] {
     return std::array{Names{"left", "right"}, Names{"front", "back"}, Names{"bottom", "top"}};
 }();
 
-/// Ten times the extent of all bodies at the start around them on every side, and at least 100 m: what falls past its
-/// ground, and what is thrown, comes to lie wherever there is anything to lie on, and nothing falls for ever.
+/// Extends the box of all bodies at the start by ten times its largest side, and at least 100 m, on every side. Bodies
+/// that fall past their ground, or are thrown, can land wherever there is ground, and none falls forever.
 template <int D>
 Bounds<D> default_bounds(const Model<D>& model);
 
-/// Gives the model these bounds; sides that are infinite become those of default_bounds. Throws InputError where one
-/// side is not beyond its opposite.
+/// Sets the model's bounds; infinite sides become the default ones. Throws InputError where a side is not beyond its
+/// opposite.
 template <int D>
 void set_bounds(Model<D>& model, const Bounds<D>& chosen);
 

@@ -11,10 +11,9 @@
 namespace trilith {
 namespace {
 
-/// Natural coordinates beyond this lie outside of an element, be it by rounding or not.
+/// Larger natural coordinates are outside of an element, beyond rounding.
 constexpr double on_face = 1e-9;
-/// A place may lie outside of the element it belongs to by this, in natural coordinates: elements of round bodies are
-/// not.
+/// Largest distance of a point from its element in natural coordinates: elements of round bodies do not fill them.
 constexpr double beside = 0.05;
 
 std::vector<Vec3> start_of(const Model<3>& model, const SpaceElement& element) {
@@ -24,7 +23,7 @@ std::vector<Vec3> start_of(const Model<3>& model, const SpaceElement& element) {
   return nodes;
 }
 
-/// Whether a place may lie in an element with these nodes, whose edges may bulge by as much as it is long.
+/// Whether a point may be inside an element with these nodes; edges may bulge by the element's length.
 bool may_hold(const std::vector<Vec3>& nodes, const Vec3& at) {
   Vec3 low = nodes[0], high = nodes[0];
   for (const Vec3& x : nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -38,7 +37,7 @@ struct Found {
   double outside = unbounded;
 };
 
-/// The element that holds the place, or of those that are looked at the one that it is least outside of.
+/// The element that contains the point, or the nearest of the tested ones.
 Found find_element(const Model<3>& model, int body, const Vec3& at, bool near_alone) {
   Found best;
   for (std::size_t e = 0; e < model.space_elements.size() && best.outside > on_face; ++e) {

@@ -1,4 +1,4 @@
-// Where a point of a body of elements in space is now, and which nodes it belongs to.
+// Present position of a material point of a body of elements, and the nodes that define it.
 #pragma once
 
 #include <array>
@@ -9,20 +9,20 @@
 
 namespace trilith {
 
-/// The element that a place lay in at the start, or else the one that it lay nearest to.
+/// The element that contained a point at the start, or else the nearest one.
 struct ElementShares {
   int element = -1;
-  std::array<double, max_space_nodes> share{};  ///< values of the shape functions of its nodes there, which sum to 1
-  double outside = 0;  ///< how far the place lies outside of it, in natural coordinates; 0: it does not [1]
+  std::array<double, max_space_nodes> share{};  ///< shape functions of its nodes at the point; the sum is 1
+  double outside = 0;                           ///< distance of the point from it in natural coordinates; 0: inside [1]
 };
 
-/// `at`: a place at the start [m], of a body of elements.
+/// `at`: position at the start [m], in a body of elements.
 ElementShares element_shares(const Model<3>& model, int body, const Vec3& at);
-/// The same of a place that lies in the body; throws InputError, begun with `owner`, where it does not.
+/// For a point inside the body; throws InputError, which begins with `owner`, where it is not.
 ElementShares element_shares(const Model<3>& model, int body, const Vec3& at, const std::string& owner);
 
-/// Of what was at `at` [m] at the start: by the shape functions of the element that it lay in, or else of the one that
-/// it lay nearest to, which go on beyond it. The body is one of elements.
+/// Present position of the point at `at` [m] at the start: by the shape functions of the element that contained it, or
+/// else extrapolated from the nearest one. The body consists of elements.
 Vec3 element_place(const Model<3>& model, const State<3>& state, int body, const Vec3& at);
 
 }  // namespace trilith

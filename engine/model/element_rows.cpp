@@ -13,7 +13,7 @@ std::vector<Vec2> corners_at_start(const Model<2>& model, const Element& element
   return corners;
 }
 
-/// Nodes from their mean, then mean gradients, eight numbers each; a triangle's last two are 0.
+/// Nodes relative to their mean, then mean gradients, eight numbers each; a triangle's last two are 0.
 void append_shape(std::span<const Vec2> corners, std::vector<double>& numbers) {
   Vec2 mean = Vec2::Zero();
   for (const Vec2& x : corners) mean += x;
@@ -33,7 +33,7 @@ void append_points(const ElementStrain& strain, double thickness, std::vector<do
   }
 }
 
-/// Elements of one kind and solid that follow each other are worked on in one loop.
+/// Consecutive elements of one kind and solid are processed in one loop.
 void add_to_batch(Model<2>& model, const Element& element) {
   if (!model.element_batches.empty()) {
     ElementBatch& last = model.element_batches.back();
@@ -55,7 +55,7 @@ void append_element(Model<2>& model, Element element, double density) {
   const std::vector<Vec2> corners = corners_at_start(model, element);
   const Solid& solid = model.solids[element.solid];
   const ElementStrain strain = element_strain(corners, solid);
-  // Of an inelastic solid too: damping and the longest step go by it.
+  // Also for inelastic solids: damping and the stability limit use it.
   const ElementMatrix stiffness = element.thickness * element_stiffness(strain, solid.elastic());
   ElementNumbers numbers{{}, 2 * max_element_nodes, rounding_of(std::span<const Vec2>(corners))};
   append_shape(corners, numbers.all);
@@ -73,7 +73,8 @@ void append_element(Model<2>& model, Element element, double density) {
     mass[i] *= density * element.thickness;
     model.mass[element.node[i]] += mass[i];
   }
-  // The largest of any element alone bounds that of all; the damping of a solid is its stiffness times a time.
+  // The largest frequency of any single element bounds the frequencies of all. The damping of a solid is its stiffness
+  // times a time.
   RateBound& bound = model.element_bound[element.body];
   const double most =
       largest_frequency2(stiffness, std::span<const double>(mass).first(static_cast<std::size_t>(element.nodes)));

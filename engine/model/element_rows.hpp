@@ -1,10 +1,13 @@
-// The numbers that an element has in Model::element_number, one after the other:
-//   shape      8: nodes of the reference shape from their mean, x0, y0, x1, ... [m]
-//   gradient   8: mean gradients of the shape functions, x0, y0, x1, ... [1/m]
-//   stiffness  8 x 8, column by column, times the thickness [N/m]
-// and where the solid is inelastic, for each of its points:
-//   strain     8 x 3: column i has what (xx, yy, xy) follow from deformation i [1/m]
-//   volume     1: area times thickness [m3]
+// The numbers of an element in Model::element_number, in order:
+//
+//     shape      8: nodes of the reference shape relative to their mean, x0, y0, x1, ... [m]
+//     gradient   8: mean gradients of the shape functions, x0, y0, x1, ... [1/m]
+//     stiffness  8 x 8, by columns, times the thickness [N/m]
+//
+// If the solid is inelastic, for each of its integration points also:
+//
+//     strain     8 x 3: column i has (xx, yy, xy) per unit of deformation i [1/m]
+//     volume     1: area times thickness [m3]
 #pragma once
 
 #include "element/solid/plane_element.hpp"
@@ -17,8 +20,8 @@ inline constexpr int element_shape_numbers = 16, element_stiffness_numbers = 64,
 /// Strain field of an element's reference shape.
 ElementStrain element_strain(std::span<const Vec2> corners, const Solid& solid);
 
-/// Adds an element to the model: its numbers, its mass to that of its nodes, its bound to that of its body, and its
-/// batch. `mass` is all its mass [kg].
+/// Appends an element to the model: its numbers, the mass of its nodes, the rate bound of its body, and its batch.
+/// `mass` is its total mass [kg].
 void append_element(Model<2>& model, Element element, double density);
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// The energy ledger: every term, and what is left over.
+// The energy ledger: its terms and its residual.
 #pragma once
 
 #include <array>
@@ -7,40 +7,40 @@
 
 namespace trilith {
 
-/// Terms of the ledger [J]. Elastic and kinetic terms are found from the state; the others are summed step by step,
-/// each from its own law, so that the residual is a check and not an identity.
+/// Terms of the ledger [J]. Elastic and kinetic terms are computed from the state. The others are summed step by step,
+/// each from its own law, so the residual is a check and not an identity.
 enum class EnergyTerm : int {
   kinetic,
-  gravity,  ///< work against the weight
+  gravity,  ///< work against gravity
   contact_elastic,
   bearing_elastic,
   strain,  ///< elastic energy of deformable bodies
   contact_damping,
   contact_friction,
-  contact_fracture,  ///< elastic energy of a bond at its loss, less that at its setting; crushing of mortar
+  contact_fracture,  ///< elastic energy of a bond at its loss, minus the energy at its setting; crushing of mortar
   bearing_damping,
-  bearing_inner,    ///< plastic and frictional
+  bearing_inner,    ///< plastic and frictional dissipation
   bearing_failure,  ///< elastic energy of a bearing at its failure
   plastic,          ///< plastic work in deformable bodies
-  element_damping,  ///< of the strain rate in deformable bodies
+  element_damping,  ///< strain rate damping in deformable bodies
   mass_damping,
-  rest_damping,  ///< the damping of consolidation
-  support,       ///< put in by moving supports
-  load,          ///< put in by steady forces
-  left_bounds,   ///< what bodies held when they left the bounds
-  numerical,     ///< taken by the dissipation of an implicit scheme
-  added,         ///< put in with bodies and bearings that came later, and by changed laws
-  removed,       ///< what bodies and bearings held when they were taken away
+  rest_damping,  ///< damping of consolidation
+  support,       ///< work of moving supports
+  load,          ///< work of steady forces
+  left_bounds,   ///< energy of bodies that left the bounds
+  numerical,     ///< numerical dissipation of an implicit scheme
+  added,         ///< energy of bodies and bearings added later, and of changed laws
+  removed,       ///< energy of removed bodies and bearings
 };
 inline constexpr int energy_terms = 21;
-/// The first so many are in every digest of a run. Those after them are of models that change, and are in it where they
-/// are not 0, so that all other runs keep the hash they have.
+/// Number of terms in every digest of a run. Later terms belong to models that change, and are included where they are
+/// not 0, so the hashes of all other runs do not change.
 inline constexpr std::size_t plain_energy_terms = 19;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
-  int sign;                 ///< +1: has taken energy up, -1: has put it in
-  bool dissipated = false;  ///< does not come back: friction, damping, fracture, yielding
+  int sign;                 ///< +1: has received energy, -1: has supplied it
+  bool dissipated = false;  ///< irreversible: friction, damping, fracture, yielding
 };
 
 inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
@@ -73,7 +73,7 @@ struct Energy {
   std::array<double, energy_terms> value{};
   [[nodiscard]] double& operator[](EnergyTerm t) { return value[static_cast<std::size_t>(t)]; }
   [[nodiscard]] double operator[](EnergyTerm t) const { return value[static_cast<std::size_t>(t)]; }
-  /// Sum of what was taken up less what was put in: 0 but for the errors of the scheme.
+  /// Sum of received energy minus supplied energy: 0 up to integration errors.
   [[nodiscard]] double balance() const {
     double sum = 0;
     for (int i = 0; i < energy_terms; ++i) sum += energy_term_info[i].sign * value[i];
@@ -81,7 +81,7 @@ struct Energy {
   }
 };
 
-/// Work done on one node, or on several together, along a path [J].
+/// Work on one node, or on several, along a path [J].
 struct NodeWork {
   double weight = 0, load = 0, support = 0, element_damping = 0, rest = 0, mass = 0;
 

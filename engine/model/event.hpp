@@ -1,4 +1,4 @@
-// What happens in a run: typed, in a fixed order, each with its cause.
+// Events of a run: typed, in a fixed order, each with its cause.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ enum class EventType : int {
 };
 inline constexpr int event_types = 26;
 
-/// How a mortar joint fails; results hold the number.
+/// Failure mode of a mortar joint; results store the number.
 enum class JointMode : std::uint8_t { tension, shear, compression };
 /// "tension", ...
 constexpr std::string_view name_of(JointMode mode) {
@@ -48,19 +48,19 @@ constexpr std::string_view name_of(JointMode mode) {
   return names[static_cast<std::size_t>(mode)];
 }
 
-/// What holds for events of a type; several are joined by |.
+/// Properties of an event type, combined by |.
 enum EventTrait : unsigned {
-  has_place = 1,   ///< Event::x and y say where
-  of_joint = 2,    ///< of a mortar joint: Event::mode says how it fails
-  can_cause = 4,   ///< others may follow from it
-  is_minor = 8,    ///< left out where what is of note alone is told
-  spoils_run = 16  ///< the run is not to be trusted, or not all of it; see model/verdict.hpp
+  has_place = 1,   ///< Event::x and y are its position
+  of_joint = 2,    ///< of a mortar joint: Event::mode is its failure mode
+  can_cause = 4,   ///< other events may follow from it
+  is_minor = 8,    ///< omitted where only notable events are printed
+  spoils_run = 16  ///< the run is not, or not entirely, reliable; see model/verdict.hpp
 };
 
 struct EventTypeInfo {
   std::string_view name;        ///< as in scripts and results
-  std::string_view heading;     ///< in a few words
-  std::string_view value_name;  ///< what Event::value is
+  std::string_view heading;     ///< a short description
+  std::string_view value_name;  ///< meaning of Event::value
   std::string_view value_unit;
   unsigned traits;
 };
@@ -104,15 +104,15 @@ constexpr bool has_trait(EventType type, EventTrait trait) {
 
 struct Event {
   EventType type{};
-  std::int64_t id = -1;     ///< rising from 0 within a run
-  std::int64_t cause = -1;  ///< id of the event that led to this one, or -1
+  std::int64_t id = -1;     ///< increasing from 0 within a run
+  std::int64_t cause = -1;  ///< id of the event that caused this one, or -1
   double time = 0;          ///< [s]
   std::int64_t step = 0;
   int body_a = -1, body_b = -1, bearing = -1;
   double value = 0;            ///< see EventTypeInfo
-  double x = 0, y = 0, z = 0;  ///< where [m]; z is up in space, and 0 in the plane
-  JointMode mode{};            ///< of a joint
-  std::string text;  ///< the rest in words: which element or member of its body, why a stage diverged or did not settle
+  double x = 0, y = 0, z = 0;  ///< position [m]; z is up in space, and 0 in the plane
+  JointMode mode{};            ///< for a joint
+  std::string text;  ///< further text: element or member of its body, or why a stage diverged or did not settle
 
   void set_place(const Vec2& at) { x = at.x(), y = at.y(); }
   void set_place(const Vec3& at) { x = at.x(), y = at.y(), z = at.z(); }

@@ -10,7 +10,7 @@
 namespace trilith {
 namespace {
 
-/// A displacement, without its sign, in the unit one reads it in.
+/// Magnitude of a displacement in a readable unit.
 std::string size_text(double metres) {
   const double size = std::abs(metres);
   return size < 0.1 ? fmt::format("{:.3g} mm", 1e3 * size) : fmt::format("{:.3g} m", size);
@@ -25,13 +25,13 @@ std::string body_name(const Model<D>& model, int body) {
   return body >= 0 ? model.bodies[body].name : "?";
 }
 
-/// Ground, fixed or moved: it is hit, it does not hit.
+/// Ground, fixed or driven: other bodies hit it, it hits none.
 template <int D>
 bool stands(const Model<D>& model, int body) {
   return body >= 0 && !model.body_moves(body);
 }
 
-/// " in shear at 12 kN", or by another figure where the event has one; none where the net force is none.
+/// " in shear at 12 kN", or with another figure where the event has one; without a figure if the net force is 0.
 std::string joint_text(const Event& e) {
   const std::string in = fmt::format(" in {}", name_of(e.mode));
   if (!e.text.empty()) return fmt::format("{} at {}", in, e.text);
@@ -55,7 +55,7 @@ std::string changed_text(const Event& e, const Model<D>& model) {
                      body_name(model, b.body_b), how);
 }
 
-/// The squeezing of an element that has no area left is 1.
+/// The compression of an element with zero area is 1.
 std::string strain_text(double strain) {
   if (strain <= -1) return "turned inside out";
   return fmt::format("was {} by {:.3g} %", strain < 0 ? "squeezed" : "stretched", 100 * std::abs(strain));

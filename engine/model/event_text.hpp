@@ -1,4 +1,4 @@
-// Events in plain words, for the terminal, the results file and pictures alike.
+// Events as text, for the terminal, the results file and plots.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ namespace trilith {
 template <int D>
 std::string event_text(const Event& event, const Model<D>& model);
 
-/// The type that scripts and results call `name`; nothing where there is none.
+/// The event type with this name in scripts and results; empty if there is none.
 std::optional<EventType> event_type_called(std::string_view name);
 
-/// Impacts slower than this are left out as well where there is a choice [m/s].
+/// Slower impacts are omitted too where minor events are [m/s].
 inline constexpr double slow_impact = 2;
 
 }  // namespace trilith

@@ -8,20 +8,21 @@
 namespace trilith {
 namespace {
 
-/// Counter-clockwise turn from one direction to another [rad].
+/// Counter-clockwise angle from one direction to another [rad].
 double turn_between(const Vec2& in, const Vec2& out) {
   return portable::atan2(cross(in, out), in.dot(out));
 }
 
-/// cot(turn) from 45 degrees down, 1 above: how far along a face a depth reaches beside a shallow corner.
+/// cot(turn) below 45 degrees, 1 above: length along a face per unit of depth at a shallow corner.
 double flatness_of(double turn) {
   return turn > 0.25 * M_PI ? 1.0 : 1.0 / portable::tan(std::max(turn, kStraightAngle));
 }
 
 }  // namespace
 
-/// Corners between two edges in line, both of the skin or both inner, are dropped, so that a face that the division cut
-/// is one again; then each edge gets the flatter of its two corners, where its neighbour there is a face.
+/// Drops corners between two collinear edges that are both skin or both inner, so that a face divided by the
+/// decomposition is one again. Then each edge gets the flatter one of its two corners, where its neighbour there is a
+/// face.
 PieceEdges piece_edges(const Polygon& outline, const ConvexPiece& piece) {
   const std::size_t count = piece.corners.size();
   const auto point = [&](std::size_t c) -> const Vec2& { return outline[piece.corners[c % count]]; };

@@ -22,7 +22,7 @@ void check_finite(const Vec2& v, const std::string& what) {
   require_finite(v.y(), what + " along y");
 }
 
-/// On a body that deforms, by mass, as weight is.
+/// On a deformable body by mass, like weight.
 std::vector<PointLoad<2>> spread_load(const Model<2>& model, int body, const PointLoad<2>& whole) {
   const Body& b = model.bodies[body];
   const double mass = body_mass(model, body);
@@ -37,7 +37,7 @@ std::vector<PointLoad<2>> spread_load(const Model<2>& model, int body, const Poi
 
 }  // namespace
 
-/// At a point: one load, tied there. On the whole of a body that deforms: shares at all its nodes.
+/// At a point: one load attached there. On a whole deformable body: shares at all its nodes.
 std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const PointLoadSpec& spec) {
   const std::string owner = owner_of("load", spec.name, model, body);
   check_finite(spec.force, owner + ": force");
@@ -72,8 +72,8 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
     throw InputError(
         fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
-  // A body that deforms may be of another depth.
-  double depth = model.thickness;  // as contacts have it
+  // A deformable body may have a different depth.
+  double depth = model.thickness;  // the depth of contacts
   for (const Element& e : model.elements)
     if (e.body == body) depth = e.thickness;
   std::vector<FaceLoad<2>> loads;
@@ -81,20 +81,21 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
     FaceLoad<2> load;
     load.name = spec.name, load.body = body, load.curve = spec.curve;
     load.skin_a = face.skin_a, load.skin_b = face.skin_b;
-    // Over the part from s = from to s = to of a face, shape functions 1 - s and s: integral of s is (to^2 - from^2)/2.
+    // Over the part of a face from s = from to s = to, with shape functions 1 - s and s: the integral of s is (to^2 -
+    // from^2)/2.
     load.share[1] = 0.5 * (face.to * face.to - face.from * face.from);
     load.share[0] = face.to - face.from - load.share[1];
     load.pressure = spec.value, load.depth = depth, load.follows = spec.follows;
     const Vec2 along = skin_start(model, face.skin_b) - skin_start(model, face.skin_a);
     const Vec2 way = spec.direction ? Vec2(along.norm() * spec.direction->normalized()) : left_of(along);
-    // Pressure that does not follow acts for ever as it does at the start.
+    // Pressure that does not follow keeps its initial force.
     if (!spec.follows) load.dead = spec.value * depth * way;
     loads.push_back(std::move(load));
   }
   return loads;
 }
 
-/// Loads without a name are those that stand for something released.
+/// Loads without a name replace a released support.
 template <int D>
 void drop_faded(Model<D>& model, double now) {
   std::erase_if(model.point_loads, [now](const PointLoad<D>& l) { return l.name.empty() && l.curve.spent(now); });
@@ -112,7 +113,7 @@ int change_loads(Model<D>& model, const std::string& name, double now, double sh
   const auto change = [&](auto& loads) {
     for (auto& load : loads) {
       if (load.name != name) continue;
-      // From what acts now, smoothly.
+      // Starts smoothly from the present share.
       load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
       ++count;
     }

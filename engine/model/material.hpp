@@ -1,4 +1,4 @@
-// What bodies are made of, by name.
+// Materials of bodies, by name.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace trilith {
 struct Material {
   std::string name;
   double density = 0;                              ///< [kg/m3], above 0
-  std::optional<Solid> solid = std::nullopt;       ///< what deformable bodies need
-  std::optional<BandDamping> band = std::nullopt;  ///< of members of frames
+  std::optional<Solid> solid = std::nullopt;       ///< required by deformable bodies
+  std::optional<BandDamping> band = std::nullopt;  ///< for members of frames
 };
 
-/// Throws InputError for a name that `others` have, and a density that is not above 0; adds to `notes` what is unusual.
+/// Throws InputError for a name used in `others`, and a density that is not above 0; adds unusual values to `notes`.
 void check_material(const Material& material, const std::vector<Material>& others, std::vector<std::string>& notes);
-/// Throws InputError, begun with `owner`, where `materials` has none called `name`.
+/// Throws InputError, which begins with `owner`, where `materials` has none named `name`.
 void require_material(const std::vector<Material>& materials, const std::string& name, const std::string& owner);
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// Names of what a model is made of: each has one of its own.
+// Names in a model: each object has a unique one.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,14 +12,14 @@
 
 namespace trilith {
 
-/// Throws InputError where there is no name, or one of more than `longest_name` bytes: each row of a results table is
-/// as wide as the longest name in it.
+/// Throws InputError for an empty name, or one with more than `longest_name` bytes: each row of a results table is as
+/// wide as its longest name.
 inline void require_name(const std::string& name, std::string_view kind) {
   if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
   require_printable(name, kind, longest_name);
 }
 
-/// Throws InputError where a row is called so already; name_of(row) is its name.
+/// Throws InputError where a row already has this name; name_of(row) is its name.
 template <class Rows, class Name>
 void require_new(const Rows& rows, const std::string& name, std::string_view kind, Name&& name_of) {
   for (const auto& row : rows)
@@ -27,8 +27,8 @@ void require_new(const Rows& rows, const std::string& name, std::string_view kin
       throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
 }
 
-/// The same for very many rows that are added one by one: names of rows are looked up, not compared with each. Rows may
-/// be taken off the end in between.
+/// For very many rows that are added one by one: names are looked up, not compared with each row. Rows may be removed
+/// from the end in between.
 class RowNames {
  public:
   template <class Rows>

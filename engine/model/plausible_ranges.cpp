@@ -54,7 +54,7 @@ const PlausibleRange* usual_range(std::string_view name, std::string_view unit) 
   return it == usual_ranges.end() ? nullptr : &*it;
 }
 
-/// 0 is usual everywhere: it says that there is none.
+/// 0 is always plausible: it means that there is none.
 std::string plausibility_note(std::string_view name, std::string_view unit, double value) {
   const PlausibleRange* r = usual_range(name, unit);
   if (r == nullptr || (value >= r->least && value <= r->most) || value == unbounded || value == 0) return "";

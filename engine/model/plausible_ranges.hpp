@@ -1,4 +1,4 @@
-// Ranges in which inputs usually are: beyond them a number is allowed, and a note asks whether it is meant.
+// Plausible ranges of inputs: a number beyond them is allowed, with a note that asks whether it is intended.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace trilith {
 
-/// What is usual for a number of that name and unit, wherever it is given.
+/// Plausible range of a number with this name and unit, wherever it is given.
 struct PlausibleRange {
   std::string_view name, unit;
   double least, most;
-  std::string_view question;  ///< what was likely meant instead
+  std::string_view question;  ///< the value that was probably meant
 };
 
-/// nullptr where all that is allowed is usual.
+/// nullptr where all allowed values are plausible.
 const PlausibleRange* usual_range(std::string_view name, std::string_view unit);
 
-/// "mu = 35 is more than the usual 2: ...?"; "" where the number is usual.
+/// "mu = 35 is more than the usual 2: ...?"; "" where the number is plausible.
 std::string plausibility_note(std::string_view name, std::string_view unit, double value);
 
 /// "usually at most 2", for reference pages; "" where there is no such range.
@@ -29,11 +29,11 @@ std::string plausible_range_text(std::string_view name, std::string_view unit);
 void add_plausibility_note(std::vector<std::string>& list, const std::string& owner, std::string_view name,
                            std::string_view unit, double value);
 
-/// The same of one of many that may be alike, as bodies of a wall: told of the first alone.
+/// For one of many similar objects, such as the bodies of a wall: adds the note for the first one only.
 void add_plausibility_note_once(std::vector<std::string>& list, const std::string& owner, std::string_view name,
                                 std::string_view unit, double value);
 
-/// The same for all numbers of a law.
+/// For all numbers of a law.
 template <Declared T>
 void add_plausibility_notes(std::vector<std::string>& list, const std::string& owner, const T& value) {
   for (const Parameter<T>& p : T::parameters()) add_plausibility_note(list, owner, p.name, p.unit, value.*(p.member));

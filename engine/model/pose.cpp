@@ -17,15 +17,15 @@
 namespace trilith {
 namespace {
 
-/// Nodes of a body or an element, with weights that sum to 1.
+/// Nodes of a body or an element, with weights whose sum is 1.
 struct Cloud {
   std::span<const int> node;
   std::span<const double> weight;
 };
 
-/// The turn that takes `from` nearest to `to`, both from their weighed means; its rate for the velocities of `to`.
-/// Largest sum of w to . R from: tan(angle) = sum w (from x to) / sum w (from . to), r = `size` the root of both
-/// squared.
+/// Least-squares rotation of `from` to `to`, both relative to their weighted means, and its rate for the velocities of
+/// `to`. It maximises the sum of w to . R from: tan(angle) = sum w (from x to) / sum w (from . to), r = `size` is the
+/// root of the sum of both squared.
 struct BestTurn {
   double dot = 0, turn = 0;
   [[nodiscard]] double angle() const { return dot != 0 || turn != 0 ? portable::atan2(turn, dot) : 0; }
@@ -56,8 +56,7 @@ BestTurn best_turn(const Model<2>& model, const Nodes& state, const Cloud& c) {
   return best;
 }
 
-/// Rotation and spin of a cloud; the spin is the rate of the rotation.
-/// d(angle)/dt = sum w (R from) x v / r: what the turn that fits best changes by.
+/// Rotation of a cloud and its rate, the spin: d(angle)/dt = sum w (R from) x v / r.
 template <class Nodes>
 void set_turn(const Model<2>& model, const Nodes& state, const Cloud& c, Pose& pose) {
   const BestTurn best = best_turn(model, state, c);
@@ -70,7 +69,7 @@ void set_turn(const Model<2>& model, const Nodes& state, const Cloud& c, Pose& p
   pose.spin = best.size() > 0 ? sum / best.size() : 0;
 }
 
-/// The nodes of a body, weighed by their masses: its place is its centre of mass.
+/// The nodes of a body, weighted by their masses: its position is its centre of mass.
 struct BodyCloud {
   std::vector<int> node;
   std::vector<double> weight;
@@ -88,14 +87,14 @@ struct BodyCloud {
 constexpr std::array<double, 4> quarters{0.25, 0.25, 0.25, 0.25};
 constexpr std::array<double, 3> thirds{1.0 / 3, 1.0 / 3, 1.0 / 3};
 
-/// The nodes of an element, which all count alike for its turn.
+/// The nodes of an element, with equal weights for its rotation.
 Cloud cloud_of(const Attachment<2>& attachment) {
   const auto nodes = static_cast<std::size_t>(attachment.nodes);
   return {std::span(attachment.node).first(nodes),
           attachment.nodes == 4 ? std::span<const double>(quarters) : std::span<const double>(thirds)};
 }
 
-/// Of nodes that turn, as the arms do.
+/// For nodes with rotations, which the arms follow.
 template <class Nodes>
 Pose pose_of_sections(const Nodes& state, const Attachment<2>& attachment) {
   Pose pose;
@@ -110,8 +109,8 @@ Pose pose_of_sections(const Nodes& state, const Attachment<2>& attachment) {
   return pose;
 }
 
-/// The element of a mesh that a point lies in, or whose edge is nearest, and its distance from it [m].
-/// Shape functions there are the weights, so that the point moves as the element does.
+/// The element of a mesh that contains a point, or with the nearest edge, and its distance from it [m]. The shape
+/// functions there are the weights, so the point moves with the element.
 std::pair<Attachment<2>, double> tie_to_elements(const Model<2>& model, int body, const Vec2& at) {
   Attachment<2> best;
   best.turns = false;
@@ -130,12 +129,16 @@ std::pair<Attachment<2>, double> tie_to_elements(const Model<2>& model, int body
   return {best, least};
 }
 
-/// The sections of a frame that a point lies between, or nearest to: it keeps its share of the way from the one to the
-/// other, and its arm across. So a point on the skin stays on the face that joins the two.
-///    skin 3 ------------------ 2     height of the point over the line of middles is kept as the arm of both ends,
-///         |         x          |     its share of the way as their weights
-///    from | - - - - - - - - -> | along
-///         0 ------------------ 1
+/// The two sections of a frame that enclose a point, or are nearest to it. The point keeps its relative position
+/// between them and its arm across. So a point of the skin stays on the face that joins the two.
+///
+///     skin 3 ------------------ 2
+///          |         x          |
+///     from | - - - - - - - - -> | along
+///          0 ------------------ 1
+///
+/// The height of the point over the line of centres is the arm of both ends. Its relative position along the line gives
+/// their weights.
 std::pair<Attachment<2>, double> tie_to_sections(const Model<2>& model, int body, const Vec2& at) {
   Attachment<2> best;
   double least = unbounded;
@@ -180,13 +183,14 @@ Vec2 body_start(const Model<2>& model, int body) {
   return mean_start(model, BodyCloud(model, body).view());
 }
 
-/// About the centre of mass: what nodes have of their own, and m r^2.
+/// About the centre of mass: the nodes' own inertia plus m r^2.
 double body_inertia(const Model<2>& model, int body) {
   const Body& b = model.bodies[body];
   if (b.is_rigid()) return model.inertia[b.first_node];
   const Vec2 centre = body_start(model, body);
   double sum = 0;
-  // Of one element its own (assembly/element/rotary_inertia.hpp), of more that of the masses at the nodes.
+  // One element has its own inertia (assembly/element/rotary_inertia.hpp); several have the inertia of the nodal
+  // masses.
   if (b.kind == BodyKind::quad || (b.kind == BodyKind::mesh && b.nodes == 3)) {
     const auto first = model.start_position.begin() + b.first_node;
     const PolygonMoments shape = polygon_moments(Polygon(first, first + b.nodes));
@@ -212,8 +216,8 @@ Pose body_pose(const Model<2>& model, const State<2>& state, int body) {
 
 namespace {
 
-/// F = sum m x X' (sum m X X')^-1 of places from their means, now x and at the start X: what the nodes' motion is like
-/// on the whole. Its turn, and the spin by element/corotation_3d.hpp.
+/// F = sum m x X' (sum m X X')^-1 with positions relative to their means, x now and X at the start: the mean
+/// deformation gradient. Its rotation, and the spin by element/corotation_3d.hpp.
 void fit_turn(const Model<3>& model, const State<3>& state, const Body& body, Pose3& pose) {
   const Vec3 start = pose.place - pose.moved;
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero(), mixed = second;
@@ -284,7 +288,7 @@ Attachment<3> tie_point(const Model<3>& model, int body, const Vec3& at) {
   return Attachment<3>::to_node(contact_frame, turn_of(start.rotation).undo(Vec3(at - start.place)));
 }
 
-/// Nodes of bodies lie one body after the other.
+/// Nodes are stored body by body.
 template <int D>
 int body_of_node(const Model<D>& model, int node) {
   const auto after = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
@@ -299,7 +303,7 @@ Attachment<2> tie_point(const Model<2>& model, int body, const Vec2& at, const s
         b.first_node, Turn(model.start_rotation[b.first_node]).undo(Vec2(at - model.start_position[b.first_node])));
   const auto [attachment, distance] =
       b.nodes_turn() ? tie_to_sections(model, body, at) : tie_to_elements(model, body, at);
-  // As far off as rounding and rough input may be; farther, it is another place that was meant.
+  // Tolerance for rounding and rough input; a larger distance means that another position was intended.
   if (distance > 0.02 * model.body_radius[body])
     throw InputError(
         fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from '{}', which deforms, so there is nothing to tie "
@@ -311,7 +315,7 @@ Attachment<2> tie_point(const Model<2>& model, int body, const Vec2& at, const s
 
 namespace {
 
-/// Nodes as the step behind began.
+/// Nodes at the beginning of the last step.
 struct NodesBefore {
   const std::vector<Vec2>& position;
   const std::vector<double>& rotation;
@@ -342,14 +346,14 @@ Pose pose_at(const Model<2>& model, const State<2>& state, const Attachment<2>& 
   return pose_of(model, state, attachment);
 }
 
-/// Velocities of then are not kept: those in it are of now.
+/// Previous velocities are not stored: the ones used here are the present ones.
 Pose pose_before(const Model<2>& model, const State<2>& state, const Attachment<2>& attachment) {
   return pose_of(model, NodesBefore{state.position_before, state.rotation_before, state.velocity, state.spin},
                  attachment);
 }
 
-/// The transpose of pose_at: a force goes to the nodes by their weights, a moment as the forces by which the best turn
-/// changes.
+/// The transpose of pose_at: a force is distributed to the nodes by their weights, a moment as the forces that are
+/// conjugate to the least-squares rotation.
 void apply_force(const Model<2>& model, const State<2>& state, const Attachment<2>& attachment, const Vec2& force,
                  double moment, std::vector<Vec2>& node_force, std::vector<double>& node_moment) {
   if (attachment.turns) {
@@ -365,7 +369,7 @@ void apply_force(const Model<2>& model, const State<2>& state, const Attachment<
   const BestTurn best = best_turn(model, state, cloud);
   const Turn turn(best.angle());
   const Vec2 start = mean_start(model, cloud);
-  // Forces w left_of(R from) on the nodes have the moment r about their middle, and no resultant.
+  // Forces w left_of(R from) on the nodes have the moment r about their mean, and no resultant.
   const double couple = best.size() > 0 ? moment / best.size() : 0;
   for (int i = 0; i < attachment.nodes; ++i)
     node_force[attachment.node[i]] +=

@@ -16,7 +16,7 @@
 namespace trilith {
 namespace {
 
-/// The axis that heights are measured along: y in the plane, z in space.
+/// The axis of heights: y in the plane, z in space.
 template <int D>
 constexpr int upward = D - 1;
 
@@ -31,8 +31,7 @@ double start_height(const Model<3>& model, int body) {
   return sum / body_mass(model, body);
 }
 
-/// A body's part in a push before it is divided by the sum.
-/// `triangle`: by mass and height, as floors take part in a first mode that is a straight line.
+/// A body's part in a control before normalisation. `triangle`: by mass and height, like floors in a linear first mode.
 template <int D>
 double share_of(const Model<D>& model, int body, PushPattern pattern, double lowest) {
   switch (pattern) {
@@ -55,11 +54,11 @@ double lowest_of(const Model<D>& model, const std::vector<int>& bodies) {
   return lowest;
 }
 
-/// A node with less of a point than this, as a share, has nothing of it: what is left of a weight by rounding.
+/// Nodes with a smaller share of a point get none: it is rounding error of a weight.
 constexpr double least_part = 1e-12;
 
-/// A point of a body that deforms: by the nodes it is tied to, in space by those of the element that holds it, or by
-/// the node of a frame that is nearest to it, which turns it.
+/// A point of a deformable body: by the nodes to which it is attached. In space by the nodes of the element that
+/// contains it, or for a frame by the nearest node, which the force also rotates.
 void add_point_rows(const Model<2>& model, int body, const Vec2& at, double weight, std::vector<PushRow<2>>& rows) {
   const Attachment<2> attachment = tie_point(model, body, at, fmt::format("push of '{}'", model.bodies[body].name));
   for (int i = 0; i < attachment.nodes; ++i)
@@ -82,7 +81,7 @@ void add_point_rows(const Model<3>& model, int body, const Vec3& at, double weig
   rows.push_back({n, n, turn_of(model.start_rotation[n]).undo(arm), weight});
 }
 
-/// A point that a rigid body takes with it: refused far from it, as for a load.
+/// A point that moves with a rigid body: rejected far from it, as for a load.
 template <int D>
 void require_near_body(const Model<D>& model, int body, const Vec<D>& at) {
   const Body& b = model.bodies[body];
@@ -91,7 +90,7 @@ void require_near_body(const Model<D>& model, int body, const Vec<D>& at) {
                   fmt::format("push of '{}'", b.name));
 }
 
-/// A rigid body by one row; a point of one that deforms by its nodes there; a whole one by mass.
+/// A rigid body by one row; a point of a deformable one by its nodes there; a whole deformable one by mass.
 template <int D>
 void add_body_rows(const Model<D>& model, int body, const std::optional<Vec<D>>& at, double weight,
                    std::vector<PushRow<D>>& rows) {
@@ -109,7 +108,7 @@ void add_body_rows(const Model<D>& model, int body, const std::optional<Vec<D>>&
   for (int n = first; n < first + b.nodes; ++n) rows.push_back({n, n, Vec<D>::Zero(), weight * model.mass[n] / mass});
 }
 
-/// Free in every direction that the push has a part in.
+/// Free in every direction in which the control has a component.
 template <int D>
 bool can_go(const Model<D>& model, const PushRow<D>& row, const Vec<D>& direction) {
   for (int k = 0; k < Space<D>::translations; ++k)
@@ -119,7 +118,7 @@ bool can_go(const Model<D>& model, const PushRow<D>& row, const Vec<D>& directio
 
 }  // namespace
 
-/// Weighed mean displacement of the pushed points along the push: what its motion gives.
+/// Weighted mean displacement of the controlled points along the direction.
 template <int D>
 double push_place(const State<D>& state, const Push<D>& push) {
   double sum = 0;
@@ -172,7 +171,7 @@ void add_push(Model<D>& model, const State<D>& state, const std::string& name, s
   model.pushes.push_back(std::move(push));
 }
 
-/// Its force goes on as loads at the points it pushed and fades, so that nothing is set off.
+/// Its force remains as fading loads at its points, so that the release excites no motion.
 template <int D>
 bool release_push(Model<D>& model, const State<D>& state, const Work<D>& work, const std::string& name, double fade) {
   const auto at =

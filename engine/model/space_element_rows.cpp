@@ -36,7 +36,7 @@ void append_points(const SpaceElementStrain& strain, int nodes, std::vector<doub
   }
 }
 
-/// The fit of an element as a whole: mean place, mean gradients.
+/// The fit of a whole element: mean position, mean gradients.
 void append_whole_fit(Model<3>& model, const SpaceElement& element, std::span<const Vec3> nodes) {
   Fit fit;
   fit.nodes = static_cast<int>(nodes.size());
@@ -75,7 +75,7 @@ void append_element(Model<3>& model, SpaceElement element, double density) {
   const std::vector<Vec3> nodes = nodes_at_start(model, element);
   const Solid& solid = model.solids[static_cast<std::size_t>(element.solid)];
   const SpaceElementStrain strain = element_strain(element.shape, nodes, solid);
-  // Of an inelastic solid too: damping and the longest step go by it.
+  // Also for inelastic solids: damping and the stability limit use it.
   const Eigen::MatrixXd stiffness = element_stiffness(element.shape, strain, elastic_in_space(solid));
   ElementNumbers numbers{{}, 3 * nodes.size(), rounding_of(std::span<const Vec3>(nodes))};
   append_shape(nodes, element.shape, numbers.all);
@@ -94,7 +94,8 @@ void append_element(Model<3>& model, SpaceElement element, double density) {
     mass[i] *= density * volume.volume;
     model.mass[static_cast<std::size_t>(element.node[i])] += mass[i];
   }
-  // The largest of any element alone bounds that of all; the damping of a solid is its stiffness times a time.
+  // The largest frequency of any single element bounds the frequencies of all. The damping of a solid is its stiffness
+  // times a time.
   RateBound& bound = model.element_bound[static_cast<std::size_t>(element.body)];
   const double most = largest_frequency2(stiffness, std::span<const double>(mass).first(nodes.size()));
   bound.stiffness = std::max(bound.stiffness, most);

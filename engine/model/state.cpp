@@ -27,7 +27,7 @@ State<D> initial_state(const Model<D>& model) {
 
 namespace {
 
-/// What `rows` lacks of `whole`, at its end.
+/// Appends the part of `whole` that `rows` lacks.
 template <class T>
 void extend(std::vector<T>& rows, const std::vector<T>& whole) {
   rows.insert(rows.end(), whole.begin() + static_cast<std::ptrdiff_t>(rows.size()), whole.end());

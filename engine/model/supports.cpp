@@ -1,4 +1,4 @@
-// What holds the nodes of a body, or moves them, from one stage to the next.
+// Supports and drives of a body's nodes, changed between stages.
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -6,11 +6,11 @@
 
 namespace trilith {
 
-/// All nodes of a body along one direction; what is no longer driven loses its drive.
+/// All nodes of a body along one direction. A node that is no longer driven loses its drive.
 void set_support(Model<2>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
   if (!b.nodes_turn() && dof == 2) {
-    if (support == Support::fixed) return;  // as its nodes' are
+    if (support == Support::fixed) return;  // like its nodes'
     throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x and y", b.name));
   }
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
@@ -19,15 +19,15 @@ void set_support(Model<2>& model, int body, int dof, Support support) {
   }
 }
 
-/// The body's first node goes by the motion from `origin` on, the others keep their distances to it. Of a frame those
-/// joints are driven that are held.
+/// The body's first node follows the motion from `origin` on, the others keep their distances from it. For a frame the
+/// held joints are driven.
 void set_drive(Model<2>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<2>* state) {
   const Body& b = model.bodies[body];
   if (!b.is_rigid() && dof == 2)
     throw InputError(
         fmt::format("body '{}' deforms and has no rotation to drive; drive x and y, or make it rigid", b.name));
-  // The motion's own start displacement is not a jump of the ground.
+  // The initial displacement of the motion must not cause a jump of the ground.
   const double from = origin - motion->displacement(0);
   const auto place = [&](int node) { return (state != nullptr ? state->position : model.start_position)[node][dof]; };
   const bool frame = b.skin_is_sections();

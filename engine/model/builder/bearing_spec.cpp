@@ -47,7 +47,7 @@ std::vector<double> all_limits(const BearingSpecOf<D>& spec) {
   return limits;
 }
 
-/// A law of both horizontal directions: only some laws are, and then along and across have none of their own.
+/// Only some laws support both horizontal directions; along and across must then have no single laws.
 void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
   if (is_none(spec.horizontal)) return;
   if (!is_none(spec.law[0]) || !is_none(spec.law[1]))
@@ -72,7 +72,7 @@ void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
                   owner, given, names));
 }
 
-/// The name of a law that has a friction coefficient, which is one of the bearing's compression; else "".
+/// The name of a law with a friction coefficient, which acts under the bearing's compression; else "".
 std::string_view name_of_slider(const DirectionLaw& law) {
   return std::visit(
       [](const auto& l) -> std::string_view {
@@ -90,7 +90,7 @@ template <int D>
 constexpr const char* words_of_limits =
     D == 2 ? "{ along = }, axial or turning" : "{ along = }, across, horizontal or axial";
 
-/// Whether a bearing does anything, and has an end where something follows it.
+/// Checks that a bearing has an effect, and has a limit if it has a successor.
 template <int D>
 void check_purpose(const BearingSpecOf<D>& spec, const std::string& owner) {
   const std::vector<DirectionLaw> laws = all_laws(spec);

@@ -23,7 +23,7 @@
 namespace trilith {
 namespace {
 
-/// Of the box around an outline [m].
+/// Smaller side of the box around an outline [m].
 double least_side(const Polygon& outline) {
   Vec2 low = Vec2::Constant(unbounded), high = -low;
   for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -58,7 +58,7 @@ void ModelBuilder::add_material(const Material& material) {
 
 namespace {
 
-/// What is held does not move, whatever velocity it is given.
+/// A held degree of freedom does not move, whatever its given velocity.
 void note_held_motion(const BodySpec& spec, const std::string& owner, std::vector<std::string>& notes) {
   const std::array given{spec.velocity.x(), spec.velocity.y(), spec.spin};
   constexpr std::array names{"a velocity along x", "a velocity along y", "a spin"};
@@ -143,7 +143,7 @@ void ModelBuilder::take_checked_mesh(BodySpec& spec, const std::string& owner) {
   spec.mesh = std::move(checked.mesh);
 }
 
-/// The elements of a mesh may leave holes, which its outline does not show.
+/// The elements of a mesh may leave holes, which the outline does not show.
 PolygonMoments moments_of(const BodySpec& spec) {
   if (!spec.mesh || spec.kind != BodyKind::rigid) return polygon_moments(spec.outline);
   std::vector<PolygonMoments> parts;
@@ -182,7 +182,7 @@ std::vector<std::string> ModelBuilder::faults() const {
 
 namespace {
 
-/// Skin points are their own neighbours, but where a side goes straight on.
+/// Skin points are their own neighbours, except where a side is straight.
 void fill_lines(Model<2>& model) {
   for (std::vector<int>* of : {&model.skin_before, &model.skin_after})
     for (std::size_t s = of->size(); s < model.skin_place.size(); ++s) of->push_back(static_cast<int>(s));
@@ -190,7 +190,8 @@ void fill_lines(Model<2>& model) {
 
 }  // namespace
 
-/// Each part is tried, so that all faults are found; of use only where there is none. Without bearings and seats.
+/// Each part is tried, so that all faults are found; the result is valid only if there is none. Without bearings and
+/// seats.
 Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   Model<2> model;
   attempt(faults, [&] { model.thickness = require_positive(thickness, "model: thickness", "m"); });
@@ -215,7 +216,7 @@ Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
 
 Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
   Model<2> model = assemble_bodies(faults);
-  if (model.drive_of.empty()) return model;  // some body is at fault
+  if (model.drive_of.empty()) return model;  // some body has a fault
   for (const BearingSpec& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
   for (std::size_t i = 0; model.bearings.size() == bearings_.size() && i < bearings_.size(); ++i)
     attempt(faults, [&] { check_successor(model.bearings, i); });
@@ -229,7 +230,7 @@ Model<2> ModelBuilder::assemble(std::vector<std::string>& faults, std::vector<st
 
 namespace {
 
-/// Index of `solid` in the model's table, where it is added if it is new there.
+/// Index of `solid` in the model's table; it is added if it is missing.
 int solid_index(Model<2>& model, const Solid& solid) {
   for (std::size_t i = 0; i < model.solids.size(); ++i)
     if (model.solids[i] == solid) return static_cast<int>(i);
@@ -243,7 +244,7 @@ double mesh_area(const Mesh& mesh) {
   return area;
 }
 
-/// A node without rotation at `place`, of a body that starts as `spec` says and turns about `centre`.
+/// Appends a node without rotation at `place`, for a body with the initial motion of `spec` about `centre`.
 void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Model<2>& model) {
   std::array<Support, 3> support{spec.support[0], spec.support[1], Support::fixed};
   for (const NodeSupport& hold : spec.supports)
@@ -262,8 +263,8 @@ void append_node(const BodySpec& spec, const Vec2& place, const Vec2& centre, Mo
   model.load.push_back(Vec2::Zero());
 }
 
-/// Neighbours on sides of a mesh that go straight on from one element to the next, see broad_phase/face_line.hpp.
-/// `edges`: its surface edges, from one skin point to the next.
+/// Links neighbours on straight sides of a mesh across elements, see broad_phase/face_line.hpp. `edges`: its surface
+/// edges, from one skin point to the next.
 void link_straight_sides(const std::vector<std::array<int, 2>>& edges, Model<2>& model) {
   std::vector<int> before(model.skin_place.size(), -1), after = before;
   for (const auto& [from, to] : edges) after[from] = to, before[to] = from;

@@ -1,4 +1,4 @@
-// Bodies, laws, bearings and seats that come to a model of the plane after it has run.
+// Bodies, laws, bearings and seats added to a plane model after it has run.
 #include <algorithm>
 
 #include "model/builder/builder.hpp"
@@ -7,8 +7,8 @@
 
 namespace trilith {
 
-/// All bodies are made anew, which gives those that were there the rows they had; only the new ones are checked, beside
-/// the others as these stand. New laws may change which law holds between bodies that were there.
+/// All bodies are rebuilt, which gives the existing ones their previous rows. Only the new ones are checked, against
+/// the others in their present positions. New laws may change the law between existing bodies.
 Model<2> ModelBuilder::extended(const Model<2>& model, const State<2>& state) {
   std::vector<std::string> faults, notes;
   Model<2> grown = assemble_bodies(faults);
@@ -23,7 +23,7 @@ Model<2> ModelBuilder::extended(const Model<2>& model, const State<2>& state) {
   return grown;
 }
 
-/// Bearings and seats are tied to bodies as these stand; a bearing is unstressed there.
+/// Bearings and seats are attached to bodies in their present positions; a new bearing is unstressed.
 void ModelBuilder::append_links(const Model<2>& model, const State<2>& state, Model<2>& grown) const {
   if (bearings_.size() == model.bearings.size() && seats_.size() == model.seats.size()) return;
   Model<2> standing = as_it_stands(grown, state);

@@ -15,7 +15,7 @@
 namespace trilith {
 namespace {
 
-/// A frame while it becomes rows of the model.
+/// A frame during its conversion to rows of the model.
 struct FrameRows {
   const BodySpec& spec;
   const FrameSpec& frame;
@@ -26,7 +26,7 @@ struct FrameRows {
   std::vector<std::vector<int>> block_skin = {};           ///< [joint][corner] of its block
 };
 
-/// The nodes that stand in a box of spec.supports are held as it says.
+/// Supports of the nodes inside a box of spec.supports.
 std::array<Support, 3> support_of(const BodySpec& spec, const Vec2& place, std::array<Support, 3> own) {
   for (int k = 0; k < 3; ++k)
     if (spec.support[k] != Support::free) own[k] = spec.support[k];
@@ -36,7 +36,7 @@ std::array<Support, 3> support_of(const BodySpec& spec, const Vec2& place, std::
   return own;
 }
 
-/// Of a joint's block: mass [kg] and inertia about the joint, its centroid [kg m2].
+/// Mass [kg] of a joint's block, and inertia about the joint, its centroid [kg m2].
 std::array<double, 2> mass_of_block(const FrameJoint& joint, double density, double thickness) {
   if (joint.block.empty()) return {};
   const PolygonMoments moments = polygon_moments(joint.block);
@@ -44,7 +44,7 @@ std::array<double, 2> mass_of_block(const FrameJoint& joint, double density, dou
   return {plate * moments.area, plate * moments.second_moment};
 }
 
-/// `density` [kg/m3] of blocks.
+/// `density`: of blocks [kg/m3].
 void append_nodes(const FrameRows& rows, const Vec2& centre, double density) {
   Model<2>& model = rows.model;
   for (std::size_t n = 0; n < rows.plan.node.size(); ++n) {
@@ -63,8 +63,8 @@ void append_nodes(const FrameRows& rows, const Vec2& centre, double density) {
   }
 }
 
-/// Half of a beam's mass goes to either node, where it turns as its section does: more would let a member of few beams
-/// turn too slowly, and less would shorten the step.
+/// Half of a beam's mass is lumped at each node, with the rotary inertia of its section. With more inertia a member of
+/// few beams would rotate too slowly, with less the stable step would be shorter.
 struct EndMass {
   double mass;                    ///< [kg]
   std::array<double, 2> inertia;  ///< [kg m2]
@@ -89,8 +89,8 @@ void add_masses(const FrameRows& rows, const Beam& beam, const EndMass& end) {
   bound.damping = std::max(bound.damping, beam.damping * most);
 }
 
-/// Rows of a member's beams that yield in fibres or at its ends. What is in the middle of a member with hinges is
-/// elastic. An elastic stiffness of fibres is the stiffest they can have, for the longest step.
+/// Appends the yield rows of a member's beams, in fibres or at its ends. The inner beams of a member with hinges are
+/// elastic. For fibres the elastic stiffness is the largest one, for the stability limit.
 class YieldRows {
  public:
   YieldRows(const FrameMember& member, double shear_modulus, Model<2>& model)
@@ -136,16 +136,16 @@ class YieldRows {
   std::array<int, 2> hinge_{-1, -1};
 };
 
-/// What a member is made of: mass per length, elasticity and damping.
+/// Material data of a member: mass per length, elasticity and damping.
 struct MemberMaterial {
   double mass;  ///< [kg/m]
   BeamMaterial elastic;
   double damping;  ///< [s]
-  int band;        ///< of Model::bands, or -1
+  int band;        ///< index into Model::bands, or -1
   double strain_limit;
 };
 
-/// Room for what the branches of a beam remember, behind what it remembers of its yielding.
+/// Reserves the memory of a beam's damping branches, after the memory of its yielding.
 void add_branches(Beam& beam, int band, Model<2>& model) {
   if (band < 0) return;
   beam.band = band, beam.first_branch = model.beam_memory;
@@ -189,7 +189,7 @@ void append_beams(const FrameRows& rows, std::size_t m, const MemberMaterial& ma
   }
 }
 
-/// Skin in the order of the way round. An arm stands in the axes of the node that it turns with.
+/// Skin points in the order of the outline. An arm is given in the axes of the node with which it rotates.
 void append_skin(FrameRows& rows) {
   for (const auto& stations : rows.plan.stations) rows.skin.emplace_back(stations.size());
   for (const FrameJoint& joint : rows.frame.joints) rows.block_skin.emplace_back(joint.block.size());
@@ -209,7 +209,7 @@ void append_skin(FrameRows& rows) {
   }
 }
 
-/// Where a skin point of the frame is at the start.
+/// Position of a frame's skin point at the start.
 Vec2 start_of(const FrameRows& rows, int skin) {
   return rows.model.start_position[rows.model.skin_node[skin]] + rows.model.skin_place[skin];
 }
@@ -228,7 +228,7 @@ void append_piece(const FrameRows& rows, const std::vector<int>& skin, const Con
   }
 }
 
-/// A piece for each block and for each beam: its two long sides are faces, its ends where nothing covers them.
+/// A piece for each block and for each beam: its two long sides are faces, and its ends where nothing covers them.
 void append_frame_pieces(const FrameRows& rows) {
   for (std::size_t m = 0; m < rows.skin.size(); ++m) {
     const auto is_face = [&](int side) { return end_is_face(rows.frame, rows.plan, static_cast<int>(m), side); };
@@ -264,7 +264,7 @@ double length_of(const FramePlan& plan, std::size_t member) {
   return (plan.place_of(stations.back()) - plan.place_of(stations.front())).norm();
 }
 
-/// Of each member; where the body's mass or weight is given, all masses are scaled to it.
+/// For each member; if the body's mass or weight is given, all masses are scaled to it.
 std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::vector<Material>& materials) {
   const BodySpec& spec = rows.spec;
   std::vector<MemberMaterial> made;
@@ -286,7 +286,7 @@ std::vector<MemberMaterial> member_materials(const FrameRows& rows, const std::v
   return made;
 }
 
-/// Throws InputError, with `what` in front, where a member of `length` [m] cannot yield as it says.
+/// Throws InputError, with `what` in front, if a member of `length` [m] cannot yield as specified.
 void check_yields(const FrameMember& member, const Material& material, const std::string& what, double length,
                   bool consistent) {
   const auto* const hinges = std::get_if<MemberHinges>(&member.yields);

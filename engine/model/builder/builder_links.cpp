@@ -1,4 +1,4 @@
-// Bearings, seats, and contacts between names: what a builder's bodies have to do with each other.
+// Links between a builder's bodies: bearings, seats, and contacts between names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace trilith {
 namespace {
 
-/// The piece of a body whose surface faces come nearest to a point at the start.
+/// The piece of a body whose surface faces are nearest to a point at the start.
 int piece_at(const Model<2>& model, int body, const Vec2& point) {
   const Body& b = model.bodies[body];
   int best = b.first_piece;
@@ -48,7 +48,7 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   bearings_.push_back(spec);
 }
 
-/// A point far from the body it names is a slip of the pen.
+/// A point far from its body is probably an input error.
 void ModelBuilder::require_near(const std::string& body, const Vec2& point, const std::string& what, double arm) const {
   const Polygon& outline = bodies_[require_body(body, what)].outline;
   const double distance = boundary_point(outline, point).distance, size = polygon_size(outline);
@@ -69,8 +69,8 @@ void ModelBuilder::add_seat(const SeatSpec& spec) {
   seats_.push_back(spec);
 }
 
-/// Both ends are tied to the nodes of their bodies; the displacement at the start, in the axes of the bearing, is where
-/// its laws begin.
+/// Both ends are attached to the nodes of their bodies. The laws' displacement starts at the initial displacement in
+/// the axes of the bearing.
 void ModelBuilder::append_bearing(const BearingSpec& spec, Model<2>& model) const {
   Bearing<2> b = bearing_of(spec, law_names(), bearings_);
   b.body_a = require_body(spec.body_a, spec.name);

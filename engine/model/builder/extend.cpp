@@ -9,10 +9,10 @@
 namespace trilith {
 namespace {
 
-/// What has run has settled by as much, as a share of the smaller body's size.
+/// Settlement of bodies that have run, relative to the smaller body's size.
 constexpr double settled = 1e-4;
 
-/// The rows that `from` has, at the beginning of `to`.
+/// Copies the rows of `from` to the beginning of `to`.
 template <class T>
 void carry(const std::vector<T>& from, std::vector<T>& to) {
   std::copy(from.begin(), from.end(), to.begin());
@@ -20,7 +20,7 @@ void carry(const std::vector<T>& from, std::vector<T>& to) {
 
 }  // namespace
 
-/// What was set or changed since the model was built goes over to the grown one, whose first rows are the same bodies.
+/// Changes after the model was built are copied to the extended one, whose first rows are the same bodies.
 template <int D>
 void carry_conditions(const Model<D>& model, Model<D>& grown) {
   grown.gravity = model.gravity;
@@ -49,7 +49,7 @@ Model<D> as_it_stands(const Model<D>& grown, const State<D>& state) {
   return standing;
 }
 
-/// New bodies are checked where all others stand now, not where they began.
+/// New bodies are checked against the present positions of the others, not their initial ones.
 template <int D>
 void check_newcomers(const Model<D>& standing, const State<D>& state, double allowed,
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,

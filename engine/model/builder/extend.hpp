@@ -1,4 +1,4 @@
-// What builders share that extend a model which has run: rows are for ever, and new ones come at the ends of the
+// Common part of builders that extend a model after it has run: rows are permanent, and new ones are appended to the
 // arrays.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace trilith {
 
-/// Calls part(); what it finds wrong is a fault.
+/// Calls part() and records an InputError as a fault.
 template <class Part>
 void attempt(std::vector<std::string>& faults, Part&& part) {
   try {
@@ -23,7 +23,7 @@ void attempt(std::vector<std::string>& faults, Part&& part) {
   }
 }
 
-/// [body] 1 where it may start with nothing that holds it up: all of them where that is not judged yet.
+/// [body] 1 if it may start unsupported: all bodies if this is not judged yet.
 template <class Specs>
 std::vector<std::uint8_t> floating_bodies(const Specs& bodies, bool judged = true) {
   std::vector<std::uint8_t> floating;
@@ -31,33 +31,33 @@ std::vector<std::uint8_t> floating_bodies(const Specs& bodies, bool judged = tru
   return floating;
 }
 
-/// `grown` is as the builder makes it; whatever was changed in `model` since it was built is carried over: supports,
-/// motions, loads, gravity, dampings, numbers of laws, bearings.
+/// `grown` is newly built. Copies the changes of `model` after its construction: supports, motions, loads, gravity,
+/// dampings, law parameters, bearings.
 template <int D>
 void carry_conditions(const Model<D>& model, Model<D>& grown);
 
-/// `grown` with its first nodes where `state` has them, as if they had started there.
+/// `grown` with its first nodes at their positions in `state`, as if they had started there.
 template <int D>
 Model<D> as_it_stands(const Model<D>& grown, const State<D>& state);
 
-/// Faults of the bodies of `standing` that `state` does not know: what overlaps deeper than `allowed`, or than a
-/// ten-thousandth of the smaller one's size, as what has run has settled; what stands on nothing.
+/// Faults of the bodies of `standing` that are not in `state`: overlaps deeper than `allowed`, or than a ten-thousandth
+/// of the smaller body's size because existing bodies have settled; and unsupported bodies.
 template <int D>
 void check_newcomers(const Model<D>& standing, const State<D>& state, double allowed,
                      const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
                      std::vector<std::string>& notes);
 
-/// What stands on nothing now, of all bodies that are there by `state`, a line each.
+/// Unsupported bodies among all bodies present in `state`, a line for each.
 template <int D>
 std::vector<std::string> standing_faults(const Model<D>& model, const State<D>& state,
                                          const std::vector<std::uint8_t>& floating);
 
-/// Throws InputError where one of `bodies`, which are out by `state`, would stand in what is there now, deeper than
-/// check_newcomers allows. What comes back together stands as it did.
+/// Throws InputError if one of `bodies`, which are removed in `state`, would overlap a present body deeper than
+/// check_newcomers allows. Bodies that return together keep their relative positions.
 template <int D>
 void check_put_back(const Model<D>& model, const State<D>& state, double allowed, const std::vector<int>& bodies);
 
-/// Widens the bounds of `grown`, where `chosen` leaves them open, so that they are those of what is there now too.
+/// Extends the bounds of `grown`, where `chosen` leaves them open, to include the bounds of the present bodies.
 template <int D>
 void widen_bounds(const Model<D>& standing, const Bounds<D>& chosen, Model<D>& grown);
 

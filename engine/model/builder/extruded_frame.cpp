@@ -7,7 +7,7 @@ Vec3 upright(const Vec2& p, double y = 0) {
   return {p.x(), y, p.y()};
 }
 
-/// A block of the plane, as thick as it says or as its body is.
+/// A plane block, with its given thickness or its body's.
 Polyhedron extruded_block(const FrameJoint& flat, double thickness) {
   const double depth = flat.thickness.value_or(thickness);
   std::vector<Vec3> near_side;
@@ -27,8 +27,8 @@ SpaceJoint extruded_joint(const FrameJoint& flat, const FrameExtrusion& extrusio
   return joint;
 }
 
-/// The profile is the depth of the section over the thickness of the body, whatever the shape: what touches in the
-/// plane reaches over it.
+/// The profile is the depth of the section times the thickness of the body, whatever the shape, as for contact in the
+/// plane.
 Section3 extruded_section(const FrameMember& flat, const FrameExtrusion& extrusion) {
   constexpr double shear_coefficient = 5.0 / 6;
   const Section& plane = flat.section;
@@ -66,7 +66,7 @@ SpaceMember extruded_member(const FrameSpec& spec, const FrameMember& flat, cons
   const Vec2 along = end(1) - end(0);
   for (const std::size_t side : {0, 1})
     if (flat.ends[side]) member.ends[side] = upright(*flat.ends[side]);
-  member.orientation = Vec3(-along.y(), 0, along.x());  // its top is to the left of the way
+  member.orientation = Vec3(-along.y(), 0, along.x());  // its top is to the left of its direction
   member.material = flat.material, member.divisions = flat.divisions;
   member.pinned = flat.pinned, member.shear = flat.shear;
   if (const auto* const fibres = std::get_if<MemberFibres>(&flat.yields))

@@ -1,4 +1,5 @@
-// A frame of the plane taken into space: x stays, the plane's y is z, its beams reach over their thickness about y = 0.
+// Converts a plane frame to space: x stays, the plane's y becomes z, and its beams extend over their thickness about y
+// = 0.
 #pragma once
 
 #include "model/builder/frame.hpp"
@@ -6,16 +7,16 @@
 
 namespace trilith {
 
-/// How a frame of the plane is taken into space.
+/// Parameters of the conversion to space.
 struct FrameExtrusion {
-  double thickness = 1;  ///< over which its skin reaches [m]
-  bool held = true;      ///< it stays in its plane, so that what it lacks across may be anything
+  double thickness = 1;  ///< width of its skin [m]
+  bool held = true;      ///< it stays in its plane, so missing transverse data may have any value
 };
 
-/// Bending in the plane, stretch, mass and plasticity are those of the plane: the same numbers, with fibres in as many
-/// layers. Bending across and torsion are those of the section's shape; where that is not known and the frame is held,
-/// they are as stiff as bending in the plane, and a hinge is as strong across. A joint that is held along both axes is
-/// held across too, and one whose rotation is held does not turn. A joint that is a block is one as thick as it says.
+/// In-plane bending, axial stiffness, mass and plasticity keep their numbers; fibres keep the number of layers.
+/// Transverse bending and torsion follow the section's shape. If the shape is unknown and the frame is held, both equal
+/// the in-plane bending stiffness, and a hinge has equal strength. A joint that is held along both axes is also held
+/// across, and one whose rotation is held does not rotate. A block of a joint has its given thickness.
 SpaceFrameSpec extruded_frame(const FrameSpec& flat, const FrameExtrusion& extrusion);
 
 }  // namespace trilith

@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// Where a member begins or ends: at its joint, or beside it where it has an offset.
+/// Start or end of a member: at its joint, or at its offset from it.
 Vec2 end_of(const FrameSpec& spec, const FrameMember& m, int side) {
   return m.ends[side].value_or(spec.joints[side == 0 ? m.from : m.to].place);
 }
@@ -24,7 +24,7 @@ double size_of(const FrameSpec& spec) {
   return polygon_size(places);
 }
 
-/// A block turns about its centroid, and the way round the frame goes round its corners by their angle.
+/// A block rotates about its centroid, and the outline of the frame follows its corners in the order of their angles.
 void check_block(const FrameJoint& joint, const std::string& what) {
   const Polygon& p = joint.block;
   const std::size_t n = p.size();
@@ -41,7 +41,7 @@ void check_block(const FrameJoint& joint, const std::string& what) {
   if (joint.thickness) require_positive(*joint.thickness, what + ": thickness", "m");
 }
 
-/// Where the way from the block's centroid to `to` leaves it.
+/// Intersection of the line from the block's centroid to `to` with its outline.
 Vec2 way_out(const FrameJoint& joint, const Vec2& to) {
   const Vec2 way = to - joint.place;
   double least = 1;
@@ -88,11 +88,11 @@ void check_member(const FrameSpec& spec, const FrameMember& m, double size, cons
                      " is pinned at both ends; give it two divisions or more, whose middle its sections turn with");
 }
 
-/// Every joint must hang on the first one by members.
+/// Every joint must be connected to the first one by members.
 void check_connected(const FrameSpec& spec, const std::string& owner) {
   std::vector<int> group(spec.joints.size());
   std::iota(group.begin(), group.end(), 0);
-  // The lowest number spreads along members; after as many passes as joints it has come everywhere it can.
+  // The lowest number propagates along members; after as many passes as joints it has reached all connected ones.
   for (std::size_t pass = 0; pass < spec.joints.size(); ++pass)
     for (const FrameMember& m : spec.members) group[m.from] = group[m.to] = std::min(group[m.from], group[m.to]);
   for (std::size_t j = 0; j < group.size(); ++j)
@@ -102,8 +102,8 @@ void check_connected(const FrameSpec& spec, const std::string& owner) {
                       spec.joints[0].name, spec.joints[j].name));
 }
 
-/// A member's nodes from one joint to the other: its joints' own at the ends, new ones between. A pinned end's section
-/// turns with the next node, as the joint's rotation is not the member's.
+/// A member's nodes between its joints: the joints' own nodes at the ends, new ones between. A pinned end's section
+/// rotates with the next node, because the joint's rotation is not the member's.
 void add_stations(const FrameSpec& spec, const FrameMember& m, FramePlan& plan) {
   const Vec2 from = end_of(spec, m, 0), to = end_of(spec, m, 1);
   std::vector<Station> stations{{m.from, from - spec.joints[m.from].place, m.from}};
@@ -118,11 +118,12 @@ void add_stations(const FrameSpec& spec, const FrameMember& m, FramePlan& plan) 
   plan.stations.push_back(std::move(stations));
 }
 
-/// Goes round the frame counter-clockwise: out along the right of a member, round what hangs on its far joint, and back
+/// Traverses the frame counter-clockwise: along the right of a member, around the members at its far joint, and back
 /// along its left. A member that closes a ring ends where the ring does.
-///          c
-///          |                 From the tip a: the right of a-b, at b counter-clockwise from where it came, so all round
-///     a -- b -- d            b-d, then all round b-c, and back along the left of a-b.
+///
+///           c
+///           |                From the tip a: the right of a-b, at b counter-clockwise from the arrival, so all around
+///      a -- b -- d           b-d, then all around b-c, and back along the left of a-b.
 class Tour {
  public:
   Tour(const FrameSpec& spec, FramePlan& plan)
@@ -151,9 +152,9 @@ class Tour {
     const Vec2 along = end_of(spec_, member, 1) - end_of(spec_, member, 0);
     return portable::atan2(along.y(), along.x()) + (member.from == joint ? 0 : M_PI);
   }
-  /// Counter-clockwise from one to the other, above 0 and at most a full turn.
+  /// Counter-clockwise angle from one direction to another, above 0 and at most a full turn.
   static double angle_past(double from, double to) {
-    // One that lies where the way came from comes last, after a full turn.
+    // The direction of arrival comes last, after a full turn.
     const double turn = std::fmod(to - from, 2 * M_PI);
     return turn > 1e-9 ? turn : turn + 2 * M_PI;
   }
@@ -169,13 +170,13 @@ class Tour {
     std::sort(there.begin(), there.end());
     for (const auto& [angle, c] : there) plan_.outline.push_back({-1, -1, c, joint});
   }
-  /// Stations there on one side and back on the other; what hangs on the far joint comes in between, once.
+  /// Stations along one side and back along the other; the members at the far joint are visited in between, once.
   void visit(int m, int joint) {
     been_[m] = 1;
     const FrameMember& member = spec_.members[m];
     const bool forward = member.from == joint;
     const int far = forward ? member.to : member.from, last = static_cast<int>(plan_.stations[m].size()) - 1;
-    // Out on the right of the way it is gone: side 0 where that is the member's own direction, else 1.
+    // Along the right of the traversal: side 0 if that is the member's own direction, else 1.
     for (int i = 0; i <= last; ++i) plan_.outline.push_back({m, forward ? i : last - i, forward ? 0 : 1});
     if (seen_[far] == 0) go_round(far, heading(m, far), m);
     for (int i = last; i >= 0; --i) plan_.outline.push_back({m, forward ? i : last - i, forward ? 1 : 0});
@@ -193,7 +194,7 @@ std::string name_of(const FrameSpec& spec, const FrameMember& member) {
   return fmt::format("{}-{}", spec.joints[member.from].name, spec.joints[member.to].name);
 }
 
-/// The tour begins at a tip, where a member ends alone, if there is any.
+/// The traversal begins at a tip, where a member ends alone, if there is any.
 FramePlan plan_frame(const FrameSpec& spec, const std::string& owner) {
   if (spec.members.empty()) throw InputError(owner + ": a frame without members; give one at least");
   for (const FrameJoint& joint : spec.joints) check_joint(spec, joint, owner);

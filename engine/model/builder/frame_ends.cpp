@@ -20,7 +20,7 @@ Polygon beam_at(const FrameSpec& spec, const FramePlan& plan, int member, int si
   return {near[0], far[0], far[1], near[1]};
 }
 
-/// Whether a convex polygon holds both ends of a section, its sides included.
+/// Whether a convex polygon contains both ends of a section, including its boundary.
 bool covers(const Polygon& piece, const std::array<Vec2, 2>& section) {
   const double rounding = 1e-6 * polygon_size(piece);
   for (std::size_t i = 0; i < piece.size(); ++i) {

@@ -1,4 +1,4 @@
-// Where loads act: named places, faces of a side, parts of an outline.
+// Positions of loads: named points, faces of a side, parts of an outline.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Vec2 middle_of(const Model<2>& model, const std::vector<FacePart>& faces) {
   return sum / length;
 }
 
-/// Of corners as far as each other the first one, whatever rounding makes of them.
+/// Among equally far corners the first one, regardless of rounding.
 Vec2 farthest(const Model<2>& model, int body, const Vec2& way) {
   const Body& b = model.bodies[body];
   Vec2 best = skin_start(model, b.first_skin);
@@ -42,7 +42,7 @@ Vec2 farthest(const Model<2>& model, int body, const Vec2& way) {
   return best;
 }
 
-/// A point of the outline: the face it is on and its share of the way along it.
+/// A point of the outline: its face and its relative position along it.
 struct OnOutline {
   std::size_t face = 0;
   double share = 0, distance = unbounded;
@@ -61,7 +61,7 @@ OnOutline nearest_on(const Model<2>& model, const std::vector<FacePart>& faces, 
 
 }  // namespace
 
-/// A side is the middle of its faces, a corner what reaches farthest both ways.
+/// A side is the centre of its faces, a corner the outermost point in both directions.
 std::optional<Vec2> named_place(const Model<2>& model, int body, std::string_view name) {
   if (name == "centroid") return body_start(model, body);
   for (const auto& [side, way] : sides) {
@@ -102,7 +102,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
           fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from the outline of '{}'; give points "
                       "on it, where it is at the start",
                       owner, point.x(), point.y(), found.distance, model.bodies[body].name));
-  // Counter-clockwise from `from` to `to`: all the way round where both lie on one face and `to` comes first.
+  // Counter-clockwise from `from` to `to`: all the way around if both lie on one face and `to` comes first.
   const bool round = first.face == last.face && first.share >= last.share;
   if (round && first.share == last.share)
     throw InputError(
@@ -111,7 +111,7 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
   for (std::size_t i = first.face, done = 0;; i = (i + 1) % faces.size(), ++done) {
     FacePart part = faces[i];
     if (done == 0) part.from = first.share;
-    // The face on which both lie is met twice on the way all round: first from `from` on, then up to `to`.
+    // All the way around, the common face is visited twice: first from `from` on, then up to `to`.
     const bool ends = i == last.face && (done > 0 || !round);
     if (ends) part.to = last.share;
     if (part.to > part.from) parts.push_back(part);

@@ -1,4 +1,4 @@
-// Which nodes of a deformable body or a frame are held: those that stand in a box at the start.
+// Supports of some nodes of a deformable body or a frame: the nodes inside a box at the start.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace trilith {
 
-/// Holds the nodes of a deformable body or a frame that stand in a box at the start.
+/// Holds the nodes of a deformable body or a frame that are inside a box at the start.
 template <int D>
 struct NodeSupportOf {
-  Vec<D> low = Vec<D>::Zero(), high = Vec<D>::Zero();  ///< opposite corners [m]; a side may be without end
-  std::array<Support, D> support{};                    ///< x, y and, in space, z; free leaves as it is
+  Vec<D> low = Vec<D>::Zero(), high = Vec<D>::Zero();  ///< opposite corners [m]; a side may be infinite
+  std::array<Support, D> support{};                    ///< x, y and, in space, z; free: unchanged
 };
 
-/// True where `place` [m] is in the box, or out of it by rounding: 1e-9 of the diagonal of its sides that end.
+/// True if `place` [m] is inside the box, with a tolerance of 1e-9 of the diagonal of its finite sides.
 template <int D>
 bool is_supported_at(const NodeSupportOf<D>& hold, const Vec<D>& place) {
   const Vec<D> low = hold.low.cwiseMin(hold.high), high = hold.low.cwiseMax(hold.high), side = high - low;
@@ -28,8 +28,8 @@ bool is_supported_at(const NodeSupportOf<D>& hold, const Vec<D>& place) {
 using NodeSupport = NodeSupportOf<2>;
 using SpaceNodeSupport = NodeSupportOf<3>;
 
-/// Throws InputError, with `owner` in front, for a box that holds none of the nodes [m]: it is a place in the wrong
-/// axes or unit.
+/// Throws InputError, with `owner` in front, for a box without any of the nodes [m]: it probably uses other axes or
+/// units.
 void refuse_idle_holds(std::span<const SpaceNodeSupport> holds, std::span<const Vec3> nodes, const std::string& owner);
 
 }  // namespace trilith

@@ -11,7 +11,7 @@ namespace {
 
 /// Sine of the angle up to which a hollow counts as flat.
 constexpr double flat_hollow = 0.17;
-/// Corners are at one place where they are within this share of the size of their body.
+/// Corners coincide if their distance is within this share of their body's size.
 constexpr double same_place = 1e-9;
 
 /// A corner of a piece.
@@ -19,14 +19,14 @@ struct PieceCorner {
   int piece, corner;
 };
 
-/// A face of a piece's surface: its corners in the piece, and its normal, outward, of length 1.
+/// A face of a piece's surface: its corners in the piece, and its outward unit normal.
 template <int D>
 struct SurfaceFace {
   std::vector<int> corner;
   Vec<D> normal;
 };
 
-/// The corners of one body where they stand at the start, those at one place with one number.
+/// Initial positions of one body's corners; coincident corners have one number.
 template <int D>
 class BodyCorners {
  public:
@@ -44,7 +44,7 @@ class BodyCorners {
   [[nodiscard]] std::size_t row(const PieceCorner& c) const {
     return static_cast<std::size_t>(model_.piece_first[c.piece] + c.corner) - first_;
   }
-  /// In the order of x each is compared with those shortly before it.
+  /// Sorted by x; each is compared with its predecessors within the tolerance.
   void number_all() {
     Vec<D> low = place_[0], high = place_[0];
     for (const Vec<D>& x : place_) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -100,12 +100,12 @@ std::vector<SurfaceFace<3>> BodyCorners<3>::surface(int piece) const {
   return faces;
 }
 
-/// A piece that has a corner or an edge between the places with these numbers, and its corners there.
+/// A piece with a corner or an edge between the positions with these numbers, and its corners there.
 struct Sharing {
   int low, high, piece, from, to;
 };
 
-/// Corners and, in space, edges of all pieces of a body, those between the same places beside each other.
+/// Corners and, in space, edges of all pieces of a body, sorted so that coincident ones are adjacent.
 template <int D>
 std::vector<Sharing> sharing_of(const Model<D>& model, const Body& body, const BodyCorners<D>& corners) {
   std::vector<Sharing> all;
@@ -124,7 +124,7 @@ std::vector<Sharing> sharing_of(const Model<D>& model, const Body& body, const B
   return all;
 }
 
-/// Whether some surface goes by what these pieces share, and none of them reaches out of any such face there.
+/// Whether some surface contains the shared feature, and none of the pieces extends outside of such a face there.
 template <int D>
 bool stands_out(const Model<D>& model, const BodyCorners<D>& corners,
                 const std::vector<std::vector<SurfaceFace<D>>>& surface, int first_piece,
@@ -144,7 +144,7 @@ bool stands_out(const Model<D>& model, const BodyCorners<D>& corners,
   return any;
 }
 
-/// Adds the ridges of a body to the list: for each the pieces that share it.
+/// Appends the shared edges of a body: for each the pieces that share it.
 template <int D>
 void add_ridges(const Model<D>& model, const Body& body, std::vector<std::vector<Sharing>>& ridges) {
   const BodyCorners<D> corners(model, body);

@@ -1,14 +1,18 @@
 // Corners and, in space, edges of a body's surface that several of its convex pieces share.
 //
-//          ridge
-//           /|\           What presses the ridge of a chevron or the corner of a mesh presses two pieces or more at one
-//          / | \          place. That is one contact: its damping and its friction know one direction
-//         /  |  \         (assembly/contact/shared_edge_normal.hpp). The hollow below is no ridge: a wedge in it has a
-//         contact with either
-//        /  / \  \        flank.
-//       /  /   \  \       Where the surface goes straight on from piece to piece, a ridge is flat.
+//           shared edge
+//            /|\
+//           / | \
+//          /  |  \
+//         /  / \  \
+//        /  /   \  \
 //
-// Pieces share what stands at the same place at the start. A corner of one on the side of another is not shared.
+// Contact at the top of a chevron or the corner of a mesh presses two or more pieces at one position. It is a single
+// contact: its damping and friction use one direction (assembly/contact/shared_edge_normal.hpp). The hollow below is no
+// shared edge: a wedge in it has a contact with each flank. Where the surface continues straight from piece to piece, a
+// shared edge is flat.
+//
+// Pieces share points at the same position at the start. A corner of one on the side of another is not shared.
 #pragma once
 
 #include <span>
@@ -18,17 +22,17 @@
 
 namespace trilith {
 
-/// A ridge as a piece has it: the corners of the piece at its ends, the same corner twice where it is a corner.
+/// A shared edge as seen by a piece: the corners of the piece at its ends, twice the same for a shared corner.
 struct SharedEdgePart {
   int ridge, from, to;
 };
 
-/// All ridges of a model. Empty where no body has any.
+/// All shared edges of a model. Empty if no body has any.
 struct SharedEdges {
   std::vector<int> part_first;  ///< [piece + 1]
   std::vector<SharedEdgePart> part;
   std::vector<int> piece_first;  ///< [ridge + 1]
-  std::vector<int> piece;        ///< of each ridge rising
+  std::vector<int> piece;        ///< of each shared edge, increasing
 
   [[nodiscard]] bool empty() const { return part.empty(); }
   [[nodiscard]] std::span<const SharedEdgePart> parts_of(int piece_of) const {
@@ -42,7 +46,7 @@ struct SharedEdges {
   }
 };
 
-/// Those that stand out or are flat, up to hollows of 10 degrees, which meshes of round holes have.
+/// The shared edges that are convex or flat, including hollows up to 10 degrees, as in meshes of round holes.
 template <int D>
 SharedEdges shared_edges(const Model<D>& model);
 extern template SharedEdges shared_edges(const Model<2>& model);

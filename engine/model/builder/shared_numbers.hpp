@@ -1,4 +1,4 @@
-// Elements of one shape share their rows of Model::element_number, as those of a wall of like units do: a step reads
+// Elements of one shape share their rows of Model::element_number, such as equal units of a wall. A step then reads
 // some hundreds of bytes for each shape, not for each element.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace trilith {
 
-/// Share by which numbers of two elements of one shape may differ that stand as far from the origin as these nodes: the
-/// rounding of their places, and what it grows to in gradients and stiffness [1].
+/// Relative difference allowed between the numbers of two elements of one shape at this distance from the origin [1].
+/// It covers the rounding of their positions, which grows in gradients and stiffness.
 template <class Place>
 double rounding_of(std::span<const Place> nodes) {
   constexpr double growth = 64;
@@ -25,15 +25,15 @@ double rounding_of(std::span<const Place> nodes) {
   return growth * std::numeric_limits<double>::epsilon() * reach / size;
 }
 
-/// Numbers of one element in the order of Model::element_number: shape and gradients, `part` each, then what follows
-/// from them and the solid.
+/// Numbers of one element in the order of Model::element_number: shape and gradients, `part` each, then the numbers
+/// derived from them and the solid.
 struct ElementNumbers {
   std::vector<double> all;
   std::size_t part;
   double rounding;  ///< see rounding_of [1]
 
-  /// True where those from `other` on are of the same shape. Shape, gradients and the rest differ in size by many
-  /// powers of ten, so each is held to the largest of its own.
+  /// True if the numbers from `other` on belong to the same shape. Shape, gradients and the rest differ by many powers
+  /// of ten, so each group is compared relative to its largest number.
   [[nodiscard]] bool are_those_of(const double* other) const {
     const auto are = [&](std::size_t from, std::size_t to) {
       double most = 0, off = 0;
@@ -45,8 +45,8 @@ struct ElementNumbers {
   }
 };
 
-/// Where the numbers of an element begin in `rows`: those of one of the same kind and solid, which `is_like(other)` is
-/// true of, among the last ones of `elements`, if they are of one shape; else they are appended.
+/// Index of an element's numbers in `rows`. They are shared with one of the last `elements` of the same kind and solid,
+/// for which `is_like(other)` is true, if the shapes agree; otherwise they are appended.
 template <class E, class IsLike>
 int shared_numbers(const std::vector<E>& elements, const IsLike& is_like, const ElementNumbers& numbers,
                    std::vector<double>& rows) {

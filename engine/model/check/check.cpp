@@ -32,8 +32,8 @@ bool may_touch(const Model<D>& model, int p, int q) {
   return model.law_of[a.surface * model.surfaces + b.surface] >= 0;
 }
 
-/// Calls visit(piece, piece, separation) for pieces of two bodies whose boxes come within `reach` of each other.
-/// Sorted by the lower edge of the boxes along x, so that only neighbours are compared.
+/// Calls visit(piece, piece, separation) for pieces of two bodies whose boxes are within `reach` of each other. Sweep
+/// and prune: sorted by the lower edge of the boxes along x, so that only neighbours are compared.
 template <class Visit>
 void for_near_pieces(const Model<2>& model, double reach, Visit&& visit) {
   const auto count = static_cast<std::size_t>(model.pieces());
@@ -56,7 +56,7 @@ void for_near_pieces(const Model<2>& model, double reach, Visit&& visit) {
     }
 }
 
-/// The same of solids: those whose boxes meet are asked for their separating axis.
+/// For solids: the separating axis is computed where boxes overlap.
 template <class Visit>
 void for_near_pieces(const Model<3>& model, double reach, Visit&& visit) {
   std::vector<PlacedSolid> placed(static_cast<std::size_t>(model.pieces()));
@@ -107,11 +107,11 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
     if (separation >= 0 || !may_touch(model, p, q)) return;
     if (!among.concerns(model.piece_body[p], model.piece_body[q])) return;
     const auto [a, b] = std::minmax(model.piece_body[p], model.piece_body[q]);
-    // Of the smaller body's size; below 1e-12 it is rounding.
+    // Relative to the smaller body's size; below 1e-12 it is rounding.
     const double share = -separation / (2 * std::min(model.body_radius[a], model.body_radius[b]));
     if (share >= 1e-12) found.push_back({share, -separation, a, b});
   });
-  // Of two bodies their deepest pieces count; then the deepest come first.
+  // Keeps the deepest pieces of each two bodies, then sorts the deepest first.
   const auto bodies = [](const DeepPair& o) { return std::pair(o.body_a, o.body_b); };
   std::stable_sort(found.begin(), found.end(), [&](const DeepPair& l, const DeepPair& r) {
     return bodies(l) != bodies(r) ? bodies(l) < bodies(r) : l.share > r.share;
@@ -141,10 +141,10 @@ struct SmallGap {
   int body_a, body_b;
 };
 
-/// Bodies that touch or are linked are one set, with one more that stands for what is fixed or driven (index `bodies`).
+/// Bodies that touch or are linked form a set (union-find); index `bodies` represents everything fixed or driven.
 struct Footing {
   std::vector<int> parent;
-  std::vector<SmallGap> gaps;  ///< not among the sets yet; the narrowest first
+  std::vector<SmallGap> gaps;  ///< not yet part of the sets; the narrowest first
 
   void join(int a, int b) { parent[root_of(parent, a)] = root_of(parent, b); }
   bool is_held(int body) { return root_of(parent, body) == root_of(parent, static_cast<int>(parent.size()) - 1); }
@@ -184,8 +184,8 @@ Footing footing_of(const Model<D>& model, const Newcomers& among) {
   return found;
 }
 
-/// Joins bodies across small gaps. Out: a note where that alone holds some of them up, of the narrowest: bodies before
-/// `first_body` are not asked.
+/// Joins bodies across small gaps. Adds a note on the narrowest gap if some bodies are supported across gaps only;
+/// bodies before `first_body` are not checked.
 template <int D>
 void join_across_gaps(const Model<D>& model, const std::vector<std::uint8_t>& floating, Footing& footing,
                       std::vector<std::string>& notes, int first_body) {
@@ -218,7 +218,7 @@ std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers&
   return out;
 }
 
-/// What is not in the set of what is fixed or driven would fall. Small gaps count as touching, with a note.
+/// A body outside of the set of everything fixed or driven would fall. Small gaps count as touching, with a note.
 template <int D>
 void check_held_up_and_gaps(const Model<D>& model, const std::vector<std::uint8_t>& floating,
                             std::vector<std::string>& faults, std::vector<std::string>& notes, const Newcomers& among) {

@@ -10,12 +10,12 @@
 
 namespace trilith {
 
-/// Which bodies are looked at: those from `first` on, beside all others but those that are out; or those that come
-/// back, beside what is there.
+/// Bodies to be checked: the bodies from `first` on, against all others that are present; or the bodies that return,
+/// against the present ones.
 struct Newcomers {
   int first = 0;
-  const std::vector<std::uint8_t>* out = nullptr;   ///< [body] 1: it is not there; nullptr: all are
-  const std::vector<std::uint8_t>* back = nullptr;  ///< [body] 1: it comes back; nullptr: none does
+  const std::vector<std::uint8_t>* out = nullptr;   ///< [body] 1: absent; nullptr: all are present
+  const std::vector<std::uint8_t>* back = nullptr;  ///< [body] 1: it returns; nullptr: none does
 
   [[nodiscard]] bool is_there(int body) const {
     return out == nullptr || static_cast<std::size_t>(body) >= out->size() || (*out)[body] == 0;
@@ -26,14 +26,15 @@ struct Newcomers {
   }
 };
 
-/// A fault for each two bodies that may touch and overlap deeper at the start than `allowed` times the smaller one's
-/// size: their names and the depth, the deepest for its size first. Where there is none, the deepest is noted.
+/// Adds a fault for each two bodies that may touch and overlap at the start by more than `allowed` times the smaller
+/// one's size: their names and the depth, the largest relative depth first. Without faults, the deepest overlap is
+/// noted.
 template <int D>
 void check_overlaps(const Model<D>& model, double allowed, std::vector<std::string>& faults,
                     std::vector<std::string>& notes, const Newcomers& among = {});
 
-/// A fault for each free body on which gravity acts and that neither touches, nor is linked to, anything that leads to
-/// a fixed or driven body. `floating`: [body] 1 where that is meant. What came before `among` is not asked.
+/// Adds a fault for each free body under gravity that is not connected, by contact or links, to a fixed or driven body.
+/// `floating`: [body] 1 where this is intended. Bodies before `among` are not checked.
 template <int D>
 void check_held_up(const Model<D>& model, const std::vector<std::uint8_t>& floating, std::vector<std::string>& faults,
                    const Newcomers& among = {});

@@ -13,7 +13,7 @@ namespace {
   throw InputError(damaged_state(owner, what));
 }
 
-/// Both pieces are there, the lower number first.
+/// Both pieces exist, the lower index first.
 template <int D>
 bool is_contact_of(const Model<D>& model, ContactKey key) {
   return first_piece(key) >= 0 && first_piece(key) < second_piece(key) && second_piece(key) < model.pieces();
@@ -26,7 +26,7 @@ bool in_known_state(const SolidMemory& m) {
   return !m.empty() && m.state <= contact_states && m.crushed >= 0;
 }
 
-/// Rows are found by halving, so their keys must rise.
+/// Rows are found by binary search, so their keys must increase.
 template <int D>
 void check_contacts(const std::string& owner, const Model<D>& model, const State<D>& s) {
   const Contacts<D>& c = s.contacts;
@@ -55,7 +55,7 @@ void check_accelerations(const std::string& owner, const State<D>& s) {
     fail(owner, "has accelerations for other numbers of nodes than the model");
 }
 
-/// A matrix in compressed columns, square, its rows in order.
+/// A square matrix in compressed columns, rows in order.
 template <int D>
 void check_tangent(const std::string& owner, const State<D>& s) {
   if (!s.tangent) return;
@@ -70,13 +70,13 @@ void check_tangent(const std::string& owner, const State<D>& s) {
 
 template <int D>
 void check_bearings(const std::string& owner, const State<D>& s) {
-  constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant comes last
+  constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant is last
   for (const BearingMemory<D>& m : s.bearing)
     if (m.status > BearingStatus::removed || m.failed_direction > last || !(m.stood_for >= 0))
       fail(owner, "has a bearing in no known state");
 }
 
-/// A body is removed where it is held out and has a time that is not negative.
+/// A body is removed if it is held out and has a time that is not negative.
 template <int D>
 void check_removed(const std::string& owner, const State<D>& s) {
   if (!s.removed_at.empty() && s.removed_at.size() != s.left.size())

@@ -1,4 +1,4 @@
-// Whether a state that was read from a file is one of its model.
+// Checks whether a state read from a file is valid for its model.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace trilith {
 
-/// The message for a file or text, `owner`, in which `what` is wrong: "... is too short".
+/// The message for a file or text `owner`; `what` is the defect: "... is too short".
 std::string damaged_state(const std::string& owner, std::string_view what);
 
-/// Throws InputError, beginning with `owner`, where contacts, bodies that passed, bearings, removed bodies or what the
-/// implicit schemes keep are not those that `model` can have. Numbers of rows were compared as the state was read.
+/// Throws InputError, which begins with `owner`, if contacts, penetrated bodies, bearings, removed bodies or the data
+/// of implicit schemes are invalid for `model`. Numbers of rows were compared as the state was read.
 template <int D>
 void check_state(const Model<D>& model, const State<D>& state, const std::string& owner);
 

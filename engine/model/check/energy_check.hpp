@@ -1,4 +1,4 @@
-// How well the ledger closes over a run: the largest residual against the energy that went through the structure.
+// Closure of the ledger over a run: the largest residual relative to the energy input of the structure.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace trilith {
 
-/// Feed it every sample of the ledger.
+/// Call add() for every sample of the ledger.
 class EnergyCheck {
  public:
-  /// `residual`: balance of the ledger less the balance at the start [J].
+  /// `residual`: balance of the ledger minus the balance at the start [J].
   void add(const Energy& energy, double residual) {
     double held = 0;
     for (int i = 0; i < energy_terms; ++i)
@@ -21,14 +21,14 @@ class EnergyCheck {
     last_ = energy;
   }
 
-  /// Largest sum of all energy held or given off, the weight's apart [J]: what start, ground, loads and falling weight
-  /// had put in by then.
+  /// Largest sum of all stored and dissipated energy without the potential energy of weight [J]: the energy supplied so
+  /// far by the initial state, ground, loads and falling weight.
   [[nodiscard]] double input() const { return input_; }
-  /// Largest residual of either sign [J].
+  /// Largest magnitude of the residual [J].
   [[nodiscard]] double residual() const { return residual_; }
-  /// The second over the first; 0 where nothing was put in.
+  /// residual() / input(); 0 without input.
   [[nodiscard]] double share() const { return input_ > 0 ? residual_ / input_ : 0; }
-  /// The ledger as it was fed last.
+  /// The last sample of the ledger.
   [[nodiscard]] const Energy& last() const { return last_; }
 
  private:

@@ -7,7 +7,7 @@
 namespace trilith {
 namespace {
 
-/// Of one member after the other; a law that many members share is told of once.
+/// Notes member by member; a law shared by many members is noted once.
 class FrameNotes {
  public:
   FrameNotes(const std::string& owner, std::vector<std::string>& notes) : owner_(owner), notes_(notes) {}

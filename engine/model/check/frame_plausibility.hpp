@@ -1,4 +1,4 @@
-// Numbers of frames that are allowed but not usual: of their sections, fibres and hinges.
+// Unusual but allowed parameters of frames: of their sections, fibres and hinges.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// Adds a note for each kind of number, of the first member that has it.
+/// Adds a note for each kind of parameter, for the first member with it.
 void add_frame_plausibility_notes(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes);
 void add_frame_plausibility_notes(const SpaceFrameSpec& frame, const std::string& owner,
                                   std::vector<std::string>& notes);

@@ -1,4 +1,4 @@
-// Which bodies stand on something.
+// Finds the supported bodies.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,7 @@
 
 namespace trilith {
 
-/// [body] 1 where the body touches, or is linked to, something that leads to a fixed or driven body as the model
-/// starts.
+/// [body] 1 if the body is connected, by contact or links, to a fixed or driven body at the start.
 template <int D>
 std::vector<std::uint8_t> held_up_bodies(const Model<D>& model, const Newcomers& among = {});
 

@@ -11,10 +11,10 @@
 namespace trilith {
 namespace {
 
-/// Pairs that are listed one by one.
+/// Largest number of pairs that are listed.
 constexpr std::size_t most_listed = 5;
 
-/// Bodies of one surface: all are alike to every statement.
+/// Bodies of one surface: statements do not distinguish them.
 struct SurfaceBodies {
   int moving[2] = {-1, -1}, held[2] = {-1, -1};  ///< up to two bodies of each kind, -1: none
 
@@ -37,7 +37,7 @@ std::pair<int, int> may_meet(const SurfaceBodies& a) {
   return {a.moving[0], a.moving[1] >= 0 ? a.moving[1] : a.held[0]};
 }
 
-/// What has no pieces touches nothing.
+/// A body without pieces has no contact.
 template <int D>
 std::vector<SurfaceBodies> bodies_by_surface(const Model<D>& model) {
   std::vector<SurfaceBodies> out(static_cast<std::size_t>(model.surfaces));
@@ -48,7 +48,7 @@ std::vector<SurfaceBodies> bodies_by_surface(const Model<D>& model) {
   return out;
 }
 
-/// Its material in a statement, or its name where it has none.
+/// Its material in a statement, or its name if it has none.
 const std::string& side_of(const Body& body) {
   return body.material.empty() ? body.name : body.material;
 }
@@ -71,10 +71,10 @@ Sides sides_of(const Body& a, const Body& b) {
   return std::minmax(side_of(a), side_of(b));
 }
 
-/// Pairs of surfaces of which two bodies may meet, by what a statement would call them.
+/// Pairs of surfaces with bodies that may meet, keyed by their names in a statement.
 struct MeetingSurfaces {
-  std::map<Sides, std::pair<int, int>> missing;  ///< an example of the bodies
-  std::set<Sides> declared;                      ///< where some bodies of these materials have a statement
+  std::map<Sides, std::pair<int, int>> missing;  ///< example bodies
+  std::set<Sides> declared;                      ///< pairs of materials with a statement for some bodies
 
   template <int D>
   explicit MeetingSurfaces(const Model<D>& model) {
@@ -94,8 +94,8 @@ struct MeetingSurfaces {
 
 }  // namespace
 
-/// One pass over the bodies, then over pairs of surfaces, of which there are as many as statements tell apart. Where no
-/// pair has a statement, one about all bodies is the remedy.
+/// One pass over the bodies, then over pairs of surfaces, whose number depends on the statements. If no pair has a
+/// statement, one for all bodies is suggested.
 template <int D>
 std::vector<std::string> missing_laws(const Model<D>& model) {
   const MeetingSurfaces found(model);

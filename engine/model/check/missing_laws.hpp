@@ -1,4 +1,4 @@
-// Pairs of bodies that may meet and of which no contact statement speaks: they would pass through each other.
+// Pairs of bodies that may meet without a contact statement: they would pass through each other.
 #pragma once
 
 #include <string>
@@ -8,16 +8,15 @@
 
 namespace trilith {
 
-/// In Model::law_of: no statement speaks of these two surfaces. As -1, of law "none", no contact.
+/// In Model::law_of: no statement covers these two surfaces. -1 means the law "none": declared without contact.
 inline constexpr int undeclared_law = -2;
 
-/// A line for each two materials of which some bodies, at least one of them free to move, have no statement about their
-/// contact, with a statement that would mend it; after some of them one line counts the rest. Empty where there are
-/// none.
+/// A line for each two materials that have bodies, at least one of them free to move, without a statement about their
+/// contact. It suggests a statement as remedy. After several lines one counts the rest. Empty if nothing is missing.
 template <int D>
 std::vector<std::string> missing_laws(const Model<D>& model);
 
-/// Throws InputError with these lines, where there are any.
+/// Throws InputError with these lines, if there are any.
 template <int D>
 void require_laws(const Model<D>& model);
 

@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// Where they stand; `solids` must outlive it.
+/// Places the solids at their positions; `solids` must outlive the result.
 std::vector<PlacedSolid> standing(const std::vector<ConvexSolid>& solids) {
   std::vector<PlacedSolid> placed(solids.size());
   for (std::size_t p = 0; p < solids.size(); ++p) place(solids[p], turn_of(UnitQuaternion{}), Vec3::Zero(), placed[p]);

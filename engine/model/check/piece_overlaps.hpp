@@ -1,4 +1,4 @@
-// Pieces of one body that stand in each other.
+// Overlapping pieces of one body.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Throws InputError where two convex pieces overlap by more than `allowed` times the size of the smaller one: their
-/// volume would count twice. It names the deepest two. `owner` begins the message.
+/// Throws InputError if two convex pieces overlap by more than `allowed` times the size of the smaller one: their
+/// volume would count twice. The message names the deepest pair and begins with `owner`.
 void refuse_overlapping_pieces(const std::vector<Polyhedron>& pieces, double allowed, const std::string& owner);
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-// Bodies that a small gap alone parts from what holds them up.
+// Bodies separated by a small gap from their support.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace trilith {
 
-/// As check_held_up: a gap of up to 2 % of the smaller body's radius counts as touching. `notes` gets the narrowest of
-/// the gaps that alone hold a body up, and how many more there are.
+/// Like check_held_up, but a gap up to 2 % of the smaller body's radius counts as touching. Adds to `notes` the
+/// narrowest gap that alone supports a body, and the number of further ones.
 template <int D>
 void check_held_up_and_gaps(const Model<D>& model, const std::vector<std::uint8_t>& floating,
                             std::vector<std::string>& faults, std::vector<std::string>& notes,

@@ -13,8 +13,7 @@ bool has_sphere(const Model<3>& model, const Body& body) {
   return std::any_of(first, first + body.pieces, [](const ConvexSolid& piece) { return piece.is_sphere(); });
 }
 
-/// Keys of a law, with a value other than 0, that contact of spheres has no use for: all but those of pressure and
-/// friction.
+/// Keys of a law with nonzero values that sphere contact ignores: all except pressure and friction.
 std::vector<std::string> idle_keys(const ContactLaw& law) {
   std::vector<std::string> keys;
   if (!may_bond(law)) return keys;
@@ -30,7 +29,7 @@ std::vector<std::string> idle_keys(const ContactLaw& law) {
   return keys;
 }
 
-/// Names of at most three, and how many more there are.
+/// At most three names, and the number of further ones.
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 3;
   std::vector<std::string> quoted;

@@ -1,4 +1,4 @@
-// Parts of contact laws that spheres do not carry.
+// Parts of contact laws that sphere contact does not support.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Adds a line to `notes` for each law that has a bond, mortar that crushes or another part that contact of spheres
-/// does not carry, and holds for a body with spheres from body `first` on: which bodies, and a remedy.
+/// Adds a line to `notes` for each law with a bond, crushing mortar or another part that sphere contact does not
+/// support. It must hold for a body with spheres from body `first` on. The line names the bodies and a remedy.
 void note_sphere_laws(const Model<3>& model, int first, std::vector<std::string>& notes);
 
 }  // namespace trilith

@@ -29,14 +29,14 @@ std::vector<SurfaceEdge> surface_of(const Model<2>& model, const Body& body) {
   return edges;
 }
 
-/// Distance from the middle of an edge along its normal, inwards, to where the body ends [m].
+/// Distance from the middle of an edge inwards along its normal to the end of the body [m].
 double thickness_behind(const SurfaceEdge& edge, const std::vector<SurfaceEdge>& surface) {
   const Vec2 along = (edge.to - edge.from).normalized(), inwards = left_of(along), middle = 0.5 * (edge.from + edge.to);
   double least = unbounded;
   for (const SurfaceEdge& other : surface) {
-    // A ray from the middle inwards: `other` crosses it where its ends lie on either side.
+    // A ray from the middle inwards crosses `other` if its ends are on either side.
     const double from = along.dot(other.from - middle), to = along.dot(other.to - middle);
-    if (!(to <= 0 && from >= 0 && from > to)) continue;  // the far side runs against this edge
+    if (!(to <= 0 && from >= 0 && from > to)) continue;  // the far side runs in the opposite direction
     const Vec2 at = other.from + from / (from - to) * (other.to - other.from);
     const double distance = inwards.dot(at - middle);
     if (distance > 0) least = std::min(least, distance);
@@ -51,7 +51,7 @@ double width_of(const Model<2>& model, int piece) {
   return least_width(outline);
 }
 
-/// What touches nothing by any law bounds no step.
+/// A body without any contact law limits no step.
 bool touches_something(const Model<2>& model, const Body& body) {
   const auto first = model.law_of.begin() + std::ptrdiff_t{body.surface} * model.surfaces;
   return std::any_of(first, first + model.surfaces, [](int law) { return law >= 0; });
@@ -59,8 +59,9 @@ bool touches_something(const Model<2>& model, const Body& body) {
 
 }  // namespace
 
-/// Of a body of one piece: the least width. Of several, whose cuts have no surface: the least distance from the middle
-/// of a surface edge through the body, as a thin piece may have much behind it; but no less than its own width.
+/// For a single-piece body the least width. For several pieces, whose cuts are no surface, the least distance from the
+/// middle of a surface edge through the body, because a thin piece may have others behind it. It is at least the
+/// piece's own width.
 void find_thickness(Model<2>& model) {
   model.piece_thickness.assign(static_cast<std::size_t>(model.pieces()), 0);
   model.least_thickness = unbounded;

@@ -1,15 +1,15 @@
-// How thick bodies are where they may be hit: what an overlap is deep or shallow against.
+// Thickness of bodies where they may be hit: the reference length of overlaps.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace trilith {
 
-/// Fills piece_thickness and least_thickness of a model whose pieces and contact table are there, as it starts.
+/// Computes piece_thickness and least_thickness of a model that has its pieces and contact table, in its initial state.
 ///
-/// A body of one piece is as thick as the piece's least width. Of a body of several, a piece is as thick as the body is
-/// behind the middle of those of its edges that are surface, where that is least; but no thinner than its own least
-/// width, for an inner cut is no end of the body.
+/// The thickness of a single-piece body is the piece's least width. In a body of several pieces the thickness of a
+/// piece is the least thickness of the body behind the middle of its surface edges. It is at least the piece's own
+/// least width, because an inner cut is no end of the body.
 void find_thickness(Model<2>& model);
 
 }  // namespace trilith

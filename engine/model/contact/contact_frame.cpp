@@ -6,7 +6,7 @@
 
 namespace trilith {
 
-/// First the gradient F, then its turn, then the rates.
+/// First the gradient F, then its rotation, then the rates.
 Fitted fitted(const Model<3>& model, const Fit& fit, std::span<const Vec3> position, std::span<const Vec3> velocity) {
   const double* const number = &model.fit_number[static_cast<std::size_t>(fit.first_number)];
   Fitted out;
@@ -81,7 +81,7 @@ void push_contact_frame(const Model<3>& model, const State<3>& state, int contac
 
 namespace {
 
-/// The three faces that a corner of a brick or a tetrahedron belongs to.
+/// The three faces at a corner of a brick or a tetrahedron.
 std::array<int, 3> faces_at(const FaceLoops& faces, int corner) {
   std::array<int, 3> found{};
   std::size_t count = 0;
@@ -91,11 +91,11 @@ std::array<int, 3> faces_at(const FaceLoops& faces, int corner) {
   return found;
 }
 
-/// Where three planes meet (Cramer's rule).
+/// Intersection of three planes (Cramer's rule).
 Vec3 meeting_of(const Fitted& a, const Fitted& b, const Fitted& c) {
   const Vec3 na = a.axes.col(2), nb = b.axes.col(2), nc = c.axes.col(2);
   const Vec3 ab = cross(na, nb), bc = cross(nb, nc), ca = cross(nc, na);
-  // From one of the places, so that nothing is lost far from the origin.
+  // Relative to one of the positions, so that no digits are lost far from the origin.
   const Vec3 origin = a.place;
   return origin + (nb.dot(Vec3(b.place - origin)) * ca + nc.dot(Vec3(c.place - origin)) * ab) / na.dot(bc);
 }

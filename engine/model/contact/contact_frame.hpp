@@ -1,16 +1,16 @@
-// What carries a piece of a body in space, or one face of it: a node with rotation, or nodes without, to which place
-// and turn are fitted.
+// The contact frame of a piece of a body in space, or of one of its faces. It is a node with rotation, or several nodes
+// without, to which position and rotation are fitted.
 //
-// A carrier is named by one number: a node of a rigid body or a frame from 0 on; below 0 the fit -1 - k of
-// Model::fits. A piece of a body whose nodes do not turn is a convex solid between the planes of the faces of one
-// element. Each of these planes is fitted to the nodes of its face (see FaceFit), so that a face stays plane and tilts
-// as the element bends; the corners lie where three planes meet. For contact such a face is a rigid plate that moves
+// A frame has one index: from 0 on a node of a rigid body or a frame structure; negative values -1 - k are the fit k of
+// Model::fits. A piece of a body whose nodes have no rotation is a convex solid between the planes of one element's
+// faces. Each of these planes is fitted to the nodes of its face (see FaceFit), so a face stays plane and tilts as the
+// element bends; the corners are intersections of three planes. For contact such a face is a rigid plate that moves
 // with its fit:
 //
-//     place = sum of a_i x_i,   velocity = sum of a_i v_i,   turn and spin: element/corotation_3d.hpp
+//     position = sum of a_i x_i,   velocity = sum of a_i v_i,   rotation and spin: element/corotation_3d.hpp.
 //
-// and a force and a moment about that place go to the nodes by the transpose, f_i = a_i f + R ((t R'm) x g_i). A
-// pressure along the normal does the same work on the plate as on the nodes, whatever its distribution.
+// A force and a moment about that position are distributed to the nodes by the transpose, f_i = a_i f + R ((t R'm) x
+// g_i). A pressure along the normal does the same work on the plate as on the nodes, whatever its distribution.
 #pragma once
 
 #include <array>
@@ -35,10 +35,10 @@ struct Fit {
   int nodes = 0;
   bool is_face = false;  ///< its gradients lie in the plane of the face, and its third axis is the normal
   std::array<int, most_fit_nodes> node{};
-  int first_number = 0;  ///< in Model::fit_number: a_i [1] and the three of g_i [1/m] of each node
+  int first_number = 0;  ///< index in Model::fit_number: a_i [1] and the three components of g_i [1/m] of each node
 };
 
-/// A fit where it is now.
+/// Present position and motion of a fit.
 struct Fitted {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< [m], [m/s], [rad/s]
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(), couple = Eigen::Matrix3d::Identity();
@@ -47,26 +47,26 @@ struct Fitted {
   [[nodiscard]] Vec3 velocity_at(const Vec3& x) const { return velocity + cross(spin, Vec3(x - place)); }
 };
 
-/// Of nodes with these places and velocities.
+/// For nodes with these positions and velocities.
 Fitted fitted(const Model<3>& model, const Fit& fit, std::span<const Vec3> position, std::span<const Vec3> velocity);
 
-/// Adds a force [N] and a moment about the place of the fit [N m] to the nodes.
+/// Adds a force [N] and a moment about the position of the fit [N m] to the nodes.
 void spread_fitted(const Model<3>& model, const Fit& fit, const Fitted& now, const Vec3& force, const Vec3& moment,
                    std::vector<Vec3>& node_force);
 
-/// Pose and motion of a carrier.
+/// Pose and motion of a contact frame.
 BodyMotion motion_of(const Model<3>& model, const State<3>& state, int contact_frame);
-/// Where it was as the step behind began, which an implicit scheme took. Velocities are of no meaning.
+/// The pose at the beginning of the last implicit step. Velocities are undefined.
 BodyMotion motion_before(const Model<3>& model, const State<3>& state, int contact_frame);
-/// At the start.
+/// The pose at the start.
 BodyMotion start_of(const Model<3>& model, int contact_frame);
 
-/// Adds a force [N] at a point [m] and a moment [N m] that act on a carrier to the nodes.
+/// Adds a force [N] at a point [m] and a moment [N m] on a contact frame to the nodes.
 void push_contact_frame(const Model<3>& model, const State<3>& state, int contact_frame, const Vec3& point,
                         const Vec3& force, const Vec3& moment, std::vector<Vec3>& node_force,
                         std::vector<Vec3>& node_moment);
 
-/// Corners and normals of a piece between the planes of its faces, of which `now` has the fits.
+/// Corners and normals of a piece between the planes of its faces; `now` has their fits.
 void place_between(const ConvexSolid& solid, std::span<const Fitted> now, std::vector<Vec3>& corners,
                    std::vector<Vec3>& normals);
 

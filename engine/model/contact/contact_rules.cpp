@@ -19,7 +19,7 @@ std::vector<std::string> ContactRules::law_names() const {
   return names;
 }
 
-/// Its parameters are checked one by one, then together, and what is possible and yet unlikely is noted.
+/// Its parameters are checked one by one, then together; allowed but implausible values are noted.
 void ContactRules::add_law(const std::string& name, const ContactLaw& law, std::vector<std::string>& notes) {
   require_name(name, "contact law");
   if (law_rows_.contains(name))
@@ -49,7 +49,7 @@ void ContactRules::set_contact(const std::string& a, const std::string& b, const
 
 namespace {
 
-/// Surfaces by the names that a statement may use for them.
+/// Surfaces by all names that a statement may use for them.
 class SurfaceNames {
  public:
   void add(const Body& body, int surface) {
@@ -75,7 +75,7 @@ class SurfaceNames {
 
 }  // namespace
 
-/// Bodies that no statement distinguishes share a surface: those of one material and one set of groups, unless a
+/// Bodies that no statement distinguishes share a surface: bodies with one material and one set of groups, unless a
 /// statement names one of them.
 template <int D>
 std::vector<const Body*> ContactRules::assign_surfaces(Model<D>& model) const {
@@ -111,15 +111,15 @@ std::vector<ContactForm> meeting_forms(const Model<3>& model, const Body& a, con
 
 }  // namespace
 
-/// One line for each law, by the first two bodies for which it does not hold as it is written. A surface that one body
-/// has alone meets itself nowhere.
+/// One line for each law, for the first two bodies for which it does not hold as specified. The surface of a single
+/// body never meets itself.
 template <int D>
 void ContactRules::require_whole_laws(const Model<D>& model, const std::vector<const Body*>& example) const {
   std::vector<const Body*> second(example.size(), nullptr);
   for (const Body& body : model.bodies)
     if (const auto s = static_cast<std::size_t>(body.surface); &body != example[s] && second[s] == nullptr)
       second[s] = &body;
-  // Nothing more is asked of laws that act everywhere.
+  // Laws that act everywhere need no further check.
   std::set<int> told;
   for (std::size_t law = 0; law < laws_.size(); ++law)
     if (form_refusal(laws_[law].second, contact_forms).empty()) told.insert(static_cast<int>(law));
@@ -141,7 +141,7 @@ void ContactRules::require_whole_laws(const Model<D>& model, const std::vector<c
   if (!faults.empty()) throw InputError(faults);
 }
 
-/// Of each pair of surfaces the last statement that fits both gives the law.
+/// For each pair of surfaces the last statement that matches both gives the law.
 template <int D>
 void ContactRules::fill(Model<D>& model) const {
   for (const auto& [name, law] : laws_) {
@@ -164,8 +164,8 @@ void ContactRules::fill(Model<D>& model) const {
   require_whole_laws(model, example);
 }
 
-/// A statement about a name that nothing has would never hold. Hundreds of bodies are no help in a message, so the hint
-/// names them only where one is near.
+/// A statement about an unknown name would never apply. The hint lists bodies only if a name is similar, because
+/// hundreds of them do not help in a message.
 void ContactRules::check_sides(std::vector<std::string> known, const std::vector<std::string>& bodies,
                                std::vector<std::string>& faults) const {
   std::set<std::string> any;

@@ -1,5 +1,5 @@
-// Which contact law holds between which bodies, as it is said of a model: laws by name, and statements about pairs of
-// materials, groups or bodies.
+// Contact laws between bodies, as specified for a model: named laws, and statements about pairs of materials, groups or
+// bodies.
 #pragma once
 
 #include <map>
@@ -14,15 +14,15 @@ namespace trilith {
 
 class ContactRules {
  public:
-  /// Throws InputError for a name taken and for numbers out of range; adds to `notes` what is unusual.
+  /// Throws InputError for a name in use and for parameters out of range; adds unusual values to `notes`.
   void add_law(const std::string& name, const ContactLaw& law, std::vector<std::string>& notes);
-  /// Which law holds between two materials, groups or bodies ("*": any), which may be added later. The last statement
-  /// that fits a pair of bodies wins. `law` "none": they never touch. Throws InputError where there is no such law.
+  /// Sets the law between two materials, groups or bodies ("*": any), which may be added later. The last statement that
+  /// matches a pair of bodies is used. `law` "none": they never touch. Throws InputError if the law does not exist.
   void set_contact(const std::string& a, const std::string& b, const std::string& law);
   [[nodiscard]] std::vector<std::string> law_names() const;
   [[nodiscard]] const std::vector<std::pair<std::string, ContactLaw>>& laws() const { return laws_; }
 
-  /// A line for each statement about a name that nothing has; `bodies` have a name and groups.
+  /// Adds a line for each statement about an unknown name; `bodies` have a name and groups.
   template <class Bodies>
   void check(const Bodies& bodies, const std::vector<Material>& materials, std::vector<std::string>& faults) const {
     std::vector<std::string> known{"*"}, names;
@@ -33,8 +33,8 @@ class ContactRules {
     }
     check_sides(std::move(known), names, faults);
   }
-  /// Writes laws, surfaces and their table into a model whose bodies have names, materials and groups. Throws
-  /// InputError for a law of which not all equations act between bodies that it holds for.
+  /// Writes laws, surfaces and their table to a model whose bodies have names, materials and groups. Throws InputError
+  /// for a law with equations that do not act between all its bodies.
   template <int D>
   void fill(Model<D>& model) const;
 
@@ -47,12 +47,12 @@ class ContactRules {
 
   template <int D>
   std::vector<const Body*> assign_surfaces(Model<D>& model) const;
-  /// Throws InputError where a geometry in which two bodies may meet leaves out equations of their law.
+  /// Throws InputError if some equations of a law do not act in a geometry in which two of its bodies may meet.
   template <int D>
   void require_whole_laws(const Model<D>& model, const std::vector<const Body*>& example) const;
 
   std::vector<std::pair<std::string, ContactLaw>> laws_;
-  std::map<std::string, int> law_rows_;  ///< rows of laws_ by name
+  std::map<std::string, int> law_rows_;  ///< indices into laws_ by name
   std::vector<Statement> statements_;
 };
 

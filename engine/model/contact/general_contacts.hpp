@@ -1,8 +1,6 @@
-// What contacts of general shape came to: a table with a place for each row that may touch, and a list of those that
-// do.
+// Results of general contacts: a table with a slot for each row that may touch, and a list of the slots that touch.
 //
-// Threads write to the places of their own rows, and the list alone is put together once all are answered: nothing is
-// moved.
+// Threads write to the slots of their rows, and only the list is assembled afterwards: nothing is moved.
 #pragma once
 
 #include <algorithm>
@@ -15,17 +13,17 @@
 
 namespace trilith {
 
-/// What the general contact of one row came to, for the step estimate, events and recording.
+/// Result of one row's general contact, for the step estimate, events and recording.
 template <int D>
 struct GeneralContact {
   int row;
   double size;    ///< length in contact [m], in space the area [m2]
-  double depth;   ///< greatest overlap [m]
+  double depth;   ///< largest overlap [m]
   Vec<D> centre;  ///< centre of pressure [m]
   Vec<D> force;   ///< on the second body [N]
 };
 
-/// Contacts that touch, in the order in which they were listed.
+/// Contacts that touch, in the order of listing.
 template <int D>
 class GeneralContacts {
  public:
@@ -52,7 +50,7 @@ class GeneralContacts {
   [[nodiscard]] const GeneralContact<D>& operator[](std::size_t i) const { return table_[place(i)]; }
   [[nodiscard]] Iterator begin() const { return {table_.data(), listed_.data()}; }
   [[nodiscard]] Iterator end() const { return {table_.data(), listed_.data() + listed_.size()}; }
-  /// That of a row; nullptr: it does not touch. The rows of the list rise.
+  /// The result of a row; nullptr: it does not touch. The rows of the list increase.
   [[nodiscard]] const GeneralContact<D>* find(int row) const {
     const auto at = std::lower_bound(listed_.begin(), listed_.end(), row,
                                      [&](int p, int r) { return table_[static_cast<std::size_t>(p)].row < r; });
@@ -61,21 +59,21 @@ class GeneralContacts {
     return found.row == row ? &found : nullptr;
   }
 
-  /// Room for so many, so that none is asked for within a step.
+  /// Reserves capacity, so that nothing is allocated within a step.
   void reserve(std::size_t count) { make_room(table_, count), make_room(listed_, count); }
-  /// None touches; there are `places`, of no meaning yet.
+  /// Clears the list; there are `places` slots with undefined contents.
   void begin_anew(std::size_t places) {
     listed_.clear();
     if (table_.size() < places) table_.resize(places);
   }
-  /// To be written by whoever answers the row that has this place.
+  /// To be written by the thread that computes the slot's row.
   [[nodiscard]] GeneralContact<D>& at(int place) { return table_[static_cast<std::size_t>(place)]; }
-  /// Places of contacts that touch.
+  /// Appends the slots of contacts that touch.
   void list(const std::vector<int>& places) { listed_.insert(listed_.end(), places.begin(), places.end()); }
 
  private:
-  std::vector<GeneralContact<D>> table_;  ///< [place]
-  std::vector<int> listed_;               ///< places of those that touch
+  std::vector<GeneralContact<D>> table_;  ///< [slot]
+  std::vector<int> listed_;               ///< slots that touch
 
   [[nodiscard]] std::size_t place(std::size_t i) const { return static_cast<std::size_t>(listed_[i]); }
 };

@@ -1,4 +1,4 @@
-// Rows of contacts in the plane, parted between threads.
+// Partition of contact rows in the plane over threads.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,24 @@
 
 namespace trilith {
 
-/// One whose processor is held up leaves runs to others; the more of them, the more bodies lie between two.
+/// Number of runs per thread. A delayed thread leaves runs to others; but more runs have more bodies on their borders.
 inline constexpr int runs_a_thread = 4;
 
-/// Runs of rows that are answered one after the other, the same in every step, so that what they hold stays in the
-/// cache of the thread that answers them.
+/// Runs of rows that are computed in order, the same in every step, so that their data stays in the cache of one
+/// thread.
 struct RowShares {
-  int threads = 0;                   ///< that they were made for; 0: not made since the pairs were found
-  int evaluations = 0;               ///< since then
-  std::vector<int> first;            ///< [run, and one more] the row that it begins with
-  std::vector<std::uint8_t> border;  ///< [row] sides whose body has rows in more than one run, as bits
-  std::vector<int> share_of;         ///< [body] room
+  int threads = 0;         ///< number of threads of the partition; 0: not partitioned after the last pair update
+  int evaluations = 0;     ///< number of evaluations with the partition
+  std::vector<int> first;  ///< [run + 1] first row of each run
+  std::vector<std::uint8_t> border;  ///< [row] bit set of the sides whose body has rows in more than one run
+  std::vector<int> share_of;         ///< [body] scratch
 
   [[nodiscard]] int runs() const { return static_cast<int>(first.size()) - 1; }
-  /// The pairs are others now.
+  /// Invalidates the partition after a change of the pairs.
   void forget() { threads = evaluations = 0; }
 };
 
-/// Rows of a list that one thread answers one after the other, and the first of the fours that keep what they come to.
+/// Rows of a list that one thread computes in order, and the index of their first group of four results.
 struct RowRun {
   std::size_t first, last, four;
 };

@@ -1,5 +1,5 @@
-// Where a point of a body's skin is: it goes with one node and turns with one, which may be another (Model::skin_node,
-// Model::skin_turn).
+// Position of a skin point: it moves with one node and rotates with one, which may be a different one
+// (Model::skin_node, Model::skin_turn).
 #pragma once
 
 #include "model/model.hpp"

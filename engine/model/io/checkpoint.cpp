@@ -74,7 +74,7 @@ void check_head(std::span<const std::uint64_t> words, const std::filesystem::pat
         " belongs to another model: bodies, laws or bearings differ; load it with the model it was saved from");
 }
 
-/// Once it is known which bodies have left, as these are held whatever the model says.
+/// After it is known which bodies have left, because these are held whatever the model states.
 void check_conditions(std::span<const std::uint64_t> words, const std::filesystem::path& path,
                       std::uint64_t conditions) {
   if (words[4] != conditions)

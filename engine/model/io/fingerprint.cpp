@@ -33,7 +33,7 @@ void add(Hash& hash, const UnitQuaternion& v) {
   hash.add(v.w), hash.add(v.x), hash.add(v.y), hash.add(v.z);
 }
 
-// Declared ahead of the arrays of them.
+// Declared before the arrays that contain them.
 void add(Hash& hash, const ContactLaw& law);
 void add(Hash& hash, const DirectionLaw& law);
 void add(Hash& hash, const Body& b);
@@ -61,7 +61,7 @@ void add(Hash& hash, const PushRow<D>& r);
 template <int D>
 void add(Hash& hash, const Push<D>& p);
 
-/// The length counts too, so that elements cannot slip from one array to the next.
+/// The length counts too, so that elements cannot move from one array to the next.
 template <class T, std::size_t N>
 void add(Hash& hash, const std::array<T, N>& values) {
   for (const T& v : values) add(hash, v);
@@ -260,7 +260,7 @@ std::uint64_t structure_of(const Model<D>& m) {
   if (m.beam_memory > 0) add(hash, m.yields);
   for (const DampingBranches& b : m.bands) add_law(hash, b.band);
   std::vector<int> law_of = m.law_of;
-  for (int& law : law_of) law = std::max(law, -1);  // that no statement speaks of a pair makes no other model
+  for (int& law : law_of) law = std::max(law, -1);  // a missing statement does not change the model
   add(hash, m.laws), add(hash, m.law_names), add(hash, m.surfaces), add(hash, law_of);
   add(hash, m.bearings), add(hash, m.seats);
   if constexpr (D == 3) add(hash, m.piece_solid);

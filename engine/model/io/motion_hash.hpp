@@ -1,4 +1,4 @@
-// A run's hash: what it came to, to the bit.
+// A run's hash: identifies its result to the bit.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// Digest of time, motion and ledger, whatever the laws remember and how they keep it.
+/// Digest of time, motion and ledger, independent of the laws' memories and their storage.
 template <int D>
 std::uint64_t motion_hash(const State<D>& state);
 

@@ -27,7 +27,7 @@ constexpr std::uint32_t low_of(std::uint64_t word) {
   return static_cast<std::uint32_t>(word);
 }
 
-/// Puts a state's parts into words.
+/// Converts the parts of a state to words.
 class Writer {
  public:
   std::vector<std::uint64_t> words;
@@ -53,12 +53,12 @@ class Writer {
   void contacts(const ContactHistory& s);
   void contacts(const SolidHistory& s);
   void tangent(const std::shared_ptr<const KeptTangent>& kept);
-  /// Whether masses are scaled, whose shares then follow.
+  /// Whether masses are scaled; their shares then follow.
   template <int D>
   [[nodiscard]] bool scaled(const State<D>& s) const {
     return !s.added_share.empty();
   }
-  /// Whether there is anything that only models that change have or stages that scale masses, which then follows.
+  /// Whether there are data of changing models or of mass scaling; they then follow.
   template <int D>
   [[nodiscard]] bool changed(const State<D>& s) const {
     const auto later = std::span(s.given.value).subspan(plain_energy_terms);
@@ -67,7 +67,7 @@ class Writer {
   }
 };
 
-/// Takes them out again; says what is wrong where they cannot be.
+/// Converts words to the parts of a state; reports the defect if that fails.
 class Reader {
  public:
   Reader(std::span<const std::uint64_t> words, std::string owner) : words_(words), owner_(std::move(owner)) {}
@@ -97,13 +97,13 @@ class Reader {
     high = static_cast<T>(high_of(word));
     low = static_cast<U>(low_of(word));
   }
-  /// Reads a count that must be that of `rows`.
+  /// Reads a count that must equal the size of `rows`.
   template <class Rows>
   std::size_t count(const Rows& rows) {
     if (next() != rows.size()) fail("has other numbers of rows than the model");
     return rows.size();
   }
-  /// Reads a count of rows of at least `least` words each, and makes room for them.
+  /// Reads a count of rows of at least `least` words each, and resizes the rows.
   template <class Rows>
   std::size_t open_count(Rows& rows, std::size_t least) {
     const std::uint64_t n = next();
@@ -115,7 +115,7 @@ class Reader {
   void contacts(SolidHistory& s);
   void joint(JointMemory& s, std::uint32_t patches);
   void tangent(std::shared_ptr<const KeptTangent>& kept);
-  /// See Writer: it follows where there is more.
+  /// See Writer: the data follow if more words remain.
   template <int D>
   [[nodiscard]] bool changed(const State<D>& /*s*/) const {
     return at_ < words_.size();
@@ -139,7 +139,7 @@ class Reader {
   std::string owner_;
 };
 
-/// One contact: its key, what every contact remembers, whose law it is and what that remembers.
+/// One contact: its key, the common memory, its law and the law's memory.
 template <class File, class Memory>
 void walk_memory(File& file, Memory& m) {
   ContactMemory::fields(
@@ -160,7 +160,7 @@ void Writer::contacts(const ContactHistory& s) {
   }
 }
 
-/// A joint: how it was laid, which the rest of its plan follows from, and what its patches remember.
+/// A joint: the data from which its plan follows, and the memories of its patches.
 template <class File, class Plan>
 void walk_plan(File& file, Plan& plan) {
   const auto number = [&](auto& v) { file.number(v); };
@@ -178,14 +178,14 @@ void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
       for (const int k : {0, 1, 2}) number((*shear)[k]);
   for (std::uint32_t k = 0; k < patches && !joint.sound; ++k) PatchMemory::fields(joint.patch[k], number);
 }
-/// The depths by which its patches are crushed, where some are.
+/// The crushed depths of its patches, if there are any.
 template <class File, class Joint>
 void walk_crushed(File& file, Joint& joint, std::uint32_t patches) {
   for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.crushed[k]);
 }
 constexpr std::uint32_t crushed_mark = 1U << 15U;
 
-/// One contact of solids, for the writer and for the reader alike. `patches`: of its joint, 0 where it has none.
+/// One contact of solids, for both writer and reader. `patches`: of its joint, 0 without a joint.
 template <class File, class Memory>
 void walk_solid_memory(File& file, Memory& m, std::uint32_t& patches) {
   SolidMemory::fields(
@@ -215,13 +215,13 @@ void Writer::contacts(const SolidHistory& s) {
   }
 }
 
-/// The rest of a plan is found again from the outline.
+/// The rest of a plan is recomputed from the outline.
 void Reader::joint(JointMemory& s, std::uint32_t patches) {
   const auto plan = std::make_shared<JointPlan>();
   walk_plan(*this, *plan);
   if (plan->outline.size() < 3) fail("has a joint without an area");
   divide_joint(*plan);
-  // Bit 0: it is sound; seven bits each for the faces that its seats go with, from 1 on; whether some patch is crushed.
+  // Bit 0: intact; seven bits each for the faces that its seats follow, from 1 on; then whether some patch is crushed.
   std::uint32_t marks = 0;
   pair(marks, s.bonds);
   plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
@@ -260,7 +260,7 @@ void Reader::contacts(ContactHistory& s) {
   }
 }
 
-/// Every number of a tangent, for the writer and for the reader alike.
+/// Every number of a tangent, for both writer and reader.
 template <class File, class T>
 void walk_tangent(File& file, T& t) {
   for (auto* v : {&t.dt, &t.rate, &t.force, &t.inertia}) file.number(*v);
@@ -283,7 +283,7 @@ void Reader::tangent(std::shared_ptr<const KeptTangent>& kept) {
   kept = read;
 }
 
-/// For what an implicit scheme keeps of the nodes, as many as accelerations were announced.
+/// Resizes the nodal data of implicit schemes to the announced number of accelerations.
 template <int D>
 void make_room(State<D>& s) {
   s.position_before.resize(s.acceleration.size());
@@ -291,14 +291,14 @@ void make_room(State<D>& s) {
   s.spin_rate.resize(s.acceleration.size());
 }
 
-/// The numbers of a place, a turn, a velocity or a spin.
+/// The components of a position, a rotation, a velocity or a spin.
 template <class File, class V>
 void walk_numbers(File& file, V& v) {
   for_each_number(v, [&](auto& number) { file.number(number); });
 }
 
-/// The way in which a bearing failed, with a mark where the depth of a contact that it stands for follows, and with one
-/// where the displacement does that it counts from.
+/// The failed direction of a bearing. One mark is set if the depth of the replaced contact follows, another if the
+/// origin of the displacement follows.
 constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
 template <int D>
 void walk_status(Writer& file, const BearingMemory<D>& m) {
@@ -316,7 +316,7 @@ void walk_status(Reader& file, BearingMemory<D>& m) {
   m.failed_direction &= ~(stands_mark | begun_mark);
 }
 
-/// What bearings remember, one after the other.
+/// Memories of bearings, one after the other.
 template <class File, class S>
 void walk_bearings(File& file, S& s) {
   for (std::size_t i = 0, n = file.count(s.bearing); i < n; ++i) {
@@ -341,7 +341,7 @@ void walk_plastic(File& file, S& s) {
   }
 }
 
-/// Every field of a state, in order, for the writer and for the reader alike. `S`: State<D>, const or not.
+/// Every field of a state, in order, for both writer and reader. `S`: State<D>, const or not.
 template <class File, class S>
 void walk(File& file, S& s) {
   file.number(s.time), file.whole(s.step), file.number(s.dt), file.number(s.safety), file.number(s.last_dt);

@@ -1,5 +1,5 @@
-// A State as a row of 64-bit words: what checkpoints hold and what the hash is of. Which fields there are, and in which
-// order, is written once, in model/io/state_words.cpp.
+// A State as a sequence of 64-bit words, for checkpoints and the hash. Fields and their order are defined once, in
+// model/io/state_words.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace trilith {
 
-/// Empty contacts, which come and go with the search for pairs and mean nothing, are left out.
+/// Empty contacts are omitted: they depend on the search for pairs and have no meaning.
 template <int D>
 std::vector<std::uint64_t> state_words(const State<D>& state);
 
-/// Throws InputError, beginning with `owner`, where `words` are no state of `model`.
+/// Throws InputError, which begins with `owner`, if `words` are no state of `model`.
 template <int D>
 State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner);
 

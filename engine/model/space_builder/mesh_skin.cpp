@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// An edge of a face of a piece of the skin: that from corner `k` of its loop to the next.
+/// An edge of a face of a skin piece: from corner `k` of its loop to the next.
 struct SkinEdge {
   int piece, face, k;
 };
@@ -27,7 +27,7 @@ std::pair<int, int> ends_of(const Model<3>& model, const SkinEdge& e) {
   return {node_at(model, e.piece, loop[static_cast<std::size_t>(e.k)]), node_at(model, e.piece, loop[next])};
 }
 
-/// How far the face of `other` reaches beyond the edge `e`, in the plane of the face of `e` [m].
+/// Extent of the face of `other` beyond the edge `e`, in the plane of the face of `e` [m].
 double reach_beyond(const Model<3>& model, const SkinEdge& e, const SkinEdge& other) {
   const auto [from, to] = ends_of(model, e);
   const Vec3& start = model.start_position[from];
@@ -75,9 +75,9 @@ struct SkinFace {
   bool operator<(const SkinFace& other) const { return piece != other.piece ? piece < other.piece : face < other.face; }
 };
 
-/// Cosine of the angle up to which a face of the skin goes on in another one, smoothly as on a vault.
+/// Cosine of the angle up to which a skin face continues smoothly in another one, as on a vault.
 constexpr double smooth = 0.866;
-/// A corner may lie this far outside of a plane that bounds its piece, as a share of its size.
+/// Tolerance for a corner outside of a plane that bounds its piece, relative to its size.
 constexpr double outside = 1e-6;
 
 const Vec3& normal_of(const Model<3>& model, const SkinFace& f) {
@@ -93,7 +93,7 @@ bool has_node(const Model<3>& model, const SkinFace& f, int node) {
   return std::any_of(corners.begin(), corners.end(), [&](int c) { return node_at(model, f.piece, c) == node; });
 }
 
-/// Whether `other`, which has some corner of `piece`, bounds the body there beside the piece's own faces.
+/// Whether `other`, which has some corner of `piece`, bounds the body there in addition to the piece's own faces.
 bool bounds(const Model<3>& model, const SkinFace& other, int piece) {
   const ConvexSolid& solid = model.piece_solid[piece];
   const Vec3 &n = normal_of(model, other), &on = model.start_position[first_node_of(model, other)];
@@ -140,7 +140,7 @@ void find_bounds(Model<3>& model, int first_piece) {
     normals.clear();
     for (const SkinFace& f : faces_around(model, p, faces_at)) {
       if (!bounds(model, f, p)) continue;
-      // Faces in one plane bound it once.
+      // Coplanar faces bound it once.
       const Vec3& n = normal_of(model, f);
       if (std::any_of(normals.begin(), normals.end(), [&](const Vec3& o) { return o.dot(n) >= -opposed_enough; }))
         continue;

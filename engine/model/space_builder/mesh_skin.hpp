@@ -1,24 +1,28 @@
-// How the pieces of the skin of a mesh in space hang together: what contact of one of them asks of those next to it.
+// Adjacency of the skin's pieces of a mesh in space: data of neighbouring pieces that contact needs.
 //
 //      ___________________________
-//     |\    a     /\           b /   Faces in one plane go on in each other: with how far each reaches, contact tells a
-//     | \        /  \         /      sliver of a flat joint from an edge. And piece c, which has a face on the left
-//     alone, |c \      /    \      /        ends at the plane above too, where a bounds it along an edge.
+//     |\    a     /\           b /
+//     | \        /  \         /
+//     |c \      /    \      /
 //     |___\____/______\___/
+//
+// Coplanar faces continue each other. With the length of the continuation, contact can distinguish a sliver of a flat
+// joint from an edge. Piece c, which has only a face on the left, also ends at the plane above, where face a bounds it
+// along an edge.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace trilith {
 
-/// Fills ConvexSolid::goes_on of the pieces of a body of elements, from `first_piece` to the last of the model: beyond
-/// an edge that two faces of the skin have in common, as far as the other one reaches, where their normals differ by no
-/// more than those of faces that lie flat. Pieces none of whose faces goes on are left without.
+/// Computes ConvexSolid::goes_on of the pieces of a body of elements, from `first_piece` to the model's last piece.
+/// Beyond an edge common to two skin faces it is the extent of the other face, if their normals differ by no more than
+/// the limit for flat faces. Pieces without any continuation are unchanged.
 void find_faces_in_line(Model<3>& model, int first_piece);
 
-/// Fills Model::piece_bounds of the same pieces: faces of the skin that have a corner in common with a piece which lies
-/// all on their inner side, look elsewhere than its own faces at that corner, and of which no inner face of it is a
-/// part.
+/// Computes Model::piece_bounds of the same pieces. The list has skin faces that share a corner with the piece and have
+/// the whole piece on their inner side. At that corner they face away from the piece's own faces, and no inner face of
+/// the piece is a part of them.
 void find_bounds(Model<3>& model, int first_piece);
 
 }  // namespace trilith

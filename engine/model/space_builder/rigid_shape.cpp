@@ -13,14 +13,14 @@
 namespace trilith {
 namespace {
 
-/// Corners at the ends of the edges on which nodes 4 to 9 of a tetrahedron of ten nodes lie.
+/// Corners at the ends of the edges with the nodes 4 to 9 of a ten-node tetrahedron.
 constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
 
-/// Four tetrahedra at the corners, four about the line from the middle of one edge to the opposite one.
+/// Four tetrahedra at the corners, four about the line between the midpoints of two opposite edges.
 constexpr std::array<std::array<std::size_t, 4>, 8> parts{
     {{0, 4, 6, 7}, {4, 1, 5, 9}, {6, 5, 2, 8}, {7, 9, 8, 3}, {4, 8, 5, 6}, {4, 8, 6, 7}, {4, 8, 7, 9}, {4, 8, 9, 5}}};
 
-/// Nodes off the middle of their edge by more than this share of its length make the edge curved.
+/// A node farther than this share of its edge's length from its midpoint makes the edge curved.
 constexpr double straight_share = 1e-9;
 
 bool is_curved(ElementShape shape, const std::vector<Vec3>& nodes) {
@@ -44,7 +44,7 @@ Polyhedron tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return out;
 }
 
-/// The eight tetrahedra between the ten nodes; empty where one of them has no volume, as edges are curved that much.
+/// The eight tetrahedra between the ten nodes; empty if one of them has no volume because of strongly curved edges.
 std::vector<Polyhedron> parted(const std::vector<Vec3>& x) {
   const double least = 1e-6 * std::abs(tetrahedron_volume(x[0], x[1], x[2], x[3]));
   std::vector<Polyhedron> out;
@@ -58,7 +58,7 @@ std::vector<Polyhedron> parted(const std::vector<Vec3>& x) {
   return out;
 }
 
-/// The place at natural coordinates of an element of ten nodes, and its Jacobian.
+/// Position at natural coordinates of a ten-node element, and its Jacobian.
 struct CurvedPoint {
   Vec3 place = Vec3::Zero();
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
@@ -78,7 +78,7 @@ struct CurvedPoint {
   }
 };
 
-/// Gauss's rule of five points from 0 to 1, exact to the ninth power.
+/// Gauss quadrature with five points from 0 to 1, exact to degree nine.
 struct GaussPoint {
   double at, weight;
 };
@@ -92,7 +92,7 @@ std::array<GaussPoint, 5> gauss_points() {
            {0.5 * (1 + far), of_far}}};
 }
 
-/// Moments of parts taken together.
+/// Moments of several parts together.
 SolidMoments sum_of(const std::vector<SolidMoments>& moments) {
   SolidMoments sum{0, Vec3::Zero(), Eigen::Matrix3d::Zero()};
   for (const SolidMoments& m : moments) sum.volume += m.volume, sum.centroid += m.volume * m.centroid;
@@ -106,7 +106,7 @@ SolidMoments sum_of(const std::vector<SolidMoments>& moments) {
 
 }  // namespace
 
-/// The cube of Gauss's rule drawn together to a tetrahedron: the integrands are of the seventh order at most.
+/// Gauss quadrature on a cube collapsed to a tetrahedron: the integrands have degree seven at most.
 SolidMoments curved_moments(const std::vector<Vec3>& nodes) {
   static const std::array<GaussPoint, 5> points = gauss_points();
   double volume = 0;
@@ -140,7 +140,8 @@ RigidShape rigid_shape(const SpaceMesh& mesh) {
     if (curved) pieces = parted(nodes);
     if (pieces.empty()) pieces.push_back(whole[e]);
     out.curved += curved ? 1 : 0;
-    // A parabola lies a quarter of its rise off the chord of each half; all of it where the element is one piece.
+    // A parabola deviates by a quarter of its rise from the chord of each half; by all of it if the element is one
+    // piece.
     for (std::size_t k = 0; curved && k < edges.size(); ++k) {
       const double rise = (nodes[4 + k] - 0.5 * (nodes[edges[k][0]] + nodes[edges[k][1]])).norm();
       out.deviation = std::max(out.deviation, pieces.size() == 1 ? rise : 0.25 * rise);

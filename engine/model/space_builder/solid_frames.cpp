@@ -1,4 +1,4 @@
-// Frames of a builder of models in space: what they are checked for, and what their members are made of.
+// Frames of the model builder in space: their checks, and the data of their members.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const std::string& material_of(const SolidSpec& spec, const SpaceMember& member)
   return member.material.empty() ? spec.material : member.material;
 }
 
-/// Throws InputError where a hinge in space lacks something, or softens by more than its beam of `length` [m] follows.
+/// Throws InputError if a hinge in space is incomplete, or softens faster than its beam of `length` [m] can follow.
 void check_hinge(const SpaceMember& member, int end, double young, double length, bool consistent) {
   const HingeLaw& law = *member.hinge[static_cast<std::size_t>(end)];
   check_parameters(law), law.check();
@@ -33,13 +33,13 @@ void check_hinge(const SpaceMember& member, int end, double young, double length
     throw InputError("end_hinge: what is removed keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
   if (member.pinned[static_cast<std::size_t>(end)])
     throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
-  // About y all of the hinge is across/sagging times as strong, and softens so.
+  // About y the hinge has across/sagging times the strength and softening.
   const double about_z = member.section.second_moment[1],
                about_y = member.section.second_moment[0] * law.sagging / law.across;
   check_softening(law, 2 * young * std::min(about_z, about_y) / length);
 }
 
-/// Throws InputError where a member cannot yield as it says. `length` [m]: of its beams.
+/// Throws InputError if a member cannot yield as specified. `length`: of its beams [m].
 void check_yields(const SpaceMember& member, double young, double length, bool consistent, const std::string& owner) {
   try {
     if (member.fibres)
@@ -54,7 +54,7 @@ void check_yields(const SpaceMember& member, double young, double length, bool c
 
 }  // namespace
 
-/// Its skin, where it stands, becomes the pieces of the body: for bearings that want to be near it.
+/// The initial skin becomes the pieces of the body, for bearings that must be near it.
 void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) const {
   begin_at_blocks(*spec.frame);
   check_space_frame(*spec.frame, owner);
@@ -85,7 +85,7 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
       for (const Polyhedron& solid : skin_solids(*spec.frame, m, stretch)) spec.pieces.push_back(solid);
 }
 
-/// Where the body's mass is given, all masses of members are scaled to it.
+/// If the body's mass is given, all masses of members are scaled to it.
 SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
   SpaceFrameBody out;
   out.name = spec.name, out.frame = *spec.frame, out.velocity = spec.velocity, out.spin = spec.spin;

@@ -1,4 +1,4 @@
-// Bearings and seats of models in space: what a builder's solids have to do with each other.
+// Links between the solids of a builder in space: bearings and seats.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace trilith {
 namespace {
 
-/// The piece of a body whose surface faces come nearest to a point that goes with a node of it, in its axes; of a body
-/// that deforms the one whose face carries the point.
+/// The piece of a body whose surface faces are nearest to an attached point, given in the axes of its node; for a
+/// deformable body the piece whose face carries the point.
 int piece_near(const Model<3>& model, int body, const Attachment<3>& attachment) {
   const Vec3& point = attachment.arm[0];
   const Body& b = model.bodies[body];
@@ -80,7 +80,7 @@ void SolidModelBuilder::add_bearing(const BearingSpecOf<3>& spec) {
   bearings_.push_back(spec);
 }
 
-/// Of spec.angle, which turns the world's axes to the bearing's, each body keeps its own view.
+/// From spec.angle, which rotates world axes to the bearing's axes, each body keeps its own axes.
 void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const {
   Bearing<3> b = bearing_of(spec, law_names(), bearings_);
   b.body_a = require_body(spec.body_a, spec.name);
@@ -95,7 +95,7 @@ void SolidModelBuilder::append_bearing(const BearingSpecOf<3>& spec, Model<3>& m
   model.bearings.push_back(std::move(b));
 }
 
-/// Bearings and seats that come later are tied to bodies as these stand; a bearing is unstressed there.
+/// Later bearings and seats are attached to bodies in their present positions; a new bearing is unstressed.
 void SolidModelBuilder::append_links(const Model<3>& model, const State<3>& state, Model<3>& grown) const {
   if (bearings_.size() == model.bearings.size() && seats_.size() == model.seats.size()) return;
   Model<3> standing = as_it_stands(grown, state);

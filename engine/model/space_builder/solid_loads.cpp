@@ -16,7 +16,7 @@
 namespace trilith {
 namespace {
 
-/// Where a face's area has its middle [m]: by the triangles between its first corner and its sides.
+/// Area centroid of a face [m], from the triangles between its first corner and its sides.
 Vec3 middle_of(std::span<const Vec3> corners, std::span<const int> loop) {
   const Vec3& first = corners[loop[0]];
   const Vec3 normal = area_vector(corners, loop).normalized();
@@ -50,9 +50,9 @@ void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
 
 }  // namespace
 
-/// In the axes of the body where it follows, in those of the world where it does not; at the centroid by default.
-/// On a frame a load acts at the node that is nearest, on a body of elements on the nearest face of its skin, and goes
-/// with it (see make_solid_loads).
+/// In the axes of the body if it follows, otherwise in world axes; by default at the centroid. On a frame a load acts
+/// on the nearest node, on a body of elements on the nearest face of its skin, and moves with it (see
+/// make_solid_loads).
 PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const Body& b = model.bodies[body];
   const std::string owner = solid_load_owner(spec, b);
@@ -75,7 +75,7 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
 
 namespace {
 
-/// Shares of a force at its point, at the nodes of the element that holds it.
+/// Shares of a force at its point, at the nodes of the element that contains it.
 std::vector<PointLoad<3>> element_load(const Model<3>& model, int body, const SolidLoadSpec& spec) {
   const std::string owner = solid_load_owner(spec, model.bodies[body]);
   check_solid_load(spec, owner);
@@ -84,7 +84,7 @@ std::vector<PointLoad<3>> element_load(const Model<3>& model, int body, const So
   std::vector<PointLoad<3>> loads;
   for (int i = 0; i < info_of(element.shape).nodes; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (std::abs(shares.share[k]) < 1e-12) continue;  // as of a point on a face, of nodes that are not
+    if (std::abs(shares.share[k]) < 1e-12) continue;  // e.g. for a point on a face, the nodes off this face
     PointLoad<3> load;
     load.name = spec.name, load.body = body, load.curve = spec.curve;
     load.force = shares.share[k] * spec.force;
@@ -152,7 +152,7 @@ struct FaceArea {
   Vec3 moment = Vec3::Zero();
 };
 
-/// f(corners) of a face, in parts about its first corner that have no more corners than overlaps are made for.
+/// Calls f(corners) for parts of a face about its first corner, each with no more corners than face overlaps support.
 template <class F>
 void for_parts(const Polyhedron& shape, int face, F&& f) {
   const auto loop = shape.faces[face];
@@ -166,7 +166,7 @@ void for_parts(const Polyhedron& shape, int face, F&& f) {
   }
 }
 
-/// What face g of one piece covers of face f of another that lies on it.
+/// Adds the part of face f of one piece that is covered by the coincident face g of another.
 void add_covered(const ConvexSolid& a, int f, const ConvexSolid& b, int g, FaceArea& sum) {
   const Vec3 &n = a.normals[static_cast<std::size_t>(f)], &m = b.normals[static_cast<std::size_t>(g)];
   constexpr double same_plane = 1e-7;
@@ -184,8 +184,8 @@ void add_covered(const ConvexSolid& a, int f, const ConvexSolid& b, int g, FaceA
   });
 }
 
-/// What other pieces of a rigid body cover of a face, which nothing outside reaches. The faces of meshes and members
-/// meet whole.
+/// The part of a face covered by other pieces of a rigid body, which is not accessible from outside. The faces of
+/// meshes and members match completely.
 FaceArea covered_area(const Model<3>& model, int body, const SolidFace& face) {
   const Body& b = model.bodies[body];
   FaceArea sum;
@@ -200,8 +200,8 @@ FaceArea covered_area(const Model<3>& model, int body, const SolidFace& face) {
 
 }  // namespace
 
-/// A face is a rigid plate that goes with its carrier (model/contact/contact_frame.hpp), so even pressure on it is one
-/// force in the middle of its area that is not covered: value times area, against the outward normal or along
+/// A face is a rigid plate that moves with its contact frame (model/contact/contact_frame.hpp). Uniform pressure on it
+/// is one force at the centroid of its uncovered area: value times area, against the outward normal or along
 /// `direction`.
 std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, const std::vector<SolidFace>& faces,
                                               const SolidPressureSpec& spec) {

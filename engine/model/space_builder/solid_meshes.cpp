@@ -1,4 +1,4 @@
-// Bodies of finite elements of a builder of models in space: what they are checked for, and what they are made of.
+// Bodies of finite elements of the model builder in space: their checks, and their data.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace trilith {
 namespace {
 
-/// A solid that is written for the plane alone would answer the strain across by chance of its axes.
+/// A solid law for the plane alone would give an arbitrary out-of-plane response.
 void require_space_form(const Solid& solid, const std::string& owner) {
   if (has_space_form(solid.law)) return;
   std::string others;
@@ -33,7 +33,7 @@ const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& s
   return *found->solid;
 }
 
-/// A grid of more takes minutes and gigabytes before anything is seen of it.
+/// A larger grid takes minutes and gigabytes before anything is visible.
 constexpr double most_grid_elements = 200'000;
 
 void require_grid(const SpaceForm& form, const std::string& owner) {
@@ -52,8 +52,8 @@ void require_grid(const SpaceForm& form, const std::string& owner) {
 
 }  // namespace
 
-/// Meshes of solids are made here, of one piece each. Its skin becomes the pieces of the body: for bearings that want
-/// to be near it.
+/// Meshes of solids with one piece are made here. The skin becomes the pieces of the body, for bearings that must be
+/// near it.
 void SolidModelBuilder::check_mesh_body(SolidSpec& spec, const std::string& owner) {
   (void)solid_of(materials_, spec, owner);
   if (!spec.spheres.empty())

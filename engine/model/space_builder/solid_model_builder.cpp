@@ -48,7 +48,7 @@ double SolidModelBuilder::density_of(const SolidSpec& spec) const {
 
 namespace {
 
-/// Moments of inertia of a real body: above 0, and none above the sum of the other two.
+/// Physically possible moments of inertia: above 0, and none above the sum of the other two.
 void check_inertia(const SolidSpec& spec, const std::string& owner) {
   if (spec.frame || spec.deforms())
     throw InputError(owner + ": inertia is of rigid bodies; that of a body that deforms follows from its nodes");
@@ -62,7 +62,7 @@ void check_inertia(const SolidSpec& spec, const std::string& owner) {
         owner, i.x(), i.y(), i.z()));
 }
 
-/// Of the axis-parallel box around all pieces [m].
+/// Smallest side of the axis-aligned box around all pieces [m].
 double least_side(const std::vector<Polyhedron>& pieces) {
   Vec3 low = pieces[0].corners[0], high = low;
   for (const Polyhedron& piece : pieces)
@@ -70,7 +70,7 @@ double least_side(const std::vector<Polyhedron>& pieces) {
   return (high - low).minCoeff();
 }
 
-/// What is held does not move, whatever velocity it is given.
+/// A held degree of freedom does not move, whatever its given velocity.
 void note_held_solid(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
   constexpr std::array names{"a velocity along x", "a velocity along y", "a velocity along z",
                              "a spin about x",     "a spin about y",     "a spin about z"};
@@ -95,8 +95,8 @@ PieceBox piece_box(const Polyhedron& piece) {
   return box;
 }
 
-/// A piece that stands apart from all others by more than its own size, by the boxes around them, was meant for another
-/// place, or is a body of its own: nothing that can be seen holds it to the rest.
+/// A piece whose box is farther from all others than its own size is probably misplaced, or a separate body: no visible
+/// part connects it to the rest.
 void note_lone_piece(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
   if (spec.frame || spec.mesh || spec.pieces.size() < 2 || !spec.spheres.empty()) return;
   std::vector<PieceBox> boxes;
@@ -154,8 +154,8 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
 
 namespace {
 
-/// Of a rigid body its support and steady load; of a frame or elements the load alone, by the masses of the nodes,
-/// which have their supports.
+/// For a rigid body support and steady load; for a frame or elements the load alone, by nodal masses, because the nodes
+/// have their own supports.
 void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
   if (body.is_rigid()) {
     model.support[body.first_node] = spec.support, model.load[body.first_node] = spec.load;
@@ -169,7 +169,7 @@ void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
 
 }  // namespace
 
-/// Faults come in the order in which a model is made, so that the first one is the cause of others.
+/// Faults are listed in the order of construction, so the first one causes others.
 Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   SpaceBuilder space;
   space.gravity(gravity);
@@ -201,7 +201,7 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
 
 Model<3> SolidModelBuilder::assemble(std::vector<std::string>& faults, std::vector<std::string>& notes) const {
   Model<3> model = assemble_bodies(faults);
-  if (model.bodies.empty()) return model;  // some body is at fault
+  if (model.bodies.empty()) return model;  // some body has a fault
   for (const BearingSpecOf<3>& spec : bearings_) attempt(faults, [&] { append_bearing(spec, model); });
   for (std::size_t i = 0; model.bearings.size() == bearings_.size() && i < bearings_.size(); ++i)
     attempt(faults, [&] { check_successor(model.bearings, i); });
@@ -255,11 +255,11 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
-/// Of a frame, and of elements, all nodes.
+/// For a frame, and for elements, all nodes.
 void set_support(Model<3>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
   if (!b.nodes_turn() && dof >= 3) {
-    if (support == Support::fixed) return;  // as its nodes' are
+    if (support == Support::fixed) return;  // like its nodes'
     throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x, y and z", b.name));
   }
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
@@ -268,8 +268,8 @@ void set_support(Model<3>& model, int body, int dof, Support support) {
   }
 }
 
-/// The motion's own start displacement is not a jump of the ground. Of a frame the nodes follow that are held along it;
-/// of elements those that are, or where none is all of them.
+/// The initial displacement of the motion must not cause a jump of the ground. For a frame the held nodes follow; for
+/// elements the held nodes, or all nodes if none is held.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<3>* state) {
   const Body& b = model.bodies[body];

@@ -1,4 +1,5 @@
-// Makes a Model in space of bodies, materials, laws and motions, and checks it once: what ModelBuilder is in the plane.
+// Builds a Model in space from bodies, materials, laws and motions, and checks it once; the plane counterpart is
+// ModelBuilder.
 #pragma once
 
 #include <array>
@@ -18,27 +19,27 @@
 
 namespace trilith {
 
-/// A body in space to be: rigid, a frame, or of finite elements. Give at most one of density and mass; without any, the
-/// material's density counts.
+/// Specification of a body in space: rigid, a frame, or of finite elements. At most one of density and mass may be
+/// given; the default is the material's density.
 struct SolidSpec {
   std::string name;                ///< unique
-  std::vector<Polyhedron> pieces;  ///< convex, where they stand; they share faces or nothing [m]
+  std::vector<Polyhedron> pieces;  ///< convex, in their initial positions; they share faces or nothing [m]
   std::string material;
   std::vector<std::string> groups;
   std::optional<double> density;                ///< [kg/m3]
   std::optional<double> mass;                   ///< [kg]
-  std::array<Support, 6> support{};             ///< x, y, z, and turns about them
+  std::array<Support, 6> support{};             ///< x, y, z, and rotations about them
   Vec3 velocity = Vec3::Zero();                 ///< of the centroid at the start [m/s]
   Vec3 spin = Vec3::Zero();                     ///< at the start [rad/s]
   Vec3 load = Vec3::Zero();                     ///< steady force at the centroid [N]
-  bool floating = false;                        ///< may start with nothing that holds it up
-  std::vector<Sphere> spheres = {};             ///< beside the pieces, where they stand; they may overlap each other
-  std::optional<SpaceFrameSpec> frame = {};     ///< instead of both: `pieces` become its skin where it stands
-  SpaceForm form = {};                          ///< rigid, or the elements that its one piece is divided into
-  std::optional<SpaceMesh> mesh = {};           ///< ... or its elements; `pieces` become its skin
-  std::vector<SpaceNodeSupport> supports = {};  ///< of some nodes of a body that deforms, or of a frame
-  std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of those of its pieces
-  std::optional<Vec3> inertia = {};  ///< of a rigid body about x, y, z through its centroid, as it stands [kg m2]
+  bool floating = false;                        ///< may start unsupported
+  std::vector<Sphere> spheres = {};             ///< in addition to the pieces, at the start; they may overlap
+  std::optional<SpaceFrameSpec> frame = {};     ///< instead of pieces and spheres: `pieces` become its initial skin
+  SpaceForm form = {};                          ///< rigid, or the elements into which its one piece is divided
+  std::optional<SpaceMesh> mesh = {};           ///< its elements, instead of `form`; `pieces` become its skin
+  std::vector<SpaceNodeSupport> supports = {};  ///< for some nodes of a deformable body, or of a frame
+  std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of the pieces' moments
+  std::optional<Vec3> inertia = {};  ///< rigid body: about x, y, z through its centroid, at the start [kg m2]
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
   [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
@@ -52,12 +53,13 @@ class SolidModelBuilder {
   double apart_time = 0.02;               ///< [s]
   double still_speed = 2.54e-7;           ///< [m/s]
   double still_time = 0.5;                ///< [s]
-  double overlap_allowed = 1e-6;          ///< deepest overlap at the start, share of the smaller body's size
-  /// What stands on nothing is a fault as it is built or added; false: not before who runs it asks (standing_faults).
+  double overlap_allowed = 1e-6;          ///< largest overlap at the start, relative to the smaller body's size
+  /// true: an unsupported body is a fault when it is built or added; false: only when the caller asks
+  /// (standing_faults).
   bool judge_standing = true;
-  Bounds<3> bounds;  ///< sides that are infinite are those of default_bounds
+  Bounds<3> bounds;  ///< infinite sides use default_bounds
 
-  // Each throws InputError, and leaves the builder as it was.
+  // Each throws InputError, and leaves the builder unchanged.
   void add_material(const Material& material);
   void add_body(SolidSpec spec);
   /// See ContactRules.
@@ -65,11 +67,11 @@ class SolidModelBuilder {
   void set_contact(const std::string& a, const std::string& b, const std::string& law) {
     rules_.set_contact(a, b, law);
   }
-  /// Laws and statements of another model instead of those given so far.
+  /// Replaces the laws and statements so far by another model's.
   void take_contacts(const ContactRules& rules);
   void add_bearing(const BearingSpecOf<3>& spec);
   void add_seat(const SeatSpecOf<3>& spec);
-  /// Adds a line to notes(): what was repaired or chosen before bodies came here.
+  /// Adds a line to notes(): a repair or choice made before bodies were added.
   void note(const std::string& line) { notes_.push_back(line); }
 
   /// Checks everything and makes the model. Throws InputError with the first of faults().
@@ -77,7 +79,7 @@ class SolidModelBuilder {
   /// As ModelBuilder::extended and ModelBuilder::shorten.
   Model<3> extended(const Model<3>& model, const State<3>& state);
   void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
-  /// All that keeps build() from making the model, a line for each. Empty where nothing does.
+  /// All faults that prevent build(), a line for each. Empty if there is none.
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const std::vector<SolidSpec>& bodies() const { return bodies_; }
@@ -93,7 +95,7 @@ class SolidModelBuilder {
   [[nodiscard]] SpaceMeshBody mesh_body(const SolidSpec& spec) const;
   [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;
-  /// `arm`: of a bearing, see BearingSpecOf; below 0: of others.
+  /// `arm`: of a bearing, see BearingSpecOf; negative: of others.
   void require_near(const std::string& body, const Vec3& point, const std::string& owner, double arm = -1) const;
   void append_bearing(const BearingSpecOf<3>& spec, Model<3>& model) const;
   void append_seat(const SeatSpecOf<3>& spec, Model<3>& model) const;
@@ -108,11 +110,12 @@ class SolidModelBuilder {
   std::vector<std::string> notes_;
 };
 
-/// Fixes or frees one degree of freedom of a body (0 to 2 along x, y, z, 3 to 5 about them), for the next stage.
+/// Fixes or frees one degree of freedom of a body (0 to 2 along x, y, z, 3 to 5 about them) for the next stage.
 void set_support(Model<3>& model, int body, int dof, Support support);
 
-/// Lets one degree of freedom of a body along x, y or z follow `motion` from time `start` [s] and position `origin` on;
-/// of a frame that of the nodes that are held along it, `origin` being its first node's, from where `state` has them.
+/// Drives one degree of freedom of a body along x, y or z by `motion` from time `start` [s] and position `origin` on.
+/// For a frame it applies to the nodes that are held along it; `origin` is then the first node's position, and the
+/// others keep their relative positions in `state`.
 void set_drive(Model<3>& model, int body, int dof, const std::shared_ptr<const GroundMotion>& motion, double start,
                double origin, const State<3>* state = nullptr);
 

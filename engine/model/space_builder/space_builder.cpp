@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// Two faces count as lying on each other up to this share of the size of their solids.
+/// Tolerance for coincident faces, relative to the size of their solids.
 constexpr double same_plane = 1e-7;
 
 /// Height of a point above the plane of a face [m].
@@ -20,7 +20,7 @@ double plane_distance(const ConvexSolid& solid, int face, const Vec3& x) {
   return solid.normals[static_cast<std::size_t>(face)].dot(x - on);
 }
 
-/// The face of another piece within which a face of one lies; -1 where there is none.
+/// The face of another piece that covers a face completely; -1 if there is none.
 int covering_face(const ConvexSolid& piece, int face, const ConvexSolid& by, double within) {
   for (int f = 0; f < by.shape.faces.count(); ++f) {
     if (piece.normals[static_cast<std::size_t>(face)].dot(by.normals[static_cast<std::size_t>(f)]) > -1 + same_plane)
@@ -36,7 +36,7 @@ int covering_face(const ConvexSolid& piece, int face, const ConvexSolid& by, dou
   return -1;
 }
 
-/// A face of a piece of one body that lies within one of another piece.
+/// A face of a piece inside a face of another piece of the same body.
 struct InnerCut {
   std::size_t piece;
   int face;
@@ -44,8 +44,8 @@ struct InnerCut {
   int by_face;
 };
 
-/// Whether a face of the surface, or a cut that is pressed, lies in the plane of this one: of a convex solid all faces
-/// that look the same way do. Overlaps do not tell the faces of one plane apart.
+/// Whether a surface face, or a cut with pressure, is coplanar with this one: all faces of a convex solid with the same
+/// normal are. Overlaps do not distinguish coplanar faces.
 bool shares_plane_with_pressed(const ConvexSolid& piece, int face) {
   const Vec3& n = piece.normals[static_cast<std::size_t>(face)];
   for (int f = 0; f < piece.shape.faces.count(); ++f)
@@ -53,7 +53,8 @@ bool shares_plane_with_pressed(const ConvexSolid& piece, int face) {
   return false;
 }
 
-/// Cuts whose other side is pressed, as it is surface in part, until both sides of each are or neither is.
+/// If the other side of a cut carries pressure because it is partly surface, the cut must too; repeated until both
+/// sides of each cut agree.
 void press_one_sided_cuts(std::vector<ConvexSolid>& pieces, const std::vector<InnerCut>& cuts) {
   for (bool more = true; more;) {
     more = false;
@@ -68,7 +69,7 @@ void press_one_sided_cuts(std::vector<ConvexSolid>& pieces, const std::vector<In
   }
 }
 
-/// True where a law holds between a surface and any.
+/// True if a law holds between a surface and any other.
 bool touches_something(const Model<3>& model, int surface) {
   for (int other = 0; other < model.surfaces; ++other)
     if (model.law_of[surface * model.surfaces + other] >= 0) return true;
@@ -89,7 +90,7 @@ void check_solid_body(const Model<3>& model, const SolidBody& body) {
 
 }  // namespace
 
-/// Between a face and the corner farthest behind it, where that is least.
+/// The least distance between a face and the farthest corner behind it.
 double solid_width(const ConvexSolid& solid) {
   double least = unbounded;
   for (int f = 0; f < solid.shape.faces.count(); ++f) {
@@ -138,7 +139,7 @@ SolidMass mass_of(const SolidMoments& moments, double density) {
   return {density * moments.volume, moments.centroid, principal_inertia(density * moments.inertia)};
 }
 
-/// A solid becomes one node in its centroid, with its principal axes, and its pieces about it.
+/// A solid becomes one node at its centroid, with its principal axes, and its pieces about the node.
 int SpaceBuilder::add(const SolidBody& body) {
   check_solid_body(model_, body);
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
@@ -206,8 +207,8 @@ void SpaceBuilder::contact(int surface_a, int surface_b, const ContactLaw& law, 
   model_.laws.push_back(law), model_.law_names.push_back(name);
 }
 
-/// What follows from all bodies together: the least thickness that something touches, which limits how far a step may
-/// go, and the bounds.
+/// Quantities of all bodies together: the least thickness of any body with contact, which limits the displacement in a
+/// step, and the bounds.
 void complete_space(Model<3>& model) {
   model.least_thickness = unbounded;
   for (int p = 0; p < model.pieces(); ++p)
@@ -216,7 +217,7 @@ void complete_space(Model<3>& model) {
   model.bounds = default_bounds(model);
 }
 
-/// Pairings become the table of laws by surface and surface; the last one said holds.
+/// Pairings become the table of laws by surface and surface; the last one counts.
 Model<3> SpaceBuilder::build() const {
   Model<3> model = model_;
   if (!model.beams_3d.empty() || !model.space_elements.empty()) model.element_bound.resize(model.bodies.size());

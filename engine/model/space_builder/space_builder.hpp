@@ -1,4 +1,4 @@
-// Builds a model in space from rigid solids: mass, principal axes, pieces, laws, and the checks.
+// Builds a model in space from rigid solids: mass, principal axes, pieces, laws, and checks.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace trilith {
 
-/// A rigid body in space: convex pieces where they stand, which share faces or nothing, and spheres.
+/// A rigid body in space: convex pieces in their initial positions, which share faces or nothing, and spheres.
 struct SolidBody {
   std::string name;
   std::vector<Polyhedron> pieces = {};
@@ -20,13 +20,13 @@ struct SolidBody {
   bool fixed = false;
   Vec3 velocity = Vec3::Zero();              ///< of its centroid [m/s]
   Vec3 spin = Vec3::Zero();                  ///< [rad/s]
-  int surface = 0;                           ///< whose law of contact it has, see SpaceBuilder::contact
-  std::vector<Sphere> spheres = {};          ///< beside the pieces, where they stand; they may overlap each other
-  std::optional<SolidMoments> moments = {};  ///< instead of those of pieces and spheres
+  int surface = 0;                           ///< index of its surface, see SpaceBuilder::contact
+  std::vector<Sphere> spheres = {};          ///< in addition to the pieces, at the start; they may overlap
+  std::optional<SolidMoments> moments = {};  ///< instead of the moments of pieces and spheres
   std::optional<Vec3> inertia = {};          ///< about x, y, z through its centroid, instead of its shape's [kg m2]
 };
 
-/// Mass, centroid and inertia of solids of one density that share no volume, and of the union of spheres.
+/// Mass, centroid and inertia of solids with one density that share no volume, and of the union of spheres.
 struct SolidMass {
   double mass;               ///< [kg]
   Vec3 centroid;             ///< [m]
@@ -35,29 +35,29 @@ struct SolidMass {
 SolidMass mass_of(const std::vector<Polyhedron>& pieces, double density, const std::vector<Sphere>& spheres = {});
 SolidMass mass_of(const SolidMoments& moments, double density);
 
-/// Writes thicknesses and the usual bounds of a model in space whose bodies and table of laws are there.
+/// Computes thicknesses and default bounds of a model in space that has its bodies and table of laws.
 void complete_space(Model<3>& model);
 
-/// Faces by which pieces of one body hang together are no surface.
+/// Marks faces by which pieces of one body are connected as inner cuts.
 void mark_inner_faces(std::vector<ConvexSolid>& pieces);
 
-/// The width of a solid where it is least [m].
+/// The least width of a solid [m].
 double solid_width(const ConvexSolid& solid);
 
-/// Collects bodies and laws, then makes the model. Refuses with an InputError what is no body, with its name.
+/// Collects bodies and laws, then makes the model. Throws InputError, with the name, for an invalid body.
 class SpaceBuilder {
  public:
-  /// Weight per mass, by default none [m/s2].
+  /// Gravity; default: none [m/s2].
   void gravity(const Vec3& field) { model_.gravity.field = field; }
-  /// Returns its index. Throws InputError: a name taken, no piece, a piece that is not convex or is open (see
+  /// Returns its index. Throws InputError for: a name in use, no piece, a piece that is not convex or is open (see
   /// check_convex), a density that is not above 0, numbers that are not finite.
   int add(const SolidBody& body);
-  /// The same of a frame, which has been planned and so is one.
+  /// For a frame that has been planned, and so is valid.
   int add(const SpaceFrameBody& body);
-  /// ... and of a body of elements, whose mesh has been checked.
+  /// For a body of elements whose mesh has been checked.
   int add(const SpaceMeshBody& body);
-  /// The law between two surfaces, which are numbered from 0. Without one, bodies pass through each other. Throws
-  /// InputError: a surface below 0.
+  /// Sets the law between two surfaces, which are numbered from 0. Without a law, bodies pass through each other.
+  /// Throws InputError for a negative surface index.
   void contact(int surface_a, int surface_b, const ContactLaw& law, const std::string& name);
   [[nodiscard]] Model<3> build() const;
 

@@ -1,4 +1,4 @@
-// Frames in space: their nodes with mass and principal axes, beams, and the skin that goes with the nodes.
+// Frames in space: their nodes with mass and principal axes, beams, and the skin that moves with the nodes.
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -8,7 +8,7 @@
 namespace trilith {
 namespace {
 
-/// Mass and tensor of inertia of a node about itself, in the axes of the world.
+/// Mass and inertia tensor of a node about itself, in world axes.
 struct NodeMass {
   Vec3 place = Vec3::Zero();
   double mass = 0;                                    ///< [kg]
@@ -16,7 +16,7 @@ struct NodeMass {
   std::array<Support, 6> support{};
 };
 
-/// Half of a beam's mass goes to either node, where it turns as its section does: as in the plane.
+/// Half of a beam's mass is lumped at each node, with the rotary inertia of its section, as in the plane.
 struct HalfBeam {
   double mass;   ///< [kg]
   Vec3 inertia;  ///< about x, y and z of the beam [kg m2]
@@ -28,7 +28,7 @@ HalfBeam half_beam(const SpaceMember& m, double per_length, double length) {
   return {half, half / s.area * Vec3(s.second_moment[0] + s.second_moment[1], s.second_moment[0], s.second_moment[1])};
 }
 
-/// Where the body or a box says so its nodes are held, else as their joint is.
+/// Supports of the body or a box apply to its nodes, otherwise the joint's supports.
 std::array<Support, 6> support_of(const SpaceFrameBody& body, const Vec3& place, std::array<Support, 6> own) {
   for (std::size_t k = 0; k < own.size(); ++k)
     if (body.support[k] != Support::free) own[k] = body.support[k];
@@ -38,7 +38,7 @@ std::array<Support, 6> support_of(const SpaceFrameBody& body, const Vec3& place,
   return own;
 }
 
-/// From node `i` of a member to where its beams begin or end there, in the axes of the world [m].
+/// From node `i` of a member to the start or end of its beams there, in world axes [m].
 Vec3 arm_at(const SpaceFrameSpec& spec, const SpaceMember& member, int i) {
   if (i > 0 && i < member.divisions) return Vec3::Zero();
   const std::size_t side = i == 0 ? 0 : 1;
@@ -91,7 +91,7 @@ void append_nodes(const SpaceFrameBody& body, const std::vector<NodeMass>& nodes
   }
 }
 
-/// Gives the beams of a member that yields their rows: of fibres, or of hinges where it begins and ends.
+/// Appends the yield rows of a member's beams: of fibres, or of hinges at its start and end.
 class SpaceYieldRows {
  public:
   SpaceYieldRows(const SpaceMember& member, const BeamMaterial3& elastic, Model<3>& model)
@@ -122,7 +122,7 @@ class SpaceYieldRows {
     model_.yields_3d.hinge_laws.push_back(law);
     return static_cast<int>(model_.yields_3d.hinge_laws.size()) - 1;
   }
-  /// Its elastic stiffness then is the stiffest it can have, for the longest step.
+  /// The elastic stiffness is then the largest one, for the stability limit.
   void add_fibres(Beam3& beam, const std::array<bool, 2>& pinned) const {
     BeamYields3& yields = model_.yields_3d;
     const FibreSection3& section = yields.sections[static_cast<std::size_t>(section_)];
@@ -144,8 +144,8 @@ class SpaceYieldRows {
   std::array<int, 2> hinge_{-1, -1};
 };
 
-/// Room for what the branches of a beam remember, behind what it remembers of its yielding; a beam's share of the
-/// bounds; its consistent mass.
+/// Reserves the memory of a beam's damping branches, after the memory of its yielding; adds its part of the bounds and
+/// its consistent mass.
 void complete(Beam3& beam, const SpaceMemberMaterial& made, const HalfBeam& half, const std::array<bool, 2>& pinned,
               bool consistent, Model<3>& model) {
   beam.damping = made.damping, beam.band = band_row(made.band, model.bands);
@@ -167,8 +167,8 @@ void complete(Beam3& beam, const SpaceMemberMaterial& made, const HalfBeam& half
   model.beam_inertias_3d.push_back(beam_inertia_in_space(2 * half.mass, beam.length, pinned));
 }
 
-/// Bounds of the beams' rates: of all of them no frequency is above the highest of one alone on its own share of the
-/// masses of its nodes.
+/// Bounds of the beams' rates: no frequency of all beams exceeds the highest one of a single beam on its share of the
+/// nodal masses.
 void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int first_node, Model<3>& model) {
   const SpaceFrameSpec& spec = body.frame;
   const SpaceMember& member = spec.members[m];
@@ -203,7 +203,7 @@ void append_beams(const SpaceFrameBody& body, std::size_t m, int index, int firs
   }
 }
 
-/// The solids of all other members that end at a joint, there, and its block.
+/// The solids of all other members at a joint, and the joint's block.
 std::vector<ConvexSolid> solids_beside(const SpaceFrameSpec& spec, std::size_t member, int joint) {
   std::vector<ConvexSolid> out;
   const SpaceJoint& at = spec.joints[static_cast<std::size_t>(joint)];
@@ -218,7 +218,7 @@ std::vector<ConvexSolid> solids_beside(const SpaceFrameSpec& spec, std::size_t m
   return out;
 }
 
-/// Whether one of these holds all corners of a face of a solid.
+/// Whether one of these solids contains all corners of a face.
 bool is_covered(const Polyhedron& solid, int face, const std::vector<ConvexSolid>& by) {
   const auto holds = [&](const ConvexSolid& c, const Vec3& x) {
     for (int f = 0; f < c.shape.faces.count(); ++f) {
@@ -233,8 +233,8 @@ bool is_covered(const Polyhedron& solid, int face, const std::vector<ConvexSolid
   });
 }
 
-/// What is surface of the ends of a member's stretch: nothing where the next stretch goes on; at a joint what no solid
-/// of another member covers whole.
+/// Surface at the ends of a member's section of skin: none where the next section continues; at a joint a face that no
+/// solid of another member covers completely.
 class StretchEnds {
  public:
   StretchEnds(const SpaceFrameSpec& spec, std::size_t m, const SkinStretch& stretch)
@@ -257,7 +257,7 @@ class StretchEnds {
   std::array<std::vector<ConvexSolid>, 2> beside_;
 };
 
-/// The convex solids of one stretch of skin in the axes of its node.
+/// The convex solids of one section of skin in the axes of its node.
 std::vector<ConvexSolid> stretch_pieces(const SpaceFrameBody& body, std::size_t m, const SkinStretch& stretch,
                                         const Vec3& place, const UnitQuaternion& rotation) {
   const UnitQuaternion back = inverse(rotation);

@@ -9,7 +9,7 @@
 namespace trilith {
 namespace {
 
-/// Without rotation; masses come with the elements.
+/// Without rotation; masses are added with the elements.
 void append_nodes(const SpaceMeshBody& body, Model<3>& model) {
   for (const Vec3& place : body.mesh.mesh.node) {
     std::array<Support, 6> support{body.support[0], body.support[1], body.support[2],
@@ -33,7 +33,7 @@ int solid_index(Model<3>& model, const Solid& solid) {
   return index;
 }
 
-/// Spin about the centre of mass; the farthest node from it [m].
+/// Spin about the centre of mass; returns the largest distance of a node from it [m].
 double set_spin(const SpaceMeshBody& body, int first, Model<3>& model) {
   double mass = 0, radius = 0;
   Vec3 centre = Vec3::Zero();

@@ -16,7 +16,7 @@ Vec3 along_of(const SpaceFrameSpec& spec, const SpaceMember& m) {
   return end_of(spec, m, 1) - end_of(spec, m, 0);
 }
 
-/// A block turns about its centroid.
+/// A block rotates about its centroid.
 void check_block(const SpaceJoint& joint, const std::string& what) {
   check_convex(joint.block, what + ": its block");
   const Vec3 centroid = solid_moments(joint.block).centroid;
@@ -28,7 +28,7 @@ void check_block(const SpaceJoint& joint, const std::string& what) {
   if (joint.density) require_positive(*joint.density, what + ": density", "kg/m3");
 }
 
-/// Where the way from the block's centroid to `to` leaves it.
+/// Intersection of the line from the block's centroid to `to` with its surface.
 Vec3 way_out(const SpaceJoint& joint, const Vec3& to) {
   const Vec3 way = to - joint.place;
   double least = 1;
@@ -53,7 +53,7 @@ void check_joint(const SpaceFrameSpec& spec, const SpaceJoint& joint, const std:
   if (same > 1) throw InputError(what + " is given twice; give each its own name");
 }
 
-/// What the plane does without, and so may be missing from a section given by numbers.
+/// Data that the plane does not need, and that may be missing in a section given by numbers.
 void check_section(const Section3& s, const std::string& what) {
   if (!(s.area > 0) || !(s.second_moment[1] > 0))
     throw InputError(what +
@@ -91,11 +91,11 @@ void check_member(const SpaceFrameSpec& spec, const SpaceMember& m, double size,
         what, top.x(), top.y(), top.z()));
 }
 
-/// Every joint must hang on the first one by members.
+/// Every joint must be connected to the first one by members.
 void check_connected(const SpaceFrameSpec& spec, const std::string& owner) {
   std::vector<int> group(spec.joints.size());
   std::iota(group.begin(), group.end(), 0);
-  // The lowest number spreads along members; after as many passes as joints it has come everywhere it can.
+  // The lowest number propagates along members; after as many passes as joints it has reached all connected ones.
   for (std::size_t pass = 0; pass < spec.joints.size(); ++pass)
     for (const SpaceMember& m : spec.members) {
       int &from = group[static_cast<std::size_t>(m.from)], &to = group[static_cast<std::size_t>(m.to)];
@@ -193,8 +193,8 @@ std::vector<Vec3> node_places(const SpaceFrameSpec& spec) {
   return places;
 }
 
-/// From the middle of one beam to that of the next. The skin beside a pinned joint goes with the node that is next to
-/// it, as the joint's rotation is not the member's.
+/// From the middle of one beam to the middle of the next. The skin next to a pinned joint moves with the next node,
+/// because the joint's rotation is not the member's.
 std::vector<SkinStretch> skin_stretches(const SpaceFrameSpec& spec, std::size_t member) {
   const SpaceMember& m = spec.members[member];
   const double beam = length_of(spec, m) / m.divisions;
