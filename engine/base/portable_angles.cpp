@@ -132,8 +132,7 @@ Reduced reduce_far(double angle) {
   turn[0] &= ~std::uint64_t{0} >> 2;
   if (above) {  // the next quarter is nearer: measure backwards from it
     quarters += 1;
-    for (std::uint64_t& word : turn)
-      word = ~word;  // two's complement without the added 1, which is below the significant bits
+    for (std::uint64_t& word : turn) word = ~word;  // negation without the insignificant 1
     turn[0] &= ~std::uint64_t{0} >> 2;
   }
   const TwoDoubles found = angle_of(turn);

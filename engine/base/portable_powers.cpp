@@ -79,8 +79,7 @@ double pow(double base, double exponent) {
 
 double hypot_of_extremes(double x, double y) {
   const double most = std::max(std::abs(x), std::abs(y));
-  if (std::isinf(x) || std::isinf(y) || std::isnan(most) || most == 0)
-    return std::hypot(x, y);  // exact on every machine
+  if (std::isinf(x) || std::isinf(y) || std::isnan(most) || most == 0) return std::hypot(x, y);  // exact everywhere
   int exponent = 0;
   std::frexp(most, &exponent);
   const double a = std::ldexp(x, -exponent), b = std::ldexp(y, -exponent);

@@ -171,8 +171,7 @@ struct Model {
   std::vector<Vec<D>> skin_place;   ///< [skin] relative to skin_node, in the axes of skin_turn [m]
   std::vector<int> skin_node;       ///< [skin]
   std::vector<int> skin_turn;       ///< [skin] the node of these axes: skin_node except at the pinned end of a beam
-  std::vector<int> skin_before,
-      skin_after;  ///< [skin] neighbours on a straight mesh side, else the point; may be empty
+  std::vector<int> skin_before, skin_after;  ///< [skin] neighbours on a straight mesh side; else itself
 
   // Convex pieces of the bodies' skins.
   std::vector<int> piece_body;             ///< [piece]

@@ -265,11 +265,10 @@ struct Work {
   SolidWork<D> solids;  ///< in space
 
   // Writer: contact and bearing forces
-  Contacts<D> contacts;                   ///< [contact] trial state
-  std::vector<BearingMemory<D>> bearing;  ///< [bearing] trial state
-  std::vector<double> stood_for;          ///< [bearing] see BearingMemory; empty if none replaces a contact [m]
-  std::vector<int> face_rows,
-      fresh_rows;                            ///< of a batch: rows that touched or may touch; rows that may touch
+  Contacts<D> contacts;                      ///< [contact] trial state
+  std::vector<BearingMemory<D>> bearing;     ///< [bearing] trial state
+  std::vector<double> stood_for;             ///< [bearing] see BearingMemory; empty if none replaces a contact [m]
+  std::vector<int> face_rows, fresh_rows;    ///< of a batch: rows that touched or may touch; only rows that may touch
   std::vector<SortedRows> sorted_rows;       ///< scratch, by chunk
   std::vector<FourFaces> four_faces;         ///< scratch of several threads
   std::vector<FourForces> four_forces;       ///< their forces

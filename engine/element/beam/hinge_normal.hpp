@@ -39,8 +39,7 @@ ReturnedNormal<Ends> find_normal(NormalRange at, double below, double above, dou
   for (int i = 0; i < 200; ++i) {
     const double now = missing(out.normal, out.ends);
     if (now == 0 || std::abs(now) <= 2e-15 * size) return out;
-    if (i > 0 && (now < 0) == (last < 0))
-      (now < 0 ? above : below) *= 0.5;  // Illinois: halves the value at the other end
+    if (i > 0 && (now < 0) == (last < 0)) (now < 0 ? above : below) *= 0.5;  // Illinois method
     (now < 0 ? at.low : at.high) = out.normal;
     (now < 0 ? below : above) = last = now;
     if (at.high - at.low <= 4e-16 * size) break;

@@ -15,8 +15,7 @@ namespace trilith {
 
 /// Increment of one body.
 struct StepBehind {
-  Vec3 place = Vec3::Zero(),
-       place_before = Vec3::Zero();  ///< of its node after and before the step [m]
+  Vec3 place = Vec3::Zero(), place_before = Vec3::Zero();  ///< of its node after and before the step [m]
   UnitQuaternion rotation_before;
   Turn3 back{UnitQuaternion{}};  ///< rotation from its present orientation back to its previous one
   Vec3 turned = Vec3::Zero();    ///< rotation vector of the step, in world axes [rad]
