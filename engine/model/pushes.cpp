@@ -58,7 +58,7 @@ double lowest_of(const Model<D>& model, const std::vector<int>& bodies) {
 constexpr double least_part = 1e-12;
 
 /// A point of a deformable body: by the nodes to which it is attached. In space by the nodes of the element that
-/// contains it, or for a frame by the nearest node, which the force also rotates.
+/// contains it, or for a frame by the nearest node, whose rotation moves the point.
 void add_point_rows(const Model<2>& model, int body, const Vec2& at, double weight, std::vector<PushRow<2>>& rows) {
   const Attachment<2> attachment = tie_point(model, body, at, fmt::format("push of '{}'", model.bodies[body].name));
   for (int i = 0; i < attachment.nodes; ++i)

@@ -50,7 +50,7 @@ TRILITH_INLINE int edge_before(const PlacedPiece& piece, int e) {
 }
 
 /// Four edges of one piece of each pair: before and after a corner, the next one, and the edge before these in a piece
-/// with four. In a triangle the first edge is repeated.
+/// with four. In a triangle the third edge is repeated.
 struct CornerRowsOf {
   const EdgeRow *before[lane_count], *after[lane_count], *next[lane_count], *far[lane_count];
   TRILITH_INLINE void set(int lane, const PlacedPiece& piece, int corner) {

@@ -33,7 +33,7 @@ struct FacePair {
   double near = 0;  ///< see near_faces [m]
   /// If `few`: corner indices in their solid, the last one repeated.
   std::array<std::uint8_t, few_corners> corner_a{}, corner_b{};
-  int node_a = -1, node_b = -1;  ///< nodes that move the solids, for prefetching
+  int node_a = -1, node_b = -1;  ///< nodes that move the solids, for the caller
   std::int32_t kind = 0;         ///< last kind, see FlatResponses: affects no result
   bool few = false;              ///< at most few_corners each
   bool b_is_larger = false;      ///< see near_faces
