@@ -180,7 +180,7 @@ end
 
 -- What only carries a handle's metatable is none, and a handle is destroyed once.
 local meta = debug.getmetatable(other.model)
-local file = debug.setmetatable(assert(io.open("handles.lua")), meta)
+local file = debug.setmetatable(assert(io.open("script/handles.lua")), meta)
 assert(not pcall(function() return file.time end))
 debug.setmetatable(file, nil)
 do
