@@ -108,6 +108,25 @@ void add_dampings(const Model<D>& model, const State<D>& state, int n, const Dof
   }
 }
 
+/// Damping forces along the axes on a node in the plane that is free along both: the corresponding part of
+/// add_dampings.
+struct PlaneDamping {
+  Vec2 rest = Vec2::Zero(), mass = Vec2::Zero();  ///< N
+
+  PlaneDamping() = default;
+  [[gnu::always_inline]] PlaneDamping(const Model<2>& model, int n, const Vec2& v, const Vec2& force,
+                                      const RestDamping& damping) {
+    if (damping.share > 0) {
+      const double speed = std::sqrt(v.x() * v.x() + v.y() * v.y()),
+                   size = damping.share * std::sqrt(force.x() * force.x() + force.y() * force.y());
+      if (speed > 0) rest = {-size / speed * v.x(), -size / speed * v.y()};
+    }
+    const double rate = -model.mass_damping * model.mass[n];
+    mass = {rate * v.x(), rate * v.y()};
+  }
+  [[nodiscard]] Vec2 force() const { return {rest.x() + mass.x(), rest.y() + mass.y()}; }
+};
+
 /// External actions on nodes at one instant, computed once for all nodes.
 template <int D>
 struct Outside {

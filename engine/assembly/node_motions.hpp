@@ -14,6 +14,15 @@ class NodeMotions {
   [[nodiscard]] NodeForces<D> forces(int n) const {
     return node_forces(model_, state_, work_, n, velocity_of(state_, n), outside_, options_.rest);
   }
+  /// Force along the axes on a node that is free along all of them.
+  [[nodiscard]] Vec<D> free_force(int n) const {
+    if (D == 3 || outside_.correction != nullptr) return along_of(forces(n).force);
+    const Vec<D>& on = work_.force[n];
+    Vec<D> sum = on;
+    if constexpr (D == 2) sum += PlaneDamping(model_, n, state_.velocity[n], on, options_.rest).force();
+    if (!work_.added_inertia.empty()) sum += work_.added_inertia[n];
+    return sum;
+  }
   [[nodiscard]] double driven(int n, int k) const {
     if (model_.support[n][k] != Support::driven || !(options_.dt > 0)) return 0;
     const double span = 0.5 * (state_.last_dt + options_.dt);

@@ -16,7 +16,7 @@ struct QuadNodes {
   }
 };
 
-/// The additional forces of four quads, node by node; returns where a quad is no parallelogram.
+/// Computes the additional nodal forces of four quads. Returns a mask of the quads that are no parallelograms.
 TRILITH_INLINE LaneMask rotation_forces(const QuadNodes& place, const QuadNodes& force, const std::array<Lanes, 4>& m,
                                         std::array<Lanes, 4>& fx, std::array<Lanes, 4>& fy) {
   const Lanes total = m[0] + m[1] + m[2] + m[3];
@@ -39,7 +39,7 @@ TRILITH_INLINE LaneMask rotation_forces(const QuadNodes& place, const QuadNodes&
   return (skew_x * skew_x + skew_y * skew_y) * total > share * lumped;
 }
 
-/// A row of two nodes is added to where its quad is a parallelogram.
+/// Adds the forces of two nodes.
 TRILITH_INLINE void add_row(double* to, const Lanes& row) {
   store_lanes(to, load_lanes(to) + row);
 }

@@ -76,11 +76,15 @@ template <int D>
   return work_of(f, path);
 }
 
-/// True if only forces, weight and steady loads act on the nodes: no mass damping, no rest damping, no load curve.
+/// True if mass damping or rest damping acts on the nodes.
 template <int D>
-bool goes_plainly(const Model<D>& model, const Outside<D>& outside, const StepOptions& options) {
-  return !(options.rest.share > 0) && !(model.mass_damping > 0) && outside.moment == nullptr &&
-         outside.correction == nullptr;
+bool has_node_damping(const Model<D>& model, const StepOptions& options) {
+  return options.rest.share > 0 || model.mass_damping > 0;
+}
+/// True if the external loads are weight and constant forces: no load curve and no correction.
+template <int D>
+bool has_steady_loads(const Outside<D>& outside) {
+  return outside.moment == nullptr && outside.correction == nullptr;
 }
 
 /// True if the node is free to move. With `turns` its rotation is free too; otherwise the rotation is fixed and zero.
@@ -91,11 +95,22 @@ template <bool turns>
   return turns ? s[2] == Support::free : s[2] == Support::fixed && state.spin[n] == 0;
 }
 
-/// Fast form of advance_node for a run of free nodes before `last` (see goes_plainly). It computes the same sums
+/// Damping moments on a free node in the plane: the corresponding part of add_dampings.
+struct TurnDamping {
+  double rest = 0, mass;  ///< N m
+
+  [[gnu::always_inline]] TurnDamping(const Model<2>& model, int n, double spin, double moment,
+                                     const RestDamping& damping)
+      : mass(-model.mass_damping * model.inertia[n] * spin) {
+    if (damping.share > 0 && spin != 0) rest = -std::copysign(damping.share * std::abs(moment), spin);
+  }
+};
+
+/// Fast form of advance_node for a run of free nodes before `last` under steady loads. It computes the same sums
 /// without the terms that are 0, and keeps the sums in registers. Returns the first node after the run.
-template <bool turns>
+template <bool turns, bool has_damping>
 int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, const Outside<2>& outside,
-                 const StepSpan& steps, int n, int last, NodeWork& sums) {
+                 const RestDamping& rest, const StepSpan& steps, int n, int last, NodeWork& sums) {
   // Local copies, so that the compiler knows that the loop does not change them.
   const StepSpan span = steps;
   const Vec2 field = outside.field, *const load = outside.load, *const on = work.force.data();
@@ -107,26 +122,41 @@ int advance_free(const Model<2>& model, State<2>& state, const Work<2>& work, co
   Vec2 *const velocity = state.velocity.data(), *const position = state.position.data();
   double *const spins = state.spin.data(), *const rotations = state.rotation.data();
   double weight = sums.weight, from_load = sums.load, damped = sums.element_damping;
+  double by_rest = sums.rest, by_mass = sums.mass;
   for (; n < last && is_free<turns>(model, state, n); ++n) {
     const double mass = masses[n];
-    const Vec2 force = added == nullptr ? on[n] : Vec2(on[n] + added[n]), &steady = load[n];
     Vec2 &v = velocity[n], &place = position[n];
+    Vec2 force = on[n];
+    PlaneDamping node;
+    if constexpr (has_damping) node = PlaneDamping(model, n, v, force, rest), force += node.force();
+    if (added != nullptr) force += added[n];
+    const Vec2& steady = load[n];
     const double u = v.x() + force.x() / mass * span.between, w = v.y() + force.y() / mass * span.between;
     const double x = 0.5 * (span.last * v.x() + span.next * u), y = 0.5 * (span.last * v.y() + span.next * w);
     weight += mass * field.x() * x + mass * field.y() * y;
     from_load += steady.x() * x + steady.y() * y;
     if (damping != nullptr) damped += damping[n].x() * x + damping[n].y() * y;
+    double node_rest = node.rest.x() * x + node.rest.y() * y, node_mass = node.mass.x() * x + node.mass.y() * y;
     v = {u, w};
     place = {place.x() + span.next * u, place.y() + span.next * w};
     if constexpr (turns) {
       double& spin = spins[n];
       const double before = spin;
-      spin += moment[n] / inertias[n] * span.between;
+      if constexpr (has_damping) {
+        const TurnDamping turn(model, n, before, moment[n], rest);
+        spin += (moment[n] + (turn.rest + turn.mass)) / inertias[n] * span.between;
+        const double angle = 0.5 * (span.last * before + span.next * spin);
+        node_rest += turn.rest * angle, node_mass += turn.mass * angle;
+      } else {
+        spin += moment[n] / inertias[n] * span.between;
+      }
       if (couple != nullptr) damped += couple[n] * 0.5 * (span.last * before + span.next * spin);
       rotations[n] += span.next * spin;
     }
+    if constexpr (has_damping) by_rest += node_rest, by_mass += node_mass;
   }
   sums.weight = weight, sums.load = from_load, sums.element_damping = damped;
+  sums.rest = by_rest, sums.mass = by_mass;
   return n;
 }
 
@@ -193,7 +223,7 @@ struct FreeNodes {
 NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& work, const StepOptions& options,
                        const StepSpan& span, const Outside<3>& outside, int first, int last) {
   NodeWork sums;
-  const bool plain = goes_plainly(model, outside, options) && work.element_damping.empty();
+  const bool plain = !has_node_damping(model, options) && has_steady_loads(outside) && work.element_damping.empty();
   FreeNodes free{model, state, work, outside, span, sums};
   for (int n = first; n < last; ++n) {
     if (plain && is_free(model, n))
@@ -206,21 +236,28 @@ NodeWork advance_range(const Model<3>& model, State<3>& state, const Work<3>& wo
 }
 
 /// Advances the nodes from `first` to before `last` in the plane. Returns the work done on them.
+template <bool has_damping>
 NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
                        const StepSpan& span, const Outside<2>& outside, int first, int last) {
-  const bool plain = goes_plainly(model, outside, options);
+  const bool is_steady = has_steady_loads(outside);
   NodeWork sums;
   for (int n = first; n < last;) {
-    if (plain && is_free<true>(model, state, n)) {
-      n = advance_free<true>(model, state, work, outside, span, n, last, sums);
-    } else if (plain && is_free<false>(model, state, n)) {
-      n = advance_free<false>(model, state, work, outside, span, n, last, sums);
+    if (is_steady && is_free<true>(model, state, n)) {
+      n = advance_free<true, has_damping>(model, state, work, outside, options.rest, span, n, last, sums);
+    } else if (is_steady && is_free<false>(model, state, n)) {
+      n = advance_free<false, has_damping>(model, state, work, outside, options.rest, span, n, last, sums);
     } else {
       sums += advance_node(model, state, work, outside, options, span, n);
       ++n;
     }
   }
   return sums;
+}
+NodeWork advance_range(const Model<2>& model, State<2>& state, const Work<2>& work, const StepOptions& options,
+                       const StepSpan& span, const Outside<2>& outside, int first, int last) {
+  return has_node_damping(model, options)
+             ? advance_range<true>(model, state, work, options, span, outside, first, last)
+             : advance_range<false>(model, state, work, options, span, outside, first, last);
 }
 
 /// Nodes per chunk of a thread, about 10 microseconds. The work of each chunk is summed separately.
