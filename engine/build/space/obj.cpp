@@ -48,8 +48,8 @@ class ObjReader {
     throw InputError(fmt::format("{}: line {}: {}", owner_, number_, what));
   }
 
-  /// The next line without its end and without a comment after #, including empty ones. A line that ends with \
-  /// continues in the next.
+  /// The next line without its end and without a comment after #, including empty ones. A backslash at its end joins it
+  /// with the line after it.
   bool next_line() {
     if (at_ >= text_.size()) return false;
     line_ = one_line();

@@ -1,9 +1,9 @@
 // Contact of spheres with spheres and with convex polyhedra: pressure over the shared area, and friction.
 //
 //        .-""-.
-//       /  A   \
+//       /  A   \ .
 //       \.-""-./  s
-//       /'-..-'\
+//       /'-..-'\ .
 //       \  B   /
 //        '-..-'
 //

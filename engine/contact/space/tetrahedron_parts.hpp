@@ -2,7 +2,7 @@
 // are half of the contacts in a heap. The parts are those in contact/plane/nearest_parts.hpp, in closed form.
 //
 //                 C
-//                /|\
+//                /|\ .
 //               / | \.
 //             E1--|--E3        P = d (E1/h1 + E2/h2 + E3/h3)
 //               \ | /          1/d = 1/h1 + 1/h2 + 1/h3

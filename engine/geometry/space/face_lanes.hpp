@@ -6,9 +6,9 @@
 // different orders execute the same operations, and a lane has the same bits as a single pair.
 //
 //       q3 ______ p3=q2
-//         |      \
+//         |      \ .
 //     ----x-------x----    line
-//         |________\
+//         |________\ .
 //        p0        q0=p1
 //
 // Cut by a line: each edge that crosses it has one end moved to the crossing. An edge beyond the line is no longer

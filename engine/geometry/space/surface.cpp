@@ -17,8 +17,8 @@ std::size_t at(int i) {
 // to the next of its loop. The index across it denotes the edge between the same two corners in the neighbouring loop.
 //
 //      d ____ c      faces.corner  a b c d | b e c
-//       | f  |\
-//       |____|_\
+//       | f  |\ .
+//       |____|_\ .
 //      a    b g e
 //
 // The edge b-c of f has index 1, and across it is c-b of g with index 6. It runs the other way, so both faces are

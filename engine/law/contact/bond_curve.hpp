@@ -1,7 +1,7 @@
 // Traction of a bond at one point as a function of displacement, and the work of a step along it.
 //
 //     traction   top        . peak
-//                          / \
+//                          / \ .
 //                         /   \___________
 //                        /    last
 //

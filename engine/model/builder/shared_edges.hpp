@@ -1,11 +1,11 @@
 // Corners and, in space, edges of a body's surface that several of its convex pieces share.
 //
 //           shared edge
-//            /|\
-//           / | \
-//          /  |  \
-//         /  / \  \
-//        /  /   \  \
+//            /|\ .
+//           / | \ .
+//          /  |  \ .
+//         /  / \  \ .
+//        /  /   \  \ .
 //
 // Contact at the top of a chevron or the corner of a mesh presses two or more pieces at one position. It is a single
 // contact: its damping and friction use one direction (assembly/contact/shared_edge_normal.hpp). The hollow below is no
