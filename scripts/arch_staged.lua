@@ -34,10 +34,10 @@ end
 
 local ring = m:add({ stone(1), stone(n) }, { material = "stone" })
 m:results { file = p.out, frames = 0.02*s, energy = 0.02*s }
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 local middle = (n + 1)//2
 local function rest(name)
-  m:run { name = name, duration = 5*s, damping = 0.8, until_rest = { ratio = 1e-4, hold = 0.1 } }
+  m:run { name = name, duration = 5*s, local_damping = 0.8, rest = { ratio = 1e-4, hold = 0.1 } }
 end
 for i = 2, middle - 1 do
   ring = ring + m:add({ stone(i), stone(n + 1 - i) }, { material = "stone" })
@@ -58,7 +58,7 @@ striking = m:every(p.every, function() -- from the crown down, on both sides
   if struck == middle then m:off(striking) end
 end)
 local last = m:run { name = "struck", duration = 6*s, until_collapse = true,
-  until_rest = { from = p.every*middle, ratio = 1e-3, speed = 1e-4 } }
+  rest = { from = p.every*middle, ratio = 1e-3, speed = 1e-4 } }
 if last.ending == "rest" then
   local joint = m:contacts { between = { crown, m:body("arch.v" .. middle - 1) } }[1]
   print(("%.2f s: it stands by itself; the crown came down by %.3f mm, the thrust is %.3f of the weight"):format(m.time,

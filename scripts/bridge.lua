@@ -103,7 +103,7 @@ m:bridge {
 
 -- Results; dead load, until all is at rest; then the two records, which start together.
 m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
-m:consolidate { duration = 60*s, ratio = 1e-5, speed = still }
+m:consolidate { duration = 60*s, rest = { ratio = 1e-5, speed = still } }
 
 local along = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 along = along:scale { factor = p.sign }
@@ -112,4 +112,4 @@ local function firm(motion) return motion:time_scale(0.8):delay(0.204*s) end
 m:shake {
   motions = { { body = "right ground", x = along, y = up },
               { body = "left ground", x = firm(along), y = firm(up) } },
-  duration = 150*s, still = { speed = still, hold = 1*s, from = 55.9*s } }
+  duration = 150*s, rest = { speed = still, hold = 1*s, from = 55.9*s } }

@@ -81,7 +81,7 @@ for i, stand in ipairs(stands) do
   supports[i].ground = i == 1 and "left ground" or "right ground"
 end
 -- Foundations are rigid discs of the footing's area on an elastic half space, with 10 % of critical for a swaying bent.
-local foundation = { soil = p.soil, damping = 2*0.1/13 }
+local foundation = { soil = p.soil, beta = 2*0.1/13 }
 local bridge = m:bridge {
   gap = p.gap, seat = seat, breadth = 2*half, skew = p.skew, material = "concrete", spans = spans, supports = supports,
   girders = { count = 2, spacing = 2*line, breadth = girder },
@@ -95,7 +95,7 @@ m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
 for _, what in ipairs { "displacement_along", "displacement_across" } do
   m:history { name = "S3.left.g2 " .. what, bearing = bridge.bearings.S3.left.g2, what = what }
 end
-m:consolidate { ratio = 1e-4, duration = 30*s }
+m:consolidate { rest = { ratio = 1e-4 }, duration = 30*s }
 
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 local along = ns:scale { factor = p.sign }
@@ -124,7 +124,7 @@ local report = m:shake {
 local base = m:body "right ground"
 for _, b in ipairs(bridge.spans) do
   print(("%s has moved by %6.2f m along, %6.2f m across, %6.2f m up, and turned by %4.1f deg about z"):format(b.name,
-    b.ux - base.ux, b.uy - base.uy, b.uz - base.uz, b.turn_z/deg))
+    b.ux - base.ux, b.uy - base.uy, b.uz - base.uz, b.rotation_z/deg))
 end
 print(("%s after %.2f s; the ledger is out by %.2g %% of what was put in"):format(report.ending,
   report.ended - report.begun, 100*math.abs(m.residual)/math.max(1, -m.energy.gravity + m.energy.support)))

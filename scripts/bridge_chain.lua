@@ -104,7 +104,7 @@ for i, length in ipairs(spans) do
 end
 
 if p.out ~= "" then m:results { file = p.out, frames = 0.05*s, histories = 0.1*s, energy = 0.1*s } end
-m:consolidate { duration = 60*s, ratio = 1e-4, or_go_on = true }
+m:consolidate { duration = 60*s, rest = { ratio = 1e-4 }, or_go_on = true }
 
 -- Three versions of the record. The last one integrates its accelerations from rest, without the
 -- velocity that the ground has where the record begins; it drifts, and is brought to rest at its end.
@@ -153,7 +153,7 @@ local shaken = {
   { body = "right ground", x = along, y = up }, { body = "A7", x = along, y = up },
   { body = "left ground", x = firm(along), y = firm(up) }, { body = "A0", x = firm(along), y = firm(up) } }
 if p.rest > 0 then
-  m:shake { motions = shaken, duration = 150*s, still = { speed = still, hold = 1*s, from = 55.9*s } }
+  m:shake { motions = shaken, duration = 150*s, rest = { speed = still, hold = 1*s, from = 55.9*s } }
 else
   m:shake { motions = shaken, duration = before + p.duration }
 end

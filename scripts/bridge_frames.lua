@@ -112,7 +112,7 @@ end
 for i, fixed in ipairs { "left", "right", "left", "right", "left", "right", "left" } do deck(i, "S" .. i, fixed) end
 
 m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
-m:consolidate { duration = 60*s, ratio = 1e-5 }
+m:consolidate { duration = 60*s, rest = { ratio = 1e-5 } }
 local first
 m:on("bearing.failed", function(e) first = first or e end)
 local drift = 0

@@ -36,7 +36,7 @@ end
 print(("%d stones, %.1f t, t/R = %g"):format(#dome, 1e-3*dome.mass, p.t))
 
 m:results { file = p.out, frames = 0.1*s, energy = 0.1*s }
-m:consolidate { ratio = 1e-4, duration = 30*s }
+m:consolidate { rest = { ratio = 1e-4 }, duration = 30*s }
 local key = m:body "dome.key"
 print(("stands: the key has sunk by %.2f mm"):format(-1e3*key.uz))
 

@@ -53,7 +53,7 @@ print(("%d solids, %.1f t without the base"):format(#house, 1e-3*(house - "house
 
 m:results { file = p.out, frames = 0.05*s, energy = 0.05*s }
 for i = 1, 2 do m:history { name = ("drift of storey %d across"):format(i), storey = i, what = "drift_y" } end
-m:consolidate { ratio = 1e-4, fresh = true, duration = 20*s, safety = 0.8 } -- the mortar sets under the weight
+m:consolidate { rest = { ratio = 1e-4 }, fresh = true, duration = 20*s, safety = 0.8 } -- mortar sets under weight
 local bonds = 0
 for _, c in ipairs(m:contacts()) do if c.hold == "bonded" then bonds = bonds + 1 end end
 

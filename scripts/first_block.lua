@@ -11,5 +11,5 @@ m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = 
 local block = m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, 0.2 }, material = "stone",
                         floating = true }
 m:on("impact", function(e) print(("%.4f s: the block strikes at %.3f m/s"):format(e.time, e.value)) end)
-local report = m:run { duration = 5, until_rest = true }
+local report = m:run { duration = 5, rest = true }
 print(("%.2f s: %s, block at y = %.9f m"):format(report.ended, report.ending, block.y))

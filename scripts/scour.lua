@@ -33,12 +33,12 @@ local right = m:block { name = "right span", width = 15, height = 0.9, at = { 0.
 m:results { file = p.out, frames = 0.05*s, energy = 0.05*s }
 local pier = m:body "pier"
 m:history { name = "tilt of the pier", body = pier, what = "rotation" }
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 local force = { 0, -p.traffic*15 }
 for i, span in ipairs { left, right } do
-  m:point_load { body = span, force = force, course = { smooth = 1 }, name = "traffic " .. i }
+  m:point_load { body = span, force = force, load_curve = { smooth = 1 }, name = "traffic " .. i }
 end
-m:run { name = "traffic", duration = 10*s, damping = 0.8, until_rest = { from = 1, ratio = 1e-4 } }
+m:run { name = "traffic", duration = 10*s, local_damping = 0.8, rest = { from = 1, ratio = 1e-4 } }
 print(("%.2f s: under traffic; the footing has sunk by %.2f mm"):format(m.time, -1e3*m:body("footing").uy))
 
 local gone = 0

@@ -17,7 +17,7 @@ local study = trilith.study {
     m:block { name = "floor", width = 4, height = 0.2, at = { -1, -0.2 }, material = "stone", support = "fixed" }
     local block = m:block { name = "block", width = 0.5, height = 0.1, at = { 0, -4e-7 }, material = "stone",
                             velocity = { case.v, 0 } }
-    m:run { duration = 3, until_rest = { speed = 1e-4, hold = 0.05 } }
+    m:run { duration = 3, rest = { speed = 1e-4, hold = 0.05 } }
     return { distance = { block.ux, unit = "m" }, expected = { case.v^2 / (2*case.mu*g), unit = "m" } }
   end,
 }

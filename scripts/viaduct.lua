@@ -73,7 +73,7 @@ if p.restrainers then
 end
 
 m:results { file = p.out, frames = 0.05, histories = 0.02, energy = 0.1 }
-m:consolidate { ratio = 1e-5 }
+m:consolidate { rest = { ratio = 1e-5 } }
 local _, middle = west:point { span/2, soffit }
 local _, ending = west:point { 0, soffit }
 print(("dead load: a girder sags by %.1f mm; the foot carries %.0f kN"):format(

@@ -37,7 +37,7 @@ print(("%d bodies, %.1f kip"):format(#wall, (wall - "wall.base").mass*g/kip))
 
 m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
 for k = 1, 3 do m:history { name = "slab " .. k, body = "wall.s" .. k .. ".slab", what = "ux" } end
-m:consolidate { duration = 20*s, ratio = 1e-5, speed = 1e-7, safety = 0.8, fresh = true } -- mortar sets then
+m:consolidate { duration = 20*s, rest = { ratio = 1e-5, speed = 1e-7 }, safety = 0.8, fresh = true } -- mortar sets then
 local bonds, broken, times = { 0, 0, 0 }, { 0, 0, 0 }, {} -- by storey
 local function add(list, a, b)
   local k = tonumber(a.name:match "wall%.s(%d)" or b.name:match "wall%.s(%d)")

@@ -30,7 +30,7 @@ local function wall_at_rest()
                  { storey = 1, x = 2.5, sill = 1, width = 0.75, height = 1 } },
     lintel_bearing = 0.25, material = brick, fixed = "base", body = "rigid",
     by_group = { slabs = { weight = 1.2e4*4 } } }
-  m:consolidate { duration = 10, ratio = 1e-5, speed = 1e-6, fresh = true }
+  m:consolidate { duration = 10, rest = { ratio = 1e-5, speed = 1e-6 }, fresh = true }
   return m
 end
 

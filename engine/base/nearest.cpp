@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace trilith {
 
@@ -46,7 +47,44 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
   return best;
 }
 
+namespace {
+
+struct FormerName {
+  std::string_view before, now, written;
+};
+/// Names before version 1.0, the names of today, and how to write them. Of several successors the known one applies.
+constexpr std::array former_names{
+    FormerName{"until_rest", "rest", "rest"},
+    FormerName{"still", "rest", "rest"},
+    FormerName{"ratio", "rest", "rest = { ratio = }"},
+    FormerName{"speed", "rest", "rest = { speed = }"},
+    FormerName{"hold", "rest", "rest = { hold = }"},
+    FormerName{"course", "load_curve", "load_curve"},
+    FormerName{"damping", "local_damping", "local_damping"},
+    FormerName{"damping", "damping_ratio", "damping_ratio"},
+    FormerName{"damping", "beta", "beta"},
+    FormerName{"friction", "friction_angle", "friction_angle"},
+    FormerName{"dilation", "dilation_angle", "dilation_angle"},
+    FormerName{"axis", "station", "station"},
+    FormerName{"x", "station", "station"},
+    FormerName{"turn_x", "rotation_x", "rotation_x"},
+    FormerName{"turn_y", "rotation_y", "rotation_y"},
+    FormerName{"turn_z", "rotation_z", "rotation_z"},
+};
+
+/// How `given` is written today if it is a former name of one of `known`; else "".
+std::string_view written_today(std::string_view given, const std::vector<std::string>& known) {
+  for (const FormerName& former : former_names)
+    if (former.before == given && std::find(known.begin(), known.end(), former.now) != known.end())
+      return former.written;
+  return {};
+}
+
+}  // namespace
+
 std::string name_hint(std::string_view given, const std::vector<std::string>& known) {
+  if (const std::string_view now = written_today(given, known); !now.empty())
+    return fmt::format("; since version 1.0 it is '{}'", now);
   const std::string best = nearest_name(given, known);
   if (!best.empty()) return fmt::format("; did you mean '{}'?", best);
   if (known.empty()) return "; there are none";

@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::array usual_ranges{
     PlausibleRange{"mu", "1", 0, 2, "it is the tangent of the friction angle, as in math.tan(35*deg)"},
-    PlausibleRange{"beta", "s", 0, 0.1,
-                   "no step is as long; it is 2*zeta/omega, with omega = sqrt(kn*area/mass) of a body on its contact"},
-    PlausibleRange{"damping", "s", 0, 0.1, "no step is as long; it is 2*zeta/omega of the vibration to be damped"},
+    PlausibleRange{
+        "beta", "s", 0, 0.1,
+        "it is 2*zeta/omega of the vibration to be damped; of a body on its contact, omega = sqrt(kn*area/mass)"},
     PlausibleRange{"E", "Pa", 5e5, unbounded, "is it in GPa or MPa? 30 GPa are 30e9 Pa"},
     PlausibleRange{"kn", "Pa/m", 1e5, unbounded, "is it in N/mm3 or MPa/mm? 1 N/mm3 is 1e9 Pa/m"},
     PlausibleRange{"ks", "Pa/m", 1e4, unbounded, "is it in N/mm3 or MPa/mm? 1 N/mm3 is 1e9 Pa/m"},

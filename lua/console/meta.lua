@@ -19,7 +19,7 @@ local type_of = {
   ["contact law"] = "trilith.contact_law|string", ["direction law"] = "trilith.direction_law",
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
   section = "trilith.section", ["text or integer"] = "string|integer",
-  course = "number|table",
+  ["load curve"] = "number|table",
   vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table",
   place = "number[]|string", ["two bodies"] = "table[]", ["table or body"] = "table|trilith.body|string",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",

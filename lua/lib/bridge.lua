@@ -92,12 +92,12 @@ end
 local function add_support(model, options, row, place)
   local owner = owner_of(place.kind, row, place.i)
   local height = check_number(owner, row, "height")
-  refuse(owner, row, "x", "axis", "side", "ground_level")
+  refuse(owner, row, "x", "station", "side", "ground_level")
   local keys = merged(row, { gap = options.gap, seat = options.seat, material = options.material })
   keys.ground_level = place.soffit - height
   keys.height = height - place.rise
   if place.kind == "pier" then
-    keys.x = place.x
+    keys.station = place.x
     return model:pier(keys)
   end
   for _, key in ipairs { "gap", "seat" } do
@@ -105,7 +105,7 @@ local function add_support(model, options, row, place)
       core.fail(("%s: '%s' is missing; give a number in m, there or for the whole bridge"):format(owner, key))
     end
   end
-  keys.side, keys.axis = place.i == 1 and "left" or "right", place.x
+  keys.side, keys.station = place.i == 1 and "left" or "right", place.x
   if keys.back_wall_height then
     keys.back_wall_height = check_number(owner, keys, "back_wall_height") + place.rise
   end

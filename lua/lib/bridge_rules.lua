@@ -67,7 +67,7 @@ local rules = {
   shear_key = { gap = least(), height = above(), breadth = above(), law = law, limit = above() },
   foundation = {
     soil = number("Pa", { above = 0 }), poisson = number("", { preset = 0.35, least = 0, most = 0.49 }),
-    damping = number("s", { preset = 0, least = 0 }), along = law, across = law, horizontal = law, axial = law,
+    beta = number("s", { preset = 0, least = 0 }), along = law, across = law, horizontal = law, axial = law,
     turning_along = law, turning_across = law, turning_axial = law, limit = { kind = "any" },
       becomes = { kind = "any" },
   },

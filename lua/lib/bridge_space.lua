@@ -60,7 +60,7 @@ end
 --- Springs of a rigid disc of this area on an elastic half space, as the laws of a bearing (Gazetas 1991).
 local function half_space(f, area)
   local r, g, nu = math.sqrt(area/math.pi), f.soil, f.poisson
-  local function spring(k) return trilith.linear { stiffness = k, damping = f.damping*k } end
+  local function spring(k) return trilith.linear { stiffness = k, damping = f.beta*k } end
   local slide, rock = spring(8*g*r/(2 - nu)), spring(8*g*r*r*r/(3*(1 - nu)))
   return { along = slide, across = slide, axial = spring(4*g*r/(1 - nu)), turning_along = rock, turning_across = rock,
     turning_axial = spring(16/3*g*r*r*r) }

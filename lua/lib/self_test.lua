@@ -10,9 +10,9 @@ local deg = trilith.units "deg"
 local m = trilith.model { name = "self-test", thickness = 1 }
 
 m:material { name = "stone", density = 2400 }
-m:material { name = "brick", density = 2000, E = 2e8, nu = 0.2, damping = 1e-4 }
+m:material { name = "brick", density = 2000, E = 2e8, nu = 0.2, beta = 1e-4 }
 m:material { name = "clay", density = 2000,
-  solid = trilith.mohr_coulomb { E = 2e8, nu = 0.3, cohesion = 3e4, friction = 25*deg, dilation = 5*deg } }
+  solid = trilith.mohr_coulomb { E = 2e8, nu = 0.3, cohesion = 3e4, friction_angle = 25*deg, dilation_angle = 5*deg } }
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.5, beta = 2e-4 } }
 m:contact { between = { "brick", "brick" }, law = trilith.cohesive { kn = 1e8, ks = 5e7, mu = 0.5, beta = 2e-4,
   cohesion = 2e3, tension = 1e3, energy_tension = 1, energy_shear = 2 } }

@@ -112,7 +112,7 @@ to          number m?  end of the last step
 base_level  number m   bottom of the ground]], beside = { to = true } },
     { "pier", "A pier of footing, stem and cap.", keys = [[
 name               text?         name
-x                  number m      position of the axis
+station            number m      position of the axis along the bridge
 ground_level       number m = 0  top of the ground
 height             number m      height above the ground
 stem_width         number m = the top's  width of the stem; not needed with seat and gap
@@ -125,8 +125,8 @@ gap                number m?     joint between the two decks on the pier]] },
     { "abutment", "A stub abutment with a back wall.", keys = [[
 name              text?          name
 side              text = "left"  "left" or "right"
-x                 number m?      edge of the seat; or axis
-axis              number m?      middle of the joint between deck and back wall; needs seat and gap
+x                 number m?      edge of the seat; or station
+station           number m?      middle of the joint between deck and back wall; needs seat and gap
 ground_level      number m = 0   bottom of the abutment
 height            number m       height of the seat above the bottom
 width             number m       total width

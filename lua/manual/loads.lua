@@ -2,7 +2,7 @@ local until_keys = [[
 
 until_true      function?     control "time": ends when f(model), called after each step, is true; limit "until"
 until_collapse  flag = false  control "time": ends at a collapse: true, or { drop = [m], bodies = number of bodies }]]
-local course = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
+local load_curve = "a factor, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }"
 
 return {
   name = "loads", title = "Loads over time, pushover and release",
@@ -12,10 +12,10 @@ force   point?          force [N]; in space {x, y, z}
 moment  number N m = 0  moment; in space a vector {x, y, z}
 at      place = "centroid"  point {x, y} of the body, {x, y, z} in space, or the name of a place or of a frame's joint
 follow  flag = false    the force turns with the body
-course  course = all at once  share over time (load curve): ]] .. course .. [[
+load_curve  load curve = all at once  factor over time: ]] .. load_curve .. [[
 
 name    text?           name in results]], gives = "string",
-    example = 'm:point_load { body = "block", force = { 100, 0 }, course = { ramp = 0.1 } }' },
+    example = 'm:point_load { body = "block", force = { 100, 0 }, load_curve = { ramp = 0.1 } }' },
   { "model:pressure", "Applies a pressure to faces of a body, from the call on. Returns its name.", keys = [[
 body       bodies     loaded bodies
 value      number Pa  pressure onto the face
@@ -24,7 +24,7 @@ from       point?     in the plane, instead of face: start of a part of the outl
 to         point?     end of that part, counter-clockwise
 direction  point = against the face  direction of the pressure; in space {x, y, z}
 follow     flag?      the pressure turns with the body
-course     course = all at once  share over time (load curve): ]] .. course .. [[
+load_curve  load curve = all at once  factor over time: ]] .. load_curve .. [[
 
 name       text?      name in results]], gives = "string",
     example = 'm:pressure { body = "block", face = "left", value = 500 }' },
@@ -58,11 +58,11 @@ drift         number m?        drift of the top at which the stage ends; in spac
 storey        integer?         storey of this drift
 drop          number?          share of the peak force at which the stage ends
 samples       integer?         number of points of the curve; control "arc": largest number
-damping       number = 0.8     control "time": local damping coefficient, share of the unbalanced force of each body
+local_damping  number = 0.8    control "time": local damping coefficient, share of the unbalanced force of each body
 name          text?            name in results
 dt            number s?        control "time": fixed time step
 safety        number = 0.5     control "time": share of the longest stable step, at most 0.9]] .. until_keys,
-    gives = "pushover report", example = 'm:consolidate { ratio = 1e-4 }\n'
+    gives = "pushover report", example = 'm:consolidate { rest = { ratio = 1e-4 } }\n'
       .. 'local p = m:pushover { body = "block", rate = 0.01, displacement = 1e-3 }\n'
       .. 'print(p.peak_force, p.displacement_at_peak, #p.curve.t)' },
 }

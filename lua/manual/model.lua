@@ -21,7 +21,7 @@ density      number kg/m3?     density; or
 unit_weight  number N/m3?      unit weight
 E            number Pa?        Young's modulus, for bodies that deform
 nu           number = 0  Poisson's ratio
-damping      number s = 0  stiffness-proportional damping: stress per strain rate over E
+beta         number s = 0  stiffness-proportional damping: stress per strain rate over E
 band_damping  table?           of members of frames: { ratio =, from =, to = }, damping ratio between frequencies [Hz]
 solid        solid law?        instead of E: a constitutive law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"

@@ -49,7 +49,7 @@ joints      flag = true       write opening, slip and damage of each joint]] },
     args = "bodies  bodies  in order", gives = "table[]" },
   { "model:modes", "Natural modes of the present state, lowest first: { frequency, period, square, mass_x, mass_y, "
     .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "
-    .. "In space mass_z and factor_z too, and shapes { x, y, z, turn_x, turn_y, turn_z }. "
+    .. "In space mass_z and factor_z too, and shapes { x, y, z, rotation_x, rotation_y, rotation_z }. "
     .. "Prints as a table, and is written to the results file.",
     keys = "count  integer = 10  number of modes", gives = "table[]" },
   { "model:damping", "Damping ratio of each mode in the present state: { frequency, ratio, contacts, bearings, "
@@ -73,17 +73,17 @@ print(#m:bodies { material = "stone" })]],
 print(m:bodies { name = "b*" }:has "block")]],
     ["set:damage_by_storey"] = [[
 local wall = m:wall { name = "wall", units = 2, courses = 2, at = { 1, 0 }, material = "stone" }
-m:consolidate { ratio = 1e-3 }
+m:consolidate { rest = { ratio = 1e-3 } }
 for _, row in ipairs(wall:damage_by_storey()) do print(row.joints_apart) end]],
     ["body:point"] = [[
 m:run { duration = 0.01 }
 local x, y = m:body("block"):point { 0.25, 1 }
 print(x, y)]],
     ["body:reactions"] = [[
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 print(m:body("ground").reaction_y)]],
     ["model:contacts"] = [[
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 for _, c in ipairs(m:contacts { between = { "block", "ground" } }) do print(c.normal) end]],
     ["model:history"] = [[
 local h = m:history { name = "top", body = "block", what = "ux" }
@@ -92,10 +92,10 @@ print(h.max)]],
     ["model:explain_dt"] = [[
 print(m:explain_dt())]],
     ["model:joints"] = [[
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 for _, joint in ipairs(m:joints()) do print(joint.opening, joint.slip) end]],
     ["model:thrust_line"] = [[
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 print(#m:thrust_line { "ground", "block" })]],
     ["model:modes"] = [[
 m:consolidate { integrator = "static" }
@@ -104,7 +104,7 @@ print(m:modes { count = 3 })]],
 m:consolidate { integrator = "static" }
 print(m:damping { count = 3 })]],
     ["model:stresses"] = [[
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 print(m:stresses().block.yy)]],
   },
 }

@@ -13,7 +13,7 @@ unit_weight  number N/m3?     unit weight; or
 mass         number kg?       mass; or
 weight       number N?        weight
 inertia      vector?          rigid body: moments [kg m2] about x, y, z through its centroid; or one number for all
-support      text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
+support      text or table?   "fixed", "free" or { x = , y = , z = , rotation_x = , rotation_y = , rotation_z = }
 velocity     vector = {0, 0, 0}  velocity at the start [m/s]
 spin         vector = {0, 0, 0}  angular velocity at the start [rad/s]
 load         vector = {0, 0, 0}  steady force at the centroid [N]
@@ -43,7 +43,7 @@ to_hinge      hinge law?       plastic hinge at the end
 mass_matrix   text = "lumped"  "lumped" or "consistent"; explicit steps always use lumped mass
 stations      integer = 4      number of integration points (fibre sections) in each beam element
 rule          text = "lobatto"  rule of integration: "lobatto" (with the ends) or "gauss"
-from_support  text or table?   "fixed", "free" or { x = , y = , z = , turn_x = , turn_y = , turn_z = }
+from_support  text or table?   "fixed", "free" or { x = , y = , z = , rotation_x = , rotation_y = , rotation_z = }
 to_support    text or table?   support of the end]], with = "solid", gives = "body" },
   { "space:frame", "Beams that meet at joints, as one body.", keys = [[
 name     text   name

@@ -1,4 +1,4 @@
-local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }"
+local rest = "true, or { speed = [m/s], ratio = , hold = [s], from = [s] }" -- ratio: out-of-balance ratio
 local until_keys = [[
 
 until_true       function?  the stage ends when f(model), called after each step, is true
@@ -9,11 +9,11 @@ x         motion?  motion along x
 y         motion?  motion along y
 z         motion?  motion along z, in space
 rotation  motion?  rotation about the centroid, in the plane
-turn_x    motion?  rotation about the world axis x through the centroid, in space
-turn_y    motion?  rotation about y
-turn_z    motion?  rotation about z
+rotation_x    motion?  rotation about the world axis x through the centroid, in space
+rotation_y    motion?  rotation about y
+rotation_z    motion?  rotation about z
 motions   list?    instead: { { body = , x = , y = , rotation = }, ... }]]
-local in_space = { z = true, turn_x = true, turn_y = true, turn_z = true } -- of drive
+local in_space = { z = true, rotation_x = true, rotation_y = true, rotation_z = true } -- of drive
 local scaling = "mass_scaling  table?  { step = [s], most = 30, bodies = }: longer steps by added mass that acts only "
   .. "on deformation"
 local in_time = [[
@@ -32,20 +32,18 @@ return {
 duration    number s?     duration
 to          number s?     or the end time
 name        text = "run"  name in results
-damping     number = 0    local damping coefficient: share of the unbalanced force that brakes each body
+local_damping  number = 0  local damping coefficient: share of the unbalanced force that brakes each body
 dt          number s?     fixed time step; chosen automatically if left out. Implicit: the longest step (5 ms)
 safety      number = 0.5  share of the longest stable step, at most 0.9; 0.8 where accuracy is given
 ]] .. scaling .. in_time .. [[
 
-until_rest  rest?         ends the stage at rest: ]] .. rest .. until_keys, gives = "report",
+rest  rest?         ends the stage at rest: ]] .. rest .. until_keys, gives = "report",
     example = "local report = m:run { duration = 0.1 }\nprint(report.ending, report.steps)" },
   { "model:consolidate", "Brings the model to rest under dead load, by dynamic relaxation or statics.",
     also = "dead load, self weight, dynamic relaxation, static equilibrium", keys = [[
 duration  number s = 60           longest duration
-ratio     number = 1e-5           out-of-balance ratio at rest: unbalanced force over the largest force
-speed     number m/s?             largest speed of a point at rest
-hold      number s?               time for which rest must last
-damping   number = 0.8            local damping coefficient: share of the unbalanced force that brakes each body
+rest      rest?                   limits of rest: { ratio = 1e-5, speed = [m/s], hold = [s], from = [s] }
+local_damping  number = 0.8       local damping coefficient: share of the unbalanced force that brakes each body
 grow      number s = 0.5          time in which gravity grows
 fresh     flag = false            mortar sets at the end: joints are bonded in their state at the end
 or_go_on  flag = false            without rest, or at rest in another place: a note instead of an error
@@ -60,13 +58,13 @@ safety    number = 0.5            share of the longest stable step, at most 0.9
 
 watch     flag = true             ends the stage as diverged if speeds or energies have no physical source]]
     .. until_keys, gives = "report",
-    example = "local report = m:consolidate { ratio = 1e-4 }\nprint(report.ending, report.ratio)" },
+    example = "local report = m:consolidate { rest = { ratio = 1e-4 } }\nprint(report.ending, report.ratio)" },
   { "model:shake", "Bodies follow ground motions.",
     also = "time history analysis, response history, earthquake, base excitation, seismic, ground motion",
     keys = drive .. [[
 
 duration  number s?       duration; up to the end of the motions if left out
-still     rest?           ends the stage at rest after the motions: ]] .. rest .. [[
+rest      rest?           ends the stage at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  name in results
 dt        number s?       fixed time step

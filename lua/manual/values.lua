@@ -23,7 +23,7 @@ x  number = 1  distance]], gives = "number" },
 base      number  base
 exponent  number  exponent]], gives = "number" },
   { "trilith.rayleigh", "Rayleigh damping: mass and stiffness coefficients for two damping ratios at two frequencies. "
-    .. "Returns { mass_damping, beta }: mass_damping of the model, beta of laws and damping of materials.", keys = [[
+    .. "Returns { mass_damping, beta }: mass_damping of the model, beta of laws and materials.", keys = [[
 ratios       numbers     two damping ratios
 frequencies  numbers     their frequencies, in Hz]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
@@ -56,12 +56,12 @@ pga      number m/s2?   peak acceleration after scaling; or
 factor   number?        factor; or
 sa       number m/s2?   spectral acceleration at the period
 period   number s?      period of sa
-damping  number = 0.05  damping ratio of sa]], gives = "motion" },
+damping_ratio  number = 0.05  damping ratio of sa]], gives = "motion" },
   { "motion:match", "Scales a motion so that its spectrum fits a target, by the mean of the logarithm.", keys = [[
 spectrum  list           { { period, acceleration [m/s2] }, ... }
 from      number s?      ignore shorter periods
 to        number s?      ignore longer periods
-damping   number = 0.05  damping ratio of the spectrum]], gives = "motion" },
+damping_ratio  number = 0.05  damping ratio of the spectrum]], gives = "motion" },
   { "motion:baseline", "Baseline correction: subtracts the polynomial that fits the acceleration best.",
     args = "degree  integer  0 to 10", gives = "motion" },
   { "motion:filter", "Butterworth filter, forward and backward: no phase shift, -3 dB at the corner frequencies.",

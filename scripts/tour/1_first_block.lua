@@ -19,7 +19,7 @@ m:history { name = "height", unit = "m", of = function() return block.y - 0.15 e
 m:results { file = "out/first_block.h5", frames = 0.01, histories = 0.002 }
 local speeds = {}
 m:on("impact", function(e) speeds[#speeds + 1] = e.value end)
-m:run { duration = 5, until_rest = true, dt = 5e-6 }
+m:run { duration = 5, rest = true, dt = 5e-6 }
 
 local z, s = p.zeta, math.sqrt(1 - p.zeta^2)           -- restitution of a spring and a damper that only push
 local formula = math.exp(-z/s*(math.pi - math.atan(2*z*s, 1 - 2*z^2)))

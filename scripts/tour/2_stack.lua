@@ -12,7 +12,7 @@ local blocks = m:harmonic_stack {
   table_height = 0.5, material = "stone", fixed = "table" }
 
 m:results { file = "out/stack.h5", frames = 0.05 }
-m:consolidate { duration = 2, speed = 1e-6, or_go_on = true } -- an unstable stack does not settle
+m:consolidate { duration = 2, rest = { speed = 1e-6 }, or_go_on = true } -- an unstable stack does not settle
 m:run { name = "let go", duration = 1 }
 
 local largest = 0

@@ -14,7 +14,7 @@ m:arch { name = "arch", voussoirs = p.voussoirs, radius = 1, thickness = p.thick
 local ring = m:bodies { group = "voussoirs" }
 
 m:results { file = "out/arch.h5", frames = 0.05 }
-m:consolidate { duration = 2, speed = 1e-6 }
+m:consolidate { duration = 2, rest = { speed = 1e-6 } }
 local middle = m:thrust_line(ring)[p.voussoirs // 2]
 print(("thrust at the crown: %.3f of the weight"):format(math.abs(middle.fx) / (ring.mass*g)))
 m:run { name = "let go", duration = 1 }

@@ -12,7 +12,7 @@ m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 4e11, ks = 2
 m:running_bond { name = "wall", columns = 5, courses = p.courses, unit_width = 0.4, unit_height = 0.175,
                  half_courses = "odd", base_height = 0.2, base_margin = 0.6, material = "stone", fixed = "base" }
 m:results { file = "out/dry_wall.h5", frames = 0.05 }
-m:consolidate { duration = 2, speed = 1e-6 }
+m:consolidate { duration = 2, rest = { speed = 1e-6 } }
 
 m:tilt { rate = 4*deg, by = p.fast }
 m:run { name = "tilting fast", duration = p.fast/(4*deg) }

@@ -14,7 +14,7 @@ m:ground { name = "left bank", surface = { { -30, -6 }, { 23.7, -6 } }, base_lev
            support = "fixed" }
 m:ground { name = "right bank", surface = { { 23.7, -6 }, { 30, -6 } }, base_level = -8, material = concrete,
            support = "fixed" }
-local pier = m:pier { name = "P", x = 0, ground_level = -6, height = 5.95, stem_width = 1.2, footing_width = 6,
+local pier = m:pier { name = "P", station = 0, ground_level = -6, height = 5.95, stem_width = 1.2, footing_width = 6,
                       footing_thickness = 1, material = concrete }
 for i, side in ipairs { -1, 1 } do -- left and right of the pier
   local far = 24.3*side
@@ -35,4 +35,4 @@ m:story(function()
   local struck = m:wait { "impact", body = "S2", above = 5 }
   print(("%s lost after %.2f s, ground struck %.2f s later"):format(lost.seat, lost.time, struck.time - lost.time))
 end)
-m:shake { body = "right bank", x = trilith.ramp { by = p.away, duration = 4 }, still = { speed = 1e-4, hold = 0.5 } }
+m:shake { body = "right bank", x = trilith.ramp { by = p.away, duration = 4 }, rest = { speed = 1e-4, hold = 0.5 } }

@@ -18,7 +18,7 @@ end
 m:building { name = "house", walls = walls, storeys = { { courses = 8 } }, unit_length = 0.4, unit_height = 0.2,
              base_height = 0.2, base_margin = 0.6, material = "stone", fixed = "base" }
 m:results { file = "out/corner.h5", frames = 0.05 }
-m:consolidate { duration = 2, speed = 1e-6 }
+m:consolidate { duration = 2, rest = { speed = 1e-6 } }
 
 m:tilt { rate = 4*deg, by = p.fast, towards = -90*deg }
 m:run { name = "tilting fast", duration = p.fast/(4*deg) }

@@ -20,3 +20,11 @@ TEST_CASE("a word broken off stands for the only name that begins so") {
   CHECK(nearest_name("bea", {"bearing_elastic", "bearing_damping"}).empty());
   CHECK(nearest_name("ki", {"gravity", "kinetic"}).empty());
 }
+
+TEST_CASE("a former name is answered by the way it is written today") {
+  CHECK(name_hint("until_rest", {"duration", "rest"}) == "; since version 1.0 it is 'rest'");
+  CHECK(name_hint("ratio", {"duration", "rest"}) == "; since version 1.0 it is 'rest = { ratio = }'");
+  CHECK(name_hint("damping", {"density", "beta"}) == "; since version 1.0 it is 'beta'");
+  CHECK(name_hint("damping", {"duration", "local_damping"}) == "; since version 1.0 it is 'local_damping'");
+  CHECK(name_hint("still", {"step"}) != "; since version 1.0 it is 'rest'");
+}

@@ -42,7 +42,7 @@ end
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 local ew = trilith.motion "elcentro_1940_rest_ew.csv":scale_as(ns)
 local up = trilith.motion "elcentro_1940_rest_up.csv":scale_as(ns)
-m:run { name = "settle", duration = 0.1, damping = 0.8 }
+m:run { name = "settle", duration = 0.1, local_damping = 0.8 }
 local report = { steps = 0 }
 if p.seconds > 0 then report = m:shake { body = "base", x = ns, y = ew, z = up, duration = p.seconds } end
 print(("%d bodies, %d contacts, %g s: %d steps, hash %s"):format(count, #m:contacts(), p.seconds, report.steps, m.hash))

@@ -36,7 +36,7 @@ local step = p.step > 0 and p.step or nil
 local safety = step == nil and p.safety or nil
 local scaling = p.scaled > 0 and { step = p.scaled } or nil
 m:run {
-  name = "settle", duration = p.seconds / 5, dt = step, damping = 0.8, safety = safety, mass_scaling = scaling,
+  name = "settle", duration = p.seconds / 5, dt = step, local_damping = 0.8, safety = safety, mass_scaling = scaling,
 }
 local samples = {}
 for i = 0, 2000 do samples[i + 1] = 0.5 * 9.81 * math.sin(4 * math.pi * 0.005 * i) end

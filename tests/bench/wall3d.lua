@@ -32,7 +32,7 @@ for course = 1, p.courses do
 end
 
 local step, scaling = p.step > 0 and p.step or nil, p.scaled > 0 and { step = p.scaled } or nil
-m:run { name = "settle", duration = 0.05, dt = step, damping = 0.8, mass_scaling = scaling }
+m:run { name = "settle", duration = 0.05, dt = step, local_damping = 0.8, mass_scaling = scaling }
 local samples = {}
 for i = 0, 400 do samples[i + 1] = 0.5 * 9.81 * math.sin(4 * math.pi * 0.005 * i) end
 local motion = trilith.motion { acceleration = samples, dt = 0.005 }

@@ -26,7 +26,7 @@ SANE = {
     "table": ["{ along = 0.1 }", "{ { 0, 1 } }", "{ mu = 0.3 }", "{ x = { 1, 2 } }"],
     "list": ["{ a.body, a.base }", "{ { width = 1, height = 1 } }", "{ { body = a.base, x = a.motion } }",
              "{ { 0, 1 }, { 1, 2 } }", "{ { x = 1 }, { x = 2 } }"],
-    "rest": ["true", "{ speed = 1e-3, hold = 0.01 }"], "course": ["0.5", "{ ramp = 0.1 }", "{ { 0, 0 }, { 1, 1 } }"],
+    "rest": ["true", "{ speed = 1e-3, hold = 0.01 }"], "load curve": ["0.5", "{ ramp = 0.1 }", "{ { 0, 0 }, { 1, 1 } }"],
     "body form": ['"rigid"', '"quad"', "{ mesh = { 2, 2 } }"],
     "contact law": ["a.law", '"dry"', '"none"'], "law": ["a.law"], "direction law": ["a.spring"],
     "hinge law": ["trilith.end_hinge { sagging = 1e4 }", "trilith.end_hinge { sagging = 1e4, across = 2e4, ultimate = 0.05 }"],
@@ -46,11 +46,11 @@ IN_SPACE = {"point": SANE["vector"], "points": SANE["vectors"],
             "place": ['"centroid"', "{ 0, 0, 0.2 }", "{ 0.2, 0.1, 0.1 }"],
             "body form": ['"rigid"', '"brick"', "{ mesh = { 1, 2, 1 } }", '{ mesh = { 1, 1, 1 }, element = "tet10" }'],
             "list": ["{ a.body, a.base }", "{ { body = a.base, x = a.motion } }", "{ { 0, 1 }, { 1, 2 } }",
-                     "{ { body = a.base, z = a.motion, turn_x = a.motion } }", "{ { x = 1 }, { y = 2 } }"]}
+                     "{ { body = a.base, z = a.motion, rotation_x = a.motion } }", "{ { x = 1 }, { y = 2 } }"]}
 BY_NAME_IN_SPACE = {"joints": ["{ A = { 3, 1, 0 }, B = { 3, 1, 3 }, C = { at = { 5, 1, 3 }, mass = 10 } }"],
                     "size": ["{ 1, 1, 1 }", "{ 0.5, 0.4, 0.3 }"], "divisions": ["{ 1, 1, 1 }", "2"],
                     "outline": ["{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }", "{ { 3, 3 }, { 4, 3 }, { 3.5, 4 } }"],
-                    "what": ['"z"', '"uz"', '"speed"', '"force_along"', '"turn_x"'],
+                    "what": ['"z"', '"uz"', '"speed"', '"force_along"', '"rotation_x"'],
                     "spheres": ["{ { at = { 3, 3, 1 }, radius = 0.2 }, { at = { 3.2, 3, 1 }, radius = 0.2 } }"],
                     "force": ["{ 0, 0, -1e3 }", "{ 1e3, 0, 0 }"], "axis": ["{ 0, 0, 1 }", '"x"'],
                     "face": ['"top"', '"front"'], "direction": ['"x"', "{ 0, 1, 0 }"]}

@@ -28,7 +28,7 @@ PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s
           "a.model:story(%s)", "a.model:story(function(m) m:wait(0.01) return (%s)(m) end)", "coroutine.wrap(%s)()",
           "coroutine.wrap(function() coroutine.yield() return (%s)() end)()", "setmetatable({}, { __gc = %s })",
           "table.insert(fuzz.late, %s)", 'a.model:history { name = "of" .. math.random(1e9), of = %s }',
-          "a.model:break_on { when = %s }", "a.model:run { duration = 0.02, until_rest = setmetatable({}, { __index = %s }) }",
+          "a.model:break_on { when = %s }", "a.model:run { duration = 0.02, rest = setmetatable({}, { __index = %s }) }",
           "pcall(%s)", "table.sort({ 1, 2, 3 }, %s)", '("x"):gsub("x", %s)', "b.model:on_step(%s)", "xpcall(error, %s)"]
 STAGES = ["a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }",
           "a.model:consolidate { duration = 0.2, or_go_on = true }", "b.model:run { duration = 0.01 }",

@@ -42,7 +42,7 @@ m:wall { name = "wall", length = 2.4, unit_length = 0.4, unit_height = 0.2, bond
   lintel_bearing = 0.2, material = brick, fixed = "base" }
 m:results { file = "wall.h5", frames = 0.04, histories = 0.02, energy = 0.04 }
 m:history { name = "slab", body = "wall.s1.slab", what = "ux" }
-m:consolidate { duration = 4, ratio = 1e-3, speed = 1e-4 }
+m:consolidate { duration = 4, rest = { ratio = 1e-3, speed = 1e-4 } }
 m:shake { body = "wall.base", x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 9 }, duration = 4 }
 )lua";
 
@@ -155,7 +155,7 @@ m:bearing { name = "rubber", between = { pier, deck }, at = { 1, 4.05 }, limit =
 m:results { file = "loop.h5", frames = 0.04, histories = 0.005 }
 m:history { name = "force", bearing = "rubber", what = "force_along" }
 m:history { name = "displacement", bearing = "rubber", what = "displacement_along" }
-m:run { name = "rest", duration = 0.5, damping = 0.8 }
+m:run { name = "rest", duration = 0.5, local_damping = 0.8 }
 m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 3 }, duration = 4 }
 )lua";
   const Said run = ask(here.path, "run loop.lua --quiet");

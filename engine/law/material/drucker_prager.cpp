@@ -124,7 +124,7 @@ PointResponse respond_without_stress_across(const DruckerPrager& law, const Plan
 
 void DruckerPrager::check() const {
   if (dilation > friction)
-    throw InputError(fmt::format("drucker_prager: dilation is {:g} rad, must be at most the friction, {:g} rad",
+    throw InputError(fmt::format("drucker_prager: dilation_angle is {:g} rad, must be at most friction_angle, {:g} rad",
                                  dilation, friction));
   if (cohesion == 0 && friction == 0)
     throw InputError("drucker_prager: cohesion and friction are both 0, which leaves no strength; give one of them");

@@ -29,12 +29,12 @@ struct DruckerPrager {
         P{&DruckerPrager::young, "E", "Pa", no_default, 0, unbounded, false, "Young's modulus"},
         P{&DruckerPrager::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
         P{&DruckerPrager::cohesion, "cohesion", "Pa", no_default, 0, unbounded, true, "shear strength at no stress"},
-        P{&DruckerPrager::friction, "friction", "rad", no_default, 0, 1.5, true, "angle of friction"},
-        P{&DruckerPrager::dilation, "dilation", "rad", 0, 0, 1.5, true,
+        P{&DruckerPrager::friction, "friction_angle", "rad", no_default, 0, 1.5, true, "angle of friction"},
+        P{&DruckerPrager::dilation, "dilation_angle", "rad", 0, 0, 1.5, true,
           "angle of dilation, at most the angle of friction"},
         P{&DruckerPrager::tension, "tension", "Pa", no_cut_off, 0, unbounded, true,
           "largest mean tension; 1e12: no cut-off"},
-        P{&DruckerPrager::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
+        P{&DruckerPrager::damping, "beta", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
   /// Throws InputError where the dilation exceeds the friction, or the strength is 0.

@@ -31,7 +31,7 @@ struct J2 {
         P{&J2::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
         P{&J2::yield, "yield", "Pa", no_default, 0, unbounded, false, "yield stress in tension"},
         P{&J2::hardening, "hardening", "Pa", 0, 0, unbounded, true, "yield stress gained per plastic strain"},
-        P{&J2::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
+        P{&J2::damping, "beta", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
   /// sqrt(3 J2) minus the yield stress at the equivalent plastic strain `measure` [Pa].

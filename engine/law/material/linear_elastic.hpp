@@ -21,7 +21,7 @@ struct LinearElastic {
     return std::array{
         P{&LinearElastic::young, "E", "Pa", no_default, 0, unbounded, false, "Young's modulus"},
         P{&LinearElastic::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
-        P{&LinearElastic::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
+        P{&LinearElastic::damping, "beta", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 };
 

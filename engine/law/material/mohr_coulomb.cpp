@@ -103,8 +103,8 @@ PointResponse flown(const MohrCoulomb& law, Plane plane, const PlaneVector& stra
 void MohrCoulomb::check() const {
   // Flow with more dilation than friction would create energy.
   if (dilation > friction)
-    throw InputError(
-        fmt::format("mohr_coulomb: dilation is {:g} rad, must be at most the friction, {:g} rad", dilation, friction));
+    throw InputError(fmt::format("mohr_coulomb: dilation_angle is {:g} rad, must be at most friction_angle, {:g} rad",
+                                 dilation, friction));
   if (cohesion == 0 && friction == 0)
     throw InputError("mohr_coulomb: cohesion and friction are both 0, which leaves no strength; give one of them");
 }

@@ -35,11 +35,11 @@ struct MohrCoulomb {
         P{&MohrCoulomb::young, "E", "Pa", no_default, 0, unbounded, false, "Young's modulus"},
         P{&MohrCoulomb::poisson, "nu", "1", 0, 0, 0.499, true, "Poisson's ratio"},
         P{&MohrCoulomb::cohesion, "cohesion", "Pa", no_default, 0, unbounded, true, "shear strength at no stress"},
-        P{&MohrCoulomb::friction, "friction", "rad", no_default, 0, 1.5, true, "angle of friction"},
-        P{&MohrCoulomb::dilation, "dilation", "rad", 0, 0, 1.5, true,
+        P{&MohrCoulomb::friction, "friction_angle", "rad", no_default, 0, 1.5, true, "angle of friction"},
+        P{&MohrCoulomb::dilation, "dilation_angle", "rad", 0, 0, 1.5, true,
           "angle of dilation, at most the angle of friction"},
         P{&MohrCoulomb::tension, "tension", "Pa", no_cut_off, 0, unbounded, true, "largest tension; 1e12: no cut-off"},
-        P{&MohrCoulomb::damping, "damping", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
+        P{&MohrCoulomb::damping, "beta", "s", 0, 0, 1, true, "damping stress over elastic stress of strain rate"}};
   }
 
   /// Throws InputError where the dilation exceeds the friction, or the strength is 0.

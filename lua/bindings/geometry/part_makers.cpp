@@ -58,7 +58,7 @@ MakeParts read_ground(Keys& k) {
 MakeParts read_pier(Keys& k) {
   Pier p;
   p.name = read_name(k, p.name);
-  p.x = k.number("x", "m");
+  p.x = k.number("station", "m");
   p.ground_level = k.number("ground_level", "m", p.ground_level);
   p.height = k.number("height", "m");
   p.stem_width = k.has("seat") ? k.number("stem_width", "m", 0) : k.number("stem_width", "m");
@@ -75,8 +75,9 @@ MakeParts read_abutment(Keys& k) {
   Abutment a;
   a.name = read_name(k, a.name);
   a.side = k.choice("side", {"left", "right"}, 0) == 0 ? AbutmentSide::left : AbutmentSide::right;
-  a.axis = k.maybe_number("axis", "m");
-  if (a.axis && k.has("x")) k.problem("both x and axis are given; keep one");
+  a.axis = k.maybe_number("station", "m");
+  if (a.axis && k.has("x"))
+    k.problem("both x and station are given; keep one: the edge of the seat, or the position of the axis");
   a.x = a.axis ? 0 : k.number("x", "m");
   a.ground_level = k.number("ground_level", "m", a.ground_level);
   a.height = k.number("height", "m");

@@ -13,7 +13,7 @@
 namespace trilith::script {
 namespace {
 
-/// The solid that deformable bodies are made of: `solid`, or E, nu and damping of a linear elastic one.
+/// The solid that deformable bodies are made of: `solid`, or E, nu and beta of a linear elastic one.
 std::optional<Solid> read_solid(Keys& keys) {
   Solid solid;
   const bool elastic = keys.has("E"), given = keys.has("solid");
@@ -30,7 +30,7 @@ std::optional<Solid> read_solid(Keys& keys) {
   if (!(solid.strain_limit > 0))
     keys.problem(fmt::format("'strain_limit' is {:g}, must be above 0", solid.strain_limit));
   if (elastic || given) return solid;
-  for (const std::string_view key : {"nu", "damping", "plane", "form", "strain_limit"})
+  for (const std::string_view key : {"nu", "beta", "plane", "form", "strain_limit"})
     if (keys.has(key)) keys.problem(fmt::format("'{}' is given without E; give E too", key));
   return std::nullopt;
 }
@@ -50,7 +50,7 @@ std::optional<BandDamping> read_band(Keys& keys) {
   return out;
 }
 
-/// m:material{ name =, density = | unit_weight =, E =, nu =, damping =, solid =, plane =, form =, strain_limit = }
+/// m:material{ name =, density = | unit_weight =, E =, nu =, beta =, solid =, plane =, form =, strain_limit = }
 int add_material(lua_State* L) {
   ScriptModel& m = this_model(L);
   m.adding();
@@ -341,7 +341,7 @@ constexpr auto maker_functions = functions_of(std::make_index_sequence<part_make
 std::vector<Method> part_methods() {
   std::vector<Method> methods{
       {"material", guarded<add_material>,
-       "material{name=, density= | unit_weight=, E=, nu=, damping=, solid=, plane=, form=}"},
+       "material{name=, density= | unit_weight=, E=, nu=, beta=, solid=, plane=, form=}"},
       {"contact", guarded<add_contact>,
        "contact{between={a, b}, law=}: which law holds between materials, groups or bodies"},
       {"body", guarded<body>, "body{name=, outline= | shape= | mesh=, ...} makes a body; body \"name\" finds one"},

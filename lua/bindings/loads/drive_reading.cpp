@@ -16,7 +16,7 @@ namespace {
 /// What can follow a motion, in the order of degrees of freedom.
 std::vector<const char*> drive_names(int dim) {
   if (dim == 2) return {"x", "y", "rotation"};
-  return {"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+  return {"x", "y", "z", "rotation_x", "rotation_y", "rotation_z"};
 }
 
 /// Whether these are turns, of which bodies that deform have none to drive.
@@ -163,7 +163,7 @@ std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
   if (type == LUA_TTABLE) {
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     if (count == 0) keys.problem("'motions' is empty; give { {body = , x = }, ... }");
-    for (const char* const key : {"body", "x", "y", "z", "rotation", "turn_x", "turn_y", "turn_z"})
+    for (const char* const key : {"body", "x", "y", "z", "rotation", "rotation_x", "rotation_y", "rotation_z"})
       keys.refuse(key, fmt::format("'{}' does not go with 'motions', whose rows say it each for itself", key));
     for (lua_Integer i = 1; i <= count; ++i) {
       lua_rawgeti(L, -1, i);

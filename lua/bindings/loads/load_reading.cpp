@@ -15,7 +15,8 @@ void read_curve_points(Keys& keys, double now, LoadCurve& curve) {
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(L, -1, i);
     const auto point = point_at(L, -1);
-    if (!point) keys.problem(fmt::format("point {} of the course is {}, must be {{time, share}}", i, what_is(L, -1)));
+    if (!point)
+      keys.problem(fmt::format("point {} of the load curve is {}, must be {{time, share}}", i, what_is(L, -1)));
     lua_pop(L, 1);
     if (!point) return;
     curve.time.push_back(now + point->x());
@@ -25,7 +26,7 @@ void read_curve_points(Keys& keys, double now, LoadCurve& curve) {
 
 /// The table of a load curve on top of the stack.
 LoadCurve read_curve_table(Keys& keys, double now) {
-  Keys own(keys.lua(), -1, "course");
+  Keys own(keys.lua(), -1, "load_curve");
   own.allow_list();
   LoadCurve curve;
   read_curve_points(keys, now, curve);
@@ -64,7 +65,7 @@ std::vector<int> read_loaded_bodies(Keys& keys, const ScriptModel& m) {
 
 LoadCurve read_load_curve(Keys& keys, double now) {
   lua_State* L = keys.lua();
-  const int type = keys.push("course");
+  const int type = keys.push("load_curve");
   LoadCurve curve;
   if (type == LUA_TNUMBER) {
     curve = ramp_curve(now, 0, lua_tonumber(L, -1), 0, false);
@@ -75,7 +76,7 @@ LoadCurve read_load_curve(Keys& keys, double now) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong("course", "a number, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }");
+    keys.wrong("load_curve", "a number, { ramp = seconds }, { smooth = seconds } or { {time, share}, ... }");
   }
   lua_pop(L, 1);
   return curve;

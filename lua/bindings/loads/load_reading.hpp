@@ -16,7 +16,7 @@ namespace trilith::script {
 /// `body`: a body, a set or a name; none where that is wrong, which Keys::finish tells.
 std::vector<int> read_loaded_bodies(Keys& keys, const ScriptModel& m);
 
-/// `course`: nothing (all at once, for good), a share, { ramp = T }, { smooth = T } or { {t, share}, ... , smooth =
+/// `load_curve`: nothing (all at once, for good), a share, { ramp = T }, { smooth = T } or { {t, share}, ... , smooth =
 /// true } with times from `now` on [s].
 LoadCurve read_load_curve(Keys& keys, double now);
 

@@ -73,7 +73,7 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
   return push_load_name(L, spec.name);
 }
 
-/// m:point_load{ body =, force =, moment =, at =, follow =, course =, name = }: its name.
+/// m:point_load{ body =, force =, moment =, at =, follow =, load_curve =, name = }: its name.
 int point_load(lua_State* L) {
   if (SpaceModel* space = as_space(this_model(L))) return solid_point_load(L, *space);
   PlaneModel& m = this_plane(L);
@@ -106,9 +106,9 @@ int point_load(lua_State* L) {
 }
 
 const std::array load_method_list{
-    Method{
-        "point_load", guarded<point_load>,
-        "point_load{body=, force={x, y}, moment=, at=, follow=, course=, name=}: a force from now on; gives its name"},
+    Method{"point_load", guarded<point_load>,
+           "point_load{body=, force={x, y}, moment=, at=, follow=, load_curve=, name=}: a force from now on; gives its "
+           "name"},
 };
 
 }  // namespace

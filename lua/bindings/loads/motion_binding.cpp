@@ -188,8 +188,8 @@ int scale(lua_State* L) {
              sa = keys.maybe_number("sa", "m/s2");
   if (pga.has_value() + factor.has_value() + sa.has_value() != 1)
     keys.problem("give either pga (in m/s2), factor, or sa (in m/s2) with its period");
-  const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping", "1", 0.05);
-  if (!sa && (keys.has("period") || keys.has("damping"))) keys.problem("'period' and 'damping' go with sa");
+  const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping_ratio", "1", 0.05);
+  if (!sa && (keys.has("period") || keys.has("damping_ratio"))) keys.problem("'period' and 'damping_ratio' go with sa");
   keys.finish();
   if (sa && *sa != 0)
     push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, {period, *sa}, damping)), m.steady);
@@ -217,13 +217,13 @@ std::vector<SpectrumPoint> read_spectrum(Keys& keys) {
   return points;
 }
 
-/// motion:match{ spectrum =, from =, to =, damping = }
+/// motion:match{ spectrum =, from =, to =, damping_ratio = }
 int match(lua_State* L) {
   const MotionValue& m = this_motion(L);
   Keys keys(L, 2, "match");
   std::vector<SpectrumPoint> points = read_spectrum(keys);
   const double from = keys.number("from", "s", 0), to = keys.number("to", "s", 1e9),
-               damping = keys.number("damping", "1", 0.05);
+               damping = keys.number("damping_ratio", "1", 0.05);
   keys.finish();
   std::erase_if(points, [&](const SpectrumPoint& p) { return p.period < from || p.period > to; });
   if (points.empty()) throw InputError("match: no point of the spectrum lies between 'from' and 'to'");

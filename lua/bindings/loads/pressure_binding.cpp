@@ -93,7 +93,7 @@ int solid_pressure(lua_State* L, SpaceModel& m) {
   return push_load_name(L, spec.name);
 }
 
-/// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, course =, name = }: its name.
+/// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, load_curve =, name = }: its name.
 int pressure(lua_State* L) {
   if (SpaceModel* space = as_space(this_model(L))) return solid_pressure(L, *space);
   PlaneModel& m = this_plane(L);
@@ -120,10 +120,10 @@ int pressure(lua_State* L) {
 }
 
 const std::array pressure_method_list{
-    Method{
-        "pressure", guarded<pressure>,
-        "pressure{body=, face= or from= and to=, value=, follow=, direction=, course=, name=}: from now on; gives its "
-        "name"},
+    Method{"pressure", guarded<pressure>,
+           "pressure{body=, face= or from= and to=, value=, follow=, direction=, load_curve=, name=}: from now on; "
+           "gives its "
+           "name"},
 };
 
 }  // namespace

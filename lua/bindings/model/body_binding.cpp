@@ -166,12 +166,12 @@ const std::array body_properties{
     in_space(BodyProperty{"z", "m", "height of the centroid in space", along_axis<&BodyMotion::place, 2>}),
     in_plane(BodyProperty{"rotation", "rad", "counter-clockwise turn since the start, in the plane", rotation}),
     in_space(BodyProperty{
-        "turn_x", "rad",
+        "rotation_x", "rad",
         "rotation from the start in space: rotation vector along x, up to 2 pi long, for a driven body with all turns; "
         "for a frame, rotation of its first joint by name",
         along_axis<&BodyMotion::turned, 0>}),
-    in_space(BodyProperty{"turn_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
-    in_space(BodyProperty{"turn_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),
+    in_space(BodyProperty{"rotation_y", "rad", "... along y", along_axis<&BodyMotion::turned, 1>}),
+    in_space(BodyProperty{"rotation_z", "rad", "... along z", along_axis<&BodyMotion::turned, 2>}),
     BodyProperty{"vx", "m/s", "velocity of the centroid along x", along_axis<&BodyMotion::velocity, 0>},
     BodyProperty{"vy", "m/s", "velocity of the centroid along y", along_axis<&BodyMotion::velocity, 1>},
     in_space(

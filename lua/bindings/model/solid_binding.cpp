@@ -15,7 +15,7 @@
 namespace trilith::script {
 
 void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>& support) {
-  const std::array<std::string_view, 6> names{"x", "y", "z", "turn_x", "turn_y", "turn_z"};
+  const std::array<std::string_view, 6> names{"x", "y", "z", "rotation_x", "rotation_y", "rotation_z"};
   const auto word = [&](Keys& from, std::string_view of, const std::string& text) {
     if (text != "fixed" && text != "free")
       from.problem(fmt::format("'{}' is '{}', must be \"fixed\" or \"free\"", of, text));
@@ -33,7 +33,7 @@ void read_solid_support(Keys& keys, std::string_view key, std::array<Support, 6>
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong(key, "\"fixed\", \"free\" or { x =, y =, z =, turn_x =, turn_y =, turn_z = }");
+    keys.wrong(key, "\"fixed\", \"free\" or { x =, y =, z =, rotation_x =, rotation_y =, rotation_z = }");
   }
   lua_pop(keys.lua(), 1);
 }

@@ -43,13 +43,13 @@ void set_turn(lua_State* L, double turn) {
   set_number(L, "rotation", turn);
 }
 void set_turn(lua_State* L, const Vec3& turn) {
-  set_number(L, "turn_x", turn.x());
-  set_number(L, "turn_y", turn.y());
-  set_number(L, "turn_z", turn.z());
+  set_number(L, "rotation_x", turn.x());
+  set_number(L, "rotation_y", turn.y());
+  set_number(L, "rotation_z", turn.z());
 }
 
-/// Pushes { name = {x =, y =, rotation =} }, in space { x =, y =, z =, turn_x =, turn_y =, turn_z = }: of bodies, where
-/// the largest displacement of any node is 1.
+/// Pushes { name = {x =, y =, rotation =} }, in space { x =, y =, z =, rotation_x =, rotation_y =, rotation_z = }: of
+/// bodies, where the largest displacement of any node is 1.
 template <int D>
 void push_shape(lua_State* L, const Model<D>& model, const NaturalMode<D>& mode) {
   double most = 0;

@@ -12,9 +12,9 @@ namespace {
 template <int D>
 void read_control(Keys& keys, PushOrder<D>& o) {
   o.by_arc = keys.choice("control", {"time", "arc"}, 0) == 1;
-  const std::vector<std::string_view> others = o.by_arc
-                                                   ? std::vector<std::string_view>{"rate", "damping", "dt", "safety"}
-                                                   : std::vector<std::string_view>{"arc"};
+  const std::vector<std::string_view> others =
+      o.by_arc ? std::vector<std::string_view>{"rate", "local_damping", "dt", "safety"}
+               : std::vector<std::string_view>{"arc"};
   for (const std::string_view key : others)
     if (keys.has(key))
       keys.problem(
@@ -95,7 +95,7 @@ PushOrder<D> read_order(Keys& keys, const ScriptModel& m) {
   const bool bounded = o.limits.drift < unbounded;
   o.displacement = bounded ? keys.number("displacement", "m", 2 * o.limits.drift) : keys.number("displacement", "m");
   o.samples = keys.count("samples", o.samples);
-  o.stage.rest_share = keys.number("damping", "1", 0.8);
+  o.stage.rest_share = keys.number("local_damping", "1", 0.8);
   o.stage.dt = keys.number("dt", "s", 0);
   o.stage.safety = keys.number("safety", "1", o.stage.safety);
   for (const auto& [key, value, unit] : {std::tuple{"rate", o.by_arc || !keys.has("rate") ? 1 : o.rate, "m/s"},

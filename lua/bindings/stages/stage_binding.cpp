@@ -14,21 +14,17 @@
 namespace trilith::script {
 namespace {
 
-/// An optional table of the rest criterion: { speed =, ratio =, hold =, from = }. True where it is there.
-void read_rest(Keys& keys, StageOptions& o) {
-  o.still_speed = keys.number("speed", "m/s", o.still_speed);
-  o.still_ratio = keys.number("ratio", "1", o.still_ratio);
-  o.still_hold = keys.number("hold", "s", o.still_hold);
-}
-
-bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
+/// rest = true | { speed =, ratio =, hold =, from = }: when a stage ends at rest. True if it is given and not false.
+bool read_rest_table(Keys& keys, StageOptions& o) {
   lua_State* L = keys.lua();
-  const int type = keys.push(key);
+  const int type = keys.push("rest");
   bool wanted = type == LUA_TBOOLEAN && lua_toboolean(L, -1) != 0;
   if (type == LUA_TTABLE) {
     wanted = true;
-    Keys own(L, -1, std::string(key));
-    read_rest(own, o);
+    Keys own(L, -1, "rest");
+    o.still_speed = own.number("speed", "m/s", o.still_speed);
+    o.still_ratio = own.number("ratio", "1", o.still_ratio);
+    o.still_hold = own.number("hold", "s", o.still_hold);
     o.still_from = own.number("from", "s", o.still_from);
     try {
       own.finish();
@@ -36,7 +32,7 @@ bool read_rest_table(Keys& keys, std::string_view key, StageOptions& o) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL && type != LUA_TBOOLEAN) {
-    keys.wrong(key, "true, false or a table { speed = , ratio = , hold = , from = }");
+    keys.wrong("rest", "true, false or a table { speed = , ratio = , hold = , from = }");
   }
   lua_pop(L, 1);
   return wanted;
@@ -63,11 +59,11 @@ void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_vi
       keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
 }
 
-/// Which of the given keys say how explicit steps come to rest, "'damping', 'grow'"; "": none.
+/// Which of the given keys say how explicit steps come to rest, "'local_damping', 'grow'"; "": none.
 std::string explicit_keys(Keys& keys) {
   std::string out;
   for (const char* const key :
-       {"damping", "grow", "hold", "ratio", "speed", "duration", "dt", "safety", "until_collapse", "until_true"})
+       {"local_damping", "grow", "rest", "duration", "dt", "safety", "until_collapse", "until_true"})
     if (keys.has(key)) out += fmt::format("{}'{}'", out.empty() ? "" : ", ", key);
   return out;
 }
@@ -137,11 +133,11 @@ int run(lua_State* L) {
   if (std::isfinite(to)) o.end_time = to, keys.know({"duration"});
   if (std::isfinite(to) && !(to > m.time()))
     keys.problem(fmt::format("'to' is {:g} s, must be after the present {:g} s", to, m.time()));
-  o.rest_share = keys.number("damping", "1", 0);
+  o.rest_share = keys.number("local_damping", "1", 0);
   read_step(keys, o);
   read_scaling(keys, m, o);
   read_integrator(keys, o);
-  o.until_rest = read_rest_table(keys, "until_rest", o);
+  o.until_rest = read_rest_table(keys, o);
   const StageUntil until = read_until(keys, m);
   keys.finish();
   if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
@@ -156,9 +152,9 @@ int consolidate(lua_State* L) {
   o.still_ratio = 1e-5;
   o.name = keys.text("name", "consolidation");
   o.duration = keys.number("duration", "s", 60);
-  o.rest_share = keys.number("damping", "1", 0.8);
-  o.until_rest = true;
-  read_rest(keys, o);
+  o.rest_share = keys.number("local_damping", "1", 0.8);
+  o.until_rest = read_rest_table(keys, o) || !keys.has("rest");
+  if (!o.until_rest) keys.problem("'rest' is false; give its limits, or use run for a stage that need not end at rest");
   read_step(keys, o);
   read_scaling(keys, m, o);
   const double grow = keys.number("grow", "s", 0.5);
@@ -224,7 +220,7 @@ int shake(lua_State* L) {
   const std::vector<DriveOrder> orders = read_drives(keys, m);
   const double end = last_end(orders);
   o.still_from = end;
-  o.until_rest = read_rest_table(keys, "still", o);
+  o.until_rest = read_rest_table(keys, o);
   o.duration = keys.number("duration", "s", o.until_rest ? end + 60 : end);
   read_step(keys, o);
   read_scaling(keys, m, o);
@@ -350,13 +346,14 @@ int stop(lua_State* L) {
 }
 
 const std::array stage_method_list{
-    Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, until_rest=}: a stage"},
+    Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, rest=}: a stage"},
     Method{"consolidate", guarded<consolidate>,
-           "consolidate{duration=, ratio=, damping=, grow=, fresh=, or_go_on=, integrator=}: to rest under dead "
+           "consolidate{duration=, rest = { ratio= }, local_damping=, grow=, fresh=, or_go_on=, integrator=}: to rest "
+           "under dead "
            "load; fresh "
            "mortar sets at its end"},
     Method{"shake", guarded<shake>,
-           "shake{motions={{body=, x=, y=}, ...}, duration=, still={speed=, hold=}}: bodies follow ground motions"},
+           "shake{motions={{body=, x=, y=}, ...}, duration=, rest={speed=, hold=}}: bodies follow ground motions"},
     Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
     Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
     Method{"bounds", guarded<bounds>,

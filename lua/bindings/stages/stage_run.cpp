@@ -255,10 +255,11 @@ void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& sta
   const PlaneModel* plane = as_plane(model);
   const std::string names = plane != nullptr ? loads_to_come(*plane) : loads_to_come(*as_space(model));
   if (names.empty()) return;
-  tell_note(L, model,
-            fmt::format("{}: nothing acts of {} at {:g} s of its course, and statics takes no time; for the whole load "
-                        "leave out the course, or let time go by first",
-                        stage, names, model.time()));
+  tell_note(
+      L, model,
+      fmt::format("{}: nothing acts of {} at {:g} s of its load curve, and statics takes no time; for the whole load "
+                  "leave out load_curve, or let time go by first",
+                  stage, names, model.time()));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@ m:contact { between = { "concrete", "concrete" },
   law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.3, beta = 1e-3 } }
 m:ground { name = "ground", surface = { { -10, 0 }, { 30, 0 } }, base_level = -2, material = "concrete",
   support = "fixed" }
-local P1 = m:pier { name = "P1", x = 0, height = 5, stem_width = 2, material = "concrete" }
-local P2 = m:pier { name = "P2", x = 12, height = 5, stem_width = 2, material = "concrete" }
+local P1 = m:pier { name = "P1", station = 0, height = 5, stem_width = 2, material = "concrete" }
+local P2 = m:pier { name = "P2", station = 12, height = 5, stem_width = 2, material = "concrete" }
 local span = m:span { name = "S1", x0 = 0, x1 = 12, soffit_level = 5, depth = 1, material = "concrete" }
 local slide = trilith.frictional { name = "slide", kn = 1e9, ks = 5e8, mu = 0.05, beta = 1e-3 }
 local fixed = trilith.linear { stiffness = 5e7, damping = 1e5 }

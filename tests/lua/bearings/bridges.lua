@@ -25,11 +25,11 @@ end
 
 -- one span after the other
 local m = new()
-local A0 = m:abutment { name = "A0", axis = 0, seat = 0.5, gap = 0.1, ground_level = -6, height = 5.9, width = 4,
+local A0 = m:abutment { name = "A0", station = 0, seat = 0.5, gap = 0.1, ground_level = -6, height = 5.9, width = 4,
                         back_wall_height = 1.6, material = "concrete" }
-local P1 = m:pier { name = "P1", x = 20, seat = 0.5, gap = 0.2, ground_level = -6, height = 5.9, footing_width = 6,
-                    footing_thickness = 1, material = "concrete" }
-m:abutment { name = "A2", side = "right", axis = 50, seat = 0.4, gap = 0.1, ground_level = -6, height = 6, width = 4,
+local P1 = m:pier { name = "P1", station = 20, seat = 0.5, gap = 0.2, ground_level = -6, height = 5.9,
+                    footing_width = 6, footing_thickness = 1, material = "concrete" }
+m:abutment { name = "A2", side = "right", station = 50, seat = 0.4, gap = 0.1, ground_level = -6, height = 6, width = 4,
              back_wall_height = 1.5, material = "concrete" }
 local S1 = m:span { name = "S1", from = A0, to = "P1", left = "fixed", right = "fixed", depth = 1.2,
                     weight_per_length = 2e5, material = "concrete" }
@@ -57,7 +57,7 @@ assert(S1.bearings.left.limited and not pcall(function() S1.bearings = {} end))
 -- a bearing without height stands for the flat contact it sits in
 local f = new()
 for i = 0, 1 do
-  f:pier { name = "P" .. i, x = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
+  f:pier { name = "P" .. i, station = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
 end
 local flush = f:span { from = "P0", to = "P1", left = "flush", right = "flush", gap = 0.1, depth = 1,
                        material = "concrete" }
@@ -68,7 +68,7 @@ assert(#f:contacts { between = { flush, "P0" } } == 0)
 -- a dowel holds along and leaves the weight to the contact
 local d = new()
 for i = 0, 1 do
-  d:pier { name = "P" .. i, x = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
+  d:pier { name = "P" .. i, station = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
 end
 d:bearing_type { name = "dowel", along = linear }
 local pinned = d:span { from = "P0", to = "P1", left = "dowel", right = "expansion", gap = 0.1, depth = 1,
@@ -143,8 +143,8 @@ assert(#again.bearings == #t.bearings and made.spans.S2.y == bridge.spans.S2.y)
 -- and of single spans, bearing types and supports
 local function span_with(change)
   local n = new()
-  n:pier { name = "P1", x = 0, seat = 0.5, gap = 0.1, ground_level = -6, height = 6, material = "concrete" }
-  n:pier { name = "P2", x = 20, seat = 0.5, gap = 0.1, ground_level = -6, height = 6, material = "concrete" }
+  n:pier { name = "P1", station = 0, seat = 0.5, gap = 0.1, ground_level = -6, height = 6, material = "concrete" }
+  n:pier { name = "P2", station = 20, seat = 0.5, gap = 0.1, ground_level = -6, height = 6, material = "concrete" }
   local given = { name = "S1", from = "P1", to = "P2", left = "expansion", right = "expansion", depth = 1,
                   material = "concrete" }
   change(given, n)
@@ -185,6 +185,6 @@ refused("bearing type 'x': 'height' is given, but no law that would hold the dec
   e.bearing_type, e, { name = "x", height = 0.1, along = linear })
 refused("bearing type 'x': becomes: there is no contact law 'slid'; did you mean 'slide'?", e.bearing_type, e,
   { name = "x", along = linear, becomes = "slid" })
-refused("abutment 'A': both x and axis are given; keep one", e.abutment, e,
-  { name = "A", x = 1, axis = 1, seat = 1, gap = 0, height = 1, width = 3 })
-refused("pier 'P': 'stem_width' is missing", e.pier, e, { name = "P", x = 0, height = 5 })
+refused("abutment 'A': both x and station are given; keep one", e.abutment, e,
+  { name = "A", x = 1, station = 1, seat = 1, gap = 0, height = 1, width = 3 })
+refused("pier 'P': 'stem_width' is missing", e.pier, e, { name = "P", station = 0, height = 5 })

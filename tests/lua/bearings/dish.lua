@@ -25,7 +25,7 @@ local function slab(dim, mu, damping, coupled, speed)
   end
   m:block { name = "ground", size = { 8, 8, 0.5 }, at = { -4, -4, -0.5 }, material = "c", support = "fixed" }
   local s = m:block { name = "slab", size = { 4, 4, 0.5 }, at = { -2, -2, 0.1 }, material = "c", floating = true,
-    support = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }, velocity = { speed or 0, 0, 0 } }
+    support = { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }, velocity = { speed or 0, 0, 0 } }
   for i, at in ipairs { { -1.5, -1.5, 0 }, { 1.5, -1.5, 0 }, { 1.5, 1.5, 0 }, { -1.5, 1.5, 0 } } do
     m:bearing { name = "d" .. i, between = { "ground", "slab" }, at = at, axial = foot,
       horizontal = coupled and dish or nil, along = not coupled and dish or nil, across = not coupled and dish or nil }
@@ -38,7 +38,7 @@ local function up(dim, s) return dim == 2 and s.uy or s.uz end
 for _, case in ipairs { { 2 }, { 3, true }, { 3, false } } do
   local dim, coupled = case[1], case[2]
   local m, s = slab(dim, 0.02, 1e5, coupled)
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   local before = up(dim, s)
   m:drive { body = "slab", x = trilith.ramp { by = 0.25, duration = 2 } }
   m:run { duration = 2.2 }

@@ -15,7 +15,7 @@ local function isolated(bearing, contact)
   if contact then m:contact { between = { "*", "*" }, law = contact } end
   local base = m:block { name = "base", size = { 4, 4, 1 }, at = { -2, -2, -1 }, material = "stone", support = "fixed" }
   local top = m:block { name = "top", size = { 1, 1, 1 }, at = { -0.5, -0.5, 0.1 }, material = "stone",
-    support = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }
+    support = { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" } }
   bearing.name, bearing.between = bearing.name or "b", { base, "top" }
   if not bearing.at then bearing.from, bearing.to = { 0, 0, 0 }, { 0, 0, 0.1 } end
   return m, m:bearing(bearing), top
@@ -30,7 +30,7 @@ do
     inward = { 0, -1, 0 } }
   local h = m:history { name = "h", bearing = b, what = "force_horizontal" }
   m:history { name = "t", bearing = "b", what = "turning_axial" }
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   assert(m.bearings.b == b and m.bearings[1] == b and #m.bearings == 1 and b.status == "intact" and b.limited)
   assert(b.bodies[1].name == "base" and b.bodies[2] == top)
   near(-b.force_axial, 1000*9.80665, 1e-4)
@@ -57,7 +57,7 @@ do
   local m, b, top = isolated { horizontal = trilith.friction { mu = 0.1, stiffness = 1e7 }, axial = stiff }
   local yielded
   m:on("bearing.yielded", function(e) yielded = e.bearing == b and e.z end)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   m:drive { body = top, x = trilith.ramp { by = 0.1, duration = 1 }, y = trilith.ramp { by = 0.1, duration = 1 } }
   m:run { duration = 1 }
   near(b.force_horizontal, 0.1*1000*9.80665, 1e-3)
@@ -82,7 +82,7 @@ do
   local failed, changed
   m:on("bearing.failed", function(e) failed = e end)
   m:on("bearing.changed", function(e) changed = e end)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   m:drive { body = top, x = trilith.ramp { by = 0.06, duration = 1 }, y = trilith.ramp { by = 0.06, duration = 1 } }
   m:run { duration = 2 }
   near(failed.value, 0.05, 1e-2)
@@ -127,7 +127,7 @@ for _, direction in ipairs { "along", "horizontal" } do
   s:contact { between = { "*", "*" }, law = "none" }
   s:block { name = "g", size = { 1, 1, 1 }, material = "stone", support = "fixed" }
   local b = s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 2 }, material = "stone", support = {
-    y = "fixed", z = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }
+    y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" } }
   local q = s:bearing { name = "q", between = { "g", "b" }, at = { 0.5, 0.5, 1.5 },
     [direction] = trilith.linear { stiffness = 1e5 } }
   s:point_load { body = b, force = { 1e3, 0, 0 } }

@@ -50,7 +50,7 @@ end
 do
   local m = new()
   local bridge = m:bridge(tables(function(b) b.skew = 0 end))
-  assert(m:consolidate { ratio = 1e-5, duration = 30 }.rests)
+  assert(m:consolidate { rest = { ratio = 1e-5 }, duration = 30 }.rests)
   local weight = 1.5e5*24.9
   near(bridge.spans.S1.mass*g, weight, 1e-9, "weight")
   for _, span in ipairs { "S1", "S2" } do
@@ -75,9 +75,9 @@ end
 do
   local m = new()
   local bridge = m:bridge(tables(function(b)
-    b.abutment.foundation, b.pier.foundation = { soil = 60e6, damping = 0.02 }, { soil = 60e6, damping = 0.02 }
+    b.abutment.foundation, b.pier.foundation = { soil = 60e6, beta = 0.02 }, { soil = 60e6, beta = 0.02 }
   end))
-  assert(m:consolidate { ratio = 1e-5, duration = 30 }.rests)
+  assert(m:consolidate { rest = { ratio = 1e-5 }, duration = 30 }.rests)
   local all, sum = loads(bridge, "S1")
   near(sum, 1.5e5*24.9, 1e-4, "weight on skewed bearings")
   assert(all[3] > 1.1*all[1] and all[4] > 1.1*all[6],
@@ -106,10 +106,10 @@ local function struck(skew, length, breadth, way)
     span = { length = length, depth = 1.5, slab = 0.3, left = slide, right = slide }, supports = { {}, {} },
       spans = { {} },
   }
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   local pulse = trilith.motion { acceleration = { 0, 3*way, 0, -3*way, 0, 3*way, 0, -3*way, 0 }, dt = 0.15 }
   m:shake { motions = bridge:motions { x = pulse }, duration = 1.5 }
-  return bridge.spans.S1.turn_z
+  return bridge.spans.S1.rotation_z
 end
 do
   local turned = struck(0.5, 30, 10, 1)
@@ -128,7 +128,7 @@ local function shaken_across(change, threads)
     b.abutment.breadth, b.pier.breadth, b.skew, b.span.left, b.span.right = 10.6, 10.6, 0, "slick", "slick"
     if change then change(b) end
   end))
-  m:consolidate { ratio = 1e-4, duration = 30 }
+  m:consolidate { rest = { ratio = 1e-4 }, duration = 30 }
   m:checkpoints { on = true, every = 0.5 }
   local pulse = trilith.motion { acceleration = { 0, 8, 0, -8, 0 }, dt = 0.3 }
   m:shake { motions = bridge:motions { y = pulse, velocity = 500 }, duration = 1.5 }
@@ -162,7 +162,7 @@ do
                                      bottom_thickness = 0.25 }
   local bridge = m:bridge(tables(function(b)
     b.pier.section, b.pier.column_breadth, b.pier.divisions, b.skew = column, nil, 3, 0.2
-    b.pier.foundation, b.pier.footing_weight = { soil = 60e6, damping = 0.01 }, 1e6
+    b.pier.foundation, b.pier.footing_weight = { soil = 60e6, beta = 0.01 }, 1e6
     b.spans[2] = { section = girder, divisions = 4, diaphragm = { section = column, count = 2 } }
     b.span.depth, b.span.slab, b.span.diaphragm = nil, nil, nil
     b.spans[1] = { depth = 1.5 }
@@ -229,13 +229,13 @@ walk({ [""] = "gap seat breadth skew x soffit_level", girders = "spacing breadth
        pier = "height stem_width stem_breadth cap_thickness footing_width footing_breadth footing_thickness "
          .. "column_spacing column_breadth footing_weight",
        span = "length depth slab weight_per_length", ["span diaphragm"] = "thickness depth",
-       ["pier shear_key"] = "gap height breadth limit", ["pier foundation"] = "soil poisson damping",
+       ["pier shear_key"] = "gap height breadth limit", ["pier foundation"] = "soil poisson beta",
        ground = "thickness margin" }, { 0/0, math.huge, "text", {}, true })
 walk({ [""] = "gap seat breadth", girders = "spacing breadth",
   abutment = "height width back_wall_height breadth seat gap",
        pier = "height stem_width cap_thickness footing_width footing_thickness column_spacing column_breadth",
        span = "length depth slab weight_per_length", ["span diaphragm"] = "thickness depth",
-       ["pier shear_key"] = "gap height breadth", ["pier foundation"] = "soil poisson damping",
+       ["pier shear_key"] = "gap height breadth", ["pier foundation"] = "soil poisson beta",
        ground = "thickness margin" }, { -1 })
 walk({ [""] = "seat breadth", girders = "spacing breadth count", abutment = "height width",
   span = "length depth slab" },
@@ -323,7 +323,7 @@ end
 do
   local m = new()
   m:bridge(tables(function() end))
-  m:consolidate { ratio = 1e-3 }
+  m:consolidate { rest = { ratio = 1e-3 } }
   local before = #m:bodies {}
   local function second(change)
     return tables(function(b)
@@ -338,7 +338,7 @@ do
   end))
   assert(#m:bodies {} == before)
   local bridge = m:bridge(second())
-  m:run { duration = 3, until_rest = true, damping = 0.8 }
+  m:run { duration = 3, rest = true, local_damping = 0.8 }
   local carried = 0
   for _, laid in ipairs(bridge.bearings.T1.left) do carried = carried - laid.force_axial end
   near(carried, 0.5*m:body "T1".mass*g, 0.02, "half of the deck's weight")
@@ -361,7 +361,7 @@ do
   end
   m:bearing_type { name = "once", height = 0.1, axial = trilith.linear { stiffness = 2e9 } }
   m:bridge(tables(function() end))
-  m:consolidate { ratio = 1e-3 }
+  m:consolidate { rest = { ratio = 1e-3 } }
   assert(#m:bodies {} == 8)
   m:close()
 end

@@ -1,7 +1,7 @@
 -- A ridge or a corner that several pieces of one body share slides as that of one convex piece does: nothing brakes it
 -- where nothing rubs, and friction is Coulomb's (docs/decisions/0038-shared-edges.md).
 local trilith = require "trilith"
-local near = require "near_expected"
+local near = dofile "near_expected.lua"
 
 local g <const> = 9.81
 
@@ -63,7 +63,7 @@ for _, dim in ipairs { 2, 3 } do
     local m = model_of(dim, mu, 0)
     for i, x in ipairs { -1, 1 } do add_ridge(m, dim, "chevron", "ridge" .. i, x) end
     local a = slab(m, dim, 0.1, 0)
-    m:consolidate { ratio = 1e-7, duration = 4 }
+    m:consolidate { rest = { ratio = 1e-7 }, duration = 4 }
     m:point_load { name = "push", body = a, at = "centroid",
                    force = dim == 2 and { 1.5*a.mass*g, 0 } or { 1.5*a.mass*g, 0, 0 } }
     m:run { duration = 0.1 }

@@ -1,7 +1,7 @@
 -- What slides on an edge or a corner without friction is not braked, and what strikes on one gives back what the
 -- damping leaves: contacts of any shape are damped along the resultant of their springs alone (docs/theory/contact.md).
 local trilith = require "trilith"
-local near = require "near_expected"
+local near = dofile "near_expected.lua"
 
 local g <const> = 9.81
 
@@ -23,7 +23,7 @@ local function slides(case)
   local height = 0.25*math.sin(tilt) + 0.15*math.cos(tilt)
   if case.dim == 3 then
     m:block { name = "floor", size = { 12, 2, 1 }, at = { -6, -1, -1 }, material = "stone", support = "fixed" }
-    local fixed = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }
+    local fixed = { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
     if case.sides then
       local section = {}
       for i = 1, case.sides do
@@ -103,7 +103,7 @@ for _, case in ipairs { { dim = 2, share = 1e-3 }, { dim = 3, share = 1e-2 } } d
     m:block { name = "floor", size = { 4, 4, 1 }, at = { -2, -2, -1 }, material = "stone", support = "fixed" }
     m:block { name = "a", size = { 0.4, 1, 0.4 }, anchor = "centre", turn = { axis = { 0, 1, 0 }, angle = math.pi/4 },
               at = { 0, 0, half + 1e-3 }, material = "stone", velocity = { 0, 0, -1 },
-              support = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }
+              support = { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" } }
   else
     m:block { name = "floor", width = 4, height = 1, at = { -2, -1 }, material = "stone", support = "fixed" }
     m:block { name = "a", width = 0.4, height = 0.4, anchor = "centre", angle = math.pi/4, at = { 0, half + 1e-3 },

@@ -25,13 +25,13 @@ local function measured(length, cx, cy, distance)
   m:material { name = "s", density = density }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = mu, beta = 1e-3 } }
   m:block { name = "floor", size = { 12, 12, 0.5 }, at = { -6, -6, -0.5 }, material = "s", support = "fixed" }
-  local held = { x = "fixed", y = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }
+  local held = { x = "fixed", y = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
   local b = m:block { name = "b", size = { length, 1, thick }, at = { -length/2, -0.5, 0 }, material = "s",
     support = held }
   m:run { duration = 0.2 }
   local turn = 1e-3/math.max(1, math.sqrt(cx*cx + cy*cy))
   local function ramp(by) return by ~= 0 and trilith.ramp { by = by, duration = 0.2 } or nil end
-  m:drive { body = b, x = ramp(cy*turn), y = ramp(-cx*turn), turn_z = ramp(turn) }
+  m:drive { body = b, x = ramp(cy*turn), y = ramp(-cx*turn), rotation_z = ramp(turn) }
   m:run { duration = 0.1 }
   local r, limit = b:reactions()[1], mu*density*length*thick*9.80665
   local fx, fy, couple = r.fx/limit, r.fy/limit, r.mz/(limit*distance)

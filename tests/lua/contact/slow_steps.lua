@@ -14,7 +14,7 @@ local function built(dim, period)
   end
   local base = block("base", 0, { support = "fixed" })
   local held = plane and { y = "fixed", rotation = "fixed" } or
-    { y = "fixed", z = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }
+    { y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
   local mass = block("mass", 2, { support = held, floating = true, velocity = plane and { 1, 0 } or { 1, 0, 0 } })
   if period then
     local spring = trilith.linear { stiffness = mass.mass*(2*math.pi/period)^2 }

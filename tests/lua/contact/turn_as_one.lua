@@ -14,7 +14,7 @@ local function on_table(safety)
                     floating = true }
   turning.size, turning.at = { 0.1, 0.1, 0.02 }, { r - 0.05, -0.05, -3.92e-5 }
   local rider = m:block(turning)
-  m:drive { body = top, turn_z = trilith.motion { velocity = rate, duration = 5 } }
+  m:drive { body = top, rotation_z = trilith.motion { velocity = rate, duration = 5 } }
   m:run { duration = 0.1, safety = safety }
   local before = math.sqrt(rider.x^2 + rider.y^2)
   local report = m:run { duration = 0.3, safety = safety }

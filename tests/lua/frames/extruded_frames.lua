@@ -21,7 +21,7 @@ end
 local function both(m, go)
   local space = m:extruded()
   return go(m, function(b) return b.y end, function(b) return b.rotation end),
-    go(space, function(b) return b.z end, function(b) return -b.turn_y end)
+    go(space, function(b) return b.z end, function(b) return -b.rotation_y end)
 end
 local function compare(flat, space, share)
   for i, v in ipairs(flat) do near(space[i], v, share) end
@@ -90,8 +90,8 @@ do
   n:beam { name = "mast", from = { 0, 0 }, to = { 0, 2 }, from_support = "fixed", section = rectangle,
     material = "steel" }
   local free = n:extruded { held = false }
-  free:point_load { body = "mast", at = "to", force = { 0, 1e3, 0 }, course = { smooth = 0.5 } }
-  free:run { duration = 1.5, damping = 0.3 }
+  free:point_load { body = "mast", at = "to", force = { 0, 1e3, 0 }, load_curve = { smooth = 0.5 } }
+  free:run { duration = 1.5, local_damping = 0.3 }
   local _, y = free:body("mast"):point "to"
   near(y, 1e3*2^3/(3*2e11*0.2*0.1^3/12), 0.02) -- bends about its weak axis: 0.2 deep, 0.1 wide
 end

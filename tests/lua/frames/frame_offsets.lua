@@ -124,7 +124,7 @@ local function bent(options)
       { from = "D", to = "C", section = section, divisions = options.divisions },
       { from = "B", to = "T", section = section, divisions = options.divisions, to_at = { 1.5, 0, 4 } },
       { from = "T", to = "C", section = section, divisions = options.divisions, from_at = { 1.5, 0, 4 } } } }
-  m:point_load { body = "bent", at = "T", force = { 3e3, 6e3, -4e3 }, course = { smooth = 0.02 } }
+  m:point_load { body = "bent", at = "T", force = { 3e3, 6e3, -4e3 }, load_curve = { smooth = 0.02 } }
   m:run { duration = 0.1, dt = options.dt, integrator = options.integrator }
   local x, y, z = m:body("bent"):point "T"
   local turn = m:body("bent"):point { 1.5, 0.4, 4 }

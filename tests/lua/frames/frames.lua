@@ -43,7 +43,7 @@ local arm = m:beam { name = "arm", from = { 0, 0 }, to = { 4, 0 }, section = rec
                      divisions = 16, from_support = "fixed" }
 assert(arm.kind == "frame")
 refused("nothing has run yet", arm.forces, arm)
-m:consolidate { ratio = 1e-7, speed = 1e-9 }
+m:consolidate { rest = { ratio = 1e-7, speed = 1e-9 } }
 local w = 2400*0.15*9.80665
 near(-select(2, arm:point { 4, 0 }), w*4^4/(8*30e9*rectangle.inertia), 0.01)
 local rows = arm:forces()
@@ -88,7 +88,7 @@ p:material { name = "steel", density = 7850, solid = trilith.j2 { E = 2e11, nu =
 refused("the material of members is elastic, and 'steel' is not (j2", p.frame, p, portal(nil, { material = "steel" }))
 refused("unknown key 'inertia'", p.frame, p, portal(nil, { inertia = 3 }))
 local body = p:frame(portal())
-p:consolidate { ratio = 1e-6, speed = 1e-8 }
+p:consolidate { rest = { ratio = 1e-6, speed = 1e-8 } }
 local total = 0
 for _, name in ipairs { "left", "right" } do total = total - body:forces(name)[1].normal end
 near(total, 2400*0.15*(6 + 2*3.75)*9.80665 - 2400*0.15*3.75/8*9.80665, 0.02) -- less half a beam at each foot

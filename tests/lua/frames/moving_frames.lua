@@ -4,7 +4,7 @@ local trilith = require "trilith"
 
 local function frame_at(V)
   local m = trilith.model { name = "frame" }
-  m:material { name = "steel", density = 2000, E = 5e8, nu = 0.2, damping = 1e-4 }
+  m:material { name = "steel", density = 2000, E = 5e8, nu = 0.2, beta = 1e-4 }
   m:contact { between = { "*", "*" }, law = "none" }
   local section = trilith.rectangle_section { width = 0.1, depth = 0.05 }
   local b = m:frame { name = "frame", material = "steel", velocity = { V, 0 },

@@ -29,7 +29,7 @@ do
   assert(arm.kind == "frame")
   near(arm.mass, 2400*0.15*4, 1e-12)
   refused("nothing has run yet", arm.forces, arm)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   local w = 2400*0.15*9.80665
   local x, y, z = arm:point { 2.4, 3.2, 0 }
   near(-z, w*4^4/(8*E*section.inertia), 0.02)
@@ -56,7 +56,7 @@ do
   m:beam { name = "shaft", from = { 0, 9, 0 }, to = { 4, 9, 0 }, section = trilith.circle_section { diameter = 0.4 },
            material = "concrete", from_support = "fixed" }
   m:point_load { body = "shaft", at = { 4, 9, 0 }, moment = { 2e4, 0, 0 } }
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   local _, _, z = m:body "flat":point "to"
   near(-z, 2400*0.15*9.80665*4^4/(8*E*0.5*0.3^3/12), 0.02)
   local G, J = E/(2*(1 + nu)), math.pi/32*0.4^4
@@ -79,7 +79,7 @@ do
   m:block { name = "slab", size = { 0.6, 3, 0.2 }, at = { -0.3, 1.5, 4.25 }, material = "stone" }
   local file = os.tmpname() .. ".h5"
   m:results { file = file, frames = 0.02 }
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   local weight = (bent.mass - 10 + m:body "slab".mass)*9.80665
   local stump = 2400*0.15*0.5*9.80665 -- half of the first beam's weight stands on the support
   near(bent:forces "left"[1].normal, stump - weight/2, 1e-3)
@@ -100,7 +100,7 @@ do
       members = { { from = "a", to = "b", section = section, divisions = 16, pinned = pinned } } }
   end
   local pinned, held = bar("pinned", 0, { "from", "to" }), bar("held", 3)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   local w = 2400*0.15*9.80665
   local function sag(body, y) return -select(3, body:point { 3, y, 0 }) end
   near(sag(pinned, 0), 5*w*6^4/(384*E*section.inertia), 0.01)

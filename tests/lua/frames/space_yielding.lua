@@ -40,10 +40,10 @@ local function pushed(orientation)
   local m, body = column { orientation = orientation }
   local seen = {}
   m:on("member.yielded", function(e) seen[#seen + 1] = e end)
-  m:point_load { body = body, at = { 0, 0, 3 }, force = { 0, 0, -weight }, course = { smooth = 0.2 } }
+  m:point_load { body = body, at = { 0, 0, 3 }, force = { 0, 0, -weight }, load_curve = { smooth = 0.2 } }
   m:consolidate { integrator = "static" }
   assert(#seen == 0)
-  m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.4, displacement = 0.05, damping = 0.5 }
+  m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.4, displacement = 0.05, local_damping = 0.5 }
   assert(seen[1] and seen[1].text:find("at from yielded under", 1, true), seen[1] and seen[1].text)
   assert(seen[1].body == body and seen[1].z < 0.01 and m.energy.plastic > 0)
   assert(math.abs(m.energy.residual) < 0.01*m.energy.plastic)
@@ -107,7 +107,7 @@ refused("nothing has run yet", function() body:hinges() end)
 local seen = {}
 m:on("member.yielded", function(e) seen[#seen + 1] = e.type end)
 m:on("member.failed", function(e) seen[#seen + 1] = e.type end)
-m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.045, damping = 0.5 }
+m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.045, local_damping = 0.5 }
 local foot = body:hinges()[1]
 assert(foot.joint == "from" and foot.state == "yielded" and seen[1] == "member.yielded", foot.state)
 -- On the surface, or a little within it where the push swings at its end; never beyond.
@@ -117,7 +117,7 @@ assert(foot.rotation_y ~= 0 and foot.rotation_z ~= 0 and foot.z == 0)
 near(m.energy.plastic, foot.given_off, 1e-6)
 m:release { push = "pushover" }
 m:pushover { name = "on", body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.12,
-             damping = 0.5 }
+             local_damping = 0.5 }
 foot = body:hinges()[1]
 assert(foot.state == "failed" and seen[2] == "member.failed", foot.state)
 assert(math.abs(foot.moment_z) < 1 and math.abs(foot.moment_y) < 1)

@@ -14,8 +14,8 @@ for _, share in ipairs { -0.6, -0.09, 0.09, 0.7 } do
   local rod = bar:beam { name = "b", material = "soft", floating = true, from = { 0, 0 }, to = { 1, 0 }, divisions = 1,
     section = trilith.rectangle_section { width = 1, depth = 0.5 }, from_support = "fixed",
     to_support = { y = "fixed", rotation = "fixed" } }
-  bar:point_load { body = rod, at = { 1, 0 }, force = { share*2e8*0.5, 0 }, course = { smooth = 0.2 } }
-  local report = bar:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-6, from = 0.3 } }
+  bar:point_load { body = rod, at = { 1, 0 }, force = { share*2e8*0.5, 0 }, load_curve = { smooth = 0.2 } }
+  local report = bar:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-6, from = 0.3 } }
   if math.abs(share) < 0.1 then
     assert(report.ending == "rest" and bar.verdict.sound, report.reason)
     near((rod:point { 1, 0 }), 1 + share, 1e-4)
@@ -37,8 +37,8 @@ for _, share in ipairs { -0.6, 0.09, 0.7 } do
     members = { { name = "tie", from = "A", to = "B", divisions = 2,
       section = trilith.rectangle_section { width = 0.5, depth = 0.5 } } } }
   local force = share*2e8*0.25
-  bar:point_load { body = f, at = { 0.6, 0, 0.8 }, force = { 0.6*force, 0, 0.8*force }, course = { smooth = 0.2 } }
-  local report = bar:run { duration = 1, damping = 0.8, until_rest = { ratio = 1e-5, from = 0.3 } }
+  bar:point_load { body = f, at = { 0.6, 0, 0.8 }, force = { 0.6*force, 0, 0.8*force }, load_curve = { smooth = 0.2 } }
+  local report = bar:run { duration = 1, local_damping = 0.8, rest = { ratio = 1e-5, from = 0.3 } }
   if share == 0.09 then
     assert(bar.verdict.sound, report.reason)
   else

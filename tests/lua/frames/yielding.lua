@@ -56,10 +56,10 @@ end
 local m, body = column { section = section }
 local seen = {}
 m:on("member.yielded", function(e) seen[#seen + 1] = e end)
-m:point_load { body = body, at = { 0, 3 }, force = { 0, -weight }, course = { smooth = 0.2 } }
-m:consolidate { ratio = 1e-6 }
+m:point_load { body = body, at = { 0, 3 }, force = { 0, -weight }, load_curve = { smooth = 0.2 } }
+m:consolidate { rest = { ratio = 1e-6 } }
 assert(#seen == 0)
-m:pushover { body = body, at = { 0, 3 }, rate = 0.2, displacement = 0.06, damping = 0.5 }
+m:pushover { body = body, at = { 0, 3 }, rate = 0.2, displacement = 0.06, local_damping = 0.5 }
 local concrete = weight*0.2*(1 - weight/(0.85*30e6*0.16))
 near(math.abs(body:forces()[1].moment), bar*420e6*0.3 + concrete, 0.06)
 assert(seen[1] and seen[1].text:find("at from yielded under", 1, true), seen[1] and seen[1].text)
@@ -94,19 +94,19 @@ local function hinged()
   m, body = column { from_hinge = trilith.end_hinge { sagging = 1e5, hardening = 1e5, ultimate = 0.01 } }
   refused("nothing has run yet", body.hinges, body)
   m:on("member.failed", function(e) lost = e end)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
 end
 hinged()
 local hinge = body:hinges()[1]
 assert(#body:hinges() == 1 and hinge.state == "elastic" and hinge.joint == "from" and hinge.rotation == 0)
-m:pushover { body = body, at = { 0, 3 }, rate = 0.1, displacement = 0.02, damping = 0.5 }
+m:pushover { body = body, at = { 0, 3 }, rate = 0.1, displacement = 0.02, local_damping = 0.5 }
 hinge = body:hinges()[1]
 assert(hinge.state == "yielded" and not lost)
 near(math.abs(hinge.moment), 1e5 + 1e5*math.abs(hinge.rotation), 1e-6)
 near(hinge.given_off, m.energy.plastic, 1e-9)
 m:close()
 hinged()
-m:pushover { body = body, at = { 0, 3 }, rate = 0.1, displacement = 0.05, damping = 0.5 }
+m:pushover { body = body, at = { 0, 3 }, rate = 0.1, displacement = 0.05, local_damping = 0.5 }
 assert(body:hinges()[1].state == "failed" and math.abs(body:hinges()[1].moment) < 1e-6 and lost.value >= 0.01)
 assert(lost.text:find("column: at from lost its moment", 1, true), lost.text)
 m:close()

@@ -5,7 +5,7 @@ local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), 
 local function column(kind)
   local m = trilith.model { name = "column", body = kind }
   m:material { name = "rock", density = 2400 }
-  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, damping = 1e-5 }
+  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, beta = 1e-5 }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-5 } }
   m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "rock", support = "fixed",
             body = "rigid" }
@@ -18,7 +18,7 @@ for _, kind in ipairs { "rigid", "quad", { mesh = { 2, 2 } } } do
   local m, low, top = column(kind)
   near(low.mass, 1000, 1e-12)
   near(low.inertia, 1000 * (1 + 0.25) / 12, kind == "rigid" and 1e-12 or 2.1)  -- lumped masses stand farther out
-  m:consolidate { duration = 5, speed = 1e-7 }
+  m:consolidate { duration = 5, rest = { speed = 1e-7 } }
   assert(low.kind == (type(kind) == "string" and kind or "mesh"))
   local weight = 2 * 1000 * 9.80665
   local contact = m:contacts { between = { "base", "low" } }
@@ -50,7 +50,8 @@ refused("names node 9", m.body, m,
 refused("cannot read mesh", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
 refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
 refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
-refused("dilation is", trilith.mohr_coulomb, { E = 1e9, cohesion = 1, friction = 0.1, dilation = 0.2 })
+refused("dilation_angle is", trilith.mohr_coulomb,
+  { E = 1e9, cohesion = 1, friction_angle = 0.1, dilation_angle = 0.2 })
 local own = m:body { name = "own", material = "stone", floating = true,
   mesh = { nodes = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, elements = { { 1, 2, 3 }, { 1, 3, 4 } } } }
 assert(own.kind == "mesh")
@@ -80,14 +81,14 @@ do
   two:block { name = "base", width = 2, height = 0.4, at = { -1, -0.4 }, material = "stone", support = "fixed" }
   two:block { name = "low", width = 0.4, height = 0.2, material = "stone", body = { mesh = { 2, 2 } } }
   two:block { name = "top", width = 0.4, height = 0.2, at = { 0, 0.2 }, material = "stone", body = { mesh = { 2, 2 } } }
-  local plain = two:run { duration = 0.01, damping = 0.8 }
+  local plain = two:run { duration = 0.01, local_damping = 0.8 }
   assert(plain.mass_scaling == nil and plain.longest_dt < 2e-5)
   assert(two:explain_dt():find "element %d of 4, at ")
-  local report = two:run { duration = 0.01, damping = 0.8, mass_scaling = { step = 4e-5 } }
+  local report = two:run { duration = 0.01, local_damping = 0.8, mass_scaling = { step = 4e-5 } }
   local scaled = report.mass_scaling
   assert(report.longest_dt == 4e-5 and scaled.before < 2e-5 and scaled.bodies == 2)
   assert(scaled.share > 0 and scaled.most < 30 and scaled.energy < scaled.kinetic)
-  assert(two:run { duration = 0.01, damping = 0.8 }.longest_dt < 2e-5)
+  assert(two:run { duration = 0.01, local_damping = 0.8 }.longest_dt < 2e-5)
   local said = select(2, pcall(two.run, two, { duration = 0.01, mass_scaling = { step = 4e-5, bodies = "low" } }))
   assert(said:find "body 'top' %(mesh%), whose masses are not scaled", said)
   assert(two:run { duration = 0.001, mass_scaling = { step = 1e-6 } }.mass_scaling.bodies == 0)

@@ -38,7 +38,7 @@ local function mast(material, model)
   return m
 end
 
-local m = mast({ damping = r.beta }, { mass_damping = r.mass_damping })
+local m = mast({ beta = r.beta }, { mass_damping = r.mass_damping })
 for _, d in ipairs(m:damping { count = 3 }) do
   near(d.ratio, r.mass_damping/(4*math.pi*d.frequency) + math.pi*d.frequency*r.beta, 2e-3)
 end

@@ -19,13 +19,13 @@ local function tower(out)
   if out then m:results { file = out, frames = 0.05 } end
   return m
 end
-local function calm(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-5, from = 0.1 } } end
+local function calm(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-5, from = 0.1 } } end
 
 -- Removed from under another, which falls by its own height and comes to lie on the ground.
 local out = os.tmpname()
 os.remove(out)
 local m = tower(out .. ".h5")
-m:consolidate { ratio = 1e-6 }
+m:consolidate { rest = { ratio = 1e-6 } }
 local lower, upper = m:body "lower", m:body "upper"
 m:remove(lower)
 assert(not lower.present and lower.removed_at == m.time)
@@ -112,7 +112,7 @@ os.remove(out .. ".h5")
 
 -- A stage ends as things come down.
 local t = tower()
-t:consolidate { ratio = 1e-6 }
+t:consolidate { rest = { ratio = 1e-6 } }
 t:every(0.1, function(model) if model:body("lower").present then model:remove "lower" end end)
 local fall = t:run { duration = 5, until_collapse = { drop = 0.2 } }
 assert(fall.ending == "stopped" and fall.reason:find "collapsed", fall.reason)
@@ -125,8 +125,8 @@ fails(function() t:run { duration = 1 } end, "body 'upper' was removed at")
 
 -- A push ends by them too.
 local p = tower()
-p:consolidate { ratio = 1e-6 }
-local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, damping = 0.8,
+p:consolidate { rest = { ratio = 1e-6 } }
+local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, local_damping = 0.8,
   until_true = function(model) return model:body("upper").ux > 1e-3 end }
 assert(pushed.ending == "stopped" and pushed.limit == "until" and pushed.reason == "until_true came true", pushed.limit)
 near(p:body("upper").ux, 1e-3, 1e-2)
@@ -141,7 +141,7 @@ s:block { name = "ground", size = { 6, 6, 1 }, at = { -3, -3, -1 }, material = "
 s:block { name = "lower", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0 }, material = "stone" }
 s:block { name = "upper", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, 0.5 }, material = "stone" }
 s:results { file = file .. ".h5" }
-s:consolidate { ratio = 1e-4 }
+s:consolidate { rest = { ratio = 1e-4 } }
 s:remove "lower"
 fails(function() return s:body("lower").z end, "was removed at")
 calm(s)
@@ -310,7 +310,7 @@ do
   local base = bed:block { name = "base", width = 10, height = 1, at = { -5, -1 }, material = "stone",
     support = "fixed" }
   local lying = bed:block { name = "lying", width = 1, height = 1, at = { -0.5, 0 }, material = "stone" }
-  bed:consolidate { ratio = 1e-8 }
+  bed:consolidate { rest = { ratio = 1e-8 } }
   bed:fix(lying)
   bed:run { duration = 0.01 }
   local residual, y = bed.residual, lying.y

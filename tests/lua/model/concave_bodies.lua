@@ -28,7 +28,7 @@ do
   local wedge = m:hull { name = "wedge", material = "stone", floating = true, velocity = { 0.5, 0, -0.05 },
     points = { { -0.1, -0.1, 0.0005 }, { -0.1, 0.1, 0.0005 }, { -0.2, -0.1, 0.15 }, { -0.2, 0.1, 0.15 },
       { 0, -0.1, 0.15 }, { 0, 0.1, 0.15 } },
-    support = { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" }, load = { 0, 0, -70 } }
+    support = { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }, load = { 0, 0, -70 } }
   local before = m.energy.kinetic
   m:run { duration = 0.4, safety = 0.05 }
   assert(wedge.x > 0.05, wedge.x)
@@ -99,8 +99,8 @@ do
     m:block { name = "ground", size = { 4, 4, 1 }, at = { -2, -2, -1 }, material = "stone", support = "fixed" }
     shape.name, shape.material = "L", "stone"
     local body = m:body(shape)
-    m:consolidate { ratio = 1e-6 }
-    return { body.mass, body.x, body.y, body.z, body.turn_x, body.turn_y, body.turn_z }
+    m:consolidate { rest = { ratio = 1e-6 } }
+    return { body.mass, body.x, body.y, body.z, body.rotation_x, body.rotation_y, body.rotation_z }
   end
   -- 1 to 4 on the ground, 5 to 8 on them, 9 to 12 on those; 13 to 16 beside.
   local nodes = {}

@@ -66,7 +66,7 @@ for _, dim in ipairs { 2, 3 } do
 
   -- One that comes later, and one that flies out of the bounds; removed from a handler.
   local m, a, b, _, block = towers(dim)
-  m:consolidate { ratio = 1e-3 }
+  m:consolidate { rest = { ratio = 1e-3 } }
   m:bounds { bottom = -2, left = -20, right = 20 }
   local flying = block("flying", 8, 0, 0.5, 0.5, { floating = true })
   local h = m:history { name = "flying", body = flying, what = "speed", every = 0.01 }

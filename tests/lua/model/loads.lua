@@ -10,15 +10,15 @@ local function block_on_base(mu, kn)
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = k, ks = k, mu = mu, beta = 1e-4 } }
   local base = m:block { name = "base", width = 6, height = 1, at = { -3, -1 }, material = "stone", support = "fixed" }
   local block = m:block { name = "block", width = 1, height = 0.5, at = { -0.5, 0 }, material = "stone" }
-  m:consolidate { ratio = 1e-7 }
+  m:consolidate { rest = { ratio = 1e-7 } }
   return m, block, base
 end
-local function rest(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-6, from = 0.3 } } end
+local function rest(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-6, from = 0.3 } } end
 
 -- A load beside the middle; taken off, the block stands as before.
 local m, block = block_on_base(0.6)
 local weight, y = block.mass * g, block.y
-local name = m:point_load { body = block, at = "top right", force = { 0, -900 }, course = { smooth = 0.2 } }
+local name = m:point_load { body = block, at = "top right", force = { 0, -900 }, load_curve = { smooth = 0.2 } }
 assert(name == "load 1")
 rest(m)
 near(y - block.y, 900 / 1e9, 1e-3)
@@ -34,12 +34,13 @@ assert(math.abs(block.y - y) < 1e-11 and math.abs(block.rotation) < 1e-11)
 local e = m.energy.load
 local ux = block.ux
 local p = m:pressure { name = "wind", body = block, face = "left", value = 2e3,
-                       course = { { 0, 0 }, { 0.1, 1.5 }, { 0.2, 1 } } }
+                       load_curve = { { 0, 0 }, { 0.1, 1.5 }, { 0.2, 1 } } }
 assert(p == "wind")
 rest(m)
 near(m.base_shear, 2e3 * 0.5, 1e-3)
 assert(m.energy.load > e and block.ux > ux)
-m:pressure { name = "anchor", body = block, from = { 0.5, 0 }, to = { 0.5, 0.5 }, value = 2e3, course = { ramp = 0.2 } }
+m:pressure { name = "anchor", body = block, from = { 0.5, 0 }, to = { 0.5, 0.5 }, value = 2e3,
+             load_curve = { ramp = 0.2 } }
 rest(m)
 assert(math.abs(m.base_shear) < 1)
 near(m:stresses().block.xx, -2e3, 1e-2)
@@ -81,7 +82,7 @@ w:wall { name = "w", length = 1.6, unit_length = 0.4, unit_height = 0.2, storeys
          by_group = { slabs = { weight = 1e4 } } }
 local shear = w:history { name = "base shear", what = "base_shear" }
 local pushed = w:history { name = "push", what = "push_force" }
-w:consolidate { ratio = 1e-5 }
+w:consolidate { rest = { ratio = 1e-5 } }
 local slabs = w:bodies { group = "slabs" }
 local most, felt = 0, 0
 w:on_step(function()
@@ -135,9 +136,10 @@ refused("point_load 'P': body: there is no body or group 'blok'; did you mean 'b
 refused("point_load: 'at' is 'topp', must be {x, y}, the name of a joint or one of centroid, top", load,
         { force = { 1, 0 }, at = "topp" })
 refused("point_load: unknown key 'follows'; did you mean 'follow'?", load, { force = { 1, 0 }, follows = true })
-refused("course: give one of ramp = seconds, smooth = seconds, or points", load, { force = { 1, 0 }, course = {} })
-refused("course: its duration is -1 s, must be above 0", load, { force = { 1, 0 }, course = { ramp = -1 } })
-refused("time 2 of the course is", load, { force = { 1, 0 }, course = { { 1, 0 }, { 0, 1 } } })
+refused("load_curve: give one of ramp = seconds, smooth = seconds, or points", load,
+  { force = { 1, 0 }, load_curve = {} })
+refused("load_curve: its duration is -1 s, must be above 0", load, { force = { 1, 0 }, load_curve = { ramp = -1 } })
+refused("time 2 of the load curve is", load, { force = { 1, 0 }, load_curve = { { 1, 0 }, { 0, 1 } } })
 refused("pressure: give either face = \"top\"", press, { value = 1 })
 refused("'face' is 'topp', must be top, bottom, left, right or all; did you mean 'top'?", press,
         { value = 1, face = "topp" })

@@ -21,7 +21,7 @@ near(m:body("w.s1.c1.u1").mass, 7)
 near(m:body("w.s1.c1.u2").mass, 0.4 * 0.2 * 0.2 * 1800)
 assert(#m:bodies { group = "lintels" } == 2 and #wall == #m:bodies { group = "w" })
 assert(#m:bodies { group = "pier 1" } > 0 and #m:bodies { group = "spandrel 1" } > 0)
-local report = m:consolidate { ratio = 1e-4, speed = 1e-4, duration = 5 }
+local report = m:consolidate { rest = { ratio = 1e-4, speed = 1e-4 }, duration = 5 }
 assert(report.rests and m:body("w.base").uy == 0)
 
 -- what became of it, storey by storey: nothing as it stands, all of it where nothing may move

@@ -42,7 +42,7 @@ for i, body in ipairs(left) do assert(body == left[i]) end
 local top = m:history { name = "top", body = left[2], what = "uy" }
 local speed = m:history { name = "speed", what = "speed" }
 local twice = m:history { name = "twice", unit = "m", of = function() return 2 * left[2].uy end }
-local report = m:consolidate { ratio = 1e-6, duration = 20 }
+local report = m:consolidate { rest = { ratio = 1e-6 }, duration = 20 }
 assert(report.ending == "rest" and report.rests and report.name == "consolidation")
 assert(report.ratio <= 1e-6 and report.steps > 100 and report.ended == m.time)
 assert(#top == #top.t and #top == #top.values and top.last < 0 and top[#top] == top.last)

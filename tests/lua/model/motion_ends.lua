@@ -21,7 +21,7 @@ local motions = {
 
 for _, dim in ipairs { 2, 3 } do
   for _, stage in ipairs { "drive", "shake" } do
-    for _, along in ipairs(dim == 2 and { "x", "y", "rotation" } or { "x", "z", "turn_z" }) do
+    for _, along in ipairs(dim == 2 and { "x", "y", "rotation" } or { "x", "z", "rotation_z" }) do
       for _, case in ipairs(motions) do
         local m, base = table_of(dim)
         m[stage](m, { body = base, [along] = case[1] })

@@ -63,7 +63,7 @@ for _, dim in ipairs { 2, 3 } do
       support = support }
   end
   local base, stone = block("base", 4, -1, "fixed"), block("stone", 2, 0)
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   local up = dim == 3 and "reaction_z" or "reaction_y"
   near(base[up], (base.mass + stone.mass)*g, 1e-5)
   local list = base:reactions()

@@ -31,12 +31,12 @@ do
   assert(#m.storeys == 2 and m.storeys[1].number == 1)
   near(m.storeys[1].height, 1.0, 1e-9)
   near(m.storeys[2].height, 0.8, 1e-9)
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   local ground = m:body "h.base"
   assert(m.base_shear < 1e-3*(walls - ground).mass*g)
   local before = { m.storeys[1].drift_x, m.storeys[1].drift_y }
   m:tilt { rate = 0.2, by = 0.1, towards = math.atan(0.5) }
-  m:run { duration = 0.6, damping = 0.8 }
+  m:run { duration = 0.6, local_damping = 0.8 }
   local weight = (walls - ground).mass*g
   near(m.base_shear, weight*math.sin(0.1), 1e-2)
   near(m.base_shear_x, 2*m.base_shear_y, 1e-2)
@@ -64,7 +64,7 @@ end
 -- A dry house pushed along -y at its upper floor, which slides: it ends by the drift of its second storey along that.
 do
   local m, walls = house(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 })
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   m:history { name = "drift", storey = 2, what = "drift_y" }
   local floor = m:body "h.s2.floor"
   local push = m:pushover { body = floor, direction = "-y", rate = 0.02, storey = 2, drift = 0.004,
@@ -119,7 +119,8 @@ for _, case in ipairs { { 2, 0 }, { 3, 0.6 }, { 3, 2.8 } } do
   local mass, top = 0, 0
   for i = 1, 3 do
     mass = mass + slab("slab " .. i, 3*i, 0.3, { groups = { "storey " .. i, "slabs" },
-      support = dim == 2 and { rotation = "fixed" } or { turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } }).mass
+      support = dim == 2 and { rotation = "fixed" }
+        or { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" } }).mass
     local at = dim == 2 and { 0, 3*i - 0.1 } or { 0, 0, 3*i - 0.1 }
     m:bearing { name = "spring " .. i, between = { "slab " .. i - 1, "slab " .. i }, from = at, to = at,
       angle = azimuth, along = trilith.linear { stiffness = stiffness[i] }, across = dim == 3 and upright or nil,

@@ -13,7 +13,7 @@ local function model(dim)
     m:block { name = "ground", size = { 2, 2, 0.4 }, at = { -1, -1, -0.4 }, material = "stone", support = "fixed" }
     m:block { name = "post", size = { 0.2, 1, 0.8 }, at = { -0.1, -0.5, 0 }, material = "stone" }
   end
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   return m
 end
 
@@ -32,27 +32,27 @@ end
 -- About y as about the plane's axis, counted the other way: the post rocks alike.
 local flat, deep = model(2), model(3)
 flat:shake { body = "ground", rotation = turning(4*deg), duration = 2 }
-deep:shake { body = "ground", turn_y = turning(-4*deg), duration = 2 }
+deep:shake { body = "ground", rotation_y = turning(-4*deg), duration = 2 }
 local wanted = at_end(4*deg)
 assert(math.abs(flat:body "ground".rotation - wanted) < 1e-9)
-assert(math.abs(deep:body "ground".turn_y + wanted) < 1e-9)
-assert(math.abs(deep:body "ground".turn_x) + math.abs(deep:body "ground".turn_z) < 1e-12)
-assert(math.abs(deep:body "post".turn_y + flat:body "post".rotation) < 2e-4)
+assert(math.abs(deep:body "ground".rotation_y + wanted) < 1e-9)
+assert(math.abs(deep:body "ground".rotation_x) + math.abs(deep:body "ground".rotation_z) < 1e-12)
+assert(math.abs(deep:body "post".rotation_y + flat:body "post".rotation) < 2e-4)
 assert(math.abs(deep:body "post".ux - flat:body "post".ux) < 2e-3*math.abs(wanted))
 
 -- About z what lies on it turns with it; beyond thickness over height it comes down.
 local round = model(3)
-round:shake { body = "ground", turn_z = turning(20*deg), duration = 2 }
-assert(math.abs(round:body "post".turn_z - at_end(20*deg)) < 1e-3)
+round:shake { body = "ground", rotation_z = turning(20*deg), duration = 2 }
+assert(math.abs(round:body "post".rotation_z - at_end(20*deg)) < 1e-3)
 local over = model(3)
-over:shake { body = "ground", turn_y = turning(20*deg), duration = 2 }
+over:shake { body = "ground", rotation_y = turning(20*deg), duration = 2 }
 over:run { duration = 1.5 }
 assert(over:body "post".uz < -0.3, "a post of .2 x .8 m does not stand on a slope of more than 14 degrees")
 
 -- Implicit steps follow it too.
 local long = model(3)
-long:shake { body = "ground", turn_x = turning(1*deg), duration = 2, integrator = "implicit", dt = 0.01 }
-assert(math.abs(long:body "ground".turn_x - at_end(1*deg)) < 1e-9)
+long:shake { body = "ground", rotation_x = turning(1*deg), duration = 2, integrator = "implicit", dt = 0.01 }
+assert(math.abs(long:body "ground".rotation_x - at_end(1*deg)) < 1e-9)
 
 local ok, message = pcall(deep.shake, deep, { body = "ground", rotation = turning(1*deg) })
 assert(not ok and tostring(message):find "rotation", message)

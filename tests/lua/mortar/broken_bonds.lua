@@ -41,9 +41,9 @@ local function first_event(dim, law, load, turn)
     assert(top.speed == 3)
   elseif dim == 2 then
     m:point_load { body = top, force = load.force and { load.force[1], load.force[3] }, moment = load.couple,
-                   at = { 0.5, 0 }, course = { ramp = 0.2 } }
+                   at = { 0.5, 0 }, load_curve = { ramp = 0.2 } }
   else
-    m:point_load { body = top, force = load.force and turned(load.force, turn), course = { ramp = 0.2 },
+    m:point_load { body = top, force = load.force and turned(load.force, turn), load_curve = { ramp = 0.2 },
                    moment = load.moment and turned(load.moment, turn), at = turned({ 0.5, 0.5, 0 }, turn) }
   end
   local first

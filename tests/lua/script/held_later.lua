@@ -35,7 +35,7 @@ for _, dim in ipairs { 2, 3 } do
   refused(m.run, m, { duration = 0.01 })
   spring(m, "deck", "base", { 0.5, 0 }, { 0.5, 1 })
   assert(not m:lint().text:find "stands on nothing")
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   local sunk, expected = -deck["u" .. up], (deck.mass*9.80665 + 1000)/1e6
   assert(math.abs(sunk/expected - 1) < 1e-4, ("%s m sunk, not %s"):format(sunk, expected))
   local ok, text = pcall(block, m, "late", { 5, 5 })

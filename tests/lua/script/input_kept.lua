@@ -39,7 +39,7 @@ do
   reference = { mass = b.mass, inertia = b.inertia, area = b.area, x = b.x, y = b.y }
   m:run { duration = 0.09 }
   reference.falling = b.uy
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   reference.fallen, reference.turned = b.uy, b.rotation
 end
 for _, how in ipairs { { body = "rigid" }, { body = "rigid", E = 1e9 }, { model = "rigid", E = 1e9 } } do
@@ -49,7 +49,7 @@ for _, how in ipairs { { body = "rigid" }, { body = "rigid", E = 1e9 }, { model 
   for _, key in ipairs { "mass", "inertia", "area", "x", "y" } do near(b[key], reference[key], 1e-12, key) end
   m:run { duration = 0.09 }
   near(b.uy, reference.falling, 1e-3, "fall")
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   near(b.uy, reference.fallen, 1e-4, "rest")
   assert(math.abs(b.rotation - reference.turned) < 1e-5, b.rotation)
 end

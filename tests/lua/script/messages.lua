@@ -1,6 +1,6 @@
 -- Wrong input: each case is one line of script and the one line of message it must give, at its own line.
 local trilith = require "trilith"
-local given = require "wrong_input"
+local given = dofile "wrong_input.lua"
 
 local huge, nan = math.huge, 0 / 0
 local stone, spring, square = given.stone, given.spring, given.square
@@ -182,8 +182,9 @@ given.check {
   { function() m:body { outline = square, mass = 1 } end, "body: 'name' is missing; give a text" },
   { function() m:body "bse" end, "body: there is no body 'bse'; did you mean 'base'?" },
   { function() m.body { name = "a" } end, "argument 1 is a table, must be a model; call methods with ':'" },
-  { function() m:pier { name = "P", x = 0, height = 3 } end, "pier 'P': 'stem_width' is missing; give a number in m" },
-  { function() m:pier { name = "P", x = 0, height = -3, stem_width = 1, material = "stone" } end,
+  { function() m:pier { name = "P", station = 0, height = 3 } end,
+    "pier 'P': 'stem_width' is missing; give a number in m" },
+  { function() m:pier { name = "P", station = 0, height = -3, stem_width = 1, material = "stone" } end,
     "pier 'P': height is -3 m, must be finite and above 0" },
   { function() m:arch { voussoirs = 2.5 } end, "arch: 'voussoirs' is 2.5, must be a whole number" },
   { function() m:abutment { side = "top", x = 0, height = 1, width = 1 } end,

@@ -1,6 +1,6 @@
 -- Wrong input in space: each case is one line of script and the one line of message it must give, at its own line.
 local trilith = require "trilith"
-local given = require "wrong_input"
+local given = dofile "wrong_input.lua"
 
 local function new()
   local m = trilith.model { name = "wrong", dim = 3 }

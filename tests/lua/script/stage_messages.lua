@@ -1,7 +1,7 @@
 -- Wrong input of stages, handlers, histories and sets, and what is wrong of a model only once it is built: each case is
 -- one line of script and the one line of message it must give, at its own line.
 local trilith = require "trilith"
-local given = require "wrong_input"
+local given = dofile "wrong_input.lua"
 
 local stone, square, new, built, with_block, late = given.stone, given.square, given.new, given.built, given.with_block,
   given.late
@@ -64,7 +64,7 @@ given.check {
     "shake: 'body' does not go with 'motions', whose rows say it each for itself" },
   { function() b:history { name = "of two", of = function() return 1 end, what = "ux" } end,
     "history 'of two': 'what' does not go with 'of', whose function gives the number; keep one" },
-  { function() new():consolidate { ratio = 0 } end,
+  { function() new():consolidate { rest = { ratio = 0 } } end,
     "stage 'consolidation': unbalanced ratio at rest is 0, must be finite and above 0" },
   { function() b:fix(7) end, "fix: 7 is no body; give a body, a set, a name, or a list of these" },
   { function() b:fix(m:body "base") end, "fix: body 'base' belongs to another model" },
@@ -173,5 +173,5 @@ do
     done = true
   end)
   local good, message = pcall(w.run, w, { duration = 0.01 })
-  assert(not good and message:find("^stage_messages.lua:%d+: remove: body 'block' was removed at"), message)
+  assert(not good and message:find("^script/stage_messages.lua:%d+: remove: body 'block' was removed at"), message)
 end

@@ -38,7 +38,7 @@ m:story(function()
   m:wait "stage.begun"
   told[#told + 1] = "begun again"
 end)
-m:run { duration = 5, until_rest = true }
+m:run { duration = 5, rest = true }
 m:run { duration = 0.01 }
 assert(table.concat(told, ", ") == "hit 0.20, waited nil 0.05, slept 0.15, body.rest, ended, begun again",
   table.concat(told, ", "))
@@ -77,7 +77,7 @@ end)
 good, message = pcall(m.run, m, { duration = 5 })
 assert(not good and message:find "stories.lua:%d+: handler is at fault" and message:find "stack traceback", message)
 assert(m.time > 0.2 and m.time < 0.21)
-assert(m:run { duration = 5, until_rest = true }.rests)
+assert(m:run { duration = 5, rest = true }.rests)
 
 -- a stage within a stage is refused
 m = falling()

@@ -38,7 +38,7 @@ end
 local function both(m, go)
   local space = m:extruded()
   return go(m, function(b) return b.y end, function(b) return b.rotation end),
-    go(space, function(b) return b.z end, function(b) return -b.turn_y end)
+    go(space, function(b) return b.z end, function(b) return -b.rotation_y end)
 end
 
 -- It is what the plane was given: bodies by name, with groups, materials, mass and place; the plane goes on by itself.
@@ -65,7 +65,7 @@ end
 -- It slides and rocks as in the plane.
 do
   local flat, space = both(stack(friction, { { 1, 0.4 } }), function(m, height)
-    m:consolidate { ratio = 1e-6 }
+    m:consolidate { rest = { ratio = 1e-6 } }
     local most, block, ground = 0, m:body "b1", m:body "ground"
     m:on_step(function() most = math.max(most, math.abs(block.x - ground.x)) end)
     m:shake { body = "ground", x = pulse(8, 1), duration = 1 }
@@ -76,7 +76,7 @@ do
   near(space[2], flat[2], 1e-9)
 
   flat, space = both(stack(friction, { { 0.5, 2 } }), function(m, _, turn)
-    m:consolidate { ratio = 1e-6 }
+    m:consolidate { rest = { ratio = 1e-6 } }
     local most, tower = 0, m:body "b1"
     m:on_step(function() most = math.max(most, math.abs(turn(tower))) end)
     m:shake { body = "ground", x = pulse(3.4, 0.6), duration = 1.2 }
@@ -98,7 +98,7 @@ for _, angle in ipairs { 0, 0.4 } do
       limit = { along = 0.06 } }
   end
   local flat, space = both(m, function(model, height, turn)
-    model:consolidate { ratio = 1e-4, duration = 5 }
+    model:consolidate { rest = { ratio = 1e-4 }, duration = 5 }
     local failed, start = nil, model.time
     model:on("bearing.failed", function(e) failed = failed or e.time - start end)
     model:shake { body = "ground", x = pulse(6, 0.6), duration = 0.3 }
@@ -112,7 +112,7 @@ end
 do
   local law = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4, tension = 2e4, cohesion = 3e4 }
   local flat, space = both(stack(law, { { 0.5, 0.6 }, { 0.5, 0.6 }, { 0.5, 0.6 } }), function(m, height)
-    m:consolidate { ratio = 1e-6, fresh = true }
+    m:consolidate { rest = { ratio = 1e-6 }, fresh = true }
     local broken, first, start = 0, nil, m.time
     m:on("bond.broken", function(e) broken, first = broken + 1, first or e.time - start end)
     m:shake { body = "ground", x = pulse(4.5, 0.6), duration = 1 }
@@ -154,7 +154,7 @@ do
   local m = stack(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.1, beta = 1e-4 }, { { 1, 0.4 } })
   for _, held in ipairs { true, false } do
     local s = m:extruded { held = held }
-    s:consolidate { ratio = 1e-5 }
+    s:consolidate { rest = { ratio = 1e-5 } }
     s:point_load { body = "b1", force = { 0, 4e3, 0 } }
     s:run { duration = 0.2 }
     local y = s:body("b1").y

@@ -22,7 +22,7 @@ for voussoirs, least in pairs { [15] = 0.10607, [21] = 0.10669 } do
     local m = flat:extruded()
     local crown = m:body(("arch.v%d"):format((voussoirs + 1)//2))
     local function falls() return crown.uz < -0.01 end
-    m:consolidate { duration = 1.5, ratio = 1e-5, speed = 1e-5, until_true = falls }
+    m:consolidate { duration = 1.5, rest = { ratio = 1e-5, speed = 1e-5 }, until_true = falls }
     local laid = crown.uz
     m:run { duration = 0.5, until_true = falls }
     if share < 1 then
@@ -56,7 +56,7 @@ do
   for i = 0, 400 do samples[i + 1] = 0.5*g*math.sin(4*math.pi*0.005*i) end
   local slips = {}
   for i, m in ipairs { wall(), wall():extruded() } do
-    m:run { duration = 0.1, damping = 0.8 }
+    m:run { duration = 0.1, local_damping = 0.8 }
     m:shake { body = "base", x = trilith.motion { acceleration = samples, dt = 0.005 }, duration = 1 }
     local base = m:body "base"
     slips[i] = m:body("c8.u4").x - base.x

@@ -32,7 +32,7 @@ do
       x = (half and (n - 0.5) or n) * 0.4
     end
   end
-  m:run { duration = 0.05, dt = 1e-4, damping = 0.8 }
+  m:run { duration = 0.05, dt = 1e-4, local_damping = 0.8 }
   local residual = m.energy.residual
   assert(math.abs(residual) < 1e-3 * 2000 * 2.4 * 0.2 * 1.2 * 9.81 * 1e-4, residual)
 end
@@ -74,7 +74,7 @@ do
   m:tilt { rate = 0.5, by = math.rad(35), towards = math.pi / 2 }
   m:run { duration = 3 }
   assert(block.uy > 0.1 and math.abs(block.ux) < 1e-6, "it slides towards y")
-  assert(math.abs(block.turn_x) < 0.02 and m.ratio >= 0)
+  assert(math.abs(block.rotation_x) < 0.02 and m.ratio >= 0)
   assert(math.abs(m.energy.residual) < 1e-3 * m.energy.contact_friction)
 end
 
@@ -110,7 +110,7 @@ do
     spin = { 0, 0, 1 }, velocity = { 1, 0, 0 }, support = { y = "fixed" } }
   m:run { duration = 0.1 }
   near(b.ux, 0.1, 1e-6)
-  near(b.turn_z, 0.1, 1e-3)
+  near(b.rotation_z, 0.1, 1e-3)
   m:fix(b, "xyzr")
   m:run { duration = 0.1 }
   near(b.ux, 0.1, 1e-3)
@@ -124,7 +124,7 @@ do
   end
   local b, c = free("b", 0), free("c", 3)
   local inertia = b.mass/6
-  local push = m:point_load { body = b, force = { 0, 0, 300 }, at = { 1, 0.5, 2.5 }, course = { ramp = 0.2 } }
+  local push = m:point_load { body = b, force = { 0, 0, 300 }, at = { 1, 0.5, 2.5 }, load_curve = { ramp = 0.2 } }
   m:point_load { name = "screw", body = c, force = { 300, 0, 0 }, moment = { 0, 0, 200 }, follow = true }
   m:run { duration = 0.2, dt = 1e-4 }
   near(b.vz, 0.5*300*0.2/b.mass, 2e-3)
@@ -183,7 +183,7 @@ do
   near(modes[1].frequency, 15.0359, 5e-4)
   near(modes[3].frequency, 59.3135, 5e-4)
   near(modes[4].mass_z, 0.4*0.4*1.2*2400, 1e-6)
-  assert(math.abs(modes[3].shape.post.turn_z) > 1)
+  assert(math.abs(modes[3].shape.post.rotation_z) > 1)
   near(s:damping { count = 1 }[1].contacts, math.pi*2e-4*modes[1].frequency, 1e-2)
   local run = s:run { duration = 0.2, integrator = "implicit", dt = 5e-3 }
   assert(run.ending == "time" and run.steps < 100, tostring(run))

@@ -82,7 +82,7 @@ local function between(what, make, low, high, azimuth)
   local m, stones = make(low, azimuth)
   local start = places(stones)
   local function down() return farthest(stones, start) > 0.03 end
-  m:consolidate { duration = 1, ratio = 1e-4, until_true = down, or_go_on = true }
+  m:consolidate { duration = 1, rest = { ratio = 1e-4 }, until_true = down, or_go_on = true }
   local laid = farthest(stones, start)
   m:run { duration = 1, until_true = down }
   local moved = farthest(stones, start)
@@ -99,12 +99,12 @@ end
 --- damping, `hurry` times as fast as 5 degrees a second, then tilted by half a degree a second. Nothing is found beyond
 --- 1.1 times `expected`.
 local function limit(m, stones, azimuth, expected, from, hurry)
-  m:consolidate { ratio = 1e-5, duration = 20 }
+  m:consolidate { rest = { ratio = 1e-5 }, duration = 20 }
   local level = places(stones)
   local begin, most, rate = math.atan(from*expected), math.atan(1.1*expected), 0.5*deg
   local fast = (hurry or 1)*5*deg
   m:tilt { rate = fast, by = begin, towards = azimuth }
-  m:run { duration = begin/fast + 0.3, damping = 0.5 }
+  m:run { duration = begin/fast + 0.3, local_damping = 0.5 }
   assert(farthest(stones, level) < 0.02, "comes down before it is tilted slowly")
   m:tilt { rate = rate, by = most - begin, towards = azimuth }
   local begun, found = m.time, nil
@@ -122,7 +122,7 @@ end
 local function falls(m, stones)
   local start = places(stones)
   local function down() return farthest(stones, start) > 0.02 end
-  m:consolidate { duration = 3, ratio = 1e-5, speed = 1e-5, until_true = down, or_go_on = true }
+  m:consolidate { duration = 3, rest = { ratio = 1e-5, speed = 1e-5 }, until_true = down, or_go_on = true }
   if not down() then m:run { duration = 0.5, until_true = down } end
   return down()
 end

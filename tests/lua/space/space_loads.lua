@@ -10,10 +10,10 @@ local function block_on_ground(mu, kn, size)
   local ground =
     m:block { name = "ground", size = { 6, 6, 1 }, at = { -3, -3, -1 }, material = "stone", support = "fixed" }
   local block = m:block { name = "block", size = size, at = { 0, 0, size[3]/2 }, anchor = "centre", material = "stone" }
-  m:consolidate { ratio = 1e-6 }
+  m:consolidate { rest = { ratio = 1e-6 } }
   return m, block, ground
 end
-local function rest(m) return m:run { duration = 5, damping = 0.8, until_rest = { ratio = 1e-6, from = 0.3 } } end
+local function rest(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-6, from = 0.3 } } end
 
 -- A flat block on friction takes mu W, whichever way it is pushed; the same way twice has the same bits.
 local hashes = {}
@@ -37,7 +37,7 @@ do
   local kn, b, d, h = 1e10, 0.4, 0.6, 1.2
   local m, block = block_on_ground(0.9, kn, { b, d, h })
   local r = m:pushover { body = block, at = { 0, 0, h }, direction = "-x", rate = 4e-3, displacement = 4e-3 }
-  local weight, turn = block.mass*g, math.abs(block.turn_y)
+  local weight, turn = block.mass*g, math.abs(block.rotation_y)
   local c = math.sqrt(2*weight/(kn*d*math.sin(turn)))
   local arm = b/2 - c/3
   local force = weight*(arm*math.cos(turn) - h/2*math.sin(turn))/(h*math.cos(turn) + arm*math.sin(turn))
@@ -49,17 +49,17 @@ end
 do
   local m, block = block_on_ground(0.6, 1e9, { 1, 0.8, 0.5 })
   local z = block.z
-  assert(m:pressure { name = "wind", body = block, face = "front", value = 2e3, course = { ramp = 0.1 } } == "wind")
+  assert(m:pressure { name = "wind", body = block, face = "front", value = 2e3, load_curve = { ramp = 0.1 } } == "wind")
   rest(m)
   -- The shear springs of the face carry it: p A = ks A_face u, and the block leans a little.
   local most = 2e3*0.5*1/(1e9*1*0.8)
   assert(block.uy > 0.99*most and block.uy < 3*most, block.uy)
   m:release { load = "wind", fade = 0.2 }
-  m:pressure { name = "water", body = block, face = "all", value = 5e3, course = { ramp = 0.1 } }
+  m:pressure { name = "water", body = block, face = "all", value = 5e3, load_curve = { ramp = 0.1 } }
   rest(m)
   assert(math.abs(block.uy) < 1e-10 and math.abs(block.z - z) < 1e-10, block.uy)
   m:pressure { name = "snow", body = block, face = "top", value = 3e3, direction = { 0, 0, -1 },
-    course = { ramp = 0.1 } }
+    load_curve = { ramp = 0.1 } }
   rest(m)
   near(z - block.z, 3e3/1e9, 1e-3)
 end
@@ -110,7 +110,7 @@ for _, angle in ipairs { 0, 0.7 } do
   s:frame { name = "toggle", material = "steel",
     joints = { a = { at = { -x, -y, 0 }, support = foot }, c = { at = { x, y, 0 }, support = foot },
       b = { at = { 0, 0, 0.1 },
-        support = { x = "fixed", y = "fixed", turn_x = "fixed", turn_y = "fixed", turn_z = "fixed" } } },
+        support = { x = "fixed", y = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" } } },
     members = { { from = "a", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 },
       { from = "c", to = "b", section = section, pinned = { "from", "to" }, divisions = 2 } } }
   local r = s:pushover { body = "toggle", at = { 0, 0, 0.1 }, direction = "-z", control = "arc", arc = 2e-4,
@@ -204,7 +204,7 @@ end
 -- A push at a point of such a body as well: at the middle of a free end it twists nothing.
 for _, control in ipairs { "time", "arc" } do
   local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
-  s:material { name = "soft", density = 2000, E = 1e9, nu = 0, damping = 1e-3 }
+  s:material { name = "soft", density = 2000, E = 1e9, nu = 0, beta = 1e-3 }
   local b = s:block { name = "bar", material = "soft", size = { 1, 1, 4 }, floating = true,
     body = { mesh = { 1, 1, 4 } }, hold = { { from = { 0, 0, 0 }, to = { 1, 1, 0 } } } }
   s:pushover { body = b, at = { 0.5, 0.5, 4 }, direction = "x", control = control, displacement = 4e-3,

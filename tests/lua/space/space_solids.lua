@@ -13,7 +13,7 @@ end
 
 local function model(name, law)
   local m = trilith.model { name = name, dim = 3 }
-  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, damping = 1e-4 }
+  m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2, beta = 1e-4 }
   m:material { name = "hard", density = 2000 }
   m:contact { between = { "*", "*" }, law = law or trilith.frictional { kn = 2e9, ks = 1e9, mu = 0.6, beta = 1e-4 } }
   m:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "hard", support = "fixed" }
@@ -28,12 +28,12 @@ do
   end
   assert(m:body "b1".kind == "brick" and m:body "b2".kind == "mesh" and m:body "ground".kind == "rigid")
   near(m:body "b3".mass, 1000, 1e-12)
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   local weight = 1000*9.80665
   for i = 1, 3 do near(m:body("b" .. i).szz, -(3.5 - i)*weight, 0.02) end
   assert(math.abs(m:body "b1".sxy) < 100 and m:body "b1".plastic == 0 and m:body "ground".szz == 0)
   m:point_load { name = "push", body = "b3", at = { 0.5, 0.5, 1.5 }, force = { 0, 0, -1e4 } }
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   near(m:body "b1".szz, -2.5*weight - 1e4, 0.02)
   assert(m:explain_dt():find("elements alone", 1, true) or m:explain_dt():find("governs", 1, true))
   m:close()
@@ -46,7 +46,7 @@ do
   assert(wall[1].kind == "brick")
   local path = os.tmpname() .. ".h5"
   m:results { file = path, frames = 0.01 }
-  m:consolidate { ratio = 1e-2 }
+  m:consolidate { rest = { ratio = 1e-2 } }
   m:drive { body = "ground", x = trilith.ramp { by = 0.01, duration = 0.05 } }
   m:run { duration = 0.05 }
   near(m:body "ground".ux, 0.01, 1e-6)
@@ -62,15 +62,15 @@ do
   m:block { name = "top", size = { 0.4, 0.4, 0.2 }, at = { 0, 0, 0.2 }, material = "stone", body = "brick" }
   local path = os.tmpname() .. ".h5"
   m:results { file = path, frames = 0.01 }
-  local plain = m:run { duration = 0.005, damping = 0.8 }
+  local plain = m:run { duration = 0.005, local_damping = 0.8 }
   -- The lone brick turns by its own rotary inertia, on which contacts are three times as stiff as on its nodes.
   local step = 3.5*plain.longest_dt
   assert(plain.mass_scaling == nil)
-  local report = m:run { name = "longer", duration = 0.01, damping = 0.8, mass_scaling = { step = step } }
+  local report = m:run { name = "longer", duration = 0.01, local_damping = 0.8, mass_scaling = { step = step } }
   local scaled = report.mass_scaling
   assert(report.longest_dt == step and scaled.before < 1.1*plain.longest_dt and scaled.bodies == 2)
   assert(scaled.share > 0 and scaled.most < 30 and scaled.energy < scaled.kinetic)
-  assert(m:run { duration = 0.005, damping = 0.8 }.longest_dt < 1.1*plain.longest_dt)
+  assert(m:run { duration = 0.005, local_damping = 0.8 }.longest_dt < 1.1*plain.longest_dt)
   refused("body 'top' (brick), whose masses are not scaled", m.run, m,
     { duration = 0.01, mass_scaling = { step = step, bodies = "low" } })
   refused("even if it were rigid", m.run, m, { duration = 0.01, mass_scaling = { step = 0.01 } })

@@ -36,7 +36,7 @@ do
     at = { 1, 0, 0.2 }, material = "stone", floating = true }
   m:run { duration = 0.19 }
   near(ball_of.z, 0.3 - 0.5*9.80665*0.19^2, 1e-3)
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   near(0.1 - ball_of.z, math.sqrt(ball_of.mass*9.80665/(1e8*math.pi*0.1)), 0.02) -- carried by kn pi R e^2
   assert(clump.z < 0.101 and clump.speed < 0.05)
 end

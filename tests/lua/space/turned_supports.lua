@@ -45,7 +45,7 @@ local function is_at(name, got, expected, off)
   assert(math.abs(got - expected) < off, ("%s: %.9g for %.9g"):format(name, got, expected))
 end
 
-local names = { "turn_x", "turn_y", "turn_z" }
+local names = { "rotation_x", "rotation_y", "rotation_z" }
 local units = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
 local schemes = { { integrator = "explicit", dt = 2e-3 }, { integrator = "implicit", dt = 0.02 } }
 
@@ -85,14 +85,14 @@ for name, make in pairs(bodies) do
     local b = make(m)
     local centre = { b.x, b.y, b.z }
     local ramp, share = trilith.ramp { by = 2, duration = 0.4 }, 1/math.sqrt(3)
-    m:drive { body = b, turn_x = ramp, turn_y = ramp, turn_z = ramp }
+    m:drive { body = b, rotation_x = ramp, rotation_y = ramp, rotation_z = ramp }
     run(m, scheme, 0.5)
     local diagonal = { { share, share, share }, 2/share }
     local what = name .. ", " .. scheme.integrator
     assert(missed(b, { diagonal }, centre) < 1e-9, "diagonal: " .. what)
-    m:drive { body = b, turn_x = ramp }
+    m:drive { body = b, rotation_x = ramp }
     run(m, scheme, 0.5)
-    m:drive { body = b, turn_z = ramp }
+    m:drive { body = b, rotation_z = ramp }
     run(m, scheme, 0.5)
     assert(missed(b, { diagonal, { units[1], 2 }, { units[3], 2 } }, centre) < 1e-9, "one by one: " .. what)
     m:close()
@@ -101,10 +101,10 @@ for name, make in pairs(bodies) do
     m:contact { between = { "*", "*" }, law = "none" }
     b = make(m)
     for _ = 1, 4 do
-      m:drive { body = b, turn_y = ramp }
+      m:drive { body = b, rotation_y = ramp }
       run(m, scheme, 0.5)
     end
-    is_at("four drives: " .. what, b.turn_y, 8, 1e-9)
+    is_at("four drives: " .. what, b.rotation_y, 8, 1e-9)
     m:close()
   end
 end
@@ -118,10 +118,10 @@ for _, scheme in ipairs { { integrator = "explicit" }, { integrator = "implicit"
   local block = m:block { name = "block", size = { 0.4, 0.3, 0.3 }, at = { 0.3, -0.15, 0 }, material = "stone" }
   m:consolidate { integrator = "static" }
   local x, y = block.x, block.y
-  m:drive { body = table_, turn_z = trilith.ramp { by = 4, duration = 4 } }
+  m:drive { body = table_, rotation_z = trilith.ramp { by = 4, duration = 4 } }
   m:run { duration = 4.5, integrator = scheme.integrator, dt = scheme.dt }
-  is_at("table", table_.turn_z, 4, 1e-9)
-  is_at("block: turn", block.turn_z, 4, 2e-3)
+  is_at("table", table_.rotation_z, 4, 1e-9)
+  is_at("block: turn", block.rotation_z, 4, 2e-3)
   local to = turned({ x, y, 0 }, units[3], 4)
   assert(math.abs(block.x - to[1]) < 2e-3 and math.abs(block.y - to[2]) < 2e-3,
     ("%s: at %g, %g for %g, %g"):format(scheme.integrator, block.x, block.y, to[1], to[2]))
@@ -129,7 +129,7 @@ for _, scheme in ipairs { { integrator = "explicit" }, { integrator = "implicit"
 end
 
 -- Held about one axis of the world, or about two, a body that turns freely about the rest keeps its energy at any step.
-for _, held in ipairs { { "turn_z" }, { "turn_x" }, { "turn_x", "turn_y" } } do
+for _, held in ipairs { { "rotation_z" }, { "rotation_x" }, { "rotation_x", "rotation_y" } } do
   for _, keys in ipairs { { dt = 1e-3 }, { dt = 5e-3 }, { integrator = "implicit", dt = 5e-3, alpha = 0 } } do
     local m = model { name = "held", gravity = 0 }
     m:contact { between = { "*", "*" }, law = "none" }
@@ -137,7 +137,8 @@ for _, held in ipairs { { "turn_z" }, { "turn_x" }, { "turn_x", "turn_y" } } do
     for _, k in ipairs(held) do support[k] = "fixed" end
     m:block { name = "b", size = { 1, 0.6, 0.3 }, at = { 0, 0, 0 }, anchor = "centre", material = "stone",
       turn = { axis = { 1, 1, 0 }, angle = 0.4 }, support = support,
-      spin = { support.turn_x and 0 or 3, support.turn_y and 0 or 1, support.turn_z and 0 or 2 }, floating = true }
+      spin = { support.rotation_x and 0 or 3, support.rotation_y and 0 or 1, support.rotation_z and 0 or 2 },
+      floating = true }
     m:run { duration = 1e-6 }
     local before = m.energy.kinetic
     keys.duration = 8

@@ -40,7 +40,7 @@ end
 local function sinks(dim, factor, seconds)
   local m = model(dim)
   local push = -factor*least_thrust(m)
-  m:consolidate { ratio = 1e-4 }
+  m:consolidate { rest = { ratio = 1e-4 } }
   m:free("f.wall", "x")
   m:point_load { body = "f.wall", at = dim == 2 and { 4.8, 2.2 } or { 4.8, 0, 2.2 },
                  force = dim == 2 and { push, 0 } or { push, 0, 0 } }
@@ -65,6 +65,6 @@ for _, slope in ipairs { 20, 18, 15 } do
                       wall_width = 0.8, wall_height = 1.5, sub_edges = 2, material = "stone",
                       fixed = { "piers", "walls" } }
   m:on("body.passed", function(e) error(e.text) end)
-  assert(m:consolidate { ratio = 1e-5 }.rests)
+  assert(m:consolidate { rest = { ratio = 1e-5 } }.rests)
   m:close()
 end

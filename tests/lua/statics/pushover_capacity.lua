@@ -1,7 +1,7 @@
 -- What a pushover in time says of a capacity: its largest force is that of all steps, and the part of inertia is no
 -- capacity. A block that is pushed at its middle rocks at W b/h, and a post that bends takes k times its way.
 local trilith = require "trilith"
-local near = require "near_expected"
+local near = dofile "near_expected.lua"
 local g = 9.80665
 
 local function rocking(dim)
@@ -16,7 +16,7 @@ local function rocking(dim)
     m:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "stone", support = "fixed" }
     block = m:block { name = "b", size = { 0.5, 1, 1 }, at = { -0.25, -0.5, 0 }, material = "stone" }
   end
-  m:consolidate { ratio = 1e-5 }
+  m:consolidate { rest = { ratio = 1e-5 } }
   return m, block
 end
 -- On springs the toe's pressure is a triangle of length c = sqrt(2 W/(kn turn)), of this and of all turns.

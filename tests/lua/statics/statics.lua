@@ -31,7 +31,7 @@ end
 local a, b = wall(), wall()
 local report = a:consolidate { integrator = "static" }
 assert(report.rests and report.steps < 20 and report.ratio <= 1e-8 and a.time == 0 and a.speed == 0)
-b:consolidate { ratio = 1e-7, grow = 0.2 }
+b:consolidate { rest = { ratio = 1e-7 }, grow = 0.2 }
 local by_statics, most = joints(a)
 local by_steps = joints(b)
 for name in pairs(by_statics) do by_steps[name] = by_steps[name] or { 0, 0 } end -- units side by side hardly touch
@@ -91,7 +91,7 @@ do
   loose:close()
 end
 
--- Statics takes no time: a load acts by the share that its course has now, and where that is none yet it is told.
+-- Statics takes no time: a load acts by the factor that its load curve has now, and where that is none yet it is told.
 for _, dim in ipairs { 2, 3 } do
   for course, share in pairs { [{ ramp = 0.1 }] = 0, [{ { 0, 0.25 }, { 0.1, 1 } }] = 0.25, [0.5] = 0.5 } do
     local flat = dim == 2
@@ -104,7 +104,7 @@ for _, dim in ipairs { 2, 3 } do
     end
     cube("base", -1, "fixed")
     local top = cube("top", 0)
-    c:point_load { name = "push", body = top, force = flat and { 0, -1e4 } or { 0, 0, -1e4 }, course = course }
+    c:point_load { name = "push", body = top, force = flat and { 0, -1e4 } or { 0, 0, -1e4 }, load_curve = course }
     local function carried()
       local sum = 0
       for _, joint in ipairs(c:contacts()) do sum = sum + joint.normal end
@@ -112,11 +112,11 @@ for _, dim in ipairs { 2, 3 } do
     end
     c:consolidate { integrator = "static" }
     assert(math.abs(carried() - (9806.65 + share*1e4)/19806.65) < 1e-6, carried())
-    local said = "consolidation: nothing acts of 'push' at 0 s of its course, and statics takes no time"
+    local said = "consolidation: nothing acts of 'push' at 0 s of its load curve, and statics takes no time"
     local notes = table.concat(c.notes, "\n")
     assert((notes:find(said, 1, true) ~= nil) == (share == 0), notes)
     if share < 0.5 then
-      c:run { duration = 0.2, damping = 0.8 }
+      c:run { duration = 0.2, local_damping = 0.8 }
       c:consolidate { integrator = "static" }
       assert(math.abs(carried() - 1) < 1e-6, carried())
       assert(#c.notes == (share == 0 and 1 or 0), #c.notes)

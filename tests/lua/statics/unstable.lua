@@ -157,7 +157,7 @@ do
   local m = model(2, 0.7)
   box(m, "floor", -4, -0.5, 4, 0, "fixed")
   m:block { name = "loose", width = 0.3, height = 0.3, at = { 0, 1 }, material = "stone", floating = true }
-  assert(m:consolidate { duration = 8, ratio = 1e-3, speed = 1e-3, hold = 0.1 }.rests and m.verdict.sound)
+  assert(m:consolidate { duration = 8, rest = { ratio = 1e-3, speed = 1e-3, hold = 0.1 } }.rests and m.verdict.sound)
   m:close()
 end
 print "every point of the grid is at rest in place or unstable"
