@@ -43,7 +43,7 @@ struct FacePair {
 FacePair facing_pair(const PlacedSolid& a, const PlacedSolid& b, double way);
 
 /// Condition for two faces that may lie flat: a corner of the smaller solid's face is within this distance of the other
-/// plane [m]. The shared polygon lies within the smaller face, so it is twice the effect of tilt and depth over its
+/// plane [m]. The shared polygon lies within the smaller face, so this is twice the sum of both limits times its
 /// size.
 inline double near_faces(const PlacedSolid& a, const PlacedSolid& b) {
   const double size = a.solid->size < b.solid->size ? a.solid->size : b.solid->size;

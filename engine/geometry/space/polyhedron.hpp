@@ -22,8 +22,8 @@
 
 namespace trilith {
 
-/// Tolerance, relative to the size of the solid, of a corner's distance from its face's plane, and from outside a
-/// convex solid's face.
+/// Tolerance of a corner's distance from its face's plane, relative to the solid's size. For a convex solid it is also
+/// the tolerance of a corner's height over another face.
 inline constexpr double kFlatFace = 1e-9;
 
 /// Loops of indices, one after the other: the faces of a solid.
