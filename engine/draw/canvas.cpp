@@ -101,7 +101,7 @@ cairo_status_t append(void* to, const unsigned char* data, unsigned length) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Cairo numbers its surfaces through the whole process and writes the number into the SVG; we take it out again.
+/// Cairo numbers its surfaces through the whole process and writes the number into the SVG; it is removed here.
 std::string without_surface_number(std::string svg) {
   const std::string mark = "id=\"surface";
   for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + mark.size())) {
@@ -253,7 +253,7 @@ void Canvas::hatch(std::vector<PagePoint> points, double degrees, double spacing
     trace(c, points);
     cairo_close_path(c);
     cairo_clip(c);
-    // Lines stand at multiples of the spacing, so hatches of neighbours run on through their border.
+    // Lines are at multiples of the spacing, so hatches of neighbours continue across their border.
     for (double b = std::ceil(b0 / spacing) * spacing; b <= b1; b += spacing) {
       const PagePoint from = a0 * along + b * across, to = a1 * along + b * across;
       cairo_move_to(c, from.x(), from.y());

@@ -11,7 +11,7 @@ double line_height(const TextStyle& style) {
   return 1.75 * style.size;
 }
 
-/// Where each item starts, relative to the corner; y is the middle of its line.
+/// Start of each item relative to the corner; y is the middle of its line.
 std::vector<PagePoint> places(const std::vector<LegendItem>& items, const TextStyle& style, double width) {
   std::vector<PagePoint> out;
   double x = 0, y = line_height(style) / 2;

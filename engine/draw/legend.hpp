@@ -1,4 +1,4 @@
-// A picture's key: symbols with their meaning, set one after the other in lines.
+// Legend of a picture: symbols with their meaning, in lines.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct LegendItem {
   std::string text;
 };
 
-/// Height of the legend set in lines of at most `width` pt; 0 where there is no item.
+/// Height of the legend in lines of at most `width` pt; 0 without items.
 double legend_height(const std::vector<LegendItem>& items, const TextStyle& style, double width);
 
 /// Draws the legend with its upper left corner at `corner`.

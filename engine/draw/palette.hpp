@@ -1,4 +1,4 @@
-// Every colour of every picture, in one place: calm tints for bodies, strong colours for marks and lines.
+// Colours of all pictures: light tints for bodies, strong colours for marks and lines.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ struct Colour {
   double red = 0, green = 0, blue = 0, opacity = 1;
 };
 
-/// Colour from "#rrggbb" (asserts on any other form; only our own tables come through here).
+/// Colour from "#rrggbb" (asserts on any other form; used for internal tables only).
 Colour hex_colour(std::string_view text);
 
-/// `from` at share 0, `to` at share 1, linear between; share is held within 0 to 1.
+/// `from` at share 0, `to` at share 1, linear in between; share is limited to 0 to 1.
 Colour blend(const Colour& from, const Colour& to, double share);
 
-/// Fixed colours of paper, text, axes, ground and marks. The strong ones keep apart for red-green and blue-yellow
-/// blindness (after Okabe and Ito, 2008), and every mark differs in shape as well.
+/// Fixed colours of paper, text, axes, ground and marks. The strong ones remain distinguishable with red-green and
+/// blue-yellow blindness (after Okabe and Ito, 2008), and every mark differs in shape too.
 struct Palette {
   Colour paper = hex_colour("#ffffff");
   Colour ink = hex_colour("#22262b");
@@ -54,7 +54,7 @@ inline constexpr std::size_t body_tint_count = 7;
 Colour series_colour(std::size_t index);
 inline constexpr std::size_t series_colour_count = 7;
 
-/// Colour of a value from nothing (share 0, pale) to the most (share 1, dark); lightness falls throughout.
+/// Colour of a value from zero (share 0, pale) to the largest (share 1, dark); lightness decreases throughout.
 Colour sequential_colour(double share);
 
 /// Colour of a signed value: share 0 deep blue, 0.5 near white, 1 deep orange.

@@ -1,9 +1,9 @@
-// Whether texts of pictures have a font.
+// Availability of a font for the texts of pictures.
 #pragma once
 
 namespace trilith::draw {
 
-/// False where the system has no font: texts are then drawn in bare strokes, and other letters than Latin ones are
+/// False if the system has no font: texts are then drawn with simple strokes, and letters other than Latin ones are
 /// lost.
 bool has_picture_font();
 

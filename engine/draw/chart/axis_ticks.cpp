@@ -12,8 +12,8 @@
 namespace trilith::draw {
 namespace {
 
-/// A step of 1, 2 or 5 (by `rank` modulo 3) times a power of ten, as numerator / denominator so that the multiples
-/// come out as the nearest doubles (3 / 10, not 3 * 0.1).
+/// A step of 1, 2 or 5 (by `rank` modulo 3) times a power of ten, as numerator / denominator, so that its multiples are
+/// the nearest doubles (3 / 10, not 3 * 0.1).
 struct Step {
   int rank = 0;
   double numerator = 1, denominator = 1;
@@ -36,7 +36,7 @@ int rank_below(double value) {
   return rank;
 }
 
-/// Rounding must not cost a tick that stands on the axis' end.
+/// Rounding must not remove a tick at the end of the axis.
 constexpr double slack = 1e-9;
 
 std::vector<double> multiples(const Step& step, double low, double high) {
@@ -63,7 +63,7 @@ int decimals_of(double value, double step) {
 
 }  // namespace
 
-/// The finest step that gives no more than `most`; where that leaves fewer than 3, the one before, with more.
+/// The finest step with at most `most` ticks; if that leaves fewer than 3, the next finer one.
 std::vector<double> linear_ticks(double low, double high, int most) {
   assert(std::isfinite(low) && std::isfinite(high) && most >= 2);
   assert(high - low > 1e-12 * std::max(std::abs(low), std::abs(high)));
@@ -76,8 +76,8 @@ std::vector<double> linear_ticks(double low, double high, int most) {
   }
 }
 
-/// Whole powers of ten, every n-th where there are many; over less than about two decades 1, 2 and 5 times them; over
-/// still less as on a linear axis.
+/// Whole powers of ten, every n-th of many; below about two decades 1, 2 and 5 times them; over still shorter ranges as
+/// on a linear axis.
 std::vector<double> log_ticks(double low, double high, int most) {
   assert(low > 0 && low < high && std::isfinite(high) && most >= 2);
   const int first = static_cast<int>(std::ceil(std::log10(low) - slack));

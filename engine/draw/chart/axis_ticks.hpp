@@ -1,4 +1,4 @@
-// Where the ticks of an axis stand and how its figures are written.
+// Positions of the ticks of an axis, and the format of their numbers.
 #pragma once
 
 #include <string>
@@ -6,27 +6,27 @@
 
 namespace trilith::draw {
 
-/// Multiples of a step of 1, 2 or 5 times a power of ten that lie within [low, high]; the smallest such step that
-/// gives at most `most` (>= 2) ticks, or the next smaller one where that would leave fewer than three. Needs finite
-/// ends with high - low above 1e-12 times the larger of them.
+/// Multiples of a step of 1, 2 or 5 times a power of ten within [low, high]. The step is the smallest with at most
+/// `most` (>= 2) ticks, or the next smaller one if that leaves fewer than three. Needs finite ends with high - low
+/// above 1e-12 times the larger of them.
 std::vector<double> linear_ticks(double low, double high, int most);
 
-/// Ticks with figures on a logarithmic axis within [low, high], 0 < low < high: the powers of ten where there are two
-/// or more (every second, third, ... of them where there are more than `most`), else 1, 2 and 5 times the powers of
-/// ten, else linear ticks.
+/// Labelled ticks on a logarithmic axis within [low, high], 0 < low < high. They are the powers of ten if there are two
+/// or more (every second, third, ... if there are more than `most`). Otherwise they are 1, 2 and 5 times the powers of
+/// ten, or linear ticks.
 std::vector<double> log_ticks(double low, double high, int most = 8);
 
-/// The 2 to 9 fold of every power of ten within [low, high], for grid lines; none where they would be too dense (more
-/// than eight decades).
+/// The 2 to 9 fold of every power of ten within [low, high], for grid lines; none if they are too dense (more than
+/// eight decades).
 std::vector<double> log_minor_ticks(double low, double high);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value` (> 0).
 double nice_at_most(double value);
 
-/// Figures of the ticks, all with as many decimals as the finest needs; minus as U+2212, zero without a sign.
+/// Numbers of the ticks, all with the decimals that the finest needs; minus as U+2212, zero without a sign.
 std::vector<std::string> tick_texts(const std::vector<double>& ticks);
 
-/// Figures of logarithmic ticks: plain from 0.001 to 10,000 (excluded), else powers of ten such as 10⁻⁴ or 2·10⁵.
+/// Numbers of logarithmic ticks: plain from 0.001 to 10,000 (excluded), otherwise powers of ten such as 10⁻⁴ or 2·10⁵.
 std::vector<std::string> log_tick_texts(const std::vector<double>& ticks);
 
 }  // namespace trilith::draw

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double right_room = 10, panel_gap = 8, note_room = 11, block_gap = 14;
 
-/// A chart measured: everything but its place on the page.
+/// A chart with all sizes, except its position on the page.
 struct Block {
   const Chart* chart = nullptr;
   PlotAxis x;
@@ -24,7 +24,7 @@ struct Block {
   std::vector<ChartPanel> panels;
   std::vector<std::string> title, subtitle;
   PlacedMarks marks;            // x from the plot's left side
-  std::vector<LegendItem> key;  // below the plot, where numbers stand for the marks' texts
+  std::vector<LegendItem> key;  // below the plot, if numbers represent the marks' texts
   double width = 0, left = 0, head = 0, foot = 0;
 
   double plot_width() const { return width - left - right_room; }
@@ -171,7 +171,7 @@ void draw_marks(Canvas& canvas, const Block& block, const PagePoint& plot, const
   const double base = plot.y() - (block.panels[0].note.empty() ? 0 : note_room);
   for (const PlacedMark& mark : block.marks.marks) {
     const double x = plot.x() + mark.x, y = base - 1.3 * text.size * mark.row;
-    if (mark.text.empty()) continue;  // one of a range: its line stays within the plot
+    if (mark.text.empty()) continue;  // part of a range: its line remains within the plot
     canvas.line({x, y - 1.1 * text.size}, {x, plot.y()}, {palette().event, 0.5});
     canvas.text({x + 2, y - 0.4 * text.size}, mark.text, text);
   }
@@ -237,7 +237,7 @@ void check_style(const ChartStyle& style) {
 
 struct Measured {
   std::vector<Block> blocks;
-  double head = 0, foot = 0, plots = 0;  // greatest of all blocks
+  double head = 0, foot = 0, plots = 0;  // maximum over all blocks
 };
 
 Measured measure_all(const std::vector<Chart>& charts, Arrangement arrangement, const ChartStyle& style) {
@@ -254,7 +254,7 @@ Measured measure_all(const std::vector<Chart>& charts, Arrangement arrangement, 
   if (arrangement == Arrangement::below) {
     double left = 0;
     for (const Block& block : out.blocks) left = std::max(left, block.left);
-    // One left side for all plots; marks follow the new width.
+    // All plots share one left side; the marks are measured again with the new width.
     for (Block& block : out.blocks) block.left = left, measure_marks(block, style), measure_head(block, style);
   }
   for (const Block& block : out.blocks) {
@@ -302,7 +302,7 @@ void draw_chart(const Chart& chart, const std::filesystem::path& path, const Cha
 
 void draw_charts(const std::vector<Chart>& charts, Arrangement arrangement, const std::filesystem::path& path,
                  const ChartStyle& style) {
-  picture_format(path);  // a wrong ending is said before any work
+  picture_format(path);  // reports a wrong extension before any work
   chart_canvas(charts, arrangement, style).save(path, style.pixels_per_inch);
 }
 

@@ -13,8 +13,8 @@ double text_end(const PlacedMark& mark, const TextStyle& style) {
   return mark.x + line_gap + text_width(mark.text, style) + line_gap;
 }
 
-/// A text must stand above every later line it reaches across, so rows are given from the right. Returns their number,
-/// or a number above any limit where a text leaves the picture.
+/// Assigns rows from the right, because a text must be above every later line that it crosses. Returns the number of
+/// rows, or a number above any limit if a text leaves the picture.
 int give_rows(std::vector<PlacedMark>& marks, const TextStyle& style, double right) {
   int rows = 0;
   for (std::size_t i = marks.size(); i-- > 0;) {
@@ -28,7 +28,7 @@ int give_rows(std::vector<PlacedMark>& marks, const TextStyle& style, double rig
   return rows;
 }
 
-/// Numbers in one row; those of marks that are too near to each other as a range at the first one's line.
+/// Numbers in one row; numbers of marks that are too close are merged to a range at the line of the first one.
 void number_marks(std::vector<PlacedMark>& marks, const TextStyle& style) {
   for (std::size_t first = 0; first < marks.size();) {
     PlacedMark& head = marks[first];

@@ -1,4 +1,4 @@
-// Where the names of a chart's event marks stand above the plot, so that no name crosses another or another's line.
+// Positions of the names of a chart's event marks above the plot, without crossing other names or their lines.
 #pragma once
 
 #include <string>
@@ -15,15 +15,16 @@ struct PlacedMark {
   std::string text;
 };
 
-/// Marks above the plot, and the key below it where numbers stand for the texts: key[i] belongs to number i + 1.
+/// Marks above the plot, and the key below it if numbers represent the texts: key[i] belongs to number i + 1.
 struct PlacedMarks {
   std::vector<PlacedMark> marks;
   int rows = 0;
   std::vector<std::string> key;
 };
 
-/// Places marks (x in pt on the page, any order) whose texts must end before `right` [pt]. Texts stand above the plot
-/// where `most_rows` rows hold them, else numbers do, one for each mark or "5–9" over marks too near for single ones.
+/// Places marks (x in pt on the page, any order), whose texts must end before `right` [pt]. Texts are used if they fit
+/// into `most_rows` rows. Otherwise numbers are used, one for each mark, or "5–9" for marks that are too close for
+/// single numbers.
 PlacedMarks place_marks(std::vector<PlacedMark> marks, const TextStyle& style, double right, int most_rows = 6);
 
 }  // namespace trilith::draw

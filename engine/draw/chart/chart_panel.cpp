@@ -61,7 +61,7 @@ void draw_line(Canvas& canvas, const std::vector<PagePoint>& run, const ChartSer
   if (run.size() == 1 && !series.points && series.joined)
     canvas.circle(run[0], stroke.width, stroke.colour, std::nullopt);
   const std::vector<PagePoint> kept = decimate(run, column);
-  // A shaking line needs a thinner pen than a smooth or short one.
+  // A noisy line needs a thinner pen than a smooth or short one.
   const bool dense = static_cast<double>(kept.size()) > 2 * std::abs(run.back().x() - run.front().x());
   if (kept.size() > 1 && series.joined)
     canvas.polyline(kept, {stroke.colour, dense ? dense_width : stroke.width, stroke.dash});
@@ -96,7 +96,7 @@ void draw_series(Canvas& canvas, const ChartPanel& panel, const PanelDrawing& d,
   for (const ChartSeries& series : panel.series)
     if (!series.to.empty()) draw_band(canvas, series, d, looks.colour(series));
   const double base = d.box.y1 - (d.y->can_show(0) ? d.y->share(0) : 0) * d.box.height();
-  // Each stacked area reaches down to zero, so the last sum is painted first.
+  // Each stacked area extends down to zero, so the last sum is painted first.
   for (auto series = panel.series.rbegin(); series != panel.series.rend(); ++series)
     if (series->stacked)
       for (const auto& run : page_lines(*series, d)) draw_filled(canvas, run, base, looks.colour(*series));
@@ -178,7 +178,7 @@ Colour SeriesLooks::colour(const ChartSeries& series) const {
 
 Dash SeriesLooks::dash(const ChartSeries& series) const {
   if (series.dash != Dash::solid) return series.dash;
-  // Colours used up: the dash tells the next round apart.
+  // When all colours are used, the dash distinguishes the next round.
   static constexpr Dash rounds[] = {Dash::solid, Dash::dashed, Dash::dotted, Dash::dash_dot};
   return rounds[(index(series.name) / series_colour_count) % std::size(rounds)];
 }

@@ -21,12 +21,11 @@ class SeriesLooks {
   std::vector<std::string> names_;
 };
 
-/// `panel` with its stacked series summed up from the first. Throws InputError as chart_canvas says; `where` names the
-/// panel.
+/// `panel` with cumulative stacked series. Throws InputError as chart_canvas; `where` names the panel.
 ChartPanel checked_panel(const ChartPanel& panel, AxisScale x_scale, const std::string& where);
 
-/// The panel's drawing area with grid, frame, ticks, series and the lines of `mark_lines` (x on the page, pt). Figures
-/// and titles of the axes stand outside of `box`; those of x are drawn where `x_figures` is set.
+/// The panel's drawing area with grid, frame, ticks, series and the lines of `mark_lines` (x on the page [pt]). Numbers
+/// and titles of the axes are outside of `box`; numbers of x are drawn if `x_figures` is set.
 struct PanelDrawing {
   PageBox box;
   const PlotAxis* x = nullptr;

@@ -32,8 +32,8 @@ void keep_extremes(const std::vector<PagePoint>& line, std::size_t first, std::s
 
 }  // namespace
 
-/// A line that goes on to the right: four points of each column, which cover on the page what all of them do. One that
-/// goes back, as a loop of force and displacement: points at least a quarter of a column apart.
+/// For a line with increasing x: four points of each column, which cover the same area on the page. For other lines,
+/// such as a loop of force and displacement: points at least a quarter of a column apart.
 std::vector<PagePoint> decimate(const std::vector<PagePoint>& line, double column) {
   assert(column > 0);
   if (line.size() < 3) return line;

@@ -1,4 +1,4 @@
-// Ground motions as they are drawn for a report: three traces and the response spectrum.
+// Charts of ground motions for a report: three time histories and the response spectrum.
 #pragma once
 
 #include <vector>

@@ -13,7 +13,8 @@
 namespace trilith::draw {
 namespace {
 
-/// Beyond this the span of an axis could overflow; such a value is shown as a gap. A span below its inverse is none.
+/// Beyond this the span of an axis could overflow; such a value is shown as a gap. A span below its inverse counts as
+/// zero.
 constexpr double most_value = 1e150, least_span = 1 / most_value;
 
 void check_ends(const ChartAxis& axis, const std::string& where) {
@@ -29,7 +30,7 @@ void check_ends(const ChartAxis& axis, const std::string& where) {
 }
 
 void fit_linear(PlotAxis& out, const ChartAxis& axis, double margin) {
-  // Constant, or constant but for rounding: there is no span to divide into ticks.
+  // Constant up to rounding: there is no span to divide into ticks.
   const double largest = std::max(std::abs(out.low), std::abs(out.high));
   if (out.high - out.low <= std::max(1e-10 * largest, least_span)) {
     const double half = largest <= least_span ? 1 : 0.1 * largest;
@@ -41,7 +42,7 @@ void fit_linear(PlotAxis& out, const ChartAxis& axis, double margin) {
   if (!axis.high && out.high != 0) out.high += free_room;
 }
 
-/// A record of 29.99 s ends at the tick of 30 s.
+/// Extends the axis to a near tick: a record of 29.99 s ends at the tick of 30 s.
 void end_on_near_tick(PlotAxis& out, const ChartAxis& axis, int most_ticks) {
   const double span = out.high - out.low, near = 0.03 * span;
   const std::vector<double> ticks = linear_ticks(out.low - near, out.high + near, most_ticks);
@@ -82,7 +83,7 @@ void ValueRange::add(double value) {
 
 namespace {
 
-/// An axis of words: each stands half a place from the next one's room.
+/// An axis of words, at unit distance.
 PlotAxis word_axis(const ChartAxis& axis) {
   PlotAxis out;
   out.low = -0.5, out.high = static_cast<double>(axis.words.size()) - 0.5;
@@ -103,7 +104,7 @@ PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin
   out.scale = axis.scale;
   out.low = axis.low.value_or(range.low);
   out.high = axis.high.value_or(range.high);
-  // A fixed end beyond all data leaves the free one nothing to fit.
+  // A fixed end beyond all data leaves no data for the free end.
   if (out.low >= out.high && axis.low) out.high = out.low + std::max(1.0, std::abs(out.low));
   if (out.low >= out.high && axis.high) out.low = axis.scale == AxisScale::linear ? out.high - 1 : out.high / 10;
   if (axis.scale == AxisScale::linear) {

@@ -1,4 +1,4 @@
-// An axis made ready for drawing: its ends, ticks, figures and title.
+// An axis prepared for drawing: its ends, ticks, numbers and title.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct PlotAxis {
   std::vector<std::string> texts;
   std::string title;
 
-  /// 0 at `low`, 1 at `high`; held within -20 to 21 so that page coordinates stay small.
+  /// 0 at `low`, 1 at `high`; limited to -20 to 21 so that page coordinates stay small.
   double share(double value) const;
   /// Finite, and above zero on a logarithmic axis.
   bool can_show(double value) const;
@@ -29,10 +29,10 @@ struct ValueRange {
   void add(double value);
 };
 
-/// Axis for data in `range` (`any` set) with at most `most_ticks` figures; `margin` (share of the span) is left free
-/// beyond free ends; a free end of a linear axis without margin moves to the next tick where that is near. Throws
-/// InputError (`where` names the axis) where fixed ends are not in order, not finite or, on a logarithmic axis, not
-/// above zero.
+/// Axis for data in `range` (`any` set) with at most `most_ticks` numbers. `margin` (share of the span) is left free
+/// beyond free ends. Without margin a free end of a linear axis moves to the next tick if that is near. Throws
+/// InputError (`where` names the axis) if fixed ends are not in order, not finite or, on a logarithmic axis, not above
+/// zero.
 PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin, int most_ticks,
                    const std::string& where);
 

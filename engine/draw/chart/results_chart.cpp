@@ -39,14 +39,14 @@ std::string quantity_of(const Quantity& history) {
   return "";
 }
 
-/// What an axis of this history alone is called: "slab 3, displacement along x".
+/// Label of an axis with this history alone: "slab 3, displacement along x".
 std::string label_of(const Quantity& history) {
   const std::string quantity = quantity_of(history);
   if (quantity.find(history.name) != std::string::npos) return quantity;
   return quantity.empty() ? history.name : history.name + ", " + quantity;
 }
 
-/// What an axis of several is called: the quantity they share, else nothing; the legend tells them apart.
+/// Label of an axis with several histories: their common quantity, otherwise empty; the legend distinguishes them.
 std::string common_label(const std::string& label, const Quantity& history) {
   const std::string quantity = quantity_of(history);
   const bool shared = !quantity.empty() && (label == quantity || label.ends_with(", " + quantity));
@@ -77,13 +77,13 @@ RunWindow run_window(const ResultsReader& reader, const PlotWindow& window) {
     first = row.begin, last = row.ended ? row.end : forever;
   }
   const double zero = origin_of(reader, window).zero;
-  // A sample at the border itself belongs to the window, whatever its last digit.
+  // A sample at the border belongs to the window despite rounding.
   const double hair = 1e-9 * std::max(1.0, std::abs(zero));
   return {(window.from ? zero + *window.from : first) - hair,
           std::min(window.to ? zero + *window.to : forever, last) + hair, zero};
 }
 
-/// Which samples of a run lie in the window, and when.
+/// Indices and times of the samples of a run in the window.
 struct Samples {
   std::vector<std::size_t> rows;
   std::vector<double> time;
@@ -115,7 +115,7 @@ Samples samples_in(const ResultsReader& reader, const PlotWindow& window) {
   return samples_at(reader, reader.history_times(), window, "its histories");
 }
 
-/// A line that goes over the whole width, as a loop does, keeps off the frame.
+/// Adds a margin for a line that spans the whole width, such as a loop.
 void give_room(Chart& chart) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ChartPanel& panel : chart.panels)
@@ -139,7 +139,7 @@ void add(std::vector<double>& sum, const std::vector<double>& values, double fac
 
 constexpr const char* small_terms = "the rest";
 
-/// Terms too small to be seen become one, the last; those that are zero throughout are left out.
+/// Merges very small terms into one, the last; terms that are zero throughout are omitted.
 std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
   constexpr double least_share = 0.01;
   double most = 0;
@@ -157,10 +157,10 @@ std::vector<EnergyCurve> without_small(std::vector<EnergyCurve> curves) {
   return out;
 }
 
-/// More marks than these of one type say nothing.
+/// More marks than this of one type are not useful.
 constexpr std::size_t most_marks_of_a_type = 8;
 
-/// Time from the start of the run, or of a stage or an event, which the label then names.
+/// Time axis from the start of the run, or of a stage or an event, which the label then names.
 ChartAxis time_axis(const ResultsReader& reader, const PlotWindow& window) {
   return {"Time" + origin_of(reader, window).text(), "s"};
 }
@@ -204,7 +204,7 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view, const Pl
   const std::vector<Quantity>& terms = result.reader->header().energy_terms;
   std::vector<EnergyCurve> curves;
   EnergyCurve supplied{"put in by ground, loads and weight", std::vector<double>(table.time.size(), 0.0), true};
-  double start = 0;  // what was held at the first sample counts as put in
+  double start = 0;  // energy stored at the first sample counts as supplied
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const EnergyTermInfo* info = find_term(terms[i].name);
     if (info == nullptr || (info->sign > 0 && info->name != "gravity")) {

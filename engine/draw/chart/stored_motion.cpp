@@ -6,12 +6,12 @@
 namespace trilith::draw {
 namespace {
 
-/// Along which number of a node's place a motion goes: x, y, z, or the turn (-1).
+/// Coordinate of a node that a motion drives: x, y, z, or the rotation (-1).
 int axis_of(const std::string& direction) {
   return direction == "x" ? 0 : direction == "y" ? 1 : direction == "z" ? 2 : -1;
 }
 
-/// When the motion of row `r` is over: its last sample, or the begin of the next one of the same node and direction.
+/// End time of the motion of row `r`: its last sample, or the begin of the next one of the same node and direction.
 double over_at(const std::vector<results::MotionRow>& rows, std::size_t r, const GroundMotion& motion) {
   double end = rows[r].begin + motion.end_time();
   for (std::size_t k = r + 1; k < rows.size(); ++k)

@@ -1,4 +1,4 @@
-// Ground motions as a results file holds them, and whether the bodies followed them.
+// Ground motions in a results file, and the deviation of the bodies from them.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace trilith::draw {
 
-/// The motion of a row, on its own clock.
+/// The motion of a row, in its own time.
 GroundMotion stored_motion(const results::MotionRow& row);
 
-/// The largest distance [m, rad] between where frames have a body's node and where its motion has it; frames between
-/// its begin and its end, or the begin of the next motion of that node and direction. Not a number where there is none.
+/// The largest deviation [m], [rad] of a body's node in the frames from its prescribed motion. Frames count from the
+/// begin of the motion to its end, or to the begin of the next motion of that node and direction. NaN if there is no
+/// frame.
 std::vector<double> motion_misses(const results::ResultsReader& reader, const std::vector<results::MotionRow>& rows);
 
 }  // namespace trilith::draw

@@ -29,7 +29,7 @@ std::string first_varied(const std::vector<StudyColumn>& columns, const std::vec
   throw InputError("no parameter of the study takes several values, so there is nothing to draw over");
 }
 
-/// Where each case stands on the x axis, and the words of an axis that has no numbers.
+/// Positions of the cases on the x axis, and the words of an axis without numbers.
 struct CasePlaces {
   std::vector<double> x;
   std::vector<std::string> words;
@@ -48,7 +48,7 @@ CasePlaces places_over(const StudyColumn& over) {
   return places;
 }
 
-/// A short upright line: an interval at one x.
+/// A short vertical line: an interval at one x.
 ChartSeries upright(const std::string& name, double x, double low, double high) {
   return {name, {x, x}, {low, high}};
 }
@@ -106,7 +106,7 @@ ChartPanel& panel_of_unit(Chart& chart, const StudyColumn& figure) {
 
 constexpr int curve_points = 200;
 
-/// Intensities at which the curve is drawn: from 0 to a little beyond the highest tried.
+/// Intensities at which the curve is drawn: from 0 to slightly beyond the highest one in the study.
 std::vector<double> curve_places(const results::StudyFragility& f) {
   std::vector<double> x;
   const double last = 1.1 * f.stripes.back().intensity;
@@ -121,7 +121,7 @@ ChartSeries ida_line(const results::RecordCases& record, const std::vector<doubl
   line.colour = palette().axis;
   for (const std::size_t row : record.rows) {
     if (stopped[row] == results::Holds::yes) {
-      const double between = 0.5 * (line.y.back() + im[row]);  // where its capacity lies, as far as is known
+      const double between = 0.5 * (line.y.back() + im[row]);  // estimate of its capacity
       line.x.push_back(line.x.back()), line.y.push_back(between);
       line.x.push_back(beyond), line.y.push_back(between);
       break;
@@ -131,7 +131,8 @@ ChartSeries ida_line(const results::RecordCases& record, const std::vector<doubl
   return line;
 }
 
-/// The quantile `p` of the response at each intensity; a stopped record counts as beyond all, there and above.
+/// The quantile `p` of the response at each intensity; a stopped record counts as above all others there and at higher
+/// intensities.
 ChartSeries ida_quantile(const std::string& name, double p, Dash dash, const std::vector<results::RecordCases>& records,
                          const std::vector<double>& im, const std::vector<double>& edp,
                          const std::vector<results::Holds>& stopped) {

@@ -1,4 +1,4 @@
-// The class of a crack by how far it is open and has slid.
+// Class of a crack by its opening and slip.
 #pragma once
 
 #include <cmath>

@@ -9,11 +9,11 @@
 namespace trilith::draw {
 namespace {
 
-/// Overlaps in the picture below this share of the smaller piece are those of neighbours pressed together.
+/// Overlaps in the picture below this share of the smaller piece are due to neighbours in contact.
 constexpr double grazing = 1e-3;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A piece with what its place in the order is found from.
+/// A piece with the data that determine its order.
 struct Silhouette {
   SolidPiece piece;
   std::vector<Vec3> corners;     ///< of all its faces, each once
@@ -40,7 +40,7 @@ Silhouette silhouette_of(SolidPiece piece, const ViewAxes& view) {
       const Vec3 along = face.corners[(i + 1) % face.corners.size()] - face.corners[i];
       if (along.norm() <= 1e-9 * out.size) continue;
       const Vec3 unit = along.normalized();
-      // Of both senses of an edge one is kept.
+      // One of both senses of an edge is kept.
       const bool turn =
           unit.x() < -1e-9 || (unit.x() < 1e-9 && (unit.y() < -1e-9 || (unit.y() < 1e-9 && unit.z() < 0)));
       add_once(out.directions, turn ? Vec3(-unit) : unit, 1e-6);
@@ -58,7 +58,7 @@ Silhouette silhouette_of(SolidPiece piece, const ViewAxes& view) {
   return out;
 }
 
-/// How far `outline` keeps the other outline away, across that of its sides which does it best; below 0: not at all.
+/// Largest distance of the other outline across one of the sides of `outline`; negative if no side separates them.
 double parting(const std::vector<Vec2>& outline, const std::vector<Vec2>& other) {
   double best = -infinite;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -90,8 +90,8 @@ Span span_of(const std::vector<Vec3>& corners, const Vec3& along) {
   return out;
 }
 
-/// The plane that keeps two pieces apart best among those tried so far: `gap` is below 0 where they overlap across it.
-/// Its normal points from the first to the second.
+/// The best separating plane of two pieces among those tried so far: `gap` is negative if they overlap across it. Its
+/// normal points from the first to the second.
 struct Parting {
   double gap = -infinite;
   CutPlane plane;
@@ -102,7 +102,8 @@ struct Parting {
   }
 };
 
-/// Convex pieces that do not overlap are parted along a face of one of them or along two edges, one of each.
+/// Convex pieces that do not overlap are separated by a face of one of them or by a plane parallel to two edges, one of
+/// each.
 Parting parting_plane(const Silhouette& a, const Silhouette& b, const ViewAxes& view) {
   Parting out;
   out.look(a, b, view.toward);
@@ -137,7 +138,7 @@ class Painter {
       while (!ready_.empty()) {
         const std::size_t i = ready_.top().second;
         ready_.pop();
-        if (items_[i].is_done || waits_for_[i] > 0) continue;  // a part of a divided piece may have come behind it
+        if (items_[i].is_done || waits_for_[i] > 0) continue;  // a part of a divided piece may lie behind it
         finish(i);
         out.push_back(std::move(items_[i].piece));
       }
@@ -177,7 +178,7 @@ class Painter {
     }
   }
 
-  /// Ready once nothing that has still to be painted is behind it; the farthest first.
+  /// A piece is ready if no unpainted piece is behind it; the farthest comes first.
   void offer(std::size_t i) {
     if (!items_[i].is_done && waits_for_[i] == 0) ready_.emplace(-items_[i].near - items_[i].far, i);
   }
@@ -189,7 +190,7 @@ class Painter {
       if (!items_[next].is_done && --waits_for_[next] == 0) offer(next);
   }
 
-  /// Pieces each of which has the next behind it, and the last one the first.
+  /// A cycle of pieces: each has the next behind it, and the last one the first.
   std::vector<std::size_t> ring() const {
     std::vector<std::size_t> path;
     std::vector<int> place(items_.size(), -1);
@@ -204,8 +205,9 @@ class Painter {
     return path;
   }
 
-  /// Of a ring of pieces in which A has B behind it some other piece reaches from B's side of the plane between the two
-  /// to A's, or there would be no ring. That one is divided there: of its parts none has both.
+  /// Breaks a cycle. If A has B behind it, some other piece of the cycle extends from B's side of the plane between the
+  /// two to A's side, otherwise there would be no cycle. That piece is divided by the plane, so that none of its parts
+  /// has both.
   bool break_ring() {
     if (cuts_ >= most_cuts_) return false;
     const std::vector<std::size_t> around = ring();
@@ -236,7 +238,7 @@ class Painter {
     return true;
   }
 
-  /// Where nothing else helps: a wrong edge is better than no picture.
+  /// Fallback: a wrong edge is better than no picture.
   void offer_farthest() {
     std::size_t farthest = items_.size();
     for (std::size_t i = 0; i < items_.size(); ++i)

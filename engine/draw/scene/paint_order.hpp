@@ -1,4 +1,4 @@
-// In which order convex pieces are painted so that each covers what is behind it: hidden surfaces without a pixel.
+// Painting order of convex pieces, so that each covers the pieces behind it: hidden surfaces without pixels.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,13 @@
 
 namespace trilith::draw {
 
-/// The pieces from the farthest to the nearest. Of two that cover each other in the picture the one on the eye's side
-/// of a plane between them comes later: exact for convex pieces that do not overlap in space. Where three or more lie
-/// around in a ring, each before the next, one of them is divided; what overlaps in space is ordered along the
-/// direction in which it does so least. Time grows as the pairs that cover each other: a second for 5,000 stones in a
-/// heap.
+/// The pieces from the farthest to the nearest. If two pieces cover each other in the picture, the one on the eye's
+/// side of a separating plane comes later, which is exact for convex pieces that do not overlap in space. If three or
+/// more form a cycle, one of them is divided. Overlapping pieces are ordered along the direction of least overlap. The
+/// run time grows with the pairs that cover each other: 1 s for 5,000 stones in a heap.
 std::vector<SolidPiece> paint_order(std::vector<SolidPiece> pieces, const ViewAxes& view);
 
-/// The convex polygon around points of the plane, anticlockwise; fewer than 3 where they lie on a line.
+/// The convex hull of points in the plane, anticlockwise; fewer than 3 points if they lie on a line.
 std::vector<Vec2> hull_of(std::vector<Vec2> points);
 
 }  // namespace trilith::draw

@@ -40,7 +40,7 @@ Vec2 start_place(const Header& header, int vertex) {
   return node + Turn(header.node_rotation[n]).apply(Vec2(header.vertices[2 * vertex], header.vertices[2 * vertex + 1]));
 }
 
-/// Where a point of the body's outline at the start is now: it keeps its share of the edge it lies on.
+/// Present position of a point of the body's outline: it keeps its relative position on its edge.
 Vec2 follow(const Header& header, const BodyRow& body, const std::vector<Vec2>& outline, const Vec2& point) {
   const int count = body.vertex_count;
   double nearest = std::numeric_limits<double>::infinity();
@@ -65,7 +65,7 @@ double pick(std::string_view name, double xx, double yy, double xy) {
   return name == "xx" ? xx : name == "yy" ? yy : xy;
 }
 
-/// In space each node's turn since the start, about its axis, by the factor.
+/// In space multiplies each node's rotation from the start by the factor, about its axis.
 void magnify_turns(const Header& header, Frame& frame, double factor) {
   for (int n = 0; n < static_cast<int>(header.node_count()); ++n) {
     const UnitQuaternion start = results::quaternion_of(header.node_rotation, n);
@@ -81,8 +81,8 @@ std::string stress_label(std::string_view name) {
   return fmt::format("stress {}", name);
 }
 
-/// The body outside of the chain that presses its end the hardest, or -1: what the end springs from, whatever lies on
-/// it.
+/// The body outside of the chain with the largest force on its end, whatever lies on it, or -1: the body that the end
+/// springs from.
 int springer(const Frame& frame, const std::vector<int>& chain, int end) {
   std::map<int, Vec2> pressed;
   for (const results::ContactForce& c : frame.contacts) {
@@ -124,8 +124,8 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
   scene.value_unit = "Pa";
 }
 
-/// Joints that have lost some of their bonds, and dry ones that are open or have slid, drawn where the first body has
-/// taken their ends; a joint that is farther open than it is long is none any more.
+/// Adds the joints that have lost part of their bonds, and dry ones that are open or have slid, at the present position
+/// of their ends on the first body. A joint with an opening above its length is ignored.
 void add_cracks(const Header& header, const Frame& frame, const std::vector<bool>& left_out, Scene& scene) {
   const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
         &opening = frame.fields[find_field(header, "joint_opening")],
@@ -144,8 +144,8 @@ void add_cracks(const Header& header, const Frame& frame, const std::vector<bool
   }
 }
 
-/// From springing to springing, from body to body of the group, in its order: the mean of the points where they press
-/// on each other, weighed by the forces there. It is broken where two neighbours do not touch.
+/// From springing to springing, along the bodies of the group in their order: the force-weighted mean of the contact
+/// points between neighbours. The line is interrupted between neighbours without contact.
 void add_thrust_line(const Header& header, const Frame& frame, std::string_view group, Scene& scene) {
   std::vector<int> chain;
   for (std::size_t i = 0; i < header.bodies.size(); ++i)

@@ -1,4 +1,5 @@
-// What a picture of a results file shows beside bodies: cracks, stress, the line of thrust, displacements made larger.
+// Contents of a picture of a results file in addition to bodies: cracks, stress, the line of thrust, magnified
+// displacements.
 #pragma once
 
 #include <string>
@@ -9,22 +10,25 @@
 
 namespace trilith::draw {
 
-/// Displacements and turns since the start times `factor`; contacts are dropped, as they have no place then.
+/// Multiplies displacements and rotations from the start by `factor`; contacts are removed, because they have no
+/// position then.
 void magnify(const results::Header& header, results::Frame& frame, double factor);
 
-/// Names that colour_by_stress takes: "minor", "major", "xx", "yy", "xy".
+/// Names for colour_by_stress: "minor", "major", "xx", "yy", "xy".
 const std::vector<std::string>& stress_names();
 
-/// Gives each free body its mean stress as its value. Throws InputError for another name, and where the file has none.
+/// Sets the value of each free body to its mean stress. Throws InputError for another name, and without stress in the
+/// file.
 void colour_by_stress(const results::Header& header, const results::Frame& frame, std::string_view name, Scene& scene);
 
-/// A mark on each joint that has lost some of its bond: opened where its opening is at least its slip, else slid.
-/// Throws InputError where the file has no joints. Those of bodies that are not there (`left_out`: [body]) have none.
+/// Adds a mark for each joint that has lost part of its bond: opened if its opening is at least its slip, otherwise
+/// slid. Throws InputError if the file has no joints. Joints of bodies that are not drawn (`left_out`: [body]) are
+/// omitted.
 void add_cracks(const results::Header& header, const results::Frame& frame, const std::vector<bool>& left_out,
                 Scene& scene);
 
-/// The line of thrust through the bodies of `group`, in their order: the points in which the forces between neighbours
-/// act, broken where two do not touch. Throws InputError where no body is in it.
+/// Adds the line of thrust through the bodies of `group`, in their order: the points of action of the forces between
+/// neighbours, interrupted between neighbours without contact. Throws InputError if the group is empty.
 void add_thrust_line(const results::Header& header, const results::Frame& frame, std::string_view group, Scene& scene);
 
 }  // namespace trilith::draw

@@ -22,13 +22,13 @@ namespace {
 /// Largest displacement in the picture, as a share of the structure's size; largest turn [rad].
 constexpr double shown_share = 0.06, most_shown_turn = 0.5;
 
-/// A quaternion, turned on by a rotation vector.
+/// Applies a rotation vector to a quaternion.
 void turn_on(double* q, const Vec3& angle) {
   const UnitQuaternion now = rotation_by(angle) * UnitQuaternion{q[0], q[1], q[2], q[3]};
   q[0] = now.w, q[1] = now.x, q[2] = now.y, q[3] = now.z;
 }
 
-/// The nodes where they stood, moved by `scale` times the mode.
+/// The nodes in their initial position plus `scale` times the mode.
 Frame moved(const Header& header, const ModeRow& mode, double scale) {
   Frame frame;
   frame.time = mode.time;
@@ -43,13 +43,13 @@ Frame moved(const Header& header, const ModeRow& mode, double scale) {
   return frame;
 }
 
-/// The mode as shown goes no farther than this.
+/// Limits the displacement of the mode in the picture.
 double shown_scale(double size, double way, double turn) {
   const double by_way = way > 0 ? shown_share * size / way : 1;
   return turn * by_way > most_shown_turn ? most_shown_turn / turn : by_way;
 }
 
-/// In space: by the corners of the solids.
+/// In space: by the corners of the polyhedra.
 double scale_in_space(const Header& header, const ModeRow& mode) {
   const Frame frame = moved(header, mode, 0);
   const results::Placement at(header, frame);
@@ -69,7 +69,7 @@ double scale_in_space(const Header& header, const ModeRow& mode) {
   return shown_scale((high - low).norm(), most, most_turn);
 }
 
-/// Diagonal of the box around what is free to move [m].
+/// Diagonal of the AABB of all free bodies [m].
 double size_of_free(const Scene& scene) {
   Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
   for (const SceneBody& body : scene.bodies)
@@ -116,7 +116,7 @@ double mode_scale(const Header& header, const ModeRow& mode) {
 
 namespace {
 
-/// What a picture of a mode says.
+/// Title and time of a picture of a mode.
 Scene titled(Scene scene, const ModeRow& mode) {
   scene.title = fmt::format("mode {}", mode.number);
   scene.time = mode.time;
@@ -124,7 +124,7 @@ Scene titled(Scene scene, const ModeRow& mode) {
   return scene;
 }
 
-/// `gone`, by body, is left out; empty: none.
+/// Bodies in `gone` are omitted; empty: none.
 Scene scene_of_mode(const Header& header, const ModeRow& mode, double magnify, const std::vector<bool>& gone) {
   const Scene stood = plain_scene(header, moved(header, mode, 0));
   const double scale = magnify * mode_scale(header, mode);

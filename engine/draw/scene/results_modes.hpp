@@ -1,4 +1,4 @@
-// Pictures of natural modes that a run has found.
+// Pictures of natural modes in a results file.
 #pragma once
 
 #include <limits>
@@ -7,20 +7,19 @@
 
 namespace trilith::draw {
 
-/// The modes that were found at once, the last ones before or at `time` [s]. Throws InputError where there are none.
+/// The modes that were found last at or before `time` [s]. Throws InputError if there are none.
 std::vector<results::ModeRow> modes_found(const results::ResultsReader& reader,
                                           double time = std::numeric_limits<double>::infinity());
 
-/// What a mode is multiplied by for a picture [m sqrt(kg)]: its largest displacement of an outline is then 6 % of the
-/// structure's size, and less where a body would turn by more than half a radian.
+/// Factor of a mode for a picture [m sqrt(kg)]. The largest displacement of an outline is then 6 % of the structure's
+/// size, or less if a body would rotate by more than 0.5 rad.
 double mode_scale(const results::Header& header, const results::ModeRow& mode);
 
-/// The structure in a mode, in the plane, `magnify` times mode_scale(), over its outline as it stood when the mode was
-/// found.
+/// The plane structure in a mode, `magnify` times mode_scale(), over its outline at the time when the mode was found.
 Scene mode_scene(const results::Header& header, const results::ModeRow& mode, double magnify = 1);
 
-/// The same, in the plane or in space, without bodies that were not there when the mode was found: removed, not added
-/// yet, or out of bounds. Of `choice` the direction of view and the cut count, of models in space.
+/// The version for the plane or space, without bodies that were not active when the mode was found: removed, not added
+/// yet, or out of bounds. For models in space the view direction and the cut of `choice` are used.
 Scene mode_scene(const results::ResultsReader& reader, const results::ModeRow& mode, double magnify = 1,
                  const SceneChoice& choice = {});
 

@@ -24,7 +24,8 @@ using results::ResultsReader;
 
 namespace {
 
-/// Few grounds are told apart by name and hatch; other bodies have the colour of their first group, else material.
+/// Up to this number of grounds are distinguished by name and hatch; other bodies have the colour of their first group
+/// or material.
 constexpr int few_grounds = 3;
 
 std::string group_of(const BodyRow& body, bool named) {
@@ -33,7 +34,7 @@ std::string group_of(const BodyRow& body, bool named) {
   return first.empty() ? body.material : first;
 }
 
-/// A point in the axes of a node, where that stands in `frame`.
+/// World position of a point in the axes of a node in `frame`.
 Vec2 placed(const Frame& frame, int node, const Vec2& place) {
   const Vec2 at(frame.position[2 * node], frame.position[2 * node + 1]);
   return at + Turn(frame.rotation[node]).apply(place);
@@ -62,12 +63,12 @@ BearingMark mark_of(results::BearingState state) {
   return BearingMark::intact;
 }
 
-/// What waits for another one carries nothing, and what is absent is not there.
+/// False for a waiting bearing, which carries no force, and for an absent one.
 bool is_seen(results::BearingState state) {
   return state != results::BearingState::waiting && state != results::BearingState::absent;
 }
 
-/// A place of the world in the picture.
+/// Projection of a world point onto the picture.
 using Flatten = std::function<Vec2(const Vec3&)>;
 
 Flatten flatten_for(const Header& header, const ViewAxes& view) {
@@ -75,14 +76,14 @@ Flatten flatten_for(const Header& header, const ViewAxes& view) {
   return [view](const Vec3& p) { return view.flat(p); };
 }
 
-/// Outlines of solids are found with their faces.
+/// Outlines of polyhedra are found with their faces.
 void add_bodies(const Header& header, const Frame& frame, Scene& scene) {
   const auto is_ground = [](const BodyRow& body) { return role_of(body.support) != BodyRole::free; };
   const bool few = std::count_if(header.bodies.begin(), header.bodies.end(), is_ground) <= few_grounds;
   for (const BodyRow& body : header.bodies) {
     std::vector<Vec2> outline;
     if (header.dim == 2) outline = outline_of(header, body, frame);
-    // A name in the picture of a solid would not tell what is hidden from what is seen.
+    // In a picture in space a name would not distinguish visible from hidden bodies.
     scene.bodies.push_back({header.dim == 2 ? body.name : "", std::move(outline), role_of(body.support),
                             group_of(body, few && is_ground(body))});
   }
@@ -127,7 +128,7 @@ void add_bearings(const Header& header, const Frame& frame, const Flatten& flat,
     const Vec3 a_end = place.end_of(header.bodies[b.body_a], b.point_a),
                b_end = place.end_of(header.bodies[b.body_b], b.point_b);
     SceneBearing out{flat(a_end), flat(b_end), mark_of(frame.bearing_state[i])};
-    // What it changed to, sliding on a seat, ends where its bodies part.
+    // The mark of a changed bearing, sliding on a seat, ends when its bodies separate.
     const double far = (a_end - b_end).norm();
     const bool apart = far > 1 || (far > 0.1 && !touch(frame, b.body_a, b.body_b));
     if (out.state == BearingMark::changed && apart) out.state = BearingMark::failed;
@@ -135,7 +136,7 @@ void add_bearings(const Header& header, const Frame& frame, const Flatten& flat,
   }
 }
 
-/// Of the two bodies' forces the one on the body that is held up by it.
+/// Of the pair of forces, draws the one on the supported body.
 void add_forces(const Header& header, const Frame& frame, const Flatten& flat, Scene& scene) {
   for (const results::ContactForce& c : frame.contacts) {
     const bool a_is_ground = role_of(header.bodies[c.body_a].support) != BodyRole::free;
@@ -154,7 +155,7 @@ double size_of(const std::vector<Vec2>& outline) {
 }
 
 void add_ghosts(const Header& header, const Frame& start, const std::vector<bool>& left, Scene& scene) {
-  constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
+  constexpr double least_share = 0.05;  // of a body's size; smaller displacements get no second outline
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
     if (scene.bodies[i].role != BodyRole::free || left[i]) continue;
     const std::vector<Vec2> outline = outline_of(header, header.bodies[i], start);
@@ -176,7 +177,7 @@ void require_time(const ResultsReader& reader, double time, const results::TimeO
                                  times.back() - origin.zero));
 }
 
-/// Where one stage ends and the next begins there are two frames of one time: the later one counts.
+/// At the change of stages there are two frames with the same time: the later one counts.
 Frame frame_for(const ResultsReader& reader, double time, bool whole) {
   const std::vector<double>& times = reader.frame_times();
   std::size_t nearest = reader.nearest_frame(time);
@@ -185,7 +186,7 @@ Frame frame_for(const ResultsReader& reader, double time, bool whole) {
   return reader.frame(nearest);
 }
 
-/// The title is the stage's name; the caption has one time, counted as was asked for.
+/// The title is the name of the stage; the caption shows one time, with the requested origin.
 void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   const std::vector<results::StageRow> stages = reader.stages();
   if (frame.stage < 0 || frame.stage >= static_cast<int>(stages.size())) return;
@@ -193,8 +194,7 @@ void add_stage(const ResultsReader& reader, const Frame& frame, Scene& scene) {
   scene.title = stage.name;
 }
 
-/// Bodies that had left the bounds, were removed or not there yet are not drawn, so that the picture is of what is
-/// there; but not all.
+/// Bodies that had left the bounds, were removed or not yet added are not drawn, unless no body would remain.
 std::vector<bool> left_bodies(const ResultsReader& reader, double time) {
   std::vector<bool> left(reader.header().bodies.size());
   const results::Presence presence(reader.events(), left.size());
@@ -210,7 +210,7 @@ void drop_left(const std::vector<bool>& left, Scene& scene) {
   scene.bodies.resize(kept);
 }
 
-/// The latest event of note, where it is recent: an old one would be told under every later picture.
+/// The latest important event, if it is recent: an old one would appear under every later picture.
 std::string event_before(const ResultsReader& reader, double time, double zero) {
   constexpr double recent = 1;  // [s]
   std::string out;
@@ -251,7 +251,7 @@ const std::vector<std::string>& colour_names() {
 
 namespace {
 
-/// What is asked for, where it can be had.
+/// Checks that the requested contents are available.
 void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   if (choice.magnify != 1 && (choice.forces || !choice.thrust.empty()))
     throw InputError("forces and the line of thrust have no place among magnified displacements; leave one out");
@@ -266,7 +266,7 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
                     reader.path().string()));
 }
 
-/// What is drawn of models in the plane alone, over their bodies.
+/// Contents of pictures of plane models only, drawn over their bodies.
 void add_findings(const Header& header, const Frame& frame, const SceneChoice& choice, const std::vector<bool>& left,
                   Scene& scene) {
   if (!choice.stress.empty()) colour_by_stress(header, frame, choice.stress, scene);
@@ -274,7 +274,7 @@ void add_findings(const Header& header, const Frame& frame, const SceneChoice& c
   if (!choice.thrust.empty()) add_thrust_line(header, frame, choice.thrust, scene);
 }
 
-/// A moment to be drawn: the run then, and the bodies that are left out.
+/// A moment to draw: the frame, and the omitted bodies.
 struct Moment {
   Frame frame;
   std::vector<bool> left;
@@ -289,7 +289,7 @@ Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& ch
   return {std::move(frame), std::move(left)};
 }
 
-/// Time and title, and what there is to say.
+/// Sets time, title and texts.
 void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoice& choice, Scene& scene) {
   scene.time = frame.time - choice.origin.zero;
   scene.since = choice.origin.text();
@@ -303,9 +303,9 @@ void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoic
     scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
 }
 
-/// What pictures of one figure share, of a model in space.
+/// Common data of the pictures of a figure of a model in space.
 struct SharedSpace {
-  std::optional<SpaceBox> around;  ///< the box of what is free in all of them
+  std::optional<SpaceBox> around;  ///< AABB of the free bodies in all of them
   std::vector<SolidJoint> joints;
 };
 

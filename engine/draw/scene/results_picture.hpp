@@ -1,4 +1,4 @@
-// From a results file to pictures: the structure at a moment, histories and energy as charts.
+// Pictures and charts of a results file: the structure at a moment, histories and energy.
 #pragma once
 
 #include <string>
@@ -16,67 +16,68 @@
 namespace trilith::draw {
 
 struct SceneChoice {
-  bool forces = false;              ///< contact forces; the picture is then that of the nearest frame, not between two
-  bool ghost = false;               ///< outlines of the first frame, of bodies that have moved since
-  bool cracks = false;              ///< broken joints, by what they did most
-  std::string stress = {};          ///< bodies coloured by their mean stress: see stress_names(); "": not
-  std::string thrust = {};          ///< line of thrust through the bodies of this group, or ""
-  double magnify = 1;               ///< displacements since the start times this, without contact forces
-  std::string colour = {};          ///< bodies coloured by one of colour_names(); "" as "group"
-  ViewDirection from = {};          ///< of a model in space: from where it is seen
-  results::TimeOrigin origin = {};  ///< what times in the caption count from
-  std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: what is on the eye's side of it is left out
+  bool forces = false;              ///< contact forces; the picture then shows the nearest frame instead of an
+                                    ///< interpolation
+  bool ghost = false;               ///< outlines in the first frame of bodies that have moved
+  bool cracks = false;              ///< broken joints, by their larger displacement component
+  std::string stress = {};          ///< bodies coloured by their mean stress: see stress_names(); "": no
+  std::string thrust = {};          ///< line of thrust through the bodies of this group; "": no
+  double magnify = 1;               ///< factor of displacements from the start, without contact forces
+  std::string colour = {};          ///< bodies coloured by one of colour_names(); "" means "group"
+  ViewDirection from = {};          ///< of a model in space: view direction
+  results::TimeOrigin origin = {};  ///< origin of the times in the caption
+  std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: the part on the eye's side is omitted
 };
 
-/// What a body is in a picture, by BodyRow::support.
+/// Role of a body in a picture, by BodyRow::support.
 BodyRole role_of(const std::string& support);
 
-/// What bodies can be coloured by: group, displacement (of the node since the start), speed.
+/// Quantities for colouring bodies: group, displacement (of the node from the start), speed.
 const std::vector<std::string>& colour_names();
 
-/// The structure, in the plane or in space, at `time` [s], titled by its stage, and the
-/// latest event of note where that was within the last second of the same stage. Throws InputError for a time outside
-/// the frames (half a frame's spacing is allowed), ResultsError for a file without frames.
+/// The structure, in the plane or in space, at `time` [s], titled by its stage, and the latest important event if it
+/// was within the last second of the same stage. Throws InputError for a time outside the frames (half a frame interval
+/// is allowed), ResultsError for a file without frames.
 Scene results_scene(const results::ResultsReader& reader, double time, const SceneChoice& choice = {});
 
-/// The same at several moments, for one figure: in space the ground ends at the same place in all of them.
+/// Several moments for one figure: in space the ground ends at the same place in all of them.
 std::vector<Scene> results_scenes(const results::ResultsReader& reader, const std::vector<double>& times,
                                   const SceneChoice& choice = {});
 
-/// The bodies of a model in the plane where `frame` has them, and nothing else.
+/// Only the bodies of a plane model, in their position in `frame`.
 Scene plain_scene(const results::Header& header, const results::Frame& frame);
 
-/// Events that a reader of a picture wants to hear of, in time: neither contacts made and lost, slow impacts, bodies
-/// at rest, nor the ends of stages.
+/// Important events in order of time: without contacts made and lost, slow impacts, bodies at rest, and the ends of
+/// stages.
 std::vector<results::EventRow> events_of_note(const results::ResultsReader& reader);
 
-/// A results file and the word for it in a legend; "" where it is the only one.
+/// A results file and its name in a legend; "" for a single file.
 struct NamedResults {
   const results::ResultsReader* reader;
   std::string name;
 };
 
-/// The part of a run that is plotted [s]: from `from` to `to`. Times count from the stage or event called `since`, else
-/// from the beginning of `stage` where that is named, else from the start of the run. Within a stage its own end is the
-/// last moment.
+/// The part of a run to plot [s]: from `from` to `to`. Times count from the stage or event called `since`, otherwise
+/// from the begin of `stage` if given, otherwise from the start of the run. Within a stage its end is the last moment.
 struct PlotWindow {
   std::string stage = {}, since = {};
   std::optional<double> from = std::nullopt, to = std::nullopt;
 };
 
-/// One panel for each unit among the histories `names` (every history of the first file where empty), each result a
-/// line over time or, where `against` is the name of a history, over that: the loop of a bearing, a capacity curve.
-/// Throws InputError where a file does not have a history (with the nearest name) or no samples in the window.
+/// One panel for each unit among the histories `names` (every history of the first file if empty). Each result is a
+/// line over time or, if `against` names a history, over that history, such as the loop of a bearing or a capacity
+/// curve. Throws InputError if a file lacks a history (with the nearest name) or has no samples in the window.
 Chart history_chart(const std::vector<NamedResults>& results, const std::vector<std::string>& names,
                     const PlotWindow& window = {}, const std::string& against = {});
 
-/// The ledger: terms that hold or have taken up energy on each other, and as a line over them what ground, loads,
-/// falling weight and start have put in. Terms below a hundredth of the largest are one. Throws InputError where the
-/// file has no energy.
+/// The ledger: stored and dissipated terms stacked, and the energy supplied by ground, loads, falling weight and the
+/// initial state as a line over them. Terms below 1 % of the largest are merged. Throws InputError if the file has no
+/// energy.
 Chart results_energy_chart(const NamedResults& result, EnergyView view, const PlotWindow& window = {});
 
-/// Stages and the events that change the structure (bearings and bonds lost, seats lost, impacts) as marks; where there
-/// are too many of one kind, one of it: the fastest impact, else the first. Those of the window, in its time.
+/// Marks of stages and of the events that change the structure (bearings and bonds lost, seats lost, impacts) in the
+/// window, with its origin of time. For many events of one kind there is one mark: for the fastest impact, otherwise
+/// for the first event.
 std::vector<ChartMark> event_marks(const results::ResultsReader& reader, const PlotWindow& window = {});
 
 }  // namespace trilith::draw

@@ -20,12 +20,12 @@ using results::Placement;
 
 namespace {
 
-/// What rounding leaves of lengths, as a share of them.
+/// Rounding error of lengths, as a share of them.
 constexpr double rounding = 1e-9;
-/// What a solid that counts as convex may have above a face, as a share of its size.
+/// Largest height of a convex solid above one of its faces, as a share of its size.
 constexpr double flat_share = 1e-6;
 
-/// Newell's normal (Sutherland, Sproull and Schumacker, 1974): right for any plane polygon.
+/// Newell's normal (Sutherland, Sproull and Schumacker, 1974): valid for any plane polygon.
 Vec3 normal_of(const std::vector<Vec3>& loop) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += cross(Vec3(loop[i] - loop[0]), Vec3(loop[i + 1] - loop[0]));
@@ -46,15 +46,15 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
   return out;
 }
 
-/// Whether the skin of a body is stretched over its nodes, as that of finite elements is: one closed surface that does
-/// not pass through itself.
+/// True if the skin of a body is attached to its nodes, as in a meshed body: one closed surface that does not intersect
+/// itself.
 bool has_stretched_skin(const Header& header, const BodyRow& body) {
   const auto first = header.vertices.begin() + 3 * static_cast<std::ptrdiff_t>(body.first_vertex);
   return body.node_count > 1 && std::all_of(first, first + 3 * static_cast<std::ptrdiff_t>(body.vertex_count),
                                             [](double arm) { return arm == 0; });
 }
 
-/// Skins of elements whole, of any shape, and all other bodies as convex pieces.
+/// Skins of meshed bodies as a whole, of any shape, and all other bodies as convex pieces.
 std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, const std::vector<bool>& left_out) {
   std::vector<SolidPiece> out;
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
@@ -70,7 +70,7 @@ std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, co
   return out;
 }
 
-/// Of a strained skin each face that looks towards the eye is a piece: nothing is divided, so that edges stay whole.
+/// For a strained skin each visible face is a piece: nothing is divided, so that edges remain whole.
 std::vector<SolidPiece> with_seen_faces(std::vector<SolidPiece> pieces, const ViewAxes& view) {
   std::vector<SolidPiece> out;
   for (SolidPiece& piece : pieces) {
@@ -85,7 +85,7 @@ std::vector<SolidPiece> with_seen_faces(std::vector<SolidPiece> pieces, const Vi
   return out;
 }
 
-/// Leaves out what is on the eye's side of the plane.
+/// Removes the part on the eye's side of the plane.
 void cut_away(std::vector<SolidPiece>& pieces, CutPlane plane, const ViewAxes& view) {
   if (plane.normal.dot(view.toward) < -rounding) plane = {-plane.normal, -plane.offset};
   std::vector<SolidPiece> kept;
@@ -95,20 +95,20 @@ void cut_away(std::vector<SolidPiece>& pieces, CutPlane plane, const ViewAxes& v
   pieces = std::move(kept);
 }
 
-/// Light comes from the upper left, over the eye's shoulder; half of it from all sides.
+/// Light from the upper left, behind the eye; half of it is ambient.
 double light_on(const Vec3& normal, const ViewAxes& view) {
   const Vec3 from = (-0.5 * view.right + 0.8 * view.up + 0.6 * view.toward).normalized();
   return 0.5 + 0.5 * normal.dot(from);
 }
 
-/// Of each body its cracks.
+/// The cracks of each body.
 std::vector<std::vector<const SolidCrack*>> by_body(const std::vector<SolidCrack>& cracks, std::size_t bodies) {
   std::vector<std::vector<const SolidCrack*>> out(bodies);
   for (const SolidCrack& crack : cracks) out[static_cast<std::size_t>(crack.body)].push_back(&crack);
   return out;
 }
 
-/// `cracks`: of the piece's body. Those of bodies a little set back from each other count as on their faces.
+/// `cracks`: of the piece's body. Cracks between bodies with a small gap count as on their faces.
 void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cracks, const ViewAxes& view,
                Scene& scene) {
   const double slack = 2e-3 * piece_size(piece);
@@ -125,13 +125,13 @@ void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cr
   }
 }
 
-/// Spheres whose centres are on the eye's side of the plane are left out, the others stay whole.
+/// Spheres with centres on the eye's side of the plane are removed; the others remain whole.
 void cut_away(std::vector<SeenSphere>& spheres, CutPlane plane, const ViewAxes& view) {
   if (plane.normal.dot(view.toward) < -rounding) plane = {-plane.normal, -plane.offset};
   std::erase_if(spheres, [&](const SeenSphere& s) { return plane.above(s.centre) > 0; });
 }
 
-/// Pieces in their order, and spheres where they come among them.
+/// Adds pieces in their order, with the spheres at their positions in this order.
 void add_all_faces(const std::vector<SolidPiece>& pieces, const std::vector<SeenSphere>& spheres,
                    const std::vector<SolidCrack>& cracks, const ViewAxes& view, Scene& scene) {
   const auto own_cracks = by_body(cracks, scene.bodies.size());
@@ -151,7 +151,7 @@ std::vector<Vec2> outline_as_seen(const BodyRow& body, const Placement& at, cons
   return hull_of(std::move(points));
 }
 
-/// Bodies that nothing is left of go, and the rows that faces name follow; outlines are those of what is left.
+/// Removes bodies without remaining faces, and adapts the body index of faces; outlines contain the remaining faces.
 void set_outlines(const std::vector<SolidPiece>& pieces, const ViewAxes& view, Scene& scene) {
   std::vector<std::vector<Vec2>> points(scene.bodies.size());
   for (const SceneFace& face : scene.faces)
@@ -202,7 +202,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
 
 void add_solid_ghosts(const Header& header, const Frame& start, const Frame& frame, const ViewAxes& view,
                       Scene& scene) {
-  constexpr double least_share = 0.05;  // of a body's size, before it is worth a second outline
+  constexpr double least_share = 0.05;  // of a body's size; smaller displacements get no second outline
   const Placement before(header, start), now(header, frame);
   for (const BodyRow& body : header.bodies) {
     if (role_of(body.support) != BodyRole::free) continue;

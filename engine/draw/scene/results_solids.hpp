@@ -1,4 +1,4 @@
-// From a frame of a model in space to a scene: its solids as faces in the order in which they are painted.
+// Conversion of a frame of a model in space to a scene: faces in painting order.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace trilith::draw {
 
-/// How solids are shown.
+/// View of the polyhedra.
 struct SolidsView {
   ViewDirection from = {};
-  std::optional<CutPlane> cut = std::nullopt;     ///< what is on the eye's side of it is left out
-  std::optional<SpaceBox> around = std::nullopt;  ///< the box of what is free, about which ground is cut off
+  std::optional<CutPlane> cut = std::nullopt;     ///< the part on the eye's side is omitted
+  std::optional<SpaceBox> around = std::nullopt;  ///< AABB of the free bodies, around which the ground is cut off
   std::vector<SolidCrack> cracks = {};
 };
 
-/// Fills the faces of a scene whose bodies are there without outlines, those outlines, and the axes of the world.
-/// `left_out[body]`: it is not drawn. Throws InputError where the file tells of no faces, or the cut leaves nothing.
+/// Fills the faces and outlines of a scene that contains its bodies, and the world axes. `left_out[body]`: the body is
+/// not drawn. Throws InputError if the file has no faces, or if the cut leaves nothing.
 void add_solids(const results::Header& header, const results::Frame& frame, const SolidsView& shown,
                 const std::vector<bool>& left_out, Scene& scene);
 
-/// Outlines, as seen, of free bodies at the start, of those that have moved since.
+/// Adds the visible initial outlines of free bodies that have moved.
 void add_solid_ghosts(const results::Header& header, const results::Frame& start, const results::Frame& frame,
                       const ViewAxes& view, Scene& scene);
 

@@ -19,7 +19,7 @@ bool is_outside(const std::vector<PagePoint>& points, const PageBox& box) {
   return !around.overlaps(box);
 }
 
-/// Sides in a row that are edges as one line each.
+/// Draws consecutive sides that are edges as one line.
 void draw_edges(Canvas& canvas, const std::vector<PagePoint>& points, const std::vector<bool>& is_edge,
                 const Stroke& stroke) {
   const std::size_t count = points.size();
@@ -40,21 +40,21 @@ void draw_flat_face(Canvas& canvas, const SceneFace& face, const Colour& fill, c
   }
   const auto inside = face.is_section ? std::nullopt : std::optional<Colour>(fill);
   if (whole) return canvas.polygon(points, inside, edge);
-  // A seam of the same colour closes the hair between parts of one face.
+  // A seam of the same colour closes the gap between parts of one face.
   if (!face.is_section) canvas.polygon(points, fill, Stroke{fill, 0.25});
   draw_edges(canvas, points, face.is_edge, edge);
 }
 
-constexpr double longest_arrow = 17, axes_room = 9;  // of the axes, and about them for their names [pt]
+constexpr double longest_arrow = 17, axes_room = 9;  // of the axes, and space around them for their names [pt]
 
-/// An axis on the page, from where the axes meet [pt].
+/// An axis on the page, from their common point [pt].
 PagePoint arrow_of(const Scene& scene, const SceneAxis& axis) {
   double most = 0;
   for (const SceneAxis& other : scene.axes) most = std::max(most, other.along.norm());
   return longest_arrow / most * PagePoint(axis.along.x(), -axis.along.y());
 }
 
-/// Lowest and highest place of the axes and their names, from where they meet [pt].
+/// Extent of the axes and their names from their common point [pt].
 std::pair<PagePoint, PagePoint> axes_reach(const Scene& scene) {
   PagePoint low = PagePoint::Zero(), high = low;
   for (const SceneAxis& axis : scene.axes) {
@@ -73,7 +73,7 @@ PageBox axes_box(const Scene& scene, PanelCorner corner, const PageView& page) {
   return {x, y, x + size.x(), y + size.y()};
 }
 
-/// Whether a body lies in a box of the page; outlines are cut off that much beyond it.
+/// True if a body covers a box of the page; outlines are clipped at this distance beyond it.
 bool covers(const Scene& scene, const PageBox& box, const PageView& page) {
   const PageBox inner{box.x0 + axes_room, box.y0 + axes_room, box.x1 - axes_room, box.y1 - axes_room};
   const double x0 = page.world.x0 + (inner.x0 - page.box.x0) / page.scale;

@@ -23,7 +23,7 @@ PageBox box_of(const Outline& outline) {
   return box;
 }
 
-/// Does the line from `a` to `b` pass through the box? (Liang and Barsky 1984)
+/// True if the line from `a` to `b` intersects the box (Liang and Barsky 1984).
 bool line_meets(const PagePoint& a, const PagePoint& b, const PageBox& box) {
   const PagePoint d = b - a;
   const std::array<double, 4> p = {-d.x(), d.x(), -d.y(), d.y()};
@@ -47,7 +47,7 @@ PagePoint middle(const PageBox& box) {
   return {(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
 }
 
-/// A panel's outlines and the boxes that are taken.
+/// A panel's outlines and the occupied boxes.
 struct Room {
   PageBox panel;
   std::vector<Outline> outlines;  ///< one per body, empty where outside
@@ -65,7 +65,7 @@ struct Room {
            std::none_of(outlines.begin(), outlines.end(),
                         [&](const Outline& o) { return !o.empty() && (border_meets(o, b) || contains(o, middle(b))); });
   }
-  /// Inside body `i` and no other body's border near.
+  /// True if the box is inside body `i` and away from the borders of other bodies.
   bool inside(std::size_t i, const PageBox& b) const {
     if (!within_panel(b) || !clear_of_marks(b) || !contains(outlines[i], middle(b))) return false;
     return std::none_of(outlines.begin(), outlines.end(), [&](const Outline& o) { return border_meets(o, b); });
@@ -76,7 +76,7 @@ PageBox around(const PagePoint& centre, double width, double height) {
   return {centre.x() - width / 2, centre.y() - height / 2, centre.x() + width / 2, centre.y() + height / 2};
 }
 
-/// The place inside body `i` nearest to its centroid, on a fine grid.
+/// The position inside body `i` nearest to its centroid, on a fine grid.
 std::optional<PageBox> place_inside(const Room& room, std::size_t i, double width, double height) {
   const Outline& outline = room.outlines[i];
   const PageBox box = box_of(outline);
@@ -97,7 +97,7 @@ std::optional<PageBox> place_inside(const Room& room, std::size_t i, double widt
   return best;
 }
 
-/// Would a reader take a name at `b` for that of body `i`? It must be close, and no other free body as close.
+/// True if a name at `b` appears to belong to body `i`: it must be close, and no other free body as close.
 bool belongs(const Room& room, std::size_t i, const PageBox& b) {
   const double own = boundary_point(room.outlines[i], middle(b)).distance;
   if (own > b.width() / 2 + b.height()) return false;
@@ -108,7 +108,7 @@ bool belongs(const Room& room, std::size_t i, const PageBox& b) {
   return true;
 }
 
-/// The nearest free place around body `i`, upward first.
+/// The nearest free position around body `i`, upward first.
 std::optional<PageBox> place_beside(const Room& room, std::size_t i, double width, double height) {
   static const std::array<PagePoint, 8> ways = {PagePoint(0, -1),    PagePoint(0, 1),      PagePoint(1, 0),
                                                 PagePoint(-1, 0),    PagePoint(0.7, -0.7), PagePoint(-0.7, -0.7),
@@ -124,8 +124,8 @@ std::optional<PageBox> place_beside(const Room& room, std::size_t i, double widt
   return std::nullopt;
 }
 
-/// Where each name stands from the centroid of its body at the start, on a page without an end and before anything is
-/// marked: a place that does not hang on the moment of the picture, so that names keep still from one to the next.
+/// Position of each name relative to the centroid of its body at the start, on an unbounded page without marks. It does
+/// not depend on the moment of the picture, so that names do not jump between pictures.
 std::vector<std::optional<PagePoint>> places_at_start(const Scene& scene, const PageView& page,
                                                       const TextStyle& style) {
   constexpr double endless = 1e7;
@@ -151,7 +151,7 @@ std::vector<std::optional<PagePoint>> places_at_start(const Scene& scene, const 
   return out;
 }
 
-/// The place of the start, where it is free and still tells whose name it is.
+/// The initial position, if it is free and still unambiguous.
 std::optional<PageBox> kept_place(const Room& room, std::size_t i, const PagePoint& offset, double width,
                                   double height) {
   const PageBox place = around(polygon_moments(room.outlines[i]).centroid + offset, width, height);
@@ -161,8 +161,8 @@ std::optional<PageBox> kept_place(const Room& room, std::size_t i, const PagePoi
 
 }  // namespace
 
-/// Where it stood at the start, as far as that is free; else inside its body near the centroid, else beside it where
-/// nothing else is near; else the name is left out. Names that are placed take room from those that follow.
+/// A name is placed at its initial position if that is free, otherwise inside its body near the centroid. Otherwise it
+/// is placed next to the body if no other body is near, or omitted. Placed names occupy space for the following ones.
 void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page,
                  std::vector<PageBox> marks, const TextStyle& style) {
   Room room{page.box, {}, {}, std::move(marks)};
@@ -183,7 +183,7 @@ void draw_labels(Canvas& canvas, const Scene& scene, const SceneView& view, cons
     if (place && contains(room.outlines[i], middle(*place))) {
       const Colour fill = body_fill(view, body);
       text.colour = ink_on(fill);
-      if (body.role != BodyRole::free) canvas.rectangle(*place, fill, std::nullopt);  // clear of the hatch
+      if (body.role != BodyRole::free) canvas.rectangle(*place, fill, std::nullopt);  // covers the hatch
     } else if (!place && body.role == BodyRole::free) {
       place = place_beside(room, i, width, height);
     }

@@ -33,7 +33,7 @@ LegendItem scale_bar(double scale, const PictureStyle& style) {
               c.line(p - PagePoint(0, tall), p + PagePoint(0, tall), stroke);
             }
           },
-          // 0.5 m reads better than 500 mm beside a structure.
+          // For a structure 0.5 m is clearer than 500 mm.
           shown >= 0.01 && shown < 1000 ? fmt::format("{:g} {}", shown, feet ? "ft" : "m")
                                         : quantity_text(shown, feet ? "ft" : "m")};
 }
@@ -54,7 +54,7 @@ LegendItem swatch(const SceneView& view, const BodyGroup& group) {
           group_text(group)};
 }
 
-/// One for each group; shaded ground has one colour, and so one for all of it.
+/// One for each group; shaded ground has one colour, and so one entry for all of it.
 std::vector<LegendItem> swatches(const SceneView& view) {
   std::vector<LegendItem> items;
   std::optional<std::size_t> shaded;
@@ -95,7 +95,7 @@ LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureSt
             constexpr int steps = 40;
             for (int i = 0; i < steps; ++i) {
               const double share = (i + 0.5) / steps, x = at.x() + left + bar * i / steps;
-              // Each step reaches under the next: no gaps between them at any resolution.
+              // Each step extends below the next: no gaps between them at any resolution.
               const double end = std::min(x + 1.5 * bar / steps, at.x() + left + bar);
               c.rectangle({x, at.y() - 3.5, end, at.y() + 3.5}, value_colour(view, share), std::nullopt);
             }

@@ -1,4 +1,4 @@
-// What a figure of scenes explains below its panels: scale, groups of bodies, bearings, forces, values.
+// Legend of a figure of scenes below its panels: scale, groups of bodies, bearings, forces, values.
 #pragma once
 
 #include "draw/legend.hpp"

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double hatch_spacing = 4.2;
 
-/// Thin for small bodies, so that a wall of bricks does not turn black.
+/// Thin for small bodies, so that a wall of bricks remains readable.
 double outline_width(const Scene& scene, const PageView& page) {
   std::vector<double> sizes;
   for (const SceneBody& body : scene.bodies) {
@@ -58,7 +58,7 @@ void draw_link(Canvas& canvas, const PagePoint& a, const PagePoint& b, BearingMa
 }
 
 void draw_bearings(Canvas& canvas, const Scene& scene, const PageView& page, std::vector<PageBox>& marks) {
-  // Smaller signs in the small panels of a figure.
+  // Smaller symbols in the small panels of a figure.
   const double radius = bearing_mark_radius * std::clamp(page.box.width() / 400, 0.7, 1.0);
   std::vector<PagePoint> places;
   std::vector<BearingMark> states;
@@ -84,7 +84,7 @@ void draw_forces(Canvas& canvas, const Scene& scene, const SceneView& view, cons
                  std::vector<PageBox>& marks) {
   if (view.largest_force <= 0) return;
   for (const SceneForce& f : scene.forces) {
-    // Below a hundredth of the largest nothing but a dot would show.
+    // Below 1 % of the largest force only a dot would be visible.
     if (f.force.norm() < 0.01 * view.largest_force) continue;
     const Vec2 reach = f.force * (view.longest_arrow / view.largest_force);
     const Vec2 first = view.bars ? Vec2(f.point - reach / 2) : f.point;
@@ -120,7 +120,7 @@ void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bo
 }
 
 void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark) {
-  // As wide as its class, but of a short joint no more than a part of its length.
+  // Width by class, but for a short joint limited to a part of its length.
   constexpr double widths[] = {0.5, 1.1, 2.2, 0.9};  // fine, opened, wide, slid
   const double most = std::max(0.3, 0.25 * (b - a).norm());
   canvas.line(a, b,
@@ -174,8 +174,8 @@ void draw_bearing_mark(Canvas& canvas, const PagePoint& at, BearingMark state, d
   }
 }
 
-/// Along x alone, so that marks stay at their height: |d.x| is to be sqrt(least^2 - d.y^2), and each goes half of what
-/// is missing. A few rounds, as one pair's room may be another's.
+/// Moves points along x alone, so that marks keep their height: |d.x| must be sqrt(least^2 - d.y^2), and each point
+/// moves half of the missing distance. Several rounds, because pairs affect each other.
 std::vector<PagePoint> spread(std::vector<PagePoint> points, double least) {
   for (int round = 0; round < 12; ++round)
     for (std::size_t i = 0; i < points.size(); ++i)

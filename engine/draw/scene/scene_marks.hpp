@@ -1,4 +1,4 @@
-// Bodies, forces and bearings as they are drawn in a panel and in its legend.
+// Drawing of bodies, forces and bearings in a panel and in its legend.
 #pragma once
 
 #include "draw/scene/scene_view.hpp"
@@ -21,18 +21,18 @@ std::string crack_text(CrackMark mark);
 /// The stroke of lines over the bodies.
 Stroke line_stroke();
 
-/// The sign of a bearing's state, `radius` in pt.
+/// The symbol of a bearing's state, `radius` in pt.
 inline constexpr double bearing_mark_radius = 2.1;
 void draw_bearing_mark(Canvas& canvas, const PagePoint& at, BearingMark state, double radius = bearing_mark_radius);
-/// A disc of paper that keeps a sign clear of what is behind it.
+/// A white disc that separates a symbol from the background.
 void draw_bearing_halo(Canvas& canvas, const PagePoint& at, double radius);
 std::string bearing_text(BearingMark state);
 
-/// `points` moved apart along x, in the order of their x, until none is nearer than `least` [pt] to another (as far as
-/// a few rounds bring it): two bearings on one pier stay two signs.
+/// `points` moved apart along x, in the order of their x, until their distances are at least `least` [pt], as far as
+/// some rounds achieve it: two bearings on one pier remain two symbols.
 std::vector<PagePoint> spread(std::vector<PagePoint> points, double least);
 
-/// All of a scene but its words. Returns the boxes of the marks, which words should not cover.
+/// Draws all of a scene except its texts. Returns the boxes of the marks, which texts should not cover.
 std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, const SceneView& view,
                                         const PageView& page);
 

@@ -59,7 +59,7 @@ bool has_labels(const Scene& scene, const PictureStyle& style) {
   return named > 0 && named <= style.label_limit;
 }
 
-/// One scale for all panels: as large as the page's width, and its height, allow.
+/// One scale for all panels: the largest that the page's width and height allow.
 void fit_scale(Layout& out, const SceneView& view, bool labels, const PictureStyle& style) {
   const double column = (style.width - 2 * page_margin - (out.columns - 1) * column_gap) / out.columns;
   if (column < 60)
@@ -72,11 +72,11 @@ void fit_scale(Layout& out, const SceneView& view, bool labels, const PictureSty
   out.scale = std::min(column / view.world.width(), tallest / view.world.height());
   out.plot_width = out.scale * view.world.width();
   out.plot_height = std::max(out.scale * view.world.height(), std::min(least_plot_height, tallest));
-  if (labels && !style.view) {  // room for names above the structure
+  if (labels && !style.view) {  // space for names above the structure
     out.plot_height += 1.3 * style.font_size;
     out.world.y1 += 1.3 * style.font_size / out.scale;
   }
-  // A panel higher than what it shows has it in its middle.
+  // A panel higher than its content shows it in its middle.
   const double more = out.plot_height / out.scale - out.world.height();
   out.world.y0 -= more / 2, out.world.y1 += more / 2;
   out.panel_width = std::min(column, std::max(out.plot_width, least_panel_width));
@@ -120,7 +120,7 @@ void draw_head(Canvas& canvas, const Head& head, PagePoint at, bool single, cons
   }
 }
 
-/// Where a panel shows what it shows; `corner`: the upper left one, below its head.
+/// View of a panel; `corner`: its upper left corner, below its head.
 PageView panel_page(const Layout& layout, const PagePoint& corner) {
   const double x = corner.x() + (layout.panel_width - layout.plot_width) / 2;
   return {layout.world, {x, corner.y(), x + layout.plot_width, corner.y() + layout.plot_height}, layout.scale};
@@ -167,7 +167,7 @@ void draw_scene(const Scene& scene, const PictureStyle& style, const std::filesy
 
 void draw_panels(const std::vector<Scene>& scenes, int columns, const PictureStyle& style,
                  const std::filesystem::path& path) {
-  picture_format(path);  // a wrong ending is said before any work
+  picture_format(path);  // reports a wrong extension before any work
   scene_canvas(scenes, columns, style).save(path, style.pixels_per_inch);
 }
 

@@ -19,25 +19,27 @@ struct WorldBox {
   bool contains(const Vec2& p) const { return p.x() >= x0 && p.x() <= x1 && p.y() >= y0 && p.y() <= y1; }
 };
 
-/// What a body is in the picture: a free body in its group's colour, or ground, hatched, that is fixed or moved.
+/// Role of a body in the picture: a free body in the colour of its group, or hatched ground that is fixed or moved.
 enum class BodyRole { free, fixed_ground, moved_ground };
 
-/// One body: its outline [m, world] in either order, at least three points. `group` chooses the colour and is its text
-/// in the legend ("deck", "pier", "left ground"). `value`: a scalar to colour it by instead (see Scene::value_label).
+/// One body: its outline [m, world] in either orientation, at least three points. `group` determines the colour and is
+/// its text in the legend ("deck", "pier", "left ground"). `value`: a scalar that determines the colour instead (see
+/// Scene::value_label).
 struct SceneBody {
   std::string name;
   std::vector<Vec2> outline;
   BodyRole role = BodyRole::free;
   std::string group = {};
   std::optional<double> value = std::nullopt;
-  std::vector<Vec2> start = {};  ///< the outline at the start, by which its name has a place that stays; may be empty
+  std::vector<Vec2> start = {};  ///< outline at the start, for a fixed position of its name; may be empty
 };
 
-/// How a joint that has lost its bond stands: how far it is open now, in three classes, or slid and open by less than
-/// it slid.
+/// State of a joint that has lost its bond: its present opening in three classes, or slid with an opening below the
+/// slip.
 enum class CrackMark { fine, opened, wide, slid };
-inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< ends of the class between them [m]
-inline constexpr double least_crack = 1e-4;  ///< from which a dry joint is drawn; one with a bond from its loss on [m]
+inline constexpr double fine_crack = 1e-3, wide_crack = 5e-3;  ///< limits of the middle class [m]
+inline constexpr double least_crack = 1e-4;  ///< least displacement for drawing a dry joint; a joint with a bond is
+                                             ///< drawn after its loss [m]
 
 /// A broken joint, from end to end [m].
 struct SceneCrack {
@@ -45,19 +47,19 @@ struct SceneCrack {
   CrackMark mark = CrackMark::opened;
 };
 
-/// A part of a solid's face as it is seen [m, in the plane of the picture]; it covers those before it.
+/// A visible part of a polyhedron's face [m, in the plane of the picture]; it covers the previous ones.
 struct SceneFace {
   std::vector<Vec2> outline;
-  std::vector<bool> is_edge;  ///< whether the side from point i to the next is drawn
+  std::vector<bool> is_edge;  ///< true if the side from point i to the next is drawn
   double light = 1;           ///< 0 in the shade to 1 in full light
   int body = 0;               ///< row of Scene::bodies
-  bool is_section = false;    ///< where the solid is cut
-  double radius = 0;          ///< above 0: a ball, drawn round about `centre`; its outline is a polygon near its rim
+  bool is_section = false;    ///< section of a cut solid
+  double radius = 0;          ///< above 0: a sphere around `centre`; its outline is a polygon near its rim
   Vec2 centre = Vec2::Zero();
   std::vector<SceneCrack> cracks = {};  ///< drawn over it
 };
 
-/// An axis of the world as it is seen: where 1 m along it leads.
+/// A world axis in the picture: displacement in the picture per 1 m along it.
 struct SceneAxis {
   std::string name;
   Vec2 along = Vec2::Zero();
@@ -69,7 +71,7 @@ struct SceneForce {
   Vec2 force = Vec2::Zero();
 };
 
-/// `changed`: the bearing's first law has given way to another (fixed bearing become sliding).
+/// `changed`: the first law of the bearing was replaced (fixed bearing that slides now).
 enum class BearingMark { intact, yielded, failed, changed };
 
 /// A bearing between point `a` of one body and `b` of another [m].
@@ -78,16 +80,17 @@ struct SceneBearing {
   BearingMark state = BearingMark::intact;
 };
 
-/// What is seen at one moment. Title first, below it time, stage, event and verdict in one line, as far as given.
+/// Contents of a picture of one moment: title first, below it time, stage, event and verdict in one line, as far as
+/// given.
 struct Scene {
   std::string title;
   std::optional<double> time = std::nullopt;  ///< s
-  std::string since = {};                     ///< what follows the time where it counts from elsewhere than the start
+  std::string since = {};                     ///< text after the time if it does not count from the start
   std::string stage = {};
   std::string event = {};
-  std::string verdict = {};  ///< why the run is not to be trusted
+  std::string verdict = {};  ///< reason for which the run is not reliable
   std::vector<SceneBody> bodies = {};
-  std::vector<SceneFace> faces = {};  ///< of solids, the farthest first; outlines of bodies are then not drawn
+  std::vector<SceneFace> faces = {};  ///< of polyhedra, the farthest first; outlines of bodies are then not drawn
   std::vector<SceneAxis> axes = {};   ///< shown in the corner
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};
@@ -96,30 +99,30 @@ struct Scene {
   std::string line_label = {};                ///< their text in the legend
   std::vector<std::vector<Vec2>> ghosts;      ///< outlines of an earlier configuration [m]
   std::string ghost_label = "earlier";        ///< their text in the legend, e.g. "at rest, t = 0"
-  std::string value_label = {};               ///< what SceneBody::value is, e.g. "speed"
+  std::string value_label = {};               ///< quantity in SceneBody::value, e.g. "speed"
   std::string value_unit = {};
 };
 
 enum class LengthUnits { si, us };
-/// Arrows start at the contact and point where the force does; bars are centred on it (better for many contacts).
+/// Arrows start at the contact in the direction of the force; bars are centred on it (better for many contacts).
 /// `automatic`: bars above 60 forces.
 enum class ForceMark { automatic, arrow, bar };
 
-/// Page, type and choices.
+/// Page, fonts and options.
 struct PictureStyle {
   double width = 510;      ///< greatest page width [pt], 180 mm
-  double height = 0;       ///< page height that is kept to where words leave room [pt]; 0: 430, or 660 for several rows
+  double height = 0;       ///< page height, if texts leave enough space [pt]; 0: 430, or 660 for several rows
   double font_size = 7.5;  ///< pt
   LengthUnits units = LengthUnits::si;          ///< scale bar in m or ft, forces in N or kip
-  std::optional<WorldBox> view = std::nullopt;  ///< m; else fitted to what is free, with some ground
+  std::optional<WorldBox> view = std::nullopt;  ///< [m]; none: fitted to the free bodies, with some ground
   ForceMark force_mark = ForceMark::automatic;
-  int label_limit = 30;          ///< names are written where at most this many bodies have one
+  int label_limit = 30;          ///< names are drawn if at most this many bodies have one
   double pixels_per_inch = 220;  ///< PNG only
 };
 
-/// The drawing of one or more scenes in `columns` columns, all to one scale, one view and one legend; several are
-/// lettered (a), (b), ... Throws InputError (naming scene and body) where there is no scene or no body, an outline has
-/// fewer than three points, a value is not finite or a point lies beyond 1e9 m, or view or style make no sense.
+/// Draws one or more scenes in `columns` columns, with one scale, one view and one legend; several are lettered (a),
+/// (b), ... Throws InputError (with scene and body) for no scene or no body, an outline with fewer than three points,
+/// and a value that is not finite. It also throws for a point beyond 1e9 m and an invalid view or style.
 Canvas scene_canvas(const std::vector<Scene>& scenes, int columns, const PictureStyle& style = {});
 
 /// One scene to a .svg, .pdf or .png file. Throws InputError as scene_canvas and Canvas::save.

@@ -11,10 +11,10 @@
 namespace trilith::draw {
 namespace {
 
-/// Sides of the polygon that stands for a disc where polygons are asked for.
+/// Sides of the polygon that represents a disc.
 constexpr int disc_sides = 16;
 
-/// A piece as seen: the box around it in the picture.
+/// AABB of a piece in the picture.
 struct SeenPiece {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
 };
@@ -29,8 +29,8 @@ SeenPiece seen_piece(const SolidPiece& piece, const ViewAxes& view) {
   return out;
 }
 
-/// Whether a convex piece is behind a sphere: the face that the sphere is farthest above of looks towards the eye. A
-/// face alone is so where the sphere is above it.
+/// True if a convex piece is behind a sphere: the face with the largest distance to the sphere is visible. A single
+/// face is behind if the sphere is above it.
 bool lies_behind(const SolidPiece& piece, const SeenSphere& sphere, const ViewAxes& view) {
   double most = -std::numeric_limits<double>::infinity();
   bool behind = false;
@@ -42,7 +42,7 @@ bool lies_behind(const SolidPiece& piece, const SeenSphere& sphere, const ViewAx
   return behind;
 }
 
-/// Discs in cells as wide as the largest of them.
+/// Grid of discs with cells as wide as the largest disc.
 class DiscGrid {
  public:
   explicit DiscGrid(double width) : width_(width) {}

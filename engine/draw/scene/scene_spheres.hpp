@@ -1,4 +1,4 @@
-// Spheres among the solids of a picture: where each of them comes in the order of painting.
+// Spheres among the polyhedra of a picture: their place in the painting order.
 #pragma once
 
 #include "draw/scene/paint_order.hpp"
@@ -7,27 +7,27 @@
 
 namespace trilith::draw {
 
-/// A sphere of a body where it stands.
+/// A sphere of a body in its present position.
 struct SeenSphere {
   int body;
   Vec3 centre;
   double radius;
 };
 
-/// Those of the bodies that are not left out.
+/// The spheres of all bodies that are drawn.
 std::vector<SeenSphere> seen_spheres(const results::Header& header, const results::Placement& at,
                                      const std::vector<bool>& left_out);
 
-/// For each sphere, from the farthest to the nearest, how many of the pieces, which are in the order of painting, come
-/// before it: all that lie behind it where both are seen, and no fewer than of a farther sphere that it covers. Exact
-/// where no piece must come both before and after it.
+/// For each sphere, from the farthest to the nearest, the number of pieces that are painted before it; the pieces are
+/// in painting order. All pieces behind it and visible with it are included, and all pieces before a farther sphere
+/// that it covers. Exact unless a piece must be both before and after it.
 struct SpherePlace {
   std::size_t sphere, pieces_before;
 };
 std::vector<SpherePlace> sphere_places(const std::vector<SeenSphere>& spheres, const std::vector<SolidPiece>& pieces,
                                        const ViewAxes& view);
 
-/// A disc as it is seen, shaded as a ball.
+/// A visible disc, shaded as a sphere.
 SceneFace sphere_face(const SeenSphere& sphere, const ViewAxes& view);
 
 }  // namespace trilith::draw

@@ -100,7 +100,7 @@ double area_of(const std::vector<Vec2>& outline) {
   return 0.5 * std::abs(sum);
 }
 
-/// Value below which `share` of the weight lies.
+/// Value at the quantile `share` of the weight.
 double quantile(std::vector<std::pair<double, double>> value_weight, double share) {
   std::sort(value_weight.begin(), value_weight.end());
   double all = 0, below = 0;
@@ -110,8 +110,8 @@ double quantile(std::vector<std::pair<double, double>> value_weight, double shar
   return value_weight.back().first;
 }
 
-/// Where nearly all of the free bodies' area is in all scenes, and as far again around it: a few stones that flew far
-/// do not make the rest too small to see.
+/// The region of nearly all of the free bodies' area in all scenes, enlarged by its size, so that a few stones far away
+/// do not reduce the scale.
 WorldBox bulk(const std::vector<Scene>& scenes) {
   constexpr double few = 0.04;
   std::vector<std::pair<double, double>> x, y;
@@ -135,13 +135,13 @@ Extent ground_extent(const std::vector<Scene>& scenes) {
   return out;
 }
 
-/// A length typical of the picture; a beam's is not lost to its thinness.
+/// A typical length of the picture; for a slender structure not only its thickness.
 double typical_size(const WorldBox& box) {
   const double larger = std::max(box.width(), box.height()), smaller = std::min(box.width(), box.height());
   return std::max(std::sqrt(larger * std::max(smaller, 0.1 * larger)), 1e-6);
 }
 
-/// Down to the ground that what is in the air will fall on: the highest beneath it, unless that is far away.
+/// Extends the box down to the ground below bodies in the air: the highest one beneath them, unless it is far away.
 void reach_ground(WorldBox& box, const std::vector<Scene>& scenes) {
   const double far = std::max(box.width(), box.height());
   std::optional<double> level;
@@ -156,7 +156,7 @@ void reach_ground(WorldBox& box, const std::vector<Scene>& scenes) {
   if (level) box.y0 = *level;
 }
 
-/// Takes in the ground, but of a large one only a border.
+/// Includes the ground; of a large one only a border.
 void take_ground(WorldBox& box, const WorldBox& ground, double border) {
   box.x0 = std::min(box.x0, std::max(ground.x0, box.x0 - border));
   box.y0 = std::min(box.y0, std::max(ground.y0, box.y0 - border));
@@ -171,11 +171,11 @@ void set_forces(SceneView& view, const std::vector<Scene>& scenes, ForceMark mar
     for (const SceneForce& f : scene.forces) view.largest_force = std::max(view.largest_force, f.force.norm());
   }
   view.bars = mark == ForceMark::bar || (mark == ForceMark::automatic && most > most_arrows);
-  // Among many contacts long marks would cover each other.
+  // With many contacts long marks would overlap.
   view.longest_arrow = size * std::clamp(1.6 / std::sqrt(static_cast<double>(most) + 1), 0.05, 0.18);
 }
 
-/// All free bodies, but no farther than around the bulk of them; then arrows, a border of ground and a margin.
+/// Includes all free bodies within the region of most of them, then arrows, a border of ground and a margin.
 void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureStyle& style) {
   Extent content = free_extent(scenes);
   const Extent ground = ground_extent(scenes);
@@ -192,7 +192,7 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
     for (const Scene& scene : scenes)
       for (const SceneForce& f : scene.forces)
         if (content.box.contains(f.point)) content.add(f.point + f.force * (view.longest_arrow / view.largest_force));
-  // In space a large ground has been cut off already, where it would not look like its end here.
+  // In space a large ground has been cut off already, where it does not look like an end of the ground.
   if (ground.any) take_ground(content.box, ground.box, view.has_faces ? most_metres : 0.16 * size);
   const double margin = 0.04 * size;
   view.world = {content.box.x0 - margin, content.box.y0 - margin, content.box.x1 + margin, content.box.y1 + margin};
@@ -210,11 +210,11 @@ void set_groups_and_values(SceneView& view, const std::vector<Scene>& scenes) {
       view.high = view.has_values ? std::max(view.high, *body.value) : *body.value;
       view.has_values = true;
     }
-  // Values of both signs have 0 in the middle of their colours; the scale ends where the values do.
+  // For values of both signs 0 has the middle colour; the scale ends at the extreme values.
   if (view.low < 0 && view.high > 0) view.farthest = std::max(view.high, -view.low);
 }
 
-/// Number of the group among those of its kind (free bodies, or ground).
+/// Index of the group among the groups of its kind (free bodies, or ground).
 std::size_t rank(const SceneView& view, const BodyGroup& group) {
   std::size_t count = 0;
   for (const BodyGroup& g : view.groups) {
@@ -283,7 +283,7 @@ std::vector<PagePoint> page_outline(const PageView& page, const std::vector<Vec2
   std::vector<PagePoint> points;
   for (const Vec2& p : outline) points.push_back(page.place(p));
   const PageBox& b = page.box;
-  constexpr double beyond = 10;  // pt; the cut itself is never seen
+  constexpr double beyond = 10;  // [pt]; the cut itself is not visible
   points = cut(points, [&](const PagePoint& p) { return p.x() - (b.x0 - beyond); });
   points = cut(points, [&](const PagePoint& p) { return b.x1 + beyond - p.x(); });
   points = cut(points, [&](const PagePoint& p) { return p.y() - (b.y0 - beyond); });

@@ -1,4 +1,4 @@
-// What all panels of a figure share: the part of the world they show, the scale of the forces, the colours of groups.
+// Common data of the panels of a figure: the visible part of the world, the scale of the forces, the colours of groups.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace trilith::draw {
 
-/// A colour's owner: bodies of one role and group.
+/// Bodies of one role and group, which share a colour.
 using BodyGroup = std::pair<BodyRole, std::string>;
 
 /// A corner of a panel.
@@ -22,13 +22,13 @@ struct SceneView {
   double longest_arrow = 0;                    ///< m in the world, for `largest_force`
   bool bars = false;                           ///< forces as bars, not arrows
   bool has_values = false;                     ///< some body has a value
-  bool has_faces = false;                      ///< of solids: ground is shaded, not hatched
-  PanelCorner axes = PanelCorner::lower_left;  ///< where the axes of the world are, in all panels
+  bool has_faces = false;                      ///< of polyhedra: ground is shaded, not hatched
+  PanelCorner axes = PanelCorner::lower_left;  ///< corner of the world axes in all panels
   double low = 0, high = 0;                    ///< range of the values' colours
-  double farthest = 0;  ///< largest size of a value, where values have both signs: 0 is the middle colour
+  double farthest = 0;  ///< largest magnitude of a value, if values have both signs: 0 has the middle colour
 };
 
-/// Checks all scenes and the style and finds what they share. Throws InputError as scene_canvas says.
+/// Checks all scenes and the style and computes their common data. Throws InputError as scene_canvas.
 SceneView scene_view(const std::vector<Scene>& scenes, const PictureStyle& style);
 
 /// Text of a group in the legend.
@@ -36,7 +36,7 @@ std::string group_text(const BodyGroup& group);
 
 /// Fill of a body; ground has its own. `group_index` counts the free groups.
 Colour body_fill(const SceneView& view, const SceneBody& body);
-/// Colour of a value at `share` of the range: the stronger, the farther from 0.
+/// Colour of a value at `share` of the range: stronger for values farther from 0.
 Colour value_colour(const SceneView& view, double share);
 Colour group_fill(const SceneView& view, const BodyGroup& group);
 
@@ -53,8 +53,8 @@ struct PageView {
   }
 };
 
-/// An outline on the page, cut off a little beyond the panel (so that a very large ground stays drawable); empty where
-/// it lies outside.
+/// An outline on the page, clipped slightly beyond the panel (so that a very large ground can be drawn); empty if
+/// outside.
 std::vector<PagePoint> page_outline(const PageView& page, const std::vector<Vec2>& outline);
 
 }  // namespace trilith::draw

@@ -8,7 +8,7 @@
 namespace trilith::draw {
 namespace {
 
-/// Gap at the start within which dry faces touch, as a share of the joint's size.
+/// Initial gap within which dry faces touch, as a share of the joint's size.
 constexpr double touching_share = 1e-3;
 
 bool did_touch(const SolidJoint& joint) {
@@ -16,7 +16,7 @@ bool did_touch(const SolidJoint& joint) {
                      [&](double gap) { return std::abs(gap) <= touching_share * joint.size; });
 }
 
-/// The part of a side of a crack that is within the borders of a face (Cyrus and Beck, 1978).
+/// Adds the part of a side of a crack within a face (Cyrus and Beck, 1978).
 void add_within(const PieceFace& face, const Vec3& from, const Vec3& to, CrackMark mark, double slack,
                 const ViewAxes& view, std::vector<SceneCrack>& out) {
   double begin = 0, end = 1;

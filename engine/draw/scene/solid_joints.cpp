@@ -11,11 +11,11 @@
 namespace trilith::draw {
 namespace {
 
-constexpr double widest_gap = 0.05;    // share of the square root of what is shared
+constexpr double widest_gap = 0.05;    // share of the square root of the shared area
 constexpr double least_shared = 1e-4;  // share of the smaller face
 constexpr double least_cosine = 0.999;
 
-/// A convex face where it stands at the start.
+/// A convex face in its initial position.
 struct StartFace {
   int body = 0;
   std::vector<int> vertex;
@@ -24,7 +24,7 @@ struct StartFace {
   double area = 0;
 };
 
-/// nullopt of a face that is not convex, has no area or too many corners.
+/// None for a face that is not convex, has no area or too many corners.
 std::optional<StartFace> start_face(const results::Header& header, const results::Placement& at, int body, int row) {
   StartFace face;
   face.body = body;
@@ -48,7 +48,7 @@ std::optional<StartFace> start_face(const results::Header& header, const results
   return face;
 }
 
-/// The three corners of a face that are spread the widest from the first, anticlockwise.
+/// The three corners of a face with the widest spread from the first, anticlockwise.
 std::array<std::size_t, 3> widest_corners(const StartFace& face) {
   const auto farthest = [&](const auto& measure) {
     std::size_t best = 1;
@@ -63,7 +63,7 @@ std::array<std::size_t, 3> widest_corners(const StartFace& face) {
   return {0, turns ? second : third, turns ? third : second};
 }
 
-/// The points as the face's body carries them, each moved into the face's plane.
+/// Attaches the points to the face's body, each projected onto the face's plane.
 SolidJoint::Side carried(const StartFace& face, const std::vector<Vec3>& points) {
   SolidJoint::Side out;
   out.body = face.body;
@@ -79,7 +79,7 @@ SolidJoint::Side carried(const StartFace& face, const std::vector<Vec3>& points)
   return out;
 }
 
-/// nullopt where the two do not lie on each other.
+/// None if the two faces do not lie on each other.
 std::optional<SolidJoint> joint_between(const StartFace& a, const StartFace& b) {
   if (a.normal.dot(b.normal) > -least_cosine) return std::nullopt;
   FaceOverlap3 faces;

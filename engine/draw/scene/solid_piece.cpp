@@ -6,8 +6,8 @@
 namespace trilith::draw {
 namespace {
 
-/// Distances from the plane, those within the slack as 0. A face with a side in the plane that goes through it by no
-/// more than some of that does so by rounding: what there is of it beyond counts as in it.
+/// Distances of corners from the plane; 0 within the slack. A face with a side in the plane that crosses it by only a
+/// few times the slack does so by rounding: its part beyond counts as in the plane.
 std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double slack) {
   constexpr double rounding_of_a_side = 10;
   std::vector<double> out;
@@ -26,8 +26,8 @@ std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double
   return out;
 }
 
-/// The part of a face on the side where `sign` times the height is not below 0 (Sutherland and Hodgman, 1974); empty
-/// where none has an area there.
+/// The part of a face on the side where `sign` times the height is not negative (Sutherland and Hodgman, 1974); empty
+/// if it has no area there.
 PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge) {
   PieceFace out{{}, {}, face.normal, face.kind};
   const std::size_t count = face.corners.size();
@@ -38,8 +38,8 @@ PieceFace side_of(const PieceFace& face, const std::vector<double>& height, doub
       out.corners.push_back(p);
       out.is_edge.push_back(edge);
     };
-    // A corner in the plane belongs to the side that a neighbour of it is on: of a face that is not convex others would
-    // be the tips of spikes without width.
+    // A corner in the plane belongs to the side of its neighbours: in a non-convex face other corners would form spikes
+    // without width.
     const double before = sign * height[(i + count - 1) % count];
     if (a > 0 || (a == 0 && (b > 0 || before > 0)))
       add(face.corners[i], b < 0 && a == 0 ? cut_is_edge : face.is_edge[i]);
@@ -51,7 +51,7 @@ PieceFace side_of(const PieceFace& face, const std::vector<double>& height, doub
   return out;
 }
 
-/// The convex polygon around points of a plane, anticlockwise seen from the tip of `normal` (Andrew, 1979).
+/// The convex hull of points in a plane, anticlockwise seen from the tip of `normal` (Andrew, 1979).
 std::vector<Vec3> hull_in_plane(std::vector<Vec3> points, const Vec3& normal, double slack) {
   const Vec3 other = std::abs(normal.x()) < 0.7 ? Vec3::UnitX() : Vec3::UnitY();
   const Vec3 u = cross(normal, other).normalized(), v = cross(normal, u);
@@ -81,7 +81,7 @@ struct Line {
   Vec3 from, to;
 };
 
-/// The faces of a piece on one side of a plane, and the lines in which they end there, each as it runs round its face.
+/// The faces of a piece on one side of a plane, and the lines in which they end there, oriented along their faces.
 struct Side {
   std::vector<PieceFace> faces;
   std::vector<Line> ends;
@@ -101,13 +101,13 @@ Side faces_beside(const SolidPiece& piece, const CutPlane& plane, double sign, d
   for (const PieceFace& face : piece.faces) {
     const std::vector<double> height = heights(face, plane, slack);
     if (std::all_of(height.begin(), height.end(), [](double h) { return h == 0; })) {
-      // What lies in the plane bounds the part below it or, turned round, the one above.
+      // A face in the plane bounds the part below it or, reversed, the part above.
       if (sign * face.normal.dot(plane.normal) < 0) out.faces.push_back(face);
       continue;
     }
     if (std::none_of(height.begin(), height.end(), [&](double h) { return sign * h > 0; })) continue;
-    // A face that goes through the plane is clipped. Another one is whole on this side, with corners in the plane whose
-    // neighbours lie there too, as a side or all but one of them may.
+    // A face that crosses the plane is clipped. Other faces are whole on this side; they may have corners in the plane
+    // whose neighbours lie there too, as a side or all but one corner may.
     const bool crosses = std::any_of(height.begin(), height.end(), [&](double h) { return sign * h < 0; });
     PieceFace part = crosses ? side_of(face, height, sign, cut_is_edge) : face;
     if (part.corners.size() < 3) continue;
@@ -123,7 +123,7 @@ bool goes_through(const Line& line, const Vec3& p, double slack) {
   return (line.from + share * along - p).norm() <= slack;
 }
 
-/// What closes a convex piece: a convex polygon. Its sides are edges where the skin ends there, and not where the piece
+/// The closing face of a convex piece: a convex polygon. Its sides are edges where the skin ends, not where the piece
 /// was divided from others.
 PieceFace hull_of_ends(const std::vector<Line>& ends, const Vec3& normal, double slack, FaceKind kind) {
   std::vector<Vec3> points;
@@ -139,8 +139,8 @@ PieceFace hull_of_ends(const std::vector<Line>& ends, const Vec3& normal, double
   return out;
 }
 
-/// Takes a line out of `left` and those that go on from it, until none does; against their sense, as they bound what
-/// closes the faces.
+/// Removes a line and the lines that continue it from `left` until none does, in the reverse sense, because they bound
+/// the closing face.
 std::vector<Vec3> next_loop(std::vector<Line>& left, double slack) {
   std::vector<Vec3> loop;
   for (auto line = left.end() - 1; line != left.end();) {
@@ -152,8 +152,8 @@ std::vector<Vec3> next_loop(std::vector<Line>& left, double slack) {
   return loop;
 }
 
-/// What closes the skin of a solid of any shape: the loops in which it ends, holes among them, as one polygon that goes
-/// from its first corner to each loop and back.
+/// The closing face of a skin of any shape: the loops in which it ends, holes included, as one polygon that runs from
+/// its first corner to each loop and back.
 PieceFace loops_of_ends(std::vector<Line> ends, const Vec3& normal, double slack, FaceKind kind) {
   PieceFace out{{}, {}, normal, kind};
   const auto add = [&](const Vec3& p, bool edge) {
@@ -171,7 +171,7 @@ PieceFace loops_of_ends(std::vector<Line> ends, const Vec3& normal, double slack
   return out;
 }
 
-/// The face that a plane gives to what is on one side of it, where that has none of its own there.
+/// The face in the plane of a part on one side of it, if the part has no own face there.
 std::optional<PieceFace> closing_face(const SolidPiece& piece, const Side& side, const CutPlane& plane,
                                       const Vec3& normal, double slack, FaceKind kind) {
   const bool bounded = std::any_of(side.faces.begin(), side.faces.end(), [&](const PieceFace& face) {
@@ -194,7 +194,7 @@ std::optional<SolidPiece> half_of(const SolidPiece& piece, const CutPlane& plane
   return out;
 }
 
-/// A face that has something of the piece above its plane.
+/// A face with a part of the piece above its plane.
 const PieceFace* reflex_face(const SolidPiece& piece, double slack) {
   for (const PieceFace& face : piece.faces) {
     if (face.kind != FaceKind::skin) continue;
@@ -206,7 +206,7 @@ const PieceFace* reflex_face(const SolidPiece& piece, double slack) {
   return nullptr;
 }
 
-/// As half_of, and the border, which may have any shape, stays without a face.
+/// As half_of, without a face at the border, which may have any shape.
 SolidPiece open_half(const SolidPiece& piece, const CutPlane& plane, double sign, double slack) {
   SolidPiece out{piece.body, faces_beside(piece, plane, sign, slack, false).faces, piece.borders};
   out.borders.push_back(plane.normal);
@@ -231,7 +231,7 @@ std::pair<std::optional<SolidPiece>, std::optional<SolidPiece>> divided(const So
 std::vector<SolidPiece> convex_pieces(SolidPiece solid, double slack) {
   std::vector<SolidPiece> todo, done;
   todo.push_back(std::move(solid));
-  // Each cut takes one plane out of both parts, so that this ends; the bound is for faces that are not plane.
+  // Each cut removes one plane from both parts, so the loop ends; the bound is for faces that are not plane.
   std::size_t cuts = 0, most = 4 * todo[0].faces.size() + 16;
   while (!todo.empty()) {
     SolidPiece piece = std::move(todo.back());

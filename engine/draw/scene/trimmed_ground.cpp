@@ -16,7 +16,7 @@ SpaceBox box_of_piece(const SolidPiece& piece) {
   return out;
 }
 
-/// Along x and y: whether the first reaches over all of the second.
+/// True if the first box extends beyond all of the second along x and y.
 bool spans(const SpaceBox& a, const SpaceBox& b) {
   return (a.low.head<2>().array() < b.low.head<2>().array()).all() &&
          (a.high.head<2>().array() > b.high.head<2>().array()).all();
@@ -30,7 +30,7 @@ bool are_apart(const SpaceBox& a, const SpaceBox& b) {
   return (a.low.array() >= b.high.array()).any() || (a.high.array() <= b.low.array()).any();
 }
 
-/// Down to the ground that bodies in the air will fall on: the highest that lies below the box.
+/// Extends the box down to the highest ground below it, for bodies in the air.
 SpaceBox down_to_ground(SpaceBox box, const std::vector<SpaceBox>& held) {
   double ground = -std::numeric_limits<double>::infinity();
   for (const SpaceBox& h : held) {
@@ -90,7 +90,7 @@ std::vector<SolidPiece> trimmed_ground(std::vector<SolidPiece> pieces,
   for (const SolidPiece& piece : pieces)
     if (is_held(piece)) held.push_back(box_of_piece(piece));
   const SpaceBox box = down_to_ground(around, held);
-  // Of ground the depth matters least.
+  // The depth of ground is the least relevant.
   const double size = (box.high - box.low).norm();
   const Vec3 border(0.08 * size, 0.08 * size, 0.05 * size), far = Vec3::Constant(2 * size);
   const SpaceBox near{box.low - border, box.high + border}, farthest{box.low - far, box.high + far};

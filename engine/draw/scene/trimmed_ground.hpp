@@ -1,4 +1,4 @@
-// How much of the ground under a model in space belongs into its picture.
+// The part of the ground below a model in space that is drawn.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,22 +11,22 @@
 
 namespace trilith::draw {
 
-/// A box with its sides along the axes of the world [m].
+/// An AABB in world axes [m].
 struct SpaceBox {
   Vec3 low, high;
 };
 
-/// The box of nearly all bodies that are free and not left out, and as far again around it, but no larger than the box
-/// of all: beyond it ground is of no interest. nullopt where no body is free.
+/// The AABB of nearly all free bodies that are drawn, enlarged by its size, but at most the AABB of all of them: ground
+/// beyond it is not relevant. None if no body is free.
 std::optional<SpaceBox> box_of_free(const results::Header& header, const results::Placement& at,
                                     const std::vector<bool>& left_out);
 
-/// The box around both.
+/// The AABB of both.
 std::optional<SpaceBox> joined(const std::optional<SpaceBox>& a, const std::optional<SpaceBox>& b);
 
-/// Pieces that are free as they are; of those that `is_held` says: a plate that lies under all of `around` ends at a
-/// border about it, and so does what reaches more than twice as far beyond it as it is large; what lies outside of the
-/// border is left out; walls, piers, a chute stay whole. `around` goes down to the ground beneath it.
+/// Free pieces remain unchanged. Pieces for which `is_held` returns true are trimmed: a plate below all of `around`
+/// ends at a border around it. So does a piece that extends beyond it by more than twice its size. Parts outside of the
+/// border are removed; walls, piers and chutes remain whole. `around` extends down to the ground beneath it.
 std::vector<SolidPiece> trimmed_ground(std::vector<SolidPiece> pieces,
                                        const std::function<bool(const SolidPiece&)>& is_held, const SpaceBox& around);
 

@@ -1,4 +1,4 @@
-// From where a model in space is seen, and the plane of the picture.
+// View direction of a model in space, and the plane of the picture.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,14 @@
 
 namespace trilith::draw {
 
-/// The eye's place as seen from the model, very far away: pictures are orthographic, so that lengths along one
-/// direction are to one scale everywhere. Azimuth from the x axis, anticlockwise as seen from above; elevation above
+/// Direction from the model to the eye, at infinite distance: pictures are orthographic, so that lengths along one
+/// direction have the same scale everywhere. Azimuth from the x axis, anticlockwise seen from above; elevation above
 /// the x-y plane. Both in degrees.
 struct ViewDirection {
   double azimuth = -45, elevation = 35.26438968275465;
 };
 
-/// front (x to the right), back, left, right, top (x to the right, y upwards) and iso, where the three axes are equally
-/// short.
+/// front (x to the right), back, left, right, top (x to the right, y upwards) and iso, with equally foreshortened axes.
 const std::vector<std::string>& view_names();
 
 /// A name of view_names(), or "AZIMUTH,ELEVATION" in degrees, the elevation from -90 to 90. Throws InputError.
