@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Straight between two points, or smooth: 10 p^3 - 15 p^4 + 6 p^5, which begins and ends without slope and bend, so
-/// that nothing is set off.
+/// Linear between two points, or smooth: 10 p^3 - 15 p^4 + 6 p^5, which has zero slope and curvature at both ends and
+/// so excites no vibration.
 double LoadCurve::between(double t) const {
   const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
   double part = (t - time[after - 1]) / (time[after] - time[after - 1]);
@@ -17,7 +17,7 @@ double LoadCurve::between(double t) const {
   return (1 - part) * share[after - 1] + part * share[after];
 }
 
-// Without a duration the share is `to` from the start on, also before it: one point holds on both sides.
+// Without a duration the share is `to` from the start on, also before it: one point is constant on both sides.
 LoadCurve ramp_curve(double start, double from, double to, double duration, bool smooth) {
   return duration > 0 ? LoadCurve{{start, start + duration}, {from, to}, smooth} : LoadCurve{{start}, {to}, smooth};
 }

@@ -21,7 +21,7 @@ std::string name_of(const MotionSource& source) {
   return source.title.empty() ? "ground motion" : source.title;
 }
 
-/// Fills in velocity and displacement at the samples from those at the first.
+/// Computes velocity and displacement at the samples from their values at the first.
 void integrate(std::vector<MotionAt>& samples, double dt) {
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const MotionAt& now = samples[i];
@@ -40,10 +40,9 @@ double largest_acceleration(std::span<const MotionAt> samples) {
 
 }  // namespace
 
-// Comes in: acceleration at equal steps [m/s2], and velocity and displacement of the ground at the first sample. Goes
-// out: all three at each sample, belonging to each other exactly where the acceleration is linear between samples. A
-// support that follows the displacement then has the very acceleration of the record, and no baseline is corrected
-// silently.
+// Input: acceleration at equal steps [m/s2], and velocity and displacement of the ground at the first sample. Output:
+// all three at each sample, consistent exactly for an acceleration that is linear between samples. A support that
+// follows the displacement then has the acceleration of the record, and no baseline is corrected silently.
 GroundMotion::GroundMotion(std::span<const double> acceleration, double step, MotionStart start, MotionSource source)
     : step_(step), source_(std::move(source)), description_(name_of(source_)) {
   const auto about = [this](std::string_view what) { return fmt::format("motion '{}': {}", description_, what); };
@@ -63,13 +62,13 @@ GroundMotion::GroundMotion(std::span<const double> acceleration, double step, Mo
   samples_.front().velocity = require_finite(start.velocity, about("start velocity"));
   samples_.front().displacement = require_finite(start.displacement, about("start displacement"));
   integrate(samples_, step_);
-  // An overflow on the way reaches the last sample as an infinity or NaN, for both are kept by sums.
+  // An overflow persists in the sums up to the last sample as an infinity or NaN.
   require_finite(samples_.back().velocity, about("end velocity"));
   require_finite(samples_.back().displacement, about("end displacement"));
   duration_ = static_cast<double>(samples_.size() - 1) * step_;
 }
 
-/// Always from the accelerations anew, so that velocity and displacement belong to them as they do in any other motion.
+/// Always integrated from the accelerations, so that velocity and displacement are consistent as in any other motion.
 GroundMotion GroundMotion::transformed(double amplitude, double time, MotionStart start,
                                        const std::string& note) const {
   std::vector<double> acceleration;
@@ -99,7 +98,7 @@ GroundMotion GroundMotion::scaled_to_peak(double peak) const {
                      fmt::format("scaled to PGA {:.6g} g", peak / standard_gravity));
 }
 
-/// By the factor that the other has been scaled by in all: components of one record go together.
+/// Scales by the total factor of the other motion: components of one record are scaled together.
 GroundMotion GroundMotion::scaled_as(const GroundMotion& other) const {
   const double factor = std::abs(other.factor_);
   return transformed(factor, 1, {start().velocity * factor, start().displacement * factor},
@@ -110,7 +109,8 @@ GroundMotion GroundMotion::reversed() const {
   return transformed(-1, 1, {-start().velocity, -start().displacement}, "reversed");
 }
 
-/// With t' = factor t and accelerations as they are, velocities grow with the factor and displacements with its square.
+/// With t' = factor t and unchanged accelerations, velocities increase with the factor and displacements with its
+/// square.
 GroundMotion GroundMotion::time_scaled(double factor) const {
   require_positive(factor, "time factor of motion '" + description_ + "'", "");
   return transformed(1, factor, {start().velocity * factor, start().displacement * factor * factor},

@@ -25,29 +25,28 @@ struct MotionStart {
   double displacement = 0;
 };
 
-/// Where a motion comes from. Every field may be empty.
+/// Origin of a motion. Every field may be empty.
 struct MotionSource {
   std::string file;       ///< path as it was given
-  std::string agency;     ///< who recorded or processed it
+  std::string agency;     ///< agency that recorded or processed it
   std::string title;      ///< event and station
   std::string component;  ///< direction, e.g. "NS (S00E)"
   std::vector<std::string> notes;
 };
 
-/// One component of ground motion: samples of acceleration at a uniform step, taken as linear in between.
+/// One component of ground motion: samples of acceleration at a uniform step, linear in between.
 ///
 /// An immutable value. Velocity (quadratic in a sample interval) and displacement (cubic) are the exact integrals of
 /// the piecewise linear acceleration, from the start velocity and displacement at the first sample:
-///   v(s) = v_i + a_i s + (a_{i+1} - a_i) s^2 / (2 dt)
-///   u(s) = u_i + v_i s + a_i s^2 / 2 + (a_{i+1} - a_i) s^3 / (6 dt),   0 <= s <= dt.
-/// Before the first sample the ground rests at the start displacement; a start velocity other than zero is therefore a
-/// jump of the velocity at the first sample. After the last sample the ground rests at the end displacement; an end
-/// velocity other than zero is therefore a jump there, and check_usable (motion_check.hpp) refuses a motion where it
-/// is not small.
+///     v(s) = v_i + a_i s + (a_{i+1} - a_i) s^2 / (2 dt)
+///     u(s) = u_i + v_i s + a_i s^2 / 2 + (a_{i+1} - a_i) s^3 / (6 dt),   0 <= s <= dt.
+/// Before the first sample the ground rests at the start displacement, so a start velocity other than zero is a jump of
+/// the velocity at the first sample. After the last sample the ground rests at the end displacement, so an end velocity
+/// other than zero is a jump there. check_usable (motion_check.hpp) rejects a motion if this jump is not small.
 class GroundMotion {
  public:
-  /// `acceleration`: at least 2 samples [m/s2], within +-1e6; `step`: sample step [s], 1e-9 to 1e6.
-  /// Throws InputError where one is outside its range or an integral is not finite.
+  /// `acceleration`: at least 2 samples [m/s2], within +-1e6; `step`: sample step [s], 1e-9 to 1e6. Throws InputError
+  /// if one is outside its range or an integral is not finite.
   GroundMotion(std::span<const double> acceleration, double step, MotionStart start = {}, MotionSource source = {});
 
   /// Acceleration, velocity and displacement at time `t` [s]. Constant time, no allocation; any `t`.
@@ -68,7 +67,7 @@ class GroundMotion {
   double amplitude_factor() const noexcept { return factor_; }
 
   const MotionSource& source() const noexcept { return source_; }
-  /// What this motion is, in one line: "elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g, time x 0.8, delayed 0.204 s".
+  /// Description in one line: "elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g, time x 0.8, delayed 0.204 s".
   const std::string& description() const noexcept { return description_; }
 
   /// All amplitudes (acceleration, velocity, displacement) times `factor`; finite and not 0.
@@ -77,16 +76,16 @@ class GroundMotion {
   GroundMotion scaled_to_peak(double peak) const;
   /// Times |amplitude_factor()| of another component, e.g. the vertical scaled as the horizontal was.
   GroundMotion scaled_as(const GroundMotion& other) const;
-  /// The other way: all amplitudes times -1.
+  /// Opposite direction: all amplitudes times -1.
   GroundMotion reversed() const;
-  /// Time axis times `factor` (above 0), acceleration values kept: velocities become `factor` times, displacements
-  /// `factor`^2 times what they were. A delay is stretched with it.
+  /// Time axis times `factor` (above 0), with unchanged accelerations: velocities are multiplied by `factor`,
+  /// displacements by `factor`^2. A delay is multiplied too.
   GroundMotion time_scaled(double factor) const;
-  /// The same motion later by `delay` [s] (earlier where negative, but not before t = 0: InputError).
+  /// The motion delayed by `delay` [s] (earlier if negative, but not before t = 0: InputError).
   GroundMotion delayed(double delay) const;
-  /// The same accelerations from another start velocity [m/s].
+  /// The accelerations with another start velocity [m/s].
   GroundMotion with_start_velocity(double velocity) const;
-  /// The same accelerations from another start displacement [m].
+  /// The accelerations with another start displacement [m].
   GroundMotion with_start_displacement(double displacement) const;
 
  private:

@@ -11,9 +11,9 @@ namespace trilith {
 
 namespace {
 
-// The limits of drift. They are shares of the record's own peak velocity, so that they hold for a strong record and a
-// weak one; a corrected record ends well below all of them, one with an offset in its acceleration far above.
-constexpr double end_velocity_limit = 0.10;       // of PGV, whatever the ground did before
+// Limits of drift, as shares of the record's peak velocity, so that they apply to strong and weak records. A corrected
+// record ends well below all of them, a record with an offset in its acceleration far above.
+constexpr double end_velocity_limit = 0.10;       // of PGV, independent of the previous motion
 constexpr double end_velocity_negligible = 0.01;  // of PGV: the ground has come to rest
 constexpr double last_quarter_limit = 0.05;       // of PGV, for the mean velocity over the last quarter
 
@@ -26,8 +26,8 @@ double last_quarter_velocity(const GroundMotion& motion) {
   return (samples[last].displacement - samples[from].displacement) / time;
 }
 
-/// A record drifts where it ends fast, whatever came before, or where it does not end at rest and has travelled one way
-/// over its last quarter. A ground that ends at rest beside where it was does not drift.
+/// A record drifts if it ends fast, or if it does not end at rest and has moved in one direction over its last quarter.
+/// Ground that ends at rest with an offset does not drift.
 std::string drift_of(const GroundMotion& motion) {
   const double pgv = std::abs(motion_peaks(motion).velocity.value);
   const double end = motion.samples().back().velocity;
@@ -47,14 +47,14 @@ std::string drift_of(const GroundMotion& motion) {
 
 }  // namespace
 
-/// The start velocity that would end the record where it began: it adds its product with the duration.
+/// The start velocity with which the record ends where it began: it adds its product with the duration.
 double balanced_start_velocity(const GroundMotion& motion) {
   const double offset = motion.samples().back().displacement - motion.start().displacement;
   return motion.start().velocity - offset / motion.duration();
 }
 
 std::string why_not_usable(const GroundMotion& motion, Drift drift) {
-  if (motion.amplitude_factor() == 0) return "";  // a control run: scaled to nothing on purpose
+  if (motion.amplitude_factor() == 0) return "";  // a control run, scaled to zero on purpose
   if (motion_peaks(motion).acceleration.value == 0)
     return fmt::format("motion '{}' is zero everywhere; check the file and its column", motion.description());
   return drift == Drift::allow ? "" : drift_of(motion);

@@ -18,9 +18,8 @@ bool digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && text[at] >= '0' && text[at] <= '9';
 }
 
-/// The first number with a decimal comma, where every comma of the file can be one: it stands between two digits, and
-/// no number has a point. In a file whose commas part columns some acceleration is negative, so that a sign follows
-/// one.
+/// The first number with a decimal comma, if every comma of the file can be one: it is between two digits, and no
+/// number has a point. If commas separate columns, some acceleration is negative, so that a sign follows a comma.
 std::string decimal_comma_in(std::string_view text, int skip) {
   TextLines lines(text, "");
   std::string first;
@@ -39,7 +38,7 @@ std::string decimal_comma_in(std::string_view text, int skip) {
   return first;
 }
 
-/// The smallest decimal that a number is written to: 0.01 of "3.25", 1e-7 of "1.00e-5".
+/// The smallest decimal of a number as written: 0.01 for "3.25", 1e-7 for "1.00e-5".
 double resolution_of(std::string_view word) {
   const std::size_t mark = std::min(word.find_first_of("eEdD"), word.size());
   const std::size_t point = word.substr(0, mark).find('.');
@@ -52,8 +51,8 @@ double resolution_of(std::string_view word) {
   return portable::pow(10.0, power - decimals);
 }
 
-/// Names in a line of the head: split at commas, semicolons or tabs where it has any, else at blanks; a unit in
-/// brackets belongs to the name before it. Empty where they are not `width` names.
+/// Names in a line of the head: split at commas, semicolons or tabs if it has any, otherwise at blanks; a unit in
+/// brackets belongs to the name before it. Empty unless there are `width` names.
 std::vector<std::string> names_in(std::string_view line, std::size_t width) {
   std::vector<std::string> names;
   if (line.find_first_of(",;\t") != std::string_view::npos) {
@@ -122,7 +121,7 @@ class TableReader {
     }
     last_size_ = words.size(), last_line_ = lines_.number();
   }
-  /// A short row is the last one; what comes behind it has other columns.
+  /// A short row must be the last one; rows after it have other columns.
   [[noreturn]] void fail_width(std::size_t size) {
     const int line = table_.ragged() ? last_line_ : lines_.number();
     lines_.fail(
@@ -139,7 +138,7 @@ class TableReader {
   int first_line_ = 0, last_line_ = 0;
 };
 
-/// Does a column grow as a time does? Few numbers may do so by chance, so they must also be evenly spaced.
+/// True if a column increases like a time. A few numbers may increase by chance, so they must also be evenly spaced.
 bool grows(const NumberTable& table, std::size_t column) {
   const std::size_t n = table.rows();
   if (n < 2 || !(table.at(n - 1, column) > table.at(0, column))) return false;
@@ -173,7 +172,7 @@ std::string listed(const NumberTable& table) {
   return text;
 }
 
-/// Which of several columns is the record is the script's to say.
+/// With several columns, the script must specify the record.
 [[noreturn]] void ask_column(const NumberTable& table, std::size_t time, const TextLines& lines) {
   const std::size_t proposed = time == 0 ? 1 : 0;
   const std::string by_name = table.names.empty() || table.names[proposed].empty()

@@ -1,4 +1,4 @@
-// Columns of numbers in a text file, and which of them are time and acceleration.
+// Columns of numbers in a text file, and the identification of time and acceleration among them.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace trilith {
 struct NumberTable {
   std::vector<double> values;      ///< row by row
   std::size_t width = 0;           ///< numbers in a row; the last row may have fewer
-  std::vector<double> resolution;  ///< of each column: the smallest decimal that its numbers are written to
-  std::vector<std::string> names;  ///< of the columns, by the last line of the head; empty where it names none
+  std::vector<double> resolution;  ///< of each column: the smallest decimal of its numbers as written
+  std::vector<std::string> names;  ///< of the columns, from the last line of the head; empty if it contains none
   std::string title;
 
   [[nodiscard]] std::size_t rows() const { return width == 0 ? 0 : values.size() / width; }
@@ -25,19 +25,19 @@ struct NumberTable {
   [[nodiscard]] std::string name(std::size_t column) const { return names.empty() ? "" : names[column]; }
 };
 
-/// Reads head and numbers of `text`. Fails through `lines` where a row has another number of columns than the first
-/// one, where a line among the numbers is none, and where numbers are written with decimal commas that the form does
-/// not name.
+/// Reads head and numbers of `text`. Fails through `lines` for a row with another number of columns than the first one,
+/// and for a line without numbers among the rows. It also fails for numbers with decimal commas that the form does not
+/// name.
 NumberTable read_number_table(TextLines& lines, std::string_view text, const PlainForm& form);
 
-/// Which columns hold the record.
+/// Columns of the record.
 struct RecordColumns {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::size_t time = none;          ///< none: the step is given
   std::size_t acceleration = none;  ///< none: all numbers are samples, row by row
 };
 
-/// By the form's `column`, or by the numbers themselves; fails with the list of columns where more than one is
+/// From the form's `column`, or from the numbers themselves; fails with the list of columns if more than one is
 /// possible.
 RecordColumns find_record_columns(const NumberTable& table, const PlainForm& form, const TextLines& lines);
 

@@ -17,17 +17,17 @@ namespace trilith {
 
 namespace {
 
-// A file of ours: header lines "# key: value" in any order, then one sample to a line.
+// The project's CSV form: header lines "# key: value" in any order, then one sample per line.
 //
-//   # units: g                the unit of accelerations, which must be g
-//   # dt: 0.02 s              the step, the same between all samples
-//   # npts: 2688              how many there must be
-//   # v0: -1.2 cm/s           velocity and displacement at the start, where the source gives them
-//   # pga: 0.34874 g          a check on what follows, not needed
-//   0.00,-0.0014
-//   0.02,-0.0110
+//     # units: g                unit of accelerations, which must be g
+//     # dt: 0.02 s              uniform step
+//     # npts: 2688              number of samples
+//     # v0: -1.2 cm/s           velocity and displacement at the start, if the source contains them
+//     # pga: 0.34874 g          check value, optional
+//     0.00,-0.0014
+//     0.02,-0.0110
 //
-// Every line is checked as it is read, so that a message names the line.
+// Every line is checked when it is read, so that messages contain the line.
 
 struct CsvHeader {
   MotionSource source;
@@ -48,7 +48,7 @@ constexpr std::array<Unit, 5> speed_units{
 constexpr std::array<Unit, 5> length_units{{{"cm", 0.01}, {"m", 1}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}};
 constexpr std::array<Unit, 1> time_units{{{"s", 1}}};
 
-/// "12.3 cm/s" as SI. The unit must be there and be one of `units`.
+/// "12.3 cm/s" in SI units. The unit is required and must be one of `units`.
 double quantity(std::string_view text, std::span<const Unit> units, std::string_view key, const TextLines& lines) {
   const auto words = words_of(text);
   const double value = lines.require_number(words.empty() ? text : words[0], key);
@@ -72,7 +72,7 @@ void require_unit_g(std::string_view text, const TextLines& lines) {
     lines.fail(fmt::format("unit is '{}', must be g; convert the values to g (980.665 cm/s2)", shown(text)));
 }
 
-/// What one header key does with its value.
+/// Reader of one header key.
 struct Key {
   std::string_view name;
   void (*read)(CsvHeader& header, std::string_view value, const TextLines& lines);
@@ -107,7 +107,7 @@ constexpr std::array<Key, 11> keys{{
      }},
 }};
 
-/// A key we do not know is a remark, unless it looks like one of ours misspelt.
+/// An unknown key is a remark, unless it resembles one of the known keys.
 void refuse_misspelt(const std::string& key, const TextLines& lines) {
   std::vector<std::string> known;
   known.reserve(keys.size());
@@ -131,7 +131,7 @@ void read_header_line(std::string_view line, CsvHeader& header, const TextLines&
   refuse_misspelt(key, lines);
 }
 
-/// What the samples cannot be read without: their unit, their step and how many there must be.
+/// Requires the data without which the samples cannot be read: their unit, their step and their number.
 void require_complete(const CsvHeader& header, const TextLines& lines) {
   const auto missing = [&lines](std::string_view line) {
     lines.fail_whole(fmt::format("header lacks the line '# {}'", line));
@@ -141,19 +141,19 @@ void require_complete(const CsvHeader& header, const TextLines& lines) {
   if (!header.count) missing("npts: 2688");
 }
 
-/// "0.02,-0.0110": the acceleration [g] of sample `index`, after a look at its time.
+/// "0.02,-0.0110": the acceleration [g] of sample `index`, after a check of its time.
 double read_sample(std::string_view line, std::size_t index, double step, const TextLines& lines) {
   const auto comma = line.find(',');
   if (comma == std::string_view::npos) lines.fail(fmt::format("must be 'time,acceleration', is '{}'", shown(line)));
   const double time = lines.require_number(trimmed(line.substr(0, comma)), "time");
   const double due = static_cast<double>(index) * step;
-  if (std::abs(time - due) > 0.1 * step)  // leaves room for times rounded to few decimals
+  if (std::abs(time - due) > 0.1 * step)  // permits times rounded to few decimals
     lines.fail(
         fmt::format("time is {:g} s, must be {:g} s: the step must be uniform, {:g} s by the header", time, due, step));
   return lines.require_number(trimmed(line.substr(comma + 1)), "acceleration");
 }
 
-/// To a thousandth: headers are rounded, and a file cut or scaled by hand is off by more.
+/// Within 0.1 %: headers are rounded, and a file cut or scaled by hand deviates by more.
 void require_announced_peak(const GroundMotion& motion, double announced, const TextLines& lines) {
   const double peak = motion_peaks(motion).acceleration.value / standard_gravity;
   if (std::abs(peak - announced) > 1e-3 * std::abs(peak))
@@ -163,7 +163,7 @@ void require_announced_peak(const GroundMotion& motion, double announced, const 
 
 }  // namespace
 
-/// The header line by line, then sample by sample; the peak that the header announces is compared at the end.
+/// Reads the header line by line, then sample by sample; the announced peak is compared at the end.
 GroundMotion parse_csv_motion(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   CsvHeader header;

@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// A motion from CSV text; `name` stands for the file in messages.
+/// A motion from CSV text; `name` is the file name in messages.
 GroundMotion parse_csv_motion(std::string_view text, const std::string& name);
 
 }  // namespace trilith

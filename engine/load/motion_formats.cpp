@@ -18,18 +18,18 @@ namespace {
 
 constexpr double gal_in_g = 0.01 / standard_gravity;
 
-/// A line "key   value" of a head: the value, where the line begins with the key.
+/// A line "key value" of a head: the value, if the line begins with the key.
 std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
   if (!lower_case(line.substr(0, key.size())).starts_with(key)) return std::nullopt;
   return trimmed(line.substr(key.size()));
 }
 
-/// The number that a text begins with, in front of its unit: "100Hz", "3920(gal)".
+/// The number at the begin of a text, before its unit: "100Hz", "3920(gal)".
 double leading_number(std::string_view text, std::string_view what, const TextLines& lines) {
   return lines.require_number(text.substr(0, std::min(text.find_first_not_of("0123456789.+-"), text.size())), what);
 }
 
-// ESM (Engineering Strong Motion database): lines "KEY: value", then one sample to a line.
+// ESM (Engineering Strong Motion database): lines "KEY: value", then one sample per line.
 
 struct EsmHeader {
   MotionSource source;
@@ -74,14 +74,14 @@ GroundMotion parse_esm_motion(std::string_view text, const std::string& name) {
   return motion_from_g(std::move(acceleration), *header.count, *header.step, {}, std::move(header.source), lines);
 }
 
-// K-NET and KiK-net (NIED): a head from "Origin Time" to "Memo.", then whole numbers, eight to a line.
+// K-NET and KiK-net (NIED): a head from "Origin Time" to "Memo.", then integers, eight per line.
 
 struct KnetHeader {
   MotionSource source;
   double rate = 0, factor = 0, duration = 0;  // [Hz], [g], [s]
 };
 
-/// "3920(gal)/6182761": gal of one whole number.
+/// "3920(gal)/6182761": gal per integer unit.
 double scale_factor(std::string_view text, const TextLines& lines) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos || lower_case(text).find("gal") == std::string::npos)
@@ -123,7 +123,7 @@ GroundMotion parse_knet_motion(std::string_view text, const std::string& name) {
   return motion_from_g(std::move(acceleration), announced, 1 / header.rate, {}, std::move(header.source), lines);
 }
 
-// Formats that are recognised and not read.
+// Formats that are recognised but not read.
 
 [[noreturn]] GroundMotion refuse_volume(std::string_view text, const std::string& name) {
   TextLines(text, name)

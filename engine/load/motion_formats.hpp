@@ -1,4 +1,4 @@
-// Formats of ground motion files that have a name, and how each is recognised.
+// Named formats of ground motion files, and their recognition.
 #pragma once
 
 #include <string>
@@ -8,19 +8,20 @@
 
 namespace trilith {
 
-/// A format that was recognised; false where none was.
+/// A recognised format; false if there is none.
 struct MotionFormat {
   std::string_view name;  ///< for messages: "a PEER AT2 file"
-  std::string_view unit;  ///< of its samples: one of plain_units(); "" where it is not read
+  std::string_view unit;  ///< of its samples: one of plain_units(); "" if the format is not read
   GroundMotion (*parse)(std::string_view text, const std::string& file) = nullptr;
 
   explicit operator bool() const { return parse != nullptr; }
 };
 
-/// By the content, or by the end of the file's name where that belongs to one format alone: the project's CSV ("#
-/// units:" and "# npts:"), PEER's AT2 ("NPTS" in the fourth line), ESM's ASCII ("SAMPLING_INTERVAL_S:"), K-NET ("Origin
-/// Time" first). Volumes of COSMOS, CSMIP, USGS and GeoNet (.V1, .V2) and binary files are recognised and refused by
-/// `parse`: they hold several blocks, and heads of bare numbers that would pass for samples.
+/// Recognition by the content, or by the file extension if that belongs to one format alone. The formats are the
+/// project's CSV ("# units:" and "# npts:"), PEER's AT2 ("NPTS" in the fourth line), ESM's ASCII
+/// ("SAMPLING_INTERVAL_S:"), and K-NET ("Origin Time" first). Volumes of COSMOS, CSMIP, USGS and GeoNet (.V1, .V2) and
+/// binary files are recognised and rejected by `parse`. They contain several blocks, and heads of bare numbers that
+/// could be mistaken for samples.
 MotionFormat named_format(std::string_view text, const std::string& file);
 
 }  // namespace trilith

@@ -15,13 +15,13 @@ void keep_larger(Peak& peak, double value, double time) {
   if (std::abs(value) > std::abs(peak.value)) peak = {value, time};
 }
 
-/// Integral of a^2 over the first `s` of an interval where a goes linearly from `from`, at rate `jerk`.
+/// Integral of a^2 over the first `s` of an interval in which a varies linearly from `from`, at rate `jerk`.
 double square_integral(double from, double jerk, double s) {
   const double to = from + jerk * s;
   return s * (from * from + from * to + to * to) / 3;
 }
 
-/// Integral of |a| over an interval of length `dt` where a goes linearly from `from` to `to`.
+/// Integral of |a| over an interval of length `dt` in which a varies linearly from `from` to `to`.
 double absolute_integral(double from, double to, double dt) {
   // Of one sign: the trapezoid.
   if (from * to >= 0) return dt * std::abs(from + to) / 2;
@@ -50,15 +50,15 @@ double time_of_sum(const GroundMotion& motion, const std::vector<double>& sums, 
   const double jerk = (motion.samples()[i + 1].acceleration - from) / motion.step();
   double low = 0;
   double high = motion.step();
-  for (int halving = 0; halving < 50; ++halving) {  // the sum grows steadily, so bisection cannot miss
+  for (int halving = 0; halving < 50; ++halving) {  // the sum increases monotonically, so bisection converges
     const double middle = (low + high) / 2;
     (sums[i] + square_integral(from, jerk, middle) < goal ? low : high) = middle;
   }
   return motion.sample_time(i) + high;
 }
 
-/// Where, from `inside` (|a| below level) to `outside` (at or above), |a| meets the level: 0 at `inside`, 1 at
-/// `outside`.
+/// Position at which |a| reaches the level between `inside` (|a| below it) and `outside` (at or above): 0 at `inside`,
+/// 1 at `outside`.
 double crossing(double inside, double outside, double level) {
   const double bound = std::copysign(level, outside);
   return std::clamp((bound - inside) / (outside - inside), 0.0, 1.0);
@@ -99,7 +99,8 @@ TimeSpan significant_duration(const GroundMotion& motion, double low, double hig
   return {time_of_sum(motion, sums, low * sums.back()), time_of_sum(motion, sums, high * sums.back())};
 }
 
-/// From the first time |a| comes to the level until the last time it leaves it, both between samples.
+/// From the first time at which |a| reaches the level to the last time at which it falls below it, both interpolated
+/// between samples.
 TimeSpan bracketed_duration(const GroundMotion& motion, double level) {
   require_positive(level, "level of the bracketed duration", "m/s2");
   const auto samples = motion.samples();

@@ -1,4 +1,4 @@
-// Figures by which ground motions are compared: peaks, Arias intensity, durations, and the arrays behind the drawings.
+// Measures of ground motions: peaks, Arias intensity, durations, and arrays for charts.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace trilith {
 
-/// A signed peak and the time [s] at which it stands.
+/// A signed peak and its time [s].
 struct Peak {
   double value = 0;
   double time = 0;
 };
 
 /// Largest absolute acceleration [m/s2], velocity [m/s] and displacement [m] among the samples, with their signs; the
-/// first where two are equal. The velocity and displacement are those of the exact integrals at the samples.
+/// first if two are equal. Velocity and displacement are the exact integrals at the samples.
 struct MotionPeaks {
   Peak acceleration;
   Peak velocity;
@@ -29,7 +29,7 @@ double arias_intensity(const GroundMotion& motion);
 /// Cumulative absolute velocity [m/s]: the integral of |a| (EPRI 1988), exact for piecewise linear a.
 double cumulative_absolute_velocity(const GroundMotion& motion);
 
-/// A stretch of time, both ends in seconds of the motion's time axis; length 0 where nothing qualifies.
+/// An interval of time, both ends on the motion's time axis [s]; length 0 if it is empty.
 struct TimeSpan {
   double begin = 0;
   double end = 0;

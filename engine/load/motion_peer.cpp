@@ -9,8 +9,8 @@ namespace trilith {
 
 namespace {
 
-// The PEER centre's AT2 form: four lines of header (agency, title, unit, count and step), then samples in g, five or so
-// in a line.
+// The PEER centre's AT2 form: four lines of header (agency, title, unit, count and step), then samples in g, about five
+// per line.
 
 struct PeerHeader {
   MotionSource source;
@@ -39,13 +39,13 @@ void require_units_of_g(std::string_view line, const TextLines& lines) {
                     words.empty() ? "" : shown(words[0])));
 }
 
-/// The unit of the step: "0.0100 SEC", "20.0 MSEC"; seconds where there is none.
+/// The unit of the step: "0.0100 SEC", "20.0 MSEC"; seconds without a unit.
 double step_unit(std::string_view word) {
   return word == "msec" || word == "ms" || word == "milliseconds" ? 1e-3 : 1;
 }
 
-/// Fourth line: "NPTS=   5372, DT=   .0100 SEC," or "NPTS=  4000, DT= .01000 SEC" or "4000 0.0100 NPTS, DT"; or the
-/// names alone, with the numbers in the same line behind them or in the next.
+/// Fourth line: `NPTS= 5372, DT= .0100 SEC,` or `NPTS= 4000, DT= .01000 SEC` or `4000 0.0100 NPTS, DT`. It may also
+/// contain the names alone, with the numbers after them in the same line or in the next.
 void read_counts(std::string_view line, PeerHeader& header, TextLines& lines) {
   std::string lower = lower_case(line);
   const std::vector<std::string_view> named = words_of(lower, "=,:");
@@ -66,7 +66,7 @@ void read_counts(std::string_view line, PeerHeader& header, TextLines& lines) {
   if (!(header.step > 0)) lines.fail(fmt::format("DT is {:g} s, must be above 0", header.step));
 }
 
-/// The component is what stands behind the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180".
+/// The component follows the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180".
 PeerHeader read_header(TextLines& lines, bool skip_empty) {
   PeerHeader header;
   do header.source.agency = header_line(lines);
@@ -93,7 +93,7 @@ bool names_samples_in_fourth_line(std::string_view text, bool skip_empty) {
   return false;
 }
 
-/// Four lines of header, then samples, several in a line.
+/// Four lines of header, then samples, several per line.
 GroundMotion parse_peer_motion(std::string_view text, const std::string& name) {
   TextLines lines(text, name);
   PeerHeader header = read_header(lines, !names_samples_in_fourth_line(text, false));

@@ -8,10 +8,10 @@
 
 namespace trilith {
 
-/// A motion from AT2 text; `name` stands for the file in messages.
+/// A motion from AT2 text; `name` is the file name in messages.
 GroundMotion parse_peer_motion(std::string_view text, const std::string& name);
 
-/// Does the fourth line name the number of samples? With `skip_empty` the fourth after empty lines at the start.
+/// True if the fourth line names the number of samples. With `skip_empty` lines count after empty ones at the start.
 bool names_samples_in_fourth_line(std::string_view text, bool skip_empty);
 
 }  // namespace trilith

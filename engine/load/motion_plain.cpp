@@ -17,8 +17,8 @@
 namespace trilith {
 namespace {
 
-// A file of numbers without a format of its own: columns, or accelerations line by line, after lines of words that
-// become the title. The script gives the unit, and the step where there is no column of times.
+// A file of numbers without a named format: columns, or accelerations line by line, after lines of words that become
+// the title. The script specifies the unit, and the step if there is no column of times.
 
 struct AccelerationUnit {
   std::string_view name;
@@ -34,14 +34,14 @@ constexpr std::array acceleration_units{
     AccelerationUnit{"ft/s2", 0.3048 / standard_gravity},
 };
 
-/// Its size in g, by which samples are multiplied; InputError for a unit that is not known.
+/// Size of the unit in g, the factor of samples; InputError for an unknown unit.
 double unit_in_g(const std::string& name, const std::string& file) {
   for (const AccelerationUnit& unit : acceleration_units)
     if (unit.name == name) return unit.in_g;
   throw InputError(fmt::format("motion file '{}': unit is '{}', must be one of {}", file, name, plain_units()));
 }
 
-/// The mean step of some times. They are even to a tenth of it, or to their rounding where the step is given.
+/// The mean step of the times. They must be uniform within 10 % of it, or within their rounding if the step is given.
 double even_step(const std::vector<double>& times, double resolution, bool given, const TextLines& lines) {
   const std::size_t n = times.size();
   if (n < 2) lines.fail_whole("has fewer than 2 samples");
@@ -58,7 +58,7 @@ double even_step(const std::vector<double>& times, double resolution, bool given
   return step;
 }
 
-/// Times that no record has as seconds: numbers of samples, or another unit.
+/// Rejects times that no record has in seconds: sample numbers, or another unit.
 [[noreturn]] void refuse_times(double step, double resolution, const TextLines& lines) {
   const bool numbers = resolution == 1 && std::abs(step - 1) < 1e-9;
   lines.fail_whole(fmt::format("has times that grow by {:g} a sample, {}; say the step in seconds, as in dt = {:g}",
@@ -67,7 +67,7 @@ double even_step(const std::vector<double>& times, double resolution, bool given
                                numbers ? 0.01 : step / 1000));
 }
 
-/// Does a column of times name ms as its unit? "time ms", "t [msec]".
+/// True if a column of times names ms as its unit: "time ms", "t [msec]".
 bool names_ms(const std::string& name) {
   const std::string lower = lower_case(name);
   for (const std::string_view word : words_of(lower, "()[]_/,"))
@@ -75,8 +75,7 @@ bool names_ms(const std::string& name) {
   return false;
 }
 
-/// The step that is given rules, where the times agree with it within their rounding: as seconds, as ms or as numbers
-/// of samples.
+/// A given step applies if the times agree with it within their rounding: as seconds, as ms or as sample numbers.
 double given_step(double step, double resolution, std::size_t n, double given, const TextLines& lines) {
   for (const double size : {1.0, 1e-3, 1e-6, given})  // of the times' unit [s]
     if (std::abs(step * size - given) <=
@@ -94,7 +93,7 @@ double step_of(const NumberTable& table, std::size_t time, const PlainForm& form
   return step;
 }
 
-/// A first sample that is a number of the head: the step, the rate, the number of samples.
+/// Rejects a first sample that is a number of the head: the step, the rate, the number of samples.
 void refuse_number_of_head(const std::vector<double>& samples, double step, const TextLines& lines) {
   const auto n = static_cast<double>(samples.size());
   const double first = samples.empty() ? 0 : samples[0];
@@ -112,7 +111,7 @@ void refuse_number_of_head(const std::vector<double>& samples, double step, cons
                     first, what));
 }
 
-/// The unit is the script's word, so it is that which a size beyond any ground speaks against.
+/// The unit comes from the script, so an unphysical peak indicates a wrong unit.
 void check_peak(const std::vector<double>& in_g, const std::string& unit, const TextLines& lines) {
   double peak = 0;
   for (const double a : in_g) peak = std::max(peak, std::abs(a));
@@ -130,7 +129,7 @@ std::string plain_units() {
   return text;
 }
 
-/// A file whose format has a name says its unit and step itself; those of the script must be the same.
+/// A named format contains its unit and step; values of the script must agree.
 GroundMotion parse_named_motion(std::string_view text, const std::string& name, const PlainForm& form,
                                 const MotionFormat& format) {
   TextLines lines(text, name);
@@ -146,7 +145,7 @@ GroundMotion parse_named_motion(std::string_view text, const std::string& name, 
   return motion;
 }
 
-/// A named format first; else the columns of numbers.
+/// Tries named formats first, then columns of numbers.
 GroundMotion parse_plain_motion(std::string_view text, const std::string& name, const PlainForm& form) {
   text = without_padding(without_byte_order_mark(text));
   const double in_g = unit_in_g(form.unit, name);

@@ -13,7 +13,7 @@
 namespace trilith {
 namespace {
 
-/// Steps of processing work on samples; a motion that only looks scaled or delayed would lose that.
+/// Processing works on samples; a motion that was scaled or delayed by its factors would lose these.
 void require_as_read(const GroundMotion& motion, const char* what) {
   if (motion.amplitude_factor() == 1 && motion.start_time() == 0) return;
   throw InputError(fmt::format("{}: motion '{}' is {} already; do this to the record as it was read, then {} it", what,
@@ -21,7 +21,7 @@ void require_as_read(const GroundMotion& motion, const char* what) {
                                motion.start_time() == 0 ? "scale" : "delay"));
 }
 
-/// Refuses more samples than memory should be spent on: a step or a pad typed in other units asks for billions.
+/// Rejects excessive numbers of samples: a step or a pad in a wrong unit requests billions.
 void require_samples(double count, const GroundMotion& motion, const std::string& asked) {
   if (count <= most_samples) return;
   throw InputError(fmt::format("{} makes {:.3g} samples of '{}' ({:g} s every {:g} s), at most {:.3g} are made", asked,
@@ -34,7 +34,7 @@ std::vector<double> accelerations(const GroundMotion& motion) {
   return a;
 }
 
-/// A motion of other samples; its description names what was done. A description is made of the source's file or title.
+/// A motion with new samples; its description, made of the source's file or title, contains the processing step.
 GroundMotion processed(const GroundMotion& motion, const std::vector<double>& a, double step, const std::string& done) {
   MotionSource source = motion.source();
   (source.file.empty() ? source.title : source.file) += ", " + done;
@@ -46,13 +46,14 @@ struct Section {
   double b0, b1, b2, a1, a2;
 };
 
-/// In: order n, corner w_c = tan(pi f dt) of the bilinear transform. Out: the sections of the digital Butterworth
+/// Input: order n, corner w_c = tan(pi f dt) of the bilinear transform. Output: the sections of the digital Butterworth
 /// filter. Its poles lie on a circle of radius w_c; a pair at angle theta gives s^2 + 2 cos(theta) w_c s + w_c^2, a
 /// single one s + w_c. With s = (1 - 1/z) / (1 + 1/z), and for a high-pass s^2 or s instead of w_c^2 or w_c above.
 std::vector<Section> butterworth_sections(int order, double wc, bool high_pass) {
   std::vector<Section> sections;
   for (int k = 0; k < order / 2; ++k) {
-    // Half the angle between neighbours off the axis where there is no single pole on it, a whole one where there is.
+    // The first pair is at half the angle between neighbours from the axis, or at the whole angle if a single pole is
+    // on the axis.
     const double angle = std::numbers::pi * (order % 2 == 0 ? k + 0.5 : k + 1) / order;
     const double damping = 2 * portable::cos(angle) * wc, square = wc * wc, sum = 1 + damping + square;
     const double top = (high_pass ? 1 : square) / sum, middle = high_pass ? -2 * top : 2 * top;
@@ -82,7 +83,7 @@ void pass_both_ways(std::vector<double>& x, const std::vector<Section>& sections
   }
 }
 
-/// The share of the corner of both passes at which one pass has its own: (sqrt(2) - 1)^(1 / 2n).
+/// Ratio of the corner frequency of both passes to the corner of one pass: (sqrt(2) - 1)^(1 / 2n).
 double corner_share(int order) {
   return portable::pow(std::numbers::sqrt2 - 1, 1.0 / (2 * order));
 }
@@ -115,7 +116,7 @@ std::string band_text(const FilterBand& band) {
                       : fmt::format("below {:g} Hz by {}", band.high, order);
 }
 
-/// `x` through the filter, with rest before and after for as long as its slower corner rings.
+/// Filters `x`, with rest before and after for the ringing time of its slower corner.
 std::vector<double> through(std::vector<double> x, const FilterBand& band, double step) {
   const double slowest = band.low > 0 ? band.low : band.high;
   const auto ring =
@@ -127,7 +128,7 @@ std::vector<double> through(std::vector<double> x, const FilterBand& band, doubl
   return {x.begin() + static_cast<std::ptrdiff_t>(ring), x.end() - static_cast<std::ptrdiff_t>(ring)};
 }
 
-/// `values` without their mean product with `base`, whose square sums to `square`.
+/// Removes the component of `values` along `base`, whose square sums to `square`.
 void deactivate(std::vector<double>& values, const std::vector<double>& base, double square) {
   double product = 0;
   for (std::size_t i = 0; i < base.size(); ++i) product += values[i] * base[i];
@@ -136,8 +137,8 @@ void deactivate(std::vector<double>& values, const std::vector<double>& base, do
 
 }  // namespace
 
-/// The polynomials orthogonal over the samples, each from the two before it (Stieltjes), are taken out one by one;
-/// twice, so that rounding leaves nothing.
+/// Removes the polynomials that are orthogonal over the samples, each from the two before it (Stieltjes), one by one;
+/// twice, so that no rounding error remains.
 GroundMotion baseline_corrected(const GroundMotion& motion, int degree) {
   require_as_read(motion, "baseline");
   std::vector<double> a = accelerations(motion);
@@ -162,7 +163,7 @@ GroundMotion baseline_corrected(const GroundMotion& motion, int degree) {
   return processed(motion, a, motion.step(), fmt::format("baseline of degree {} out", degree));
 }
 
-/// Both ways through the filter, so that no frequency is delayed; the pads take what rings beyond the record.
+/// Filters in both directions, so that no frequency is delayed; the pads contain the ringing beyond the record.
 GroundMotion filtered(const GroundMotion& motion, const FilterBand& band) {
   require_as_read(motion, "filter");
   check_band(band, motion.step());
@@ -175,15 +176,15 @@ GroundMotion filtered(const GroundMotion& motion, const FilterBand& band) {
   return processed(motion, through(std::move(a), band, motion.step()), motion.step(), band_text(band));
 }
 
-/// Straight between samples. A longer step than the record's first takes out what it could not show, above 0.8 of half
-/// its rate.
+/// Linear between samples. For a longer step, a low-pass first removes frequencies above 0.8 of half its rate, which it
+/// could not represent.
 GroundMotion resampled(const GroundMotion& motion, double step) {
   require_as_read(motion, "resample");
   require_positive(step, "resample: step", "s");
   if (!(step <= motion.duration()))
     throw InputError(fmt::format("resample: a step of {:g} s, the motion lasts {:g} s", step, motion.duration()));
   require_samples(motion.duration() / step, motion, fmt::format("resample: a step of {:g} s", step));
-  constexpr double slack = 1e-9;  // a step that divides the duration but for rounding reaches its end
+  constexpr double slack = 1e-9;  // a step that divides the duration up to rounding reaches its end
   std::vector<double> from = accelerations(motion);
   if (step > motion.step() * (1 + slack)) from = through(std::move(from), {0, 0.4 / step, 8, 0}, motion.step());
   const auto count = static_cast<std::size_t>(motion.duration() / step + slack) + 1;

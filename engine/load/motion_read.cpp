@@ -41,7 +41,7 @@ GroundMotion read_motion(const std::filesystem::path& path) {
   return parse_motion(text_of(path), path.string());
 }
 
-/// By the format that the content shows; nothing is guessed beyond that.
+/// Only formats that the content identifies are read.
 GroundMotion parse_motion(std::string_view text, const std::string& name) {
   text = without_padding(without_byte_order_mark(text));
   TextLines lines(text, name);

@@ -11,7 +11,7 @@
 namespace trilith {
 namespace {
 
-/// Step and duration that a record can have.
+/// Requires a plausible step and duration of a record.
 void require_credible_times(double step, std::size_t count, const TextLines& lines) {
   if (!(step >= least_credible_step && step <= largest_credible_step))
     lines.fail_whole(fmt::format("step is {:g} s, records have {:g} to {:g} s; {}", step, least_credible_step,
@@ -23,7 +23,7 @@ void require_credible_times(double step, std::size_t count, const TextLines& lin
                                  largest_credible_duration, step));
 }
 
-/// Velocity and displacement that ground can have, but for an offset that a baseline takes out.
+/// Requires plausible velocity and displacement of the ground, apart from an offset that a baseline correction removes.
 void require_credible_motion(const GroundMotion& motion, const TextLines& lines) {
   const GroundMotion flat = motion.samples().size() > 4 ? baseline_corrected(motion, 2) : motion;
   const MotionPeaks peaks = motion_peaks(flat);
@@ -37,7 +37,7 @@ void require_credible_motion(const GroundMotion& motion, const TextLines& lines)
 
 }  // namespace
 
-/// Samples that came out as announced, of a size that ground can have: a record in cm/s2 read as g would be a thousand
+/// Requires the announced number of samples with a plausible peak: a record in cm/s2 read as g would be a thousand
 /// times too strong.
 GroundMotion motion_from_g(std::vector<double> acceleration, std::size_t announced, double step, MotionStart start,
                            MotionSource source, const TextLines& lines) {

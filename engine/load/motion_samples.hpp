@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// A motion from samples [g]. Fails through `lines` where there are fewer than `announced`, fewer than 2, where all are
-/// zero, or where the motion is beyond the limits of motion_read.hpp.
+/// A motion from samples [g]. Fails through `lines` for fewer than `announced` or fewer than 2 samples, for samples
+/// that are all zero, and for a motion beyond the limits of motion_read.hpp.
 GroundMotion motion_from_g(std::vector<double> acceleration, std::size_t announced, double step, MotionStart start,
                            MotionSource source, const TextLines& lines);
 

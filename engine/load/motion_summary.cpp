@@ -15,7 +15,7 @@ namespace {
 constexpr double cm = 0.01;
 constexpr double inch = 0.0254;
 
-/// A label and its text to a line, texts under each other; what is empty is left out.
+/// Lines of a label and its text, aligned; empty texts are omitted.
 class Lines {
  public:
   void add(std::string_view label, const std::string& text) {
@@ -36,7 +36,7 @@ void add_source(Lines& lines, const GroundMotion& motion) {
   for (const std::string& note : source.notes) lines.add("note", note);
 }
 
-/// How long it is, and how it moves at the start where it does: the integrals begin there.
+/// Length, and the initial motion if there is one, with which the integrals begin.
 void add_samples(Lines& lines, const GroundMotion& motion) {
   lines.add("samples", fmt::format("{} at {:g} s", motion.samples().size(), motion.step()));
   const double begin = motion.start_time();
@@ -60,8 +60,8 @@ std::string span_text(const TimeSpan& span) {
   return fmt::format("{:.2f} s, from {:.2f} to {:.2f} s", span.length(), span.begin, span.end);
 }
 
-/// Measures of how much shaking there is: Arias (1970), cumulative absolute velocity, significant durations (shares of
-/// Arias's intensity) and the time between the first and last 0.05 g.
+/// Measures of intensity: Arias (1970), cumulative absolute velocity, significant durations (shares of the Arias
+/// intensity) and the time between the first and last 0.05 g.
 void add_intensities(Lines& lines, const GroundMotion& motion) {
   lines.add("Arias intensity", fmt::format("{:.4f} m/s", arias_intensity(motion)));
   lines.add("CAV", fmt::format("{:.4f} m/s", cumulative_absolute_velocity(motion)));

@@ -7,8 +7,8 @@
 
 namespace trilith {
 
-/// Several lines, each ended: what the motion is, its samples, peaks, intensities, durations, its end, and whether it
-/// can be used (motion_check.hpp) or why not.
+/// Several lines: description, samples, peaks, intensities, durations, end of the motion, and the result of
+/// motion_check.hpp.
 std::string motion_summary(const GroundMotion& motion);
 
 }  // namespace trilith

@@ -11,9 +11,9 @@
 namespace trilith {
 namespace {
 
-/// A shape of the acceleration, made so large that it ends at `distance`.
+/// Scales a shape of the acceleration so that it ends at `distance`.
 GroundMotion to_distance(std::span<const double> shape, double step, double distance, const std::string& title) {
-  // The unit motion ends at 1 but for rounding, and the last factor takes that out.
+  // The unit motion ends at 1 up to rounding, which the last factor removes.
   const GroundMotion raw(shape, step, {}, {});
   std::vector<double> acceleration(shape.begin(), shape.end());
   const double factor = distance / raw.samples().back().displacement;
@@ -33,17 +33,17 @@ void check_distance(double distance, const char* owner) {
 GroundMotion ramp_motion(double distance, double duration) {
   check_distance(distance, "ramp");
   require_positive(duration, "ramp: the duration", "s");
-  // Speeds up over one half and slows down over the other, and its acceleration has no jump.
+  // Acceleration over one half and deceleration over the other, without a jump of the acceleration.
   constexpr std::array<double, 5> shape{0, 1, 0, -1, 0};
   return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
 }
 
-/// Without a jump in velocity, which would be a blow.
+/// Without a jump in velocity, which would be an impact.
 GroundMotion even_motion(double distance, double speed) {
   check_distance(distance, "push");
   require_positive(speed, "push: the speed", "m/s");
-  // Two intervals to get to the speed, 96 at it and two to stop; the first and last two are worth one each in distance,
-  // hence 98 below.
+  // Two intervals to reach the speed, 96 at that speed and two to stop; the first and last two count as one each in
+  // distance, hence 98 below.
   constexpr std::size_t intervals = 100;
   std::array<double, intervals + 1> shape{};
   shape[1] = 1, shape[intervals - 1] = -1;
@@ -51,8 +51,8 @@ GroundMotion even_motion(double distance, double speed) {
                      fmt::format("by {:g} m at {:g} m/s", distance, speed));
 }
 
-/// Twenty of a hundred intervals to get going, by an acceleration a that rises and falls over ten each: the speed is
-/// v = 10 a dt, and the distance, of which each end is worth ten intervals, 80 v dt.
+/// 20 of 100 intervals accelerate, by an acceleration a that rises and falls over ten each. The speed is v = 10 a dt.
+/// The distance is 80 v dt, of which each end contributes ten intervals.
 GroundMotion gentle_motion(double distance, double acceleration, double duration) {
   check_distance(distance, "push");
   require_positive(acceleration, "push: the acceleration", "m/s2");
@@ -74,7 +74,7 @@ double gentle_speed(const GroundMotion& motion) {
 GroundMotion stopping_motion(double displacement, double velocity, double duration) {
   require_positive(duration, "stop: the duration", "s");
   const double step = duration / 2;
-  // A triangle whose area is the velocity it takes away.
+  // A triangle whose area is the velocity to remove.
   const std::array<double, 3> acceleration{0, -velocity / step, 0};
   MotionSource source;
   source.title = fmt::format("to rest from {:g} m/s within {:g} s", velocity, duration);

@@ -29,22 +29,22 @@ Grid grid_over(const GroundMotion& right, const GroundMotion& left, double step)
   return {begin, step, static_cast<std::size_t>(std::ceil((end - begin) / step)) + 1};
 }
 
-/// Relative displacement before either motion has begun.
+/// Relative displacement before the begin of both motions.
 double offset_at_rest(const GroundMotion& right, const GroundMotion& left) {
   return right.start().displacement - left.start().displacement;
 }
 
 }  // namespace
 
-// What two supports of a structure do to each other where the ground does not move as one (asynchronous motion, as from
-// a wave that passes): the right one's motion less the left one's.
+// Relative motion of two supports under asynchronous ground motion, such as a passing wave: the right motion minus the
+// left one.
 MotionAt relative_at(const GroundMotion& right, const GroundMotion& left, double t) noexcept {
   const MotionAt r = right.at(t);
   const MotionAt l = left.at(t);
   return {r.acceleration - l.acceleration, r.velocity - l.velocity, r.displacement - l.displacement};
 }
 
-/// By samples of a fine grid, as peaks of a difference lie between the samples of both.
+/// Sampled on a fine grid, because peaks of a difference lie between the samples of both.
 RelativePeaks relative_peaks(const GroundMotion& right, const GroundMotion& left, double grid) {
   const Grid times = grid_over(right, left, grid);
   const double rest = offset_at_rest(right, left);
@@ -59,7 +59,7 @@ RelativePeaks relative_peaks(const GroundMotion& right, const GroundMotion& left
   return peaks;
 }
 
-/// The first time at which the supports have come `level` nearer or farther than they were at rest.
+/// The first time at which the distance of the supports has changed by `level` from its value at rest.
 std::optional<double> relative_passage(const GroundMotion& right, const GroundMotion& left, double level, double grid) {
   require_positive(level, "level of the relative displacement", "m");
   const Grid times = grid_over(right, left, grid);

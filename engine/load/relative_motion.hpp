@@ -1,4 +1,4 @@
-// Two ground motions against each other: what a structure standing on both is pulled apart by.
+// Relative motion of two ground motions below one structure.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace trilith {
 
-/// Motion of `right` less motion of `left` at time `t` [s]. The displacement is as given, start displacements included.
+/// Motion of `right` minus motion of `left` at time `t` [s]. The displacement includes the start displacements.
 MotionAt relative_at(const GroundMotion& right, const GroundMotion& left, double t) noexcept;
 
-/// Largest relative velocity [m/s] and largest change of the relative displacement since its begin [m], sampled every
-/// `grid` s from the earlier begin to the later end (10 samples to a step of the finer motion where `grid` is 0).
+/// Largest relative velocity [m/s] and largest change of the relative displacement from its begin [m]. They are sampled
+/// every `grid` [s] from the earlier begin to the later end (10 samples per step of the finer motion if `grid` is 0).
 struct RelativePeaks {
   Peak velocity;
   Peak displacement;
 };
 RelativePeaks relative_peaks(const GroundMotion& right, const GroundMotion& left, double grid = 0);
 
-/// The first time [s], on the same grid, at which the relative displacement has changed by `level` [m] (above 0) either
-/// way since its begin; none where it never does.
+/// The first time [s], on the same grid, at which the relative displacement has changed by `level` [m] (above 0) in
+/// either sense; none if it never does.
 std::optional<double> relative_passage(const GroundMotion& right, const GroundMotion& left, double level,
                                        double grid = 0);
 

@@ -23,7 +23,7 @@ struct Oscillation {
   double velocity = 0;
 };
 
-/// Carries an oscillator exactly over time steps of one length in which the load is linear.
+/// Advances an oscillator exactly over equal time steps with linear load.
 class Recurrence {
  public:
   Recurrence(double period, double damping, double step)
@@ -37,10 +37,9 @@ class Recurrence {
 
   double step() const { return step_; }
 
-  /// The oscillation one step later; the load per mass [m/s2] goes linearly from `from` to `to`.
-  /// Of u'' + 2 zeta w u' + w^2 u = from + (to - from) s / step: a particular solution `base` + `slope` s, and beside
-  /// it exp(-zeta w s) (c cos(w_d s) + s sin(w_d s)), with c and s from the oscillation of now (Nigam and Jennings
-  /// 1969).
+  /// The oscillation one step later; the load per mass [m/s2] varies linearly from `from` to `to`. Solution of u'' + 2
+  /// zeta w u' + w^2 u = from + (to - from) s / step: a particular solution `base` + `slope` s plus exp(-zeta w s) (c
+  /// cos(w_d s) + s sin(w_d s)), with c and s from the present oscillation (Nigam and Jennings 1969).
   Oscillation advance(Oscillation now, double from, double to) const {
     const double slope = (to - from) / (step_ * omega_ * omega_);  // of the particular solution `base` + `slope` s
     const double base = from / (omega_ * omega_) - 2 * damping_ / omega_ * slope;
@@ -55,16 +54,16 @@ class Recurrence {
   double step_, omega_, damping_, damped_omega_, decay_, cosine_, sine_;
 };
 
-/// The extreme of the cubic through `from` and `to` a time `step` apart, where the velocity changes its sign.
+/// The extreme of the cubic through `from` and `to` over a time `step` in which the velocity changes its sign.
 Peak extreme_between(const Oscillation& from, const Oscillation& to, double step) {
   const double rise = to.displacement - from.displacement;
   const double linear = step * from.velocity;
   const double square = 3 * rise - step * (2 * from.velocity + to.velocity);
   const double cube = step * (from.velocity + to.velocity) - 2 * rise;
-  // Root of linear + 2 square r + 3 cube r^2 in 0..1: unique, for the slope has opposite signs at the two ends.
+  // Root of linear + 2 square r + 3 cube r^2 in 0..1: unique, because the slope has opposite signs at the two ends.
   const double root = std::sqrt(std::max(0.0, square * square - 3 * cube * linear));
   const double sum = -(square + std::copysign(root, square));
-  // The root of the two that keeps its digits first; the other where that lies outside.
+  // First the root without cancellation; the other if that lies outside.
   double r = sum == 0 ? 0.5 : linear / sum;
   if (!(r >= 0 && r <= 1)) r = cube == 0 ? 0.5 : sum / (3 * cube);
   r = std::clamp(r, 0.0, 1.0);
@@ -96,7 +95,7 @@ class PeakFollower {
 };
 
 Peak largest_displacement(const GroundMotion& motion, double period, double damping) {
-  // At least 20 looks a period; the load stays linear within each.
+  // At least 20 points per period; the load remains linear within each part.
   const auto parts = std::max(1.0, std::ceil(points_per_period * motion.step() / period));
   const Recurrence recurrence(period, damping, motion.step() / parts);
   PeakFollower follower(motion.start_time());
@@ -108,7 +107,7 @@ Peak largest_displacement(const GroundMotion& motion, double period, double damp
       follower.advance(recurrence, motion.sample_time(i) + part * recurrence.step(), from + part * change,
                        from + (part + 1) * change);
   }
-  // Free oscillation for one period more: the largest displacement may come after the record's end.
+  // Free vibration for one more period: the largest displacement may occur after the record's end.
   const Recurrence after(period, damping, period / points_per_period);
   for (double part = 0; part < points_per_period; ++part)
     follower.advance(after, motion.end_time() + part * after.step(), 0, 0);
@@ -132,8 +131,8 @@ OscillatorPeak oscillator_peak(const GroundMotion& motion, double period, double
   return {period, damping, peak.value, peak.time, peak.value * omega, peak.value * omega * omega};
 }
 
-// Pseudo-velocity w d and pseudo-acceleration w^2 d go with the largest displacement d, as codes draw them: w^2 d is
-// the largest elastic force over the mass, which without damping is the largest acceleration.
+// Pseudo-velocity w d and pseudo-acceleration w^2 d from the largest displacement d, as in design codes: w^2 d is the
+// largest elastic force over the mass, which without damping is the largest acceleration.
 std::vector<OscillatorPeak> response_spectrum(const GroundMotion& motion, std::span<const double> periods,
                                               double damping) {
   std::vector<OscillatorPeak> spectrum;

@@ -11,7 +11,7 @@ namespace trilith {
 /// `text` without blanks (space, tab, carriage return) at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// `text` without the marks (Ctrl-Z, zero bytes) that some programs end a text file with.
+/// `text` without the bytes (Ctrl-Z, zeros) that some programs append to a text file.
 std::string_view without_padding(std::string_view text);
 
 /// The words of `text`, split at blanks and at any of `separators`.
@@ -20,10 +20,10 @@ std::vector<std::string_view> words_of(std::string_view text, std::string_view s
 /// `text` in lower case (ASCII only).
 std::string lower_case(std::string_view text);
 
-/// The finite number that `text` is as a whole ("-.25E-2", "+3"), or none.
+/// The finite number that `text` contains as a whole (`-.25E-2`, "+3"), or none.
 std::optional<double> number_in(std::string_view text);
 
-/// Walks through a text line by line, 1 being the first line.
+/// Reads a text line by line, with 1 as the first line.
 class TextLines {
  public:
   /// Both are kept by reference or copied: `text` must live as long as this; `name` is the file's.
@@ -37,12 +37,12 @@ class TextLines {
 
   /// Throws InputError "motion file 'NAME' line N: message".
   [[noreturn]] void fail(const std::string& message) const;
-  /// Throws InputError "motion file 'NAME': message", for what concerns the whole file.
+  /// Throws InputError "motion file 'NAME': message" for an error of the whole file.
   [[noreturn]] void fail_whole(const std::string& message) const;
 
-  /// The number that `text` is; fails where it is none. `what` names it in the message.
+  /// The number in `text`; fails for any other text. `what` names it in the message.
   double require_number(std::string_view text, std::string_view what) const;
-  /// The count (1 or above) that `text` is; fails where it is none.
+  /// The count (1 or above) in `text`; fails for any other text.
   std::size_t require_count(std::string_view text, std::string_view what) const;
 
  private:
