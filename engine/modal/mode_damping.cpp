@@ -14,10 +14,10 @@
 namespace trilith {
 namespace {
 
-/// Largest speed of a node [m/s]; where nothing but turns, of a turn [rad/s].
+/// Largest speed of a node [m/s]; in a mode with rotations only, of a rotation [rad/s].
 constexpr double tried_speed = 1e-3;
 
-/// What dampings do along a mode: forces against its motion, times it [1/s where phi' M phi = 1], by source.
+/// Work rate of the dampings along a mode [1/s] for phi' M phi = 1, by source.
 struct Along {
   double all = 0, bearings = 0, elements = 0;
 };
@@ -36,7 +36,7 @@ double product(const Vec3& moment, const Vec3& turn) {
   return moment.dot(turn);
 }
 
-/// phi . F, with the moments times the turns of the mode.
+/// phi . F, including the moments times the rotations of the mode.
 template <int D>
 double work_along(const NaturalMode<D>& mode, const std::vector<Vec<D>>& force, const std::vector<Moment<D>>& moment) {
   double sum = 0;
@@ -45,7 +45,7 @@ double work_along(const NaturalMode<D>& mode, const std::vector<Vec<D>>& force, 
   return sum;
 }
 
-/// The forces of bearings on the nodes, as they are summed there: along one line, through b's point.
+/// The forces of bearings on the nodes, along one line through b's point.
 template <int D>
 double bearings_along(const Model<D>& model, const State<D>& state, const Work<D>& work, const NaturalMode<D>& mode) {
   std::vector<Vec<D>> force(model.mass.size(), Vec<D>::Zero());
@@ -55,7 +55,7 @@ double bearings_along(const Model<D>& model, const State<D>& state, const Work<D
   return work_along(mode, force, moment);
 }
 
-/// The forces of now along the mode, while the state moves with `scale` times it.
+/// The present forces along the mode, while the state moves with `scale` times it.
 template <int D>
 Along forces_along(const Model<D>& model, State<D>& state, const NaturalMode<D>& mode, double scale) {
   for (std::size_t n = 0; n < state.velocity.size(); ++n)
@@ -76,10 +76,10 @@ BeamStrain3 strain_of(const State<3>& state, const Beam3& beam) {
   return now_of(state, beam).strain();
 }
 
-/// Of beams that are damped over a band.
+/// Damping ratio of the beams with band damping.
 template <int D>
 double band_ratio(const Model<D>& model, const State<D>& rest, const NaturalMode<D>& mode, double scale) {
-  // So far along the mode that chords turn by little and rounding is less still.
+  // Displacement along the mode for which the rotation of chords is small and rounding is smaller still.
   const double way = scale * 1e-3, w = std::sqrt(mode.square);
   State<D> moved = rest;
   for (std::size_t n = 0; n < moved.position.size(); ++n) {
@@ -101,8 +101,8 @@ double band_ratio(const Model<D>& model, const State<D>& rest, const NaturalMode
   return lost / (2 * (mode.square + stiffer));
 }
 
-/// The share of critical damping of one mode, by source. The model at rest is moved along the mode with a small
-/// velocity s, there and back; half the difference of the forces is what depends on the velocity, to first order:
+/// Damping ratio of one mode, by source. The model at rest is moved along the mode with a small velocity s in both
+/// senses. Half the difference of the forces is the part that depends on the velocity, to first order:
 ///
 ///     zeta = -phi . (F(s phi) - F(-s phi)) / (2 s) / (2 w),   phi' M phi = 1
 template <int D>
@@ -111,7 +111,7 @@ ModeDamping damping_of(const Model<D>& model, State<D>& rest, const NaturalMode<
   double most = 0, most_turn = 0;
   for (const auto& v : mode.displacement) most = std::max(most, v.norm());
   for (const auto& v : mode.rotation) most_turn = std::max(most_turn, size_of(v));
-  // In space a mode that twists has some rounding of a displacement: what turns counts too.
+  // In space a torsional mode contains rounding of displacements, so rotations count too.
   if constexpr (D == 3)
     for (int n = 0; n < model.nodes(); ++n) most = std::max(most, gyration_of(model, n) * size_of(mode.rotation[n]));
   const double scale = tried_speed / (most > 0 ? most : most_turn);

@@ -1,13 +1,13 @@
-// How much of critical the dampings of a model are for each of its modes, as it stands.
+// Damping ratios of a model for each of its modes, in its present state.
 //
-//   ratio = phi' C phi / (2 w),     C = -dF/dv about the state at rest,  phi' M phi = 1
+//     ratio = phi' C phi / (2 w),     C = -dF/dv about the state at rest,  phi' M phi = 1
 //
-// C phi is found by two evaluations with the velocities of the mode, to either side of rest, at a largest speed of
-// 1 mm/s: of a damper that is no straight line it is what it does at that speed. Friction that slides is no damping
-// here, and numerical damping of implicit steps is none of the model's. Damping over a band (element/band_damping.hpp)
-// goes by the mode's frequency: with U_b = s . K s of a beam's stretch and bends s in the mode,
+// C phi follows from two evaluations with the velocities of the mode, in both senses, at a largest speed of 1 mm/s. For
+// a nonlinear damper this gives the ratio at that speed. Sliding friction does not count as damping here, and numerical
+// damping of implicit steps is not part of the model. Band damping (element/band_damping.hpp) depends on the mode's
+// frequency. With U_b = s . K s of a beam's stretch and bends s in the mode,
 //
-//   ratio = sum loss_b(w) U_b / (2 [w^2 + sum (stiffness_b(w) - 1) U_b])
+//     ratio = sum loss_b(w) U_b / (2 [w^2 + sum (stiffness_b(w) - 1) U_b])
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@
 
 namespace trilith {
 
-/// Ratios to critical damping [1], by what gives them. 0 where the mode does not swing.
+/// Damping ratios [1] by source; 0 for a mode that does not vibrate.
 struct ModeDamping {
   double contacts = 0, bearings = 0, elements = 0, bands = 0, mass = 0;
   [[nodiscard]] double total() const { return contacts + bearings + elements + bands + mass; }
 };
 
-/// Of modes that were found of this state, one for each.
+/// One entry for each of the `modes`, which were found for this state.
 template <int D>
 std::vector<ModeDamping> mode_damping(const Model<D>& model, const State<D>& state,
                                       const std::vector<NaturalMode<D>>& modes);

@@ -20,18 +20,18 @@
 namespace trilith {
 namespace {
 
-/// Up to so many unknowns all modes are found at once.
+/// Up to this number of unknowns all modes are computed.
 constexpr int few = 300;
 /// Over this time slip is elastic and dampers are stiff [s].
 constexpr double instant = 1e-6;
-/// How far nodes are moved for the tangent [m].
+/// Perturbation of nodes for the tangent [m].
 constexpr double disturbance = 1e-8;
 
 struct Pencil {
   Eigen::SparseMatrix<double> stiffness, mass;
 };
 
-/// What consistent mass of frames adds to M.
+/// Adds the difference of the consistent mass of frames to M.
 template <int D>
 void add_consistent(const Model<D>& model, const State<D>& state, const DofGraph<D>& coupling,
                     Eigen::SparseMatrix<double>& mass) {
@@ -50,7 +50,7 @@ void add_consistent(const Model<D>& model, const State<D>& state, const DofGraph
   });
 }
 
-/// The lumped mass of all nodes: in the plane a diagonal, in space with the tensor of each inertia in the world.
+/// Lumped mass of all nodes: in the plane a diagonal, in space with the tensor of inertia in world axes.
 template <int D>
 Eigen::SparseMatrix<double> lumped(const Model<D>& model, const State<D>& state, const DofGraph<D>& coupling) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -65,8 +65,8 @@ Eigen::SparseMatrix<double> lumped(const Model<D>& model, const State<D>& state,
   return mass;
 }
 
-/// K = -dF/dx about the state at rest, by the tangent with no inertia and no rates; M, a diagonal but for frames with
-/// consistent mass and for turns in space.
+/// K = -dF/dx about the state at rest, by the tangent without inertia and rates. M is diagonal, except for frames with
+/// consistent mass and for rotations in space.
 template <int D>
 Pencil pencil_of(const Model<D>& model, const State<D>& now, Tangent<D>& tangent) {
   State<D> state = at_rest(now);
@@ -87,14 +87,14 @@ struct Pairs {
   Eigen::MatrixXd shape;
 };
 
-/// K phi = w^2 M phi for a small model, by dense algebra.
+/// K phi = w^2 M phi of a small model, with dense matrices.
 Pairs all_pairs(const Pencil& p) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(p.stiffness),
                                                                          Eigen::MatrixXd(p.mass));
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// A shift somewhat below 0 keeps the matrix regular where bodies are free to move as a whole.
+/// A shift below 0 keeps the matrix regular if bodies have rigid motions.
 double shift_of(const Pencil& p) {
   double least = 0;
   for (Eigen::Index i = 0; i < p.mass.rows(); ++i) {
@@ -104,14 +104,14 @@ double shift_of(const Pencil& p) {
   return -1e-4 * (least > 0 ? least : 1);
 }
 
-/// ... and for a large one the few lowest, by Lanczos' method on the inverse of K - s M (Ericsson and Ruhe, "The
-/// spectral transformation Lanczos method", Math. Comp. 35, 1980): those nearest to the shift s converge first.
+/// The lowest modes of a large model, by Lanczos' method on the inverse of K - s M (Ericsson and Ruhe, "The spectral
+/// transformation Lanczos method", Math. Comp. 35, 1980). The modes nearest to the shift s converge first.
 Pairs lowest_pairs(const Pencil& p, int count) {
   using Invert = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
   using Product = Spectra::SparseSymMatProd<double>;
   Invert invert(p.stiffness, p.mass);
   Product product(p.mass);
-  // Twice the modes asked for, as Lanczos' method converges well with; at least 40.
+  // Twice the requested modes, for good convergence of Lanczos' method; at least 40.
   const int basis = std::min(static_cast<int>(p.mass.rows()), std::max(2 * count + 1, 40));
   Spectra::SymGEigsShiftSolver<Invert, Product, Spectra::GEigsMode::ShiftInvert> solver(invert, product, count, basis,
                                                                                         shift_of(p));
@@ -122,7 +122,7 @@ Pairs lowest_pairs(const Pencil& p, int count) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// Scaled to phi' M phi = 1; factor = phi' M r for r = 1 along x or y, effective mass = factor^2.
+/// Scales the mode to phi' M phi = 1; factor = phi' M r for r = 1 along x or y, effective mass = factor^2.
 template <int D>
 NaturalMode<D> mode_of(const Model<D>& model, const DofGraph<D>& coupling, const Eigen::SparseMatrix<double>& mass,
                        double square, const Eigen::VectorXd& shape) {
@@ -195,7 +195,7 @@ std::vector<NaturalMode<D>> modes(const Model<D>& model, const State<D>& state, 
   const Pencil pencil = pencil_of(model, state, tangent);
   const int size = tangent.coupling().size();
   if (size == 0) throw InputError("modes: nothing is free to move");
-  // Lanczos with a basis near the size of the matrix is no gain.
+  // Lanczos with a basis close to the size of the matrix is not faster.
   const bool all = size <= few || count > size / 3;
   const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);
   std::vector<NaturalMode<D>> out;

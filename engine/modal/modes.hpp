@@ -1,10 +1,10 @@
-// Natural frequencies and shapes of an assembly as it stands: K phi = w^2 M phi.
+// Natural frequencies and mode shapes of an assembly in its present state: K phi = w^2 M phi.
 //
-// K is the tangent of all forces at the present state (assembly/tangent/tangent.hpp): of elements and beams with what
-// loads and weight make of their geometry, of bearings on their present branch, of contacts that are closed and stick.
-// Where faces stand apart there is no stiffness; where friction slides just now, K is not symmetric, and its symmetric
-// part is taken. M is lumped but for frames with consistent mass. Shift and invert (Lanczos), by Spectra; all at once
-// where there are few.
+// K is the tangent of all forces at the present state (assembly/tangent/tangent.hpp). It contains elements and beams
+// with the geometric stiffness of loads and weight, bearings on their present branch, and closed contacts, which stick.
+// Faces apart have no stiffness. If friction slides at present, K is not symmetric, and its symmetric part is used. M
+// is lumped, except for frames with consistent mass. Large models use shift and invert (Lanczos, by Spectra); small
+// models compute all modes.
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@ namespace trilith {
 
 template <int D>
 struct NaturalMode {
-  double square = 0;                 ///< w^2; below 0 where the assembly is unstable [rad2/s2]
+  double square = 0;                 ///< w^2; negative for an unstable assembly [rad2/s2]
   std::vector<Vec<D>> displacement;  ///< [node] phi' M phi = 1 [1/sqrt(kg)]
-  std::vector<Spin<D>> rotation;     ///< [node] in space about the axes of the world
+  std::vector<Spin<D>> rotation;     ///< [node] in space about world axes
   std::array<double, D> mass{};      ///< effective mass along each axis [kg]
   std::array<double, D> factor{};    ///< participation: phi' M r, r = 1 along that axis [sqrt(kg)]
 
-  /// [Hz]; of an unstable or a rigid mode 0.
+  /// [Hz]; 0 for an unstable or a rigid mode.
   [[nodiscard]] double frequency() const;
 };
 using Mode = NaturalMode<2>;
 
-/// The state at rest where it stands, as one that a change of place has slip and friction from; to be evaluated over
-/// State::last_dt.
+/// The state at rest in its present position, prepared so that a displacement causes slip and friction; to be evaluated
+/// over State::last_dt.
 template <int D>
 State<D> at_rest(const State<D>& from);
 
-/// The lowest `count` modes, or as many as there are degrees of freedom, by rising w^2. Throws InputError where nothing
-/// is free to move, and where there are fewer than 1 to find.
+/// The lowest `count` modes, or as many as there are degrees of freedom, by increasing w^2. Throws InputError if no
+/// degree of freedom is free, and for a count below 1.
 template <int D>
 std::vector<NaturalMode<D>> modes(const Model<D>& model, const State<D>& state, int count);
 
