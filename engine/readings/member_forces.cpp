@@ -8,7 +8,7 @@
 
 namespace trilith {
 
-/// Two rows for each beam, its start and its end: the moment is linear in between, N and the shear even.
+/// Two rows for each beam, its start and its end: the moment is linear in between, N and the shear are constant.
 std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& state, int member) {
   const Member& m = model.members[member];
   std::vector<SectionForces> rows;
@@ -19,8 +19,8 @@ std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& 
     const BeamEnd from = end_of(state, beam, 0, arm), to = end_of(state, beam, 1, arm);
     const BeamNow now(from, to, beam.length, beam.angle);
     const BeamStress stress = beam_stress(model, state, beam, now);
-    // Moments on the beam's ends, counter-clockwise: the one at its start bends its bottom into tension where it is
-    // below 0, the one at its end where it is above.
+    // Counter-clockwise moments on the beam's ends: a negative moment at its start, and a positive one at its end,
+    // cause tension at the bottom.
     const double shear = (stress[1] + stress[2]) / now.length;
     rows.push_back({along, from.place, stress[0], shear, -stress[1]});
     along += beam.length;
@@ -29,8 +29,8 @@ std::vector<SectionForces> member_forces(const Model<2>& model, const State<2>& 
   return rows;
 }
 
-/// Bends about y turn the other way round than those about z: what bends the side to z out pulls the part behind it
-/// back along z.
+/// Curvature about y has the opposite sign of curvature about z: tension on the side towards z corresponds to a shear
+/// against z behind the section.
 std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>& state, int member) {
   const Member& m = model.members[member];
   std::vector<SectionForces3> rows;
@@ -49,7 +49,8 @@ std::vector<SectionForces3> member_forces(const Model<3>& model, const State<3>&
 
 namespace {
 
-/// Each fibre by itself, at the strain of its section: its stress is what a section of it alone carries, over its area.
+/// Each fibre separately, at the strain of its section: its stress is the force of a section of this fibre alone over
+/// its area.
 std::vector<FibreReading::Fibre> read_fibres(const FibreSection& section, const SectionStrain& strain,
                                              std::span<const double> before) {
   std::vector<FibreReading::Fibre> out;
@@ -69,7 +70,7 @@ std::vector<FibreReading::Fibre> read_fibres(const FibreSection& section, const 
 
 }  // namespace
 
-/// What is remembered is of the last commit; what is read is of the present place.
+/// The memory is from the last commit; the position is the present one.
 std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& state, int member) {
   const Member& m = model.members[member];
   std::vector<FibreReading> rows;
@@ -81,7 +82,7 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
       const FibreSection& section = model.yields.sections[row.section];
       const BeamStrain d = now_of(state, beam).strain;
       const double bowed = FibreBow(row.beam, d[1], d[2]).stretch;
-      // The first number of a beam of fibres tells whether it has yielded.
+      // The first number of a fibre beam's memory indicates whether it has yielded.
       const std::span<const double> memory = memory_of(model, beam, std::span(state.beam_memory)).subspan(1);
       const auto size = static_cast<std::size_t>(section.memory_size());
       std::vector<double> after(size);
@@ -96,7 +97,7 @@ std::vector<FibreReading> member_fibres(const Model<2>& model, const State<2>& s
     }
     start += beam.length;
   }
-  // Rules of stations name their ends first.
+  // Quadrature rules of stations list their ends first.
   std::ranges::stable_sort(rows, {}, &FibreReading::along);
   return rows;
 }
@@ -154,14 +155,14 @@ std::vector<FibreReading3> member_fibres(const Model<3>& model, const State<3>& 
   return rows;
 }
 
-/// The turns, moments and energy of the plastic hinges at the two ends of a member, where it has them.
+/// The rotations, moments and energy of the plastic hinges at the two ends of a member, if it has any.
 std::vector<HingeReading> member_hinges(const Model<2>& model, const State<2>& state, int member) {
   const Member& m = model.members[member];
   std::vector<HingeReading> rows;
   for (const int end : {0, 1}) {
     const Beam& beam = model.beams[end == 0 ? m.first_beam : m.first_beam + m.beams - 1];
     if (beam.yield != BeamYield::at_hinges || !has_hinge(model.yields, beam, end)) continue;
-    // What is remembered is of the last commit; what is read is of the present place.
+    // The memory is from the last commit; the position is the present one.
     const std::span before = memory_of(model, beam, std::span(state.beam_memory));
     std::vector<double> memory(before.size());
     respond(model.yields, beam, now_of(state, beam), before, memory);

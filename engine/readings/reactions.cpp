@@ -5,7 +5,7 @@
 namespace trilith {
 namespace {
 
-/// Of what a drive does to one direction of a node now [m/s2] or [rad/s2]; 0 where none does.
+/// Acceleration by a drive of one direction of a node at present [m/s2], [rad/s2]; 0 without a drive.
 template <int D>
 double driven_acceleration(const Model<D>& model, const State<D>& state, int node, int dof) {
   const int row = model.drive_of[node][static_cast<std::size_t>(dof)];
@@ -21,7 +21,7 @@ double& part_of(Vec3& moment, int axis) {
   return moment[axis];
 }
 
-/// About the axes of the world, of turns that are small beside those of its principal axes.
+/// Rotary inertia about a world axis, for small rotations of the principal axes.
 double turning_inertia(const Model<2>& model, const State<2>& /*state*/, int node, int /*axis*/) {
   return model.inertia[node];
 }

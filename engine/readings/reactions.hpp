@@ -1,4 +1,4 @@
-// What the supports of a body do to it: the forces that hold or drive its nodes.
+// Support reactions of a body: the forces that fix or drive its nodes.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace trilith {
 
-/// On one node, along the directions in which it is held or driven alone.
+/// Reaction on one node, along its fixed or driven directions only.
 template <int D>
 struct Reaction {
   int node = -1;
   Vec<D> place = Vec<D>::Zero();          ///< [m]
   Vec<D> force = Vec<D>::Zero();          ///< [N]
-  Moment<D> moment = nothing<Spin<D>>();  ///< about the node, about the axes of the world [N m]
+  Moment<D> moment = nothing<Spin<D>>();  ///< about the node, in world axes [N m]
 };
 
-/// Of each node of a body that is held or driven along or about some axis, in their order: what makes up for all other
-/// forces on it, its weight with them, and takes it along, m a - F. `work` must hold the evaluation of the present
-/// instant. Where a bearing or a contact holds a body there is no support and no reaction.
+/// Reactions of all fixed or driven nodes of a body, in their order: m a - F, with the sum F of all other forces,
+/// weight included, and the acceleration a of the support. `work` must be evaluated at the present instant. Bearings
+/// and contacts are no supports and give no reaction.
 template <int D>
 std::vector<Reaction<D>> reactions(const Model<D>& model, const State<D>& state, const Work<D>& work, int body);
 
