@@ -14,9 +14,9 @@
 namespace trilith::report {
 namespace {
 
-constexpr std::size_t open_lines = 60;    ///< of the tree that are seen at once
-constexpr std::size_t most_lines = 3000;  ///< in all; impacts beyond are counted only
-constexpr int most_depth = 7;             ///< of lists within lists
+constexpr std::size_t open_lines = 60;    ///< lines of the tree that are open at first
+constexpr std::size_t most_lines = 3000;  ///< in total; further impacts are only counted
+constexpr int most_depth = 7;             ///< of nested lists
 
 std::string heading_of(const std::string& type) {
   const auto known = std::find_if(event_type_info.begin(), event_type_info.end(),
@@ -59,7 +59,7 @@ std::string several(const std::string& heading) {
                               : fmt::format("{}s{}", first, rest);
 }
 
-/// What a line says; numbers are in the text where it was written by the run.
+/// Text of a line; events written by a run contain their numbers in the text.
 std::string text_of(const results::EventRow& e) {
   if (!e.text.empty()) return e.text;
   std::string out = heading_of(e.type);
@@ -68,14 +68,14 @@ std::string text_of(const results::EventRow& e) {
   return out;
 }
 
-/// Writes trees of rows: an effect is a list within its cause's line; where it is the only one, the next line with an
-/// arrow, so that a long chain does not wander off the page.
+/// Writes trees of rows. Effects are a list within the line of their cause. A single effect is the next line with an
+/// arrow, so that a long chain does not move to the right.
 class TreeWriter {
  public:
   TreeWriter(const ReportSource& source, const results::EventTree& tree, HtmlText& html)
       : source_(source), tree_(tree), html_(html) {}
 
-  /// `all`: what is not shown as well, else that goes into folds.
+  /// `all`: includes the rows that are not shown; otherwise they are folded.
   void list(const std::vector<std::size_t>& rows, bool all, int depth) {
     html_.open("ul");
     siblings(rows, all, depth, "");
@@ -137,7 +137,7 @@ class TreeWriter {
   HtmlText& html_;
 };
 
-/// Without stages, and of impacts only as many of the fastest as there is room for.
+/// The rows without stages, and only the fastest impacts up to the limit.
 std::vector<results::EventRow> tree_rows(const std::vector<results::EventRow>& of_note, std::size_t& left_out) {
   std::vector<results::EventRow> rows;
   std::vector<double> speeds;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_histories = 8;
 
-/// An SVG as part of a page: without its head, and with names of its parts that no other figure has.
+/// An SVG as part of a page: without its head, and with ids that are unique to this figure.
 std::string inline_svg(std::string svg, std::string_view figure) {
   svg.erase(0, svg.find("<svg"));
   for (const std::string mark : {"id=\"", "href=\"#", "url(#"})
@@ -30,7 +30,7 @@ struct Moment {
   std::string why;
 };
 
-/// The ends of the `most` fullest of 40 stretches of time, no two of them neighbours.
+/// The ends of the `most` intervals with most events out of 40, no two of them neighbours.
 std::vector<Moment> busy_moments(const std::vector<results::EventRow>& events, double begin, double end,
                                  std::size_t most) {
   constexpr int stretches = 40;
@@ -52,7 +52,7 @@ std::vector<Moment> busy_moments(const std::vector<results::EventRow>& events, d
   return out;
 }
 
-/// In time; of two that are nearly the same, the one named first.
+/// Sorted by time; of two nearly equal moments, the one listed first remains.
 std::vector<Moment> key_moments(const ReportSource& source) {
   const std::vector<double>& times = source.reader.frame_times();
   double begin = times.front();
@@ -76,7 +76,7 @@ std::vector<Moment> key_moments(const ReportSource& source) {
   return out;
 }
 
-/// Wide structures below each other, others in two columns.
+/// Wide structures in one column, others in two.
 int columns_for(const draw::Scene& scene) {
   double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
   for (const draw::SceneBody& body : scene.bodies)
@@ -99,7 +99,7 @@ struct KeyHistory {
   double most = 0;
 };
 
-/// The largest first, unit by unit.
+/// The largest histories first, unit by unit.
 std::vector<KeyHistory> key_histories(const ReportSource& source) {
   std::vector<KeyHistory> all;
   std::vector<std::string> units;
@@ -116,7 +116,7 @@ std::vector<KeyHistory> key_histories(const ReportSource& source) {
   return all;
 }
 
-/// The whole run, in the times of the report.
+/// The whole run, with the time origin of the report.
 draw::PlotWindow window_of(const ReportSource& source) {
   draw::PlotWindow window;
   window.since = source.origin.name;
@@ -166,7 +166,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   std::string caption = "The structure";
   for (std::size_t i = 0; i < words.size(); ++i) caption += (i == 0 ? " " : "; ") + words[i];
   draw::PictureStyle style;
-  style.height = scenes.size() > 1 ? 625 : 0;  // with its heading and words on one page of paper
+  style.height = scenes.size() > 1 ? 625 : 0;  // fits on one printed page with its heading and text
   write_figure(html, "structure", caption + ".",
                [&] { return draw::scene_canvas(scenes, columns_for(scenes[0]), style); });
 }

@@ -7,7 +7,7 @@
 namespace trilith::report {
 namespace {
 
-/// Valid UTF-8 with its lines and tabs.
+/// Valid UTF-8 with its line feeds and tabs.
 std::string printable_lines(std::string_view text) {
   std::string out;
   while (true) {
@@ -53,7 +53,7 @@ HtmlText& HtmlText::open(std::string_view tag, std::string_view attributes) {
 HtmlText& HtmlText::close() {
   assert(!open_.empty());
   out_ += "</" + open_.back() + ">";
-  // Lines in the source, where white space means nothing.
+  // Line feeds in the source where white space has no effect.
   if (open_.back() != "code" && open_.back() != "b" && open_.back() != "time" && open_.back() != "span") out_ += '\n';
   open_.pop_back();
   return *this;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_rows = 24;
 
-/// Bodies of one kind, material, first group and support.
+/// Bodies of equal kind, material, first group and support.
 struct Sort {
   std::size_t count = 0;
   double mass = 0, least = 0, most = 0;
@@ -64,7 +64,7 @@ std::string plain_law(const std::string& text) {
     else if (text[i] == '=')
       out += " = ";
     else if (text.compare(i, 2, " 1") == 0 && (i + 2 == text.size() || text[i + 2] == ',' || text[i + 2] == '}'))
-      ++i;  // the unit of a pure number
+      ++i;  // the unit of a dimensionless number
     else if (text[i] != '}')
       out += text[i];
   }
@@ -92,7 +92,7 @@ void add_pair(const std::string& first, const std::string& second, std::vector<s
   if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(std::move(pair));
 }
 
-/// Names that share a law, by role, name and text of the law, in the order they first came.
+/// Names that share a law, by role, name and text of the law, in the order of appearance.
 struct LawUse {
   std::string name, role, text;
   std::vector<std::string> users;

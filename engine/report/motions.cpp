@@ -1,5 +1,6 @@
-// Ground motions in a report, from the samples in the results file. Files of earlier programs hold only what was done
-// to each record; where the record is still to be found, the same is done to it again, so that its figures can be told.
+// Ground motions in a report, from the samples in the results file. Files of earlier program versions contain only the
+// processing of each record. If the record is found, the processing is repeated, so that the report contains its
+// measures.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,7 +19,7 @@
 namespace trilith::report {
 namespace {
 
-/// The number behind `word` in `step`, as in "time x 0.8"; none where the step begins otherwise.
+/// The number after `word` in `step`, as in "time x 0.8"; none if the step begins otherwise.
 std::optional<double> number_after(const std::string& step, std::string_view word) {
   if (!step.starts_with(word)) return std::nullopt;
   char* end = nullptr;
@@ -26,7 +27,7 @@ std::optional<double> number_after(const std::string& step, std::string_view wor
   return end == step.c_str() + word.size() ? std::nullopt : std::optional(value);
 }
 
-/// One step of a motion's description done again. Throws InputError where it is not one that we know.
+/// Repeats one processing step of a motion's description. Throws InputError for an unknown step.
 GroundMotion done_again(const GroundMotion& motion, const std::string& step) {
   if (step == "reversed") return motion.reversed();
   if (const auto peak = number_after(step, "scaled to PGA ")) return motion.scaled_to_peak(*peak * standard_gravity);
@@ -60,7 +61,7 @@ ToldMotion told_motion(const std::string& text) {
   return out;
 }
 
-/// Nothing where there is no such record, or something was done to it that cannot be done again.
+/// None if there is no such record, or if a processing step cannot be repeated.
 std::optional<GroundMotion> found_motion(const ToldMotion& told, const std::vector<std::filesystem::path>& folders) {
   for (const std::filesystem::path& folder : folders) {
     std::error_code ignored;
@@ -76,7 +77,7 @@ std::optional<GroundMotion> found_motion(const ToldMotion& told, const std::vect
   return std::nullopt;
 }
 
-/// Peaks, intensity and duration; of a turning body in radians.
+/// Peaks, intensity and duration; in radians for a rotating body.
 std::vector<std::string> row_of(const std::string& name, const GroundMotion& motion, bool turns = false) {
   const MotionPeaks peaks = motion_peaks(motion);
   const auto size = [](const Peak& peak) { return std::abs(peak.value); };
@@ -100,7 +101,7 @@ std::string told_name(const ToldMotion& told) {
          fmt::format("{}", fmt::join(told.steps, ", "));
 }
 
-/// The first over time, all as spectra. `names` of the lines.
+/// The first motion over time, all as spectra. `names` of the lines.
 void write_motion_figure(HtmlText& html, const std::vector<GroundMotion>& motions,
                          const std::vector<std::string>& names) {
   write_figure(html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()),
@@ -111,7 +112,7 @@ void write_motion_figure(HtmlText& html, const std::vector<GroundMotion>& motion
                });
 }
 
-/// From the samples that the file holds, each against where the frames have the body.
+/// From the samples in the file, each compared with the position of the body in the frames.
 void write_stored(const ReportSource& source, const std::vector<results::MotionRow>& stored, HtmlText& html) {
   const std::vector<double> miss = draw::motion_misses(source.reader, stored);
   std::vector<std::vector<std::string>> rows;

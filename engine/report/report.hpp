@@ -1,4 +1,4 @@
-// The report of a run: one HTML page without scripts that reads well on a screen and prints well.
+// The report of a run: one HTML page without scripts for screen and print.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@
 
 namespace trilith::report {
 
-/// Called now and then with the share done, 0 to 1.
+/// Called repeatedly with the completed share, 0 to 1.
 using ReportProgress = std::function<void(double)>;
 
-/// The whole page, self-contained, with its pictures in it: verdict, model, parameters, ground motion, stages, pictures
-/// at key times, chain of events, histories, energy, damage by storey, seal, how to run it again. A run that has not
-/// finished is reported up to its last flush, and said to be so; what a file does not hold is left out or said to be
-/// missing. Throws ResultsError where the file cannot be read.
+/// The whole page, self-contained with its pictures: verdict, model, parameters, ground motion, stages, pictures at key
+/// times, chain of events, histories, energy, damage by storey, seal, and commands to repeat the run. An unfinished run
+/// is reported up to its last flush, with a note. Data that a file lacks are omitted or reported as missing. Throws
+/// ResultsError if the file cannot be read.
 ///
-/// `record_folders`: where records of ground motions are looked for by name, in this order. `origin`: what times count
-/// from, which the page then says.
+/// `record_folders`: folders in which records of ground motions are searched by name, in this order. `origin`: origin
+/// of times, which the page states.
 std::string report_page(const results::ResultsReader& reader,
                         const std::vector<std::filesystem::path>& record_folders = {},
                         const ReportProgress& progress = {}, const results::TimeOrigin& origin = {});

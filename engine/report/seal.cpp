@@ -1,4 +1,4 @@
-// The end of a report: damage by storey, the seal, and how to run it again.
+// The end of a report: damage by storey, the seal, and commands to repeat the run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::vector<std::string> row_of(const std::string& name, const Storey& s) {
           s.bonded == 0 ? "–" : fmt::format("{:.1f} %", 100 * s.damage / s.bonded)};
 }
 
-/// Of all numbers that tell where the bodies are, frame by frame, and of the events.
+/// Digest of all positions, frame by frame, and of the events.
 struct MotionDigest {
   std::uint64_t all, last;
 };

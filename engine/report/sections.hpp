@@ -1,4 +1,4 @@
-// Private to report/: the parts of a report (report.hpp), each of which writes whole elements.
+// Private to report/: the parts of a report (report.hpp), each of which writes complete elements.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace trilith::report {
 
-/// What every part needs, read once.
+/// Data for all parts, read once.
 struct ReportSource {
   const results::ResultsReader& reader;
   const results::Header& header;
@@ -22,24 +22,24 @@ struct ReportSource {
   std::vector<results::StageRow> stages;
   std::vector<results::Note> notes;
   std::vector<std::filesystem::path> record_folders;
-  results::TimeOrigin origin;  ///< what instants count from
-  /// An instant of the run, as shown_time of it since the origin.
+  results::TimeOrigin origin;  ///< origin of times
+  /// Time of the run as shown_time relative to the origin.
   [[nodiscard]] std::string clock(double time) const;
 };
 
-/// A figure in words as tables show it; masses from 10,000 kg in t.
+/// A mass as text in tables; from 10,000 kg in t.
 std::string shown_mass(double kilograms);
-/// Seconds to the millisecond.
+/// Seconds with three decimals.
 std::string shown_time(double seconds);
 
-/// Two sentences: how the run ended and what became of the structure; what failed first.
+/// Two sentences: end of the run and state of the structure, and the first failure.
 std::string verdict(const ReportSource& source);
 
-/// What the file says of each ground motion, in its words.
+/// Descriptions of the ground motions in the file.
 std::vector<std::string> motion_texts(const ReportSource& source);
 
-/// An SVG in its place; `name` is this figure's alone. What the drawing refuses is told there: the rest of the report
-/// is worth having.
+/// Writes an SVG; `name` must be unique. An error of the drawing is printed in its place, so that the rest of the
+/// report remains.
 void write_figure(HtmlText& html, std::string_view name, const std::string& caption,
                   const std::function<draw::Canvas()>& draw);
 
@@ -52,7 +52,7 @@ void write_pictures(const ReportSource& source, HtmlText& html);
 void write_events(const ReportSource& source, HtmlText& html);
 void write_histories(const ReportSource& source, HtmlText& html);
 void write_energy(const ReportSource& source, HtmlText& html);
-/// Nothing where the file has no joints.
+/// Writes nothing if the file has no joints.
 void write_damage(const ReportSource& source, HtmlText& html);
 void write_seal(const ReportSource& source, const ReportProgress& progress, HtmlText& html);
 void write_reproduction(const ReportSource& source, HtmlText& html);

@@ -42,13 +42,13 @@ bool is_free(const results::BodyRow& body) {
   return body.support.empty() || body.support.find("free") != std::string::npos;
 }
 
-/// A row of places; in the plane z is 0.
+/// A row of positions; in the plane z is 0.
 Vec3 place_of(const results::Header& header, const std::vector<double>& places, int row) {
   const double* at = places.data() + static_cast<std::size_t>(header.dim) * static_cast<std::size_t>(row);
   return {at[0], at[1], header.dim == 3 ? at[2] : 0};
 }
 
-/// How deep a solid is, m: its least width across one of its faces, or the diameter of its smallest sphere.
+/// Depth of a polyhedron [m]: its least width across one of its faces, or the diameter of its smallest sphere.
 double depth_of_solid(const results::Header& header, const results::BodyRow& body) {
   double depth = std::numeric_limits<double>::infinity();
   for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
@@ -69,7 +69,7 @@ double depth_of_solid(const results::Header& header, const results::BodyRow& bod
   return std::isfinite(depth) ? depth : 0;
 }
 
-/// How deep a body is, m: its area by the greatest distance between two of its corners.
+/// Depth of a body [m]: its area over the largest distance between two of its corners.
 double depth_of(const results::Header& header, const results::BodyRow& body, const results::Placement& start) {
   if (header.dim == 3) return depth_of_solid(header, body);
   std::vector<Vec3> points;
@@ -83,7 +83,7 @@ double depth_of(const results::Header& header, const results::BodyRow& body, con
   return length > 0 ? std::abs(area) / length : 0;
 }
 
-/// How far the ground had moved in the mean of its bodies, m.
+/// Mean displacement of the ground bodies [m].
 Vec3 ground_way(const results::Header& header, const results::Frame& frame) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
@@ -95,12 +95,12 @@ Vec3 ground_way(const results::Header& header, const results::Frame& frame) {
   return sum / std::max(count, 1);
 }
 
-/// Bodies that were free, and those of them that stood elsewhere at the end.
+/// Number of free bodies, and of free bodies that have moved at the end.
 struct Moved {
   std::size_t free = 0, moved = 0;
 };
 
-/// More than half its depth from where it began counts. Nothing where that cannot be told.
+/// Displacements of more than half of a body's depth count. Zero if it cannot be determined.
 Moved moved_bodies(const ReportSource& source) {
   const results::Header& header = source.header;
   Moved out;
@@ -140,7 +140,7 @@ std::string ending(const ReportSource& source) {
                      shown_time(last.end - last.begin), last.name);
 }
 
-/// What was lost, of all that can be; "nothing failed" where nothing was, and all stands where it began.
+/// Failures as shares of the total; "nothing failed" without failures and displaced bodies.
 std::string losses(const ReportSource& source) {
   const auto count = [&](std::string_view type) {
     return static_cast<std::size_t>(std::count_if(source.events.begin(), source.events.end(),
@@ -166,7 +166,7 @@ std::string losses(const ReportSource& source) {
   return parts.empty() ? "nothing is told of it" : listed(parts);
 }
 
-/// Name of the stage and how long it had run at the event.
+/// Name of the stage and time within it at the event.
 std::string within_stage(const ReportSource& source, const results::EventRow& e) {
   if (e.stage < 0 || static_cast<std::size_t>(e.stage) >= source.stages.size()) return "";
   const results::StageRow& stage = source.stages[static_cast<std::size_t>(e.stage)];
