@@ -1,4 +1,4 @@
-// The mass of a body as a results file tells it.
+// Mass of a body in a results file.
 #pragma once
 
 #include "results/file/results.hpp"

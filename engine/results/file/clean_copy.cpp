@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t block_bytes = 1024 * 1024;  // read and written at once
 constexpr std::size_t chunk_bytes = 64 * 1024;
-constexpr std::size_t least_compressed = 4096;  // smaller data sets are stored in one piece, as they are
+constexpr std::size_t least_compressed = 4096;  // smaller data sets are stored contiguously and uncompressed
 constexpr unsigned deflate_level = 3;
 
 herr_t take_name(hid_t, const char* name, const H5A_info_t*, void* data) {
@@ -192,7 +192,7 @@ std::int64_t counter(const Committed& committed, const std::string& name) {
   throw h5::Failure(fmt::format("there is no row counter '{}'", name));
 }
 
-// In the format of HDF5 1.8: every program of the last fifteen years opens it, and its headers carry checksums.
+// In the format of HDF5 1.8, which programs after 2008 can read, and whose headers have checksums.
 void write_clean_copy(hid_t from, const std::filesystem::path& to, bool finished) try {
   FreshFile file(to);
   const h5::Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "cannot make a property list");

@@ -13,7 +13,7 @@
 namespace trilith::results {
 namespace {
 
-/// `values` with what they lack of `whole`, from there.
+/// Appends to `values` the entries of `whole` that it lacks.
 void fill_up(std::vector<double>& values, const std::vector<double>& whole) {
   if (values.size() < whole.size())
     values.insert(values.end(), whole.begin() + static_cast<std::ptrdiff_t>(values.size()), whole.end());

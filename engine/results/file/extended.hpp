@@ -1,4 +1,4 @@
-// A results file that goes on with more bodies, bearings or histories than it began with.
+// Continues a results file with more bodies, bearings or histories.
 #pragma once
 
 #include "results/file/results.hpp"
@@ -6,14 +6,14 @@
 
 namespace trilith::results {
 
-/// Ends the writing of `before` and goes on, under the same name, in a file of `header`, which has everything that was
-/// written. `header` has the rows of the file before, in their places, and further ones at the ends. In frames of
-/// before a body that was not there yet stands where it starts; its bearings are absent; its stresses, and what
-/// `before` did not record at all, are 0; histories that were not followed have no number. Throws ResultsError as a
-/// writer does; then what was written lies under a name of its own, which the message gives.
+/// Ends the writing of `before` and continues, under the same name, in a file of `header`, which contains all previous
+/// records. `header` has the previous rows in their places, and further ones at the ends. In previous frames an added
+/// body has its initial position. Its bearings are absent; its stresses, and fields that `before` did not record, are
+/// 0; new histories have no values. Throws ResultsError as a writer does; the previous records then remain in a file
+/// whose name is in the message.
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options);
 
-/// A mode with as many numbers as `header` has nodes: those that came later stand where they begin, and do not move.
+/// Extends a mode to the number of nodes of `header`: added nodes are in their initial position and do not move.
 void fit_mode(const Header& header, ModeRow& mode);
 
 }  // namespace trilith::results

@@ -19,7 +19,7 @@ namespace {
 constexpr haddr_t page_size = 4096;
 using Page = std::array<unsigned char, page_size>;
 
-/// One open file. HDF5 sees the base class only.
+/// One open file. HDF5 uses the base class only.
 struct Device : H5FD_t {
   int descriptor = -1;
   dev_t device = 0;
@@ -27,7 +27,7 @@ struct Device : H5FD_t {
   haddr_t end_of_addresses = 0;
   haddr_t end_of_file = 0;
   FileStatus* status = nullptr;
-  std::map<haddr_t, Page> kept;  // what was written after the failure, by page
+  std::map<haddr_t, Page> kept;  // written after the failure, by page
 };
 
 Device& of(H5FD_t* file) {
@@ -42,7 +42,7 @@ struct Info {
   int descriptor;
 };
 
-// Reads what the file holds; zeros beyond its end. 0 or errno.
+// Reads the file; zeros beyond its end. Returns 0 or errno.
 int read_file(const Device& file, haddr_t at, std::size_t size, unsigned char* out) {
   while (size > 0) {
     const ssize_t count = ::pread(file.descriptor, out, size, static_cast<off_t>(at));
@@ -59,7 +59,8 @@ int read_file(const Device& file, haddr_t at, std::size_t size, unsigned char* o
   return 0;
 }
 
-// 0 or errno. Beyond the limit on file size the system would send a signal, which kills; so the limit is asked first.
+// Returns 0 or errno. Beyond the limit on file size the system would send a signal that kills the process, so the limit
+// is checked first.
 int write_file(const Device& file, haddr_t at, std::size_t size, const unsigned char* data) {
   struct rlimit limit {};
   if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && at + size > limit.rlim_cur)
@@ -76,7 +77,7 @@ int write_file(const Device& file, haddr_t at, std::size_t size, const unsigned 
   return 0;
 }
 
-// Calls `use(page, first byte in page, number of bytes)` for every page [at, at + size) touches.
+// Calls `use(page, first byte in page, number of bytes)` for every page in [at, at + size).
 template <class Use>
 void for_pages(haddr_t at, std::size_t size, Use use) {
   while (size > 0) {
@@ -97,7 +98,7 @@ void keep(Device& file, haddr_t at, std::size_t size, const unsigned char* data)
   });
 }
 
-// HDF5 opens a file it is to create twice: once to see whether it has it open, and then to empty it.
+// HDF5 opens a new file twice: once to check whether it is open already, and then to truncate it.
 H5FD_t* open_device(const char*, unsigned flags, hid_t access, haddr_t) {
   const auto* info = static_cast<const Info*>(H5Pget_driver_info(access));
   if (info == nullptr) return nullptr;
@@ -130,7 +131,7 @@ int compare_devices(const H5FD_t* a, const H5FD_t* b) {
   return 0;
 }
 
-// No accumulator and no sieve: rows and metadata reach the file in the order HDF5 writes them.
+// No accumulator and no sieve: rows and metadata reach the file in the order in which HDF5 writes them.
 herr_t query(const H5FD_t*, unsigned long* flags) {
   *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_SUPPORTS_SWMR_IO |
            H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
@@ -182,7 +183,7 @@ herr_t truncate_device(H5FD_t* base, hid_t, hbool_t) {
   return 0;
 }
 
-// A second writer is kept out by the lock of PartFile; readers need none.
+// The lock of PartFile excludes a second writer; readers need none.
 herr_t lock_device(H5FD_t*, hbool_t) {
   return 0;
 }
@@ -225,7 +226,7 @@ void require_written(const FileStatus& status, std::string_view what) {
 
 void use_driver(hid_t access, int descriptor, FileStatus& status) {
   static const H5FD_class_t driver = make_driver();
-  // Registered once and for all: a file that holds the last reference to its driver closes through what it has freed.
+  // Registered permanently: a file with the last reference to its driver would close through freed memory.
   static const hid_t id = H5FDregister(&driver);
   check(id, "cannot register the file driver");
   const Info info{&status, descriptor};

@@ -1,7 +1,7 @@
-// Private to results/: how HDF5 reaches the disk when we write. HDF5 1.10 does not survive a write that fails: it tries
-// again when the file closes and at exit, and then crashes. So this driver never lets it see one. The first failure is
-// kept in a FileStatus; from then on nothing reaches the disk, further writes stay in memory where reads find them, and
-// the file closes in order.
+// Private to results/: file driver of HDF5 for writing. HDF5 1.10 does not survive a failed write: it repeats the write
+// when the file closes and at exit, and then crashes. This driver hides write failures from HDF5. The first failure is
+// stored in a FileStatus. From then on nothing is written to disk, further writes remain in memory for later reads, and
+// the file closes without error.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace trilith::results::h5 {
 
-/// What became of the writes to a file; lives longer than the file is open.
+/// Status of the writes to a file; must outlive the open file.
 struct FileStatus {
-  int error = 0;  ///< errno of the first write that failed; 0: all reached the file
+  int error = 0;  ///< errno of the first write that failed; 0: all succeeded
 };
 
-/// Throws Failure with the system's reason where a write has failed.
+/// Throws Failure with the system's message if a write has failed.
 void require_written(const FileStatus& status, std::string_view what);
 
-/// Lets a file opened with access list `access` be what `descriptor` has open, whatever its name leads to by then,
-/// write through this driver and report to `status`. `descriptor` stays the caller's.
+/// Makes a file opened with access list `access` use this driver and the open `descriptor`, independent of its name,
+/// and report to `status`. The caller keeps ownership of `descriptor`.
 void use_driver(hid_t access, int descriptor, FileStatus& status);
 
 }  // namespace trilith::results::h5

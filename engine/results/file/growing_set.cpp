@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t least_chunk = 16 * 1024;
 constexpr std::size_t most_chunk = 1024 * 1024;
 
-// No time stamps in object headers, so that equal results are equal bytes.
+// No time stamps in object headers, so that equal results have equal bytes.
 h5::Handle timeless(hid_t property_class) {
   h5::Handle list(H5Pcreate(property_class), H5Pclose, "cannot make a property list");
   h5::check(H5Pset_obj_track_times(list.get(), false), "cannot switch time stamps off");

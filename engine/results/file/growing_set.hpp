@@ -11,10 +11,10 @@
 
 namespace trilith::results {
 
-/// Attribute that names the counter of /committed a growing data set follows.
+/// Attribute with the name of the counter in /committed that a growing data set uses.
 inline constexpr const char* rows_attribute = "rows";
 
-/// What is said about a data set.
+/// Name and attributes of a data set.
 struct SetText {
   std::string path, unit, description;
 };
@@ -22,7 +22,7 @@ struct SetText {
 /// Creates group `path` with its members in order of creation.
 void make_group(hid_t file, const std::string& path, const std::string& description);
 
-/// Creates a data set of `extents` numbers and writes `values` (none where an extent is 0).
+/// Creates a data set of `extents` numbers and writes `values` (none if an extent is 0).
 void write_numbers(hid_t file, const SetText& text, Kind kind, const std::vector<hsize_t>& extents, const void* values);
 
 /// Creates a scalar data set of one text.
@@ -37,8 +37,8 @@ void write_table_attributes(hid_t dataset, const TableType& type, const std::str
 /// Creates a table of the `rows` packed records at `records`.
 void write_table(hid_t file, const SetText& text, const TableType& type, hsize_t rows, const void* records);
 
-/// A chunked, uncompressed data set that grows along its first axis; rows wait in memory until `write`.
-/// Uncompressed, so that a chunk rewritten after a flush stays in its place: what was flushed survives a kill.
+/// A chunked, uncompressed data set that grows along its first axis; rows are buffered until `write`. Without
+/// compression a chunk rewritten after a flush keeps its place, so that flushed rows survive a kill.
 class GrowingSet {
  public:
   /// Numbers: one row is a block of `row_shape` (empty: one number).
@@ -48,11 +48,11 @@ class GrowingSet {
 
   /// Bytes of one row.
   std::size_t row_bytes() const { return row_bytes_; }
-  /// Room for `rows` further rows at the end of the buffer; the caller fills it.
+  /// Reserves `rows` further rows at the end of the buffer; the caller fills them.
   std::byte* add(std::size_t rows = 1);
   /// Replaces a row, buffered or written.
   void replace(std::int64_t row, const std::byte* record);
-  /// Rows appended so far, buffered ones included.
+  /// Number of rows appended, including buffered ones.
   std::int64_t rows() const { return written_ + static_cast<std::int64_t>(buffer_.size() / row_bytes_); }
   std::size_t buffered_bytes() const { return buffer_.size(); }
   /// Extends, writes the buffered rows and flushes this data set.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_attribute = 60000;  // bytes; HDF5 holds 64 KiB
 
-// HDF5 names the system's own reason inside its description: "... error message = 'No space left on device', ...".
+// HDF5 contains the system's message in its description: "... error message = 'No space left on device', ...".
 herr_t take_reason(unsigned, const H5E_error2_t* error, void* data) {
   auto& deepest = *static_cast<std::string*>(data);
   const std::string text = error->desc ? error->desc : "";
@@ -25,7 +25,7 @@ herr_t take_reason(unsigned, const H5E_error2_t* error, void* data) {
   return 1;
 }
 
-// Bytes of the UTF-8 character that starts at `at`, or 0 where there is no valid one.
+// Bytes of the UTF-8 character that starts at `at`, or 0 if it is invalid.
 std::size_t character_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(at);

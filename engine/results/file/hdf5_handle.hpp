@@ -1,4 +1,4 @@
-// Private to results/: HDF5 identifiers that close themselves, and HDF5 errors as one exception.
+// Private to results/: HDF5 identifiers that close automatically, and HDF5 errors as one exception.
 #pragma once
 
 #include <hdf5.h>
@@ -11,32 +11,32 @@
 
 namespace trilith::results::h5 {
 
-/// An HDF5 call failed. The message says what was tried and why it failed, without the file's name;
-/// the public functions turn it into a ResultsError that names the file.
+/// Failure of an HDF5 call. The message contains the attempted operation and the reason, without the file name; the
+/// public functions convert it into a ResultsError with the file name.
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The deepest reason on HDF5's error stack, e.g. "No space left on device"; clears nothing.
+/// The deepest reason on HDF5's error stack, e.g. "No space left on device"; the stack is not cleared.
 std::string reason();
 
 /// Throws Failure "<what>: <reason>".
 [[noreturn]] void fail(std::string_view what);
 
-/// Throws Failure where `status` is negative; gives it back otherwise.
+/// Throws Failure if `status` is negative; otherwise returns it.
 template <class Status>
 Status check(Status status, std::string_view what) {
   if (status < 0) fail(what);
   return status;
 }
 
-/// Owns one HDF5 identifier and closes it with the function it was given.
+/// Owns one HDF5 identifier and closes it with the given function.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
   Handle() = default;
-  /// Takes `id`; throws Failure where it is negative.
+  /// Takes `id`; throws Failure if it is negative.
   Handle(hid_t id, Close closer, std::string_view what) : id_(check(id, what)), close_(closer) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
@@ -49,12 +49,12 @@ class Handle {
     if (id_ >= 0) close_(id_);
     id_ = H5I_INVALID_HID;
   }
-  /// Closes and throws Failure where HDF5 could not.
+  /// Closes; throws Failure if HDF5 fails.
   void close(std::string_view what) {
     if (id_ < 0) return;
     if (close_(std::exchange(id_, H5I_INVALID_HID)) < 0) fail(what);
   }
-  /// Gives the identifier away unclosed.
+  /// Releases ownership of the identifier.
   hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
   hid_t get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
@@ -64,11 +64,11 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// Throws Failure where `type`, or a column of it, is none that files like ours hold: numbers of the usual kinds and
-/// texts of fixed length. HDF5 itself writes beyond its memory as it converts some damaged ones.
+/// Throws Failure if `type`, or a column of it, is not used in results files: only usual numbers and texts of fixed
+/// length are. HDF5 itself writes beyond its memory when it converts some damaged types.
 void require_plain(hid_t type, std::string_view owner);
 
-/// Stops HDF5 from printing its error stack while it lives.
+/// Suppresses HDF5's error output during its lifetime.
 class Quiet {
  public:
   Quiet() {
@@ -84,17 +84,17 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// UTF-8 string type of `length` bytes, padded with zeros. Text of variable length is used nowhere: HDF5 keeps it
-/// without a checksum and crashes where it is damaged.
+/// UTF-8 string type of `length` bytes, padded with zeros. Text of variable length is not used: HDF5 stores it without
+/// a checksum and crashes if it is damaged.
 Handle text_type(std::size_t length);
 
-/// Simple data space of the given extents; no extents: a scalar.
+/// Simple data space of the given extents; without extents a scalar.
 Handle space(const std::vector<hsize_t>& extents);
 
-/// `text` as valid UTF-8 without zero bytes: offending bytes become '?'.
+/// `text` as valid UTF-8 without zero bytes: invalid bytes become '?'.
 std::string clean(std::string_view text);
 
-/// The texts cleaned and padded with zeros to `length`, which is set to the longest (at least 1), one after the other.
+/// The cleaned texts padded with zeros to `length`, which is set to the longest (at least 1), one after the other.
 std::string pack_texts(const std::vector<std::string>& texts, std::size_t& length);
 
 /// Text beyond 60,000 bytes is cut.
@@ -103,11 +103,11 @@ void write_attribute(hid_t object, const char* name, const std::vector<std::stri
 void write_attribute(hid_t object, const char* name, int value);
 
 bool has_attribute(hid_t object, const char* name);
-/// Throws Failure where the attribute is missing or is no text.
+/// Throws Failure if the attribute is missing or is not a text.
 std::string read_text(hid_t object, const char* name);
-/// All of an attribute that holds texts of one length.
+/// All texts of an attribute of texts with equal length.
 std::vector<std::string> read_texts(hid_t object, const char* name);
-/// Throws Failure where the attribute is missing or is no whole number.
+/// Throws Failure if the attribute is missing or is not an integer.
 int read_int(hid_t object, const char* name);
 
 /// Names of a group's members in order of creation.

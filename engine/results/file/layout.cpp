@@ -114,7 +114,7 @@ std::string longest_name(const std::vector<BodyRow>& bodies) {
   return longest;
 }
 
-// Wide enough for the longest body and bearing name.
+// Wide enough for the longest names of bodies and bearings.
 TableType event_type(const Header& header) {
   EventRow widest;
   widest.body_a_name = widest.body_b_name = longest_name(header.bodies);
@@ -123,7 +123,7 @@ TableType event_type(const Header& header) {
   return table_type<EventRow>({widest}, header.dim);
 }
 
-// Text columns of a growing table have the least width `describe` declares.
+// Text columns of a growing table have the least width that `describe` declares.
 template <class Row>
 TableType plain_type(int dim) {
   return table_type<Row>({}, dim);
@@ -157,7 +157,7 @@ std::vector<hsize_t> per_bearing(const Header& header) {
   return {header.bearings.size(), static_cast<hsize_t>(header.dim)};
 }
 
-/// Each about a point of some body.
+/// Each sphere must refer to a point of some body.
 void check_spheres(const Header& header) {
   check_size(header.sphere_radius.size(), header.sphere_vertex.size(), "sphere_radius");
   if (header.dim != 3 && !header.sphere_vertex.empty())
@@ -172,7 +172,7 @@ void check_spheres(const Header& header) {
   }
 }
 
-/// Loops that lie one behind the other, each of 3 corners or more of the body that has the face.
+/// Consecutive loops, each with 3 corners or more of the body that owns the face.
 void check_faces(const Header& header) {
   const std::vector<std::int32_t>& first = header.face_first;
   const auto loops = static_cast<std::int32_t>(header.face_vertex.size());
@@ -182,7 +182,7 @@ void check_faces(const Header& header) {
     throw ResultsError(fmt::format("results header: face_first runs from {} to {}, must be 0 to {}", first.front(),
                                    first.back(), loops));
   if (first.empty()) check_size(header.face_vertex.size(), 0, "face_vertex");
-  // All of them first, so that no loop below can begin or end outside of the list.
+  // All loops first, so that none of the loops below begins or ends outside of the list.
   for (std::size_t f = 0; f < header.face_count(); ++f)
     if (first[f + 1] - std::int64_t{first[f]} < 3)
       throw ResultsError(

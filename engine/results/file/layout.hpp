@@ -21,8 +21,8 @@ inline constexpr ProvenanceText provenance_texts[] = {
     {"platform", &Provenance::platform},         {"start_time", &Provenance::start_time},
     {"command_line", &Provenance::command_line}, {"model", &Provenance::model}};
 
-/// Throws ResultsError where arrays of the header do not fit each other or hold a number that is not finite, InputError
-/// where a history or energy term has a name that cannot be used.
+/// Throws ResultsError if arrays of the header have inconsistent sizes or contain a number that is not finite,
+/// InputError if a history or energy term has an invalid name.
 void check_header(const Header& header);
 
 /// Writes root attributes (finished = 0), /provenance and /model.
@@ -43,7 +43,7 @@ struct GrowingTable {
 /// The growing data sets of a file.
 struct Layout {
   Layout(hid_t file, const Header& header);
-  /// All of them, in the order they are written.
+  /// All sets, in the order of writing.
   std::vector<GrowingSet*> sets();
 
   GrowingSet time, step, stage, position, rotation;

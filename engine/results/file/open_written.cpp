@@ -19,7 +19,7 @@ h5::Handle open_here(const std::filesystem::path& path) {
   const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (plain >= 0) return h5::Handle(plain, H5Fclose, "");
   const std::string why = h5::reason();
-  // The pause between attempts doubles from 1 ns: 25 attempts take 30 ms, HDF5's default of 100 would take for ever.
+  // The pause between attempts doubles from 1 ns: 25 attempts take 30 ms, HDF5's default of 100 would not end.
   const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a property list");
   h5::check(H5Pset_metadata_read_attempts(access.get(), 25), "cannot set the number of attempts");
   const hid_t beside = H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get());
@@ -27,11 +27,11 @@ h5::Handle open_here(const std::filesystem::path& path) {
   throw h5::Failure(fmt::format("cannot be opened: {}; it may be cut or damaged", why));
 }
 
-/// Opens the file, and closes it, in a process of its own: on some damaged files HDF5 1.10 ends the process, or hangs
-/// when it ends. Returns why it cannot be opened, or "".
+/// Opens and closes the file in a separate process: on some damaged files HDF5 1.10 ends the process, or hangs at its
+/// end. Returns the reason for which it cannot be opened, or "".
 std::string open_elsewhere(const std::filesystem::path& path) {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return "";  // as if tried: it is opened here next
+  if (::pipe2(ends, O_CLOEXEC) != 0) return "";  // as if tested: it is opened in this process next
   const pid_t child = ::fork();
   if (child == 0) {
     ::signal(SIGALRM, SIG_DFL);

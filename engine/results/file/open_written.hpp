@@ -1,4 +1,4 @@
-// Opening a file that may be damaged, or that another program writes.
+// Opening of a file that may be damaged, or that another program writes.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace trilith::results {
 
-/// Opens a results file for reading as any HDF5 file; where a writer holds it or died holding it, as a reader beside
-/// that writer. Throws Failure where neither works.
+/// Opens a results file for reading as any HDF5 file. If a writer holds it, or died while holding it, opens it as a
+/// reader in parallel with that writer. Throws Failure if neither works.
 h5::Handle open_written(const std::filesystem::path& path);
 
 }  // namespace trilith::results

@@ -25,7 +25,7 @@ std::string quoted(const std::filesystem::path& path) {
   return fmt::format("'{}'", path.string());
 }
 
-// A lock on one byte far behind the data: HDF5's own locks, which readers take, do not meet it.
+// A lock on one byte far behind the data, which does not conflict with HDF5's own locks of readers.
 struct flock writer_lock() {
   struct flock lock {};
   lock.l_type = F_WRLCK;
@@ -64,7 +64,7 @@ Owner owner_of(const std::filesystem::path& path) {
       fmt::format("results file {}: another run is writing it; choose another name or wait", quoted(path)));
 }
 
-/// Closes itself.
+/// A file descriptor that closes automatically.
 struct Descriptor {
   int number;
   explicit Descriptor(int n) : number(n) {}
@@ -75,7 +75,7 @@ struct Descriptor {
   }
 };
 
-/// True for the beginning a killed writer may leave: nothing yet, zeros, or HDF5.
+/// True for the first bytes that a killed writer may leave: empty, zeros, or HDF5.
 bool may_be_ours(int descriptor) {
   std::array<char, 8> head{};
   const ssize_t count = ::pread(descriptor, head.data(), head.size(), 0);
@@ -84,7 +84,7 @@ bool may_be_ours(int descriptor) {
   return count <= 0 || zeros || head == signature;
 }
 
-/// What the part of a killed run holds, in words; "" where that is nothing.
+/// Text: rows in the part file of a killed run; "" if there are none.
 std::string rows_in(const std::filesystem::path& part) {
   try {
     const ResultsReader reader(part);
@@ -102,11 +102,11 @@ std::filesystem::path kept_path(const std::filesystem::path& name, int number) {
   return name.parent_path() / fmt::format("{}.unfinished{}{}", name.stem().string(), number, name.extension().string());
 }
 
-/// Renames, but never over another file. False where `to` is taken.
+/// Renames, but never over another file. False if `to` exists.
 bool rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
   if (errno == EEXIST) return false;
-  // This file system cannot promise it, so that we look first.
+  // This file system cannot guarantee it, so the target is checked first.
   struct stat about {};
   if ((errno == EINVAL || errno == ENOSYS) && ::lstat(to.c_str(), &about) == 0) return false;
   if (::rename(from.c_str(), to.c_str()) == 0) return true;
@@ -160,7 +160,7 @@ PartFile::PartFile(const std::filesystem::path& name) : name_(name), path_(part_
   }
 }
 
-/// False where there is something of that name.
+/// False if a file of that name exists.
 bool PartFile::open_new() {
   descriptor_ = above_standard(::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (descriptor_ >= 0) return true;
@@ -168,8 +168,8 @@ bool PartFile::open_new() {
   throw ResultsError(fmt::format("results file {}: cannot be written: {}", quoted(path_), std::strerror(errno)));
 }
 
-/// Gives what an earlier run left a name of its own. It is held locked meanwhile: of two runs that begin together, one
-/// does this, and the other finds it locked.
+/// Renames the part file of an earlier run. It is locked meanwhile: of two runs that begin together, one renames it,
+/// and the other finds it locked.
 void PartFile::set_aside() {
   const Descriptor left(above_standard(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)));
   struct stat about {
@@ -181,7 +181,7 @@ void PartFile::set_aside() {
     throw ResultsError(fmt::format("results file {}: cannot be written: {}", quoted(path_), std::strerror(errno)));
   lock(left.number);
   if (::lstat(path_.c_str(), &there) != 0 || there.st_ino != about.st_ino || there.st_dev != about.st_dev)
-    refuse_second(path_);  // another run has come in between
+    refuse_second(path_);  // another run has started meanwhile
   if (!may_be_ours(left.number) || owner_of(path_) == Owner::foreign) refuse_foreign(path_);
   left_ = about.st_size == 0 ? "" : rows_in(path_);
   if (left_.empty()) {
@@ -205,8 +205,8 @@ void PartFile::create() {
   h5::use_driver(access.get(), descriptor_, status_);
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   H5Pset_obj_track_times(creation.get(), false);
-  // A kill can cut a write between two memory pages. With paged space no piece of metadata up to that size crosses
-  // one: without, 1 kill in some 200 tore the header of a data set and lost it.
+  // A kill can cut a write between two memory pages. With paged space no piece of metadata up to that size crosses a
+  // page; without it, 1 kill in about 200 destroyed the header of a data set.
   h5::check(H5Pset_file_space_strategy(creation.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1), "cannot use paged space");
   h5::check(H5Pset_file_space_page_size(creation.get(), memory_page), "cannot use paged space");
   H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -223,7 +223,7 @@ void PartFile::lock(int descriptor) const {
   struct flock lock = writer_lock();
   if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return;
   if (errno == EAGAIN || errno == EACCES) refuse_second(path_);
-  // Any other reason: this file system knows no such locks, and the run goes on without.
+  // Any other error: this file system has no such locks, and the run continues without.
 }
 
 void PartFile::start_swmr() {

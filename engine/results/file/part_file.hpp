@@ -1,4 +1,4 @@
-// Private to results/: the file a running writer fills, `<name>.part`, and what may stand at `<name>`.
+// Private to results/: the file of a running writer, `<name>.part`, and checks of `<name>`.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +9,22 @@
 
 namespace trilith::results {
 
-/// `<name>.part`: where the rows go until the run finishes.
+/// `<name>.part`: file of the rows until the run finishes.
 std::filesystem::path part_path(const std::filesystem::path& name);
 
-/// Throws ResultsError where `name` may not be written: no such folder, a folder itself, no regular file, or a file
-/// that is not a Trilith results file.
+/// Throws ResultsError if `name` may not be written: the folder does not exist, it is a folder or not a regular file,
+/// or it is not a Trilith results file.
 void require_writable(const std::filesystem::path& name);
 
 /// True while another writer holds the part file at `path`.
 bool is_being_written(const std::filesystem::path& path);
 
-/// The part file, held open, locked against a second writer, and closed without fuss whatever happened before.
+/// The part file, held open, locked against a second writer, and closed without errors in any state.
 class PartFile {
  public:
-  /// Creates the part of the results file `name`. What an earlier run left there gets a name of its own, as
-  /// "run.unfinished1.h5", unless it holds no row. Throws ResultsError: unwritable, another run is writing it, a file
-  /// that is not ours.
+  /// Creates the part file of the results file `name`. A part file of an earlier run is renamed, such as to
+  /// "run.unfinished1.h5", unless it holds no row. Throws ResultsError: unwritable, written by another run, or a
+  /// foreign file.
   explicit PartFile(const std::filesystem::path& name);
   ~PartFile();
   PartFile(const PartFile&) = delete;
@@ -34,19 +34,19 @@ class PartFile {
   /// See ResultsWriter.
   std::string kept_from_before() const;
   hid_t file() const { return file_.get(); }
-  /// Switches to single-writer-multiple-reader mode: from here on no new objects.
+  /// Switches to single-writer-multiple-reader mode: no new objects can be created from here on.
   void start_swmr();
-  /// Throws Failure where a write has failed; the file on the disk is then as it was before that write.
+  /// Throws Failure if a write has failed; the file on the disk is then as before that write.
   void require_written() const;
-  /// Hands the written bytes to the disk, against loss of power.
+  /// Synchronises the written bytes to the disk, against loss of power.
   void sync();
-  /// Closes the file in order; all its objects must be closed. Throws Failure.
+  /// Closes the file; all its objects must be closed. Throws Failure.
   void close();
-  /// Closes the file and says nothing of errors.
+  /// Closes the file and ignores errors.
   void abandon();
   /// Abandons and removes the file.
   void remove();
-  /// The same, and what an earlier run left gets its name back: as if this had never been.
+  /// Abandons and removes the file, and restores the name of the earlier part file.
   void undo();
 
  private:
@@ -56,8 +56,8 @@ class PartFile {
   void create();
 
   std::filesystem::path name_, path_;
-  std::filesystem::path kept_;  // what an earlier run left; "": nothing
-  std::string left_;            // what it holds
+  std::filesystem::path kept_;  // renamed part file of an earlier run; "": none
+  std::string left_;            // text: its rows
   int descriptor_ = -1;
   h5::FileStatus status_;
   h5::Handle file_;

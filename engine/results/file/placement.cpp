@@ -8,7 +8,7 @@
 namespace trilith::results {
 namespace {
 
-/// Its columns are the turned axes.
+/// Rotation matrix of a node; its columns are the rotated axes.
 Eigen::Matrix3d turn_matrix(int dim, const std::vector<double>& rotation, int node) {
   Eigen::Matrix3d out = Eigen::Matrix3d::Identity();
   if (dim == 2) {
@@ -67,7 +67,7 @@ Vec3 Placement::end_of(const BodyRow& body, const double* point) const {
   if (body.node_count == 1) return at(body.first_node, from_first);
   const Vec3 start = start_of(body.first_node) + from_first;
   int node = body.first_node;
-  if (header_.dim == 3) {  // of a frame: with the node that was nearest
+  if (header_.dim == 3) {  // of a frame: the node that was nearest
     for (int n = node + 1; n < body.first_node + body.node_count; ++n)
       if ((start_of(n) - start).squaredNorm() < (start_of(node) - start).squaredNorm()) node = n;
     return at(node, turn_of(quaternion_of(header_.node_rotation, node)).undo(Vec3(start - start_of(node))));

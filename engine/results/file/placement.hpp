@@ -1,4 +1,4 @@
-// Where points of bodies are in a frame, in the plane and in space alike.
+// Positions of points of bodies in a frame, in the plane and in space.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,10 @@
 
 namespace trilith::results {
 
-/// The frame before all others: where the nodes start. Motion and place alone.
+/// The frame before all others: initial positions of the nodes, without other data.
 Frame start_frame(const Header& header);
 
-/// Places of a frame, m, world axes; in the plane z is 0. Keeps references to what it is made of.
+/// Positions in a frame [m], world axes; in the plane z is 0. Keeps references to its arguments.
 class Placement {
  public:
   Placement(const Header& header, const Frame& frame);
@@ -24,12 +24,12 @@ class Placement {
   /// A row of Header::vertices.
   [[nodiscard]] Vec3 vertex(int row) const;
   [[nodiscard]] const Vec3& node(int row) const { return place_[static_cast<std::size_t>(row)]; }
-  /// Velocity of the point that is `arm` away from a node, world axes, m/s. The frame must hold velocities.
+  /// Velocity of the point at `arm` from a node, world axes [m/s]. The frame must contain velocities.
   [[nodiscard]] Vec3 velocity(int node, const Vec3& arm) const;
-  /// By how much a node has turned since the start, rad; at most pi in space.
+  /// Rotation angle of a node from the start [rad]; at most pi in space.
   [[nodiscard]] double turned(int node) const;
-  /// Where the end of a bearing is: `point` [dim] is where it was from the body's first node at the start. On a body of
-  /// several nodes it goes with the one whose outline point was nearest.
+  /// Position of the end of a bearing: `point` [dim] is its initial offset from the body's first node. On a body of
+  /// several nodes it moves with the node whose outline point was nearest.
   [[nodiscard]] Vec3 end_of(const BodyRow& body, const double* point) const;
 
  private:
@@ -42,7 +42,7 @@ class Placement {
   std::vector<Eigen::Matrix3d> turn_;
 };
 
-/// A row of numbers as the rotation it stands for (dim 3).
+/// A row of numbers as a rotation (dim 3).
 UnitQuaternion quaternion_of(const std::vector<double>& rows, int row);
 
 }  // namespace trilith::results

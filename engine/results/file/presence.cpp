@@ -16,7 +16,7 @@ Presence::Presence(const std::vector<EventRow>& events, std::size_t bodies)
   }
 }
 
-/// What is added first was not there before.
+/// A body that is added first was absent before.
 bool Presence::is_there(std::size_t body, double time) const {
   const std::vector<Change>& changes = of_[body];
   bool there = changes.empty() || !changes.front().there;

@@ -1,4 +1,4 @@
-// When bodies are there: a model may change, and then a body has a first and a last time.
+// Presence of bodies over time: a model may change, and then a body has a first and a last time.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace trilith::results {
 
-/// By the events of a file: body.added, body.removed and body.left.
+/// From the events of a file: body.added, body.removed and body.left.
 class Presence {
  public:
   Presence(const std::vector<EventRow>& events, std::size_t bodies);
 
-  /// Whether the body is in the model at that time [s]; at the very time of a change, whether it is afterwards.
+  /// True if the body is in the model at that time [s]; at the time of a change, the state after it.
   [[nodiscard]] bool is_there(std::size_t body, double time) const;
-  /// The same, but what left the bounds counts as gone.
+  /// As above; bodies that left the bounds count as absent.
   [[nodiscard]] bool is_followed(std::size_t body, double time) const;
-  /// True where some body comes late or is removed.
+  /// True if some body is added late or removed.
   [[nodiscard]] bool changes() const { return changes_; }
 
  private:
@@ -24,8 +24,8 @@ class Presence {
     double time;
     bool there;
   };
-  std::vector<std::vector<Change>> of_;  // [body] in time
-  std::vector<double> left_;             // [body] when it left the bounds
+  std::vector<std::vector<Change>> of_;  // [body] sorted by time
+  std::vector<double> left_;             // [body] time at which it left the bounds
   bool changes_ = false;
 };
 

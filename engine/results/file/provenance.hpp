@@ -1,4 +1,4 @@
-// What the program knows of itself and of where it runs.
+// Data of the program and its platform.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace trilith::results {
 
-/// The commit this was built from, "+" behind it where files had changed since; empty outside of git. Written by
-/// cmake/git_commit.cmake at each build.
+/// The commit of the build, with "+" if files had changed; empty outside of git. Written by cmake/git_commit.cmake at
+/// each build.
 const char* built_from();
 
-/// "1.10.8": the HDF5 library that runs.
+/// "1.10.8": the HDF5 library at run time.
 std::string hdf5_version();
 
-/// Compiler, platform, git commit and start time (now, UTC) filled in; the rest, script, program version and command
-/// line, is the caller's.
+/// Provenance with compiler, platform, git commit and start time (now, UTC); the caller adds script, program version
+/// and command line.
 Provenance provenance_here();
 
 }  // namespace trilith::results

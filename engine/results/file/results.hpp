@@ -1,5 +1,5 @@
-// What a results file holds, as plain values: no HDF5, no model. The whole schema is described in docs/results.md.
-// SI throughout: m, kg, s, N, J, rad. Indices count from 0; -1 says "none".
+// Content of a results file as plain values, without HDF5 and model. The schema is described in docs/results.md. SI
+// throughout: m [kg] [s] [N] [J] [rad]. Indices count from 0; -1 means none.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace trilith::results {
 
-/// A results file cannot be written or read: unwritable place, full disk, not a results file, cut, too new.
-/// One line with the file, the reason and, where there is one, what to try.
+/// A results file cannot be written or read: unwritable path, full disk, not a results file, truncated, newer version.
+/// One line with the file, the reason and, if possible, advice.
 class ResultsError : public std::runtime_error {
  public:
   explicit ResultsError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// Version of the layout. A reader accepts this and earlier ones; a change that old readers misread adds one.
+/// Version of the layout. A reader accepts this and earlier ones; a change that old readers would misread increases it.
 inline constexpr int format_version = 1;
 
-/// Numbers per rotation: 1 (angle, rad, anticlockwise) in 2D; 4 (unit quaternion w, x, y, z) in 3D.
+/// Numbers per rotation: 1 (angle [rad], anticlockwise) in 2D; 4 (unit quaternion w, x, y, z) in 3D.
 constexpr int rotation_width(int dim) {
   return dim == 2 ? 1 : 4;
 }
@@ -38,17 +38,17 @@ struct Quantity {
   std::string description;  ///< one sentence
 };
 
-/// A parameter of the script, as text, with the value this run used.
+/// A parameter of the script, as text, with its value in this run.
 struct ParameterRow {
   std::string name, value, unit, fallback, text;  ///< `fallback`: the declared default; `text`: its sentence
 };
 
-/// How the file came about. `start_time` is the only clock in the file.
+/// Origin of the file. `start_time` is the only clock in the file.
 struct Provenance {
   std::string script;           ///< full text
   std::string script_path;      ///< as given on the command line
   std::string program_version;  ///< e.g. "0.1.0"
-  std::string git_commit;       ///< empty where unknown
+  std::string git_commit;       ///< empty if unknown
   std::string compiler;
   std::string platform;
   std::string start_time;    ///< UTC, ISO 8601, e.g. "2025-11-21T09:30:00Z"
@@ -62,7 +62,7 @@ struct Provenance {
 struct BodyRow {
   std::string name, kind, material;
   std::string groups;   ///< names separated by blanks
-  std::string support;  ///< "free", "fixed", "moved", ... as the model says
+  std::string support;  ///< "free", "fixed", "moved", ... as in the model
   std::int32_t first_node = 0, node_count = 1;
   std::int32_t first_vertex = 0, vertex_count = 0;
   std::int32_t first_face = 0, face_count = 0;  ///< in space only; outer faces
@@ -81,8 +81,8 @@ struct LawRow {
 struct BearingRow {
   std::string name;
   std::int32_t body_a = -1, body_b = -1;
-  double point_a[3] = {0, 0, 0};  ///< m, in the axes of body a, from its first node; dim numbers count
-  double point_b[3] = {0, 0, 0};  ///< m, in the axes of body b
+  double point_a[3] = {0, 0, 0};  ///< in the axes of body a, from its first node; dim numbers are used [m]
+  double point_b[3] = {0, 0, 0};  ///< in the axes of body b [m]
   std::string law;                ///< law and parameters as text
 };
 
@@ -91,12 +91,13 @@ struct JointRow {
   std::int32_t body_a = -1, body_b = -1;
   std::int32_t storey = 0;      ///< 0: none
   std::int32_t bonded = 0;      ///< 1: with a bond
-  double end_0[3] = {0, 0, 0};  ///< m, where its ends are at the start, world axes; in space those of its longer axis
+  double end_0[3] = {0, 0, 0};  ///< positions of its ends at the start, world axes; in space ends of its longer axis
+                                ///< [m]
   double end_1[3] = {0, 0, 0};
-  double area = 0;  ///< m2, in space
+  double area = 0;  ///< in space [m2]
 };
 
-/// Numbers that every frame has beside motion and contacts: one row of `width` for each of `rows` things.
+/// Values in every frame in addition to motion and contacts: one row of `width` for each of `rows` objects.
 struct Field {
   std::string name;  ///< of its data set in /frames
   std::string unit, description;
@@ -104,21 +105,21 @@ struct Field {
   int width = 1;
 };
 
-/// Everything that does not change during a run. Arrays are flat, row after row.
+/// All data that are constant during a run. Arrays are flat, row after row.
 struct Header {
   int dim = 2;
   Provenance provenance;
   std::vector<BodyRow> bodies;
-  std::vector<double> node_position;        ///< [N][dim] m, at the start
+  std::vector<double> node_position;        ///< [N][dim] at the start [m]
   std::vector<double> node_rotation;        ///< [N][rotation_width] at the start
-  std::vector<double> node_mass;            ///< [N] kg; 0 where the node is driven or fixed and has none
-  std::vector<double> node_inertia;         ///< [N][spin_width] kg m^2, about the node
-  std::vector<double> vertices;             ///< [V][dim] m, outline points in body axes, from their node
-  std::vector<std::int32_t> vertex_node;    ///< [V] the node each outline point belongs to
+  std::vector<double> node_mass;            ///< [N] 0 for a driven or fixed node without mass [kg]
+  std::vector<double> node_inertia;         ///< [N][spin_width] about the node [kg m2]
+  std::vector<double> vertices;             ///< [V][dim] outline points in body axes, from their node [m]
+  std::vector<std::int32_t> vertex_node;    ///< [V] node of each outline point
   std::vector<std::int32_t> face_vertex;    ///< loops of rows of `vertices`, counter-clockwise seen from outside (3D)
-  std::vector<std::int32_t> face_first;     ///< [F + 1] where each loop begins in face_vertex, and the end; or empty
+  std::vector<std::int32_t> face_first;     ///< [F + 1] begin of each loop in face_vertex, and the end; or empty
   std::vector<std::int32_t> sphere_vertex;  ///< [S] row of `vertices` of the centre of each sphere (3D); or empty
-  std::vector<double> sphere_radius;        ///< [S] m
+  std::vector<double> sphere_radius;        ///< [S] [m]
   std::vector<std::int32_t> element_node;   ///< [E][4] nodes of each finite element, -1 after a triangle's third (2D)
   std::vector<std::int32_t> element_body;   ///< [E]
   std::vector<LawRow> laws;
@@ -127,45 +128,45 @@ struct Header {
   std::vector<Field> fields;
   std::vector<Quantity> histories;
   std::vector<Quantity> energy_terms;
-  bool with_velocity = false;  ///< frames carry velocities too
+  bool with_velocity = false;  ///< frames contain velocities too
 
   std::size_t node_count() const { return node_mass.size(); }
   std::size_t element_count() const { return element_body.size(); }
   std::size_t face_count() const { return face_first.empty() ? 0 : face_first.size() - 1; }
 
-  /// Adds a one-node body: fills its slices and appends its node and outline.
-  /// `position`: dim numbers, m; `rotation`: rotation_width; `inertia`: spin_width; `outline`: [v][dim] in body axes.
+  /// Adds a one-node body: fills its slices and appends its node and outline. `position`: dim numbers [m]; `rotation`:
+  /// rotation_width; `inertia`: spin_width; `outline`: [v][dim] in body axes.
   void add_rigid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
                       std::span<const double> inertia, std::span<const double> outline);
 
-  /// The same for a solid in space (dim 3), with its faces. `corners`: [v][3] in body axes, m; `faces`: loops of
-  /// indices into `corners`, counter-clockwise as seen from outside.
+  /// Adds a body in space (dim 3) with its faces. `corners`: [v][3] in body axes [m]; `faces`: loops of indices into
+  /// `corners`, counter-clockwise seen from outside.
   void add_solid_body(BodyRow body, std::span<const double> position, std::span<const double> rotation, double mass,
                       std::span<const double> inertia, std::span<const double> corners, const FaceLoops& faces);
 
-  /// A point of the body added last is the centre of a sphere. `corner`: counts the body's points.
+  /// Makes a point of the body added last the centre of a sphere. `corner`: index of the point in the body.
   void add_sphere(int corner, double radius);
-  /// Of each vertex the radius of the sphere about it, 0 where there is none; empty without spheres.
+  /// Radius of the sphere about each vertex, 0 without a sphere; empty without any spheres.
   std::vector<double> vertex_radius() const;
 };
 
 enum class ContactState : std::int8_t { bonded = 0, sticking = 1, sliding = 2 };
-/// `waiting`: carries nothing until another bearing becomes it. `absent`: not placed yet, or removed.
+/// `waiting`: without force until another bearing fails. `absent`: not placed yet, or removed.
 enum class BearingState : std::int8_t { intact = 0, yielded = 1, failed = 2, changed = 3, waiting = 4, absent = 5 };
 
-/// Resultant of one contact in a frame: the force on body a at `point`; body b feels the opposite.
+/// Resultant of one contact in a frame: the force on body a at `point`; the opposite acts on body b.
 struct ContactForce {
-  double point[3] = {0, 0, 0};  ///< m, world axes
-  double force[3] = {0, 0, 0};  ///< N, world axes
+  double point[3] = {0, 0, 0};  ///< world axes [m]
+  double force[3] = {0, 0, 0};  ///< world axes [N]
   std::int32_t body_a = -1, body_b = -1;
   ContactState state = ContactState::sticking;
-  double area = 0;               ///< m2, over which it acts (3D only)
-  double normal[3] = {0, 0, 0};  ///< unit vector from body a to body b, world axes (3D only); zero where unknown
+  double area = 0;               ///< contact area (3D only) [m2]
+  double normal[3] = {0, 0, 0};  ///< unit vector from body a to body b, world axes (3D only); zero if unknown
 };
 
-/// One frame, as the writer takes it: views into the caller's arrays, read during the call only.
+/// One frame for the writer: views into the caller's arrays, read only during the call.
 struct FrameRow {
-  double time = 0;                   ///< s, not below the previous frame's
+  double time = 0;                   ///< not below the time of the previous frame [s]
   std::int64_t step = 0;             ///< number of steps done
   std::int32_t stage = 0;            ///< row of the stages table
   std::span<const double> position;  ///< [N][dim] m
@@ -181,7 +182,7 @@ struct FrameRow {
   std::span<const std::vector<double>> fields = {};  ///< [Header::fields][rows][width]
 };
 
-/// One frame, as the reader gives it. Members as in FrameRow.
+/// One frame from the reader. Members as in FrameRow.
 struct Frame {
   double time = 0;
   std::int64_t step = 0;
@@ -193,71 +194,71 @@ struct Frame {
   std::vector<std::vector<double>> fields;
 };
 
-/// A number that belongs to an event, e.g. {"speed", "m/s", 3.2}.
+/// A value of an event, e.g. {"speed", "m/s", 3.2}.
 struct Figure {
   std::string name, unit;
   double value = 0;
 };
 
-/// One event. The names of bodies and bearing are filled in by the writer from the indices.
+/// One event. The writer fills in the names of bodies and bearing from the indices.
 struct EventRow {
   std::int64_t id = 0;
-  double time = 0;  ///< s
+  double time = 0;  ///< [s]
   std::int64_t step = 0;
   std::int32_t stage = 0;
   std::string type;  ///< e.g. "bearing.failed"; at most 32 bytes
   std::int32_t body_a = -1, body_b = -1, bearing = -1;
   std::string body_a_name, body_b_name, bearing_name;
   bool has_place = false;
-  double place[3] = {0, 0, 0};  ///< m, world axes; zero unless has_place
-  Figure first, second;         ///< empty names where unused
-  std::int64_t cause = -1;      ///< id of the event that led to this one
+  double place[3] = {0, 0, 0};  ///< world axes; zero unless has_place [m]
+  Figure first, second;         ///< empty names if unused
+  std::int64_t cause = -1;      ///< id of the event that caused this one
   std::string text;             ///< one sentence; longer than 160 bytes is cut and marked with an ellipsis
 };
 
 /// One stage. While it runs `ended` is false and `end` equals `begin`.
 struct StageRow {
   std::string name, kind;
-  double begin = 0, end = 0;  ///< s
+  double begin = 0, end = 0;  ///< [s]
   bool ended = false;
-  std::string why;  ///< why it ended, e.g. "at rest"
+  std::string why;  ///< reason for its end, e.g. "at rest"
 };
 
-/// A natural mode as it was found at some time of the run: what is in a row of the table, and where the nodes were and
-/// how they move in it. Its largest displacement is as the modes have it, phi' M phi = 1.
+/// A natural mode at some time of the run: its row in the table, the positions of the nodes and their mode shape,
+/// scaled to phi' M phi = 1.
 struct ModeRow {
-  std::int32_t analysis = 0;         ///< modes found at once have the same; from 0
-  std::int32_t number = 1;           ///< by rising frequency, from 1
-  double time = 0;                   ///< s
-  double frequency = 0;              ///< Hz; 0 where it does not swing
+  std::int32_t analysis = 0;         ///< modes found together share the index; from 0
+  std::int32_t number = 1;           ///< by increasing frequency, from 1
+  double time = 0;                   ///< [s]
+  double frequency = 0;              ///< 0 if it does not vibrate [Hz]
   double damping = 0;                ///< ratio to critical
-  double mass[3] = {0, 0, 0};        ///< effective along each axis, kg; dim numbers count
-  std::vector<double> position;      ///< [N][dim] m, where the nodes stood
+  double mass[3] = {0, 0, 0};        ///< effective mass along each axis; dim numbers are used [kg]
+  std::vector<double> position;      ///< [N][dim] positions of the nodes [m]
   std::vector<double> rotation;      ///< [N][rotation_width]
   std::vector<double> displacement;  ///< [N][dim] 1/sqrt(kg)
   std::vector<double> turn;          ///< [N][spin_width] 1/(m sqrt(kg))
 };
 
-/// A ground motion as a body was moved by it, along one of its directions. The ground is where GroundMotion of these
-/// samples has it: the node is at origin + displacement(t - begin).
+/// A ground motion of a body along one direction. GroundMotion of these samples gives the displacement: the node is at
+/// origin + displacement(t - begin).
 struct MotionRow {
   std::int32_t body = -1;         ///< row of the bodies
   std::int32_t node = -1;         ///< the node of that body that follows it; the others keep their distance
   std::string direction;          ///< "x", "y", "z" or "rotation"
-  double begin = 0;               ///< s, time of the run at which the motion's clock is 0
-  double origin = 0;              ///< m or rad, where the node is when the displacement is 0
-  double step = 0;                ///< s
-  double start_time = 0;          ///< s, of the first sample, on the motion's clock
-  double start_velocity = 0;      ///< m/s, at the first sample
-  double start_displacement = 0;  ///< m
-  std::int64_t first_sample = 0, sample_count = 0;  ///< its samples in the file; the writer's own
-  std::string record;                               ///< file it was read from; may be empty, as the next
+  double begin = 0;               ///< time of the run at which the motion's time is 0 [s]
+  double origin = 0;              ///< coordinate of the node at displacement 0 [m], [rad]
+  double step = 0;                ///< [s]
+  double start_time = 0;          ///< of the first sample, in the motion's time [s]
+  double start_velocity = 0;      ///< [m/s], at the first sample
+  double start_displacement = 0;  ///< [m]
+  std::int64_t first_sample = 0, sample_count = 0;  ///< its samples in the file; set by the writer
+  std::string record;                               ///< file of the record; may be empty, as the next
   std::string title;                                ///< event and station
-  std::string text;                                 ///< what was done to it; longer than 240 bytes is cut
-  std::vector<double> acceleration;                 ///< [sample] m/s2, or rad/s2 of a rotation
+  std::string text;                                 ///< its processing; text beyond 240 bytes is cut
+  std::vector<double> acceleration;                 ///< [sample] [m/s2], or [rad/s2] for a rotation
 };
 
-/// The energy ledger: one column per term of Header::energy_terms, J.
+/// The energy ledger: one column per term of Header::energy_terms [J].
 struct EnergyTable {
   std::vector<double> time;
   std::vector<std::vector<double>> terms;

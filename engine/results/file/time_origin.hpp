@@ -1,5 +1,5 @@
-// From when times are counted: the start of the run, the beginning of a stage, or an event. One rule for plots,
-// pictures, tables, reports and the page; whatever counts from elsewhere than the start says so.
+// Origin of displayed times: the start of the run, the begin of a stage, or an event. One rule for plots, pictures,
+// tables, reports and the page; all state an origin other than the start.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 namespace trilith::results {
 
 struct TimeOrigin {
-  double zero = 0;         ///< what counts as 0 [s of the run]
+  double zero = 0;         ///< run time of the origin [s]
   std::string name = {};   ///< of the stage, or the event's type
   std::string since = {};  ///< "'shake' began", "the first seat.lost"; "": the start of the run
 
-  /// " since 'shake' began", which follows a time; "" where times count from the start.
+  /// " since 'shake' began", to be appended to a time; "" if times count from the start.
   [[nodiscard]] std::string text() const { return since.empty() ? "" : " since " + since; }
 };
 
-/// Of the first stage called `name`, else of the first event of that type; of the start where it is empty. Throws
-/// InputError with the nearest name where the run has neither.
+/// Origin at the begin of the first stage called `name`, otherwise at the first event of that type; the start if `name`
+/// is empty. Throws InputError with the nearest name if the run has neither.
 TimeOrigin time_origin(const ResultsReader& reader, std::string_view name);
 
-/// The first stage called `name`; throws InputError with the nearest name where there is none.
+/// The first stage called `name`; throws InputError with the nearest name if there is none.
 StageRow find_stage(const ResultsReader& reader, std::string_view name);
 
 }  // namespace trilith::results

@@ -15,7 +15,7 @@
 namespace trilith::results {
 namespace {
 
-constexpr std::size_t most_buffered = 4 * 1024 * 1024;  // bytes, then a flush comes by itself
+constexpr std::size_t most_buffered = 4 * 1024 * 1024;  // bytes that trigger a flush
 
 void copy(GrowingSet& set, const void* data, std::size_t bytes) {
   assert(bytes == set.row_bytes());
@@ -71,7 +71,7 @@ class ResultsWriter::Body {
   std::vector<std::string> bodies_, bearings_;
   std::vector<std::size_t> field_size_;  // numbers in a row of each field
   std::vector<Quantity> history_names_, term_names_;
-  std::vector<std::vector<double>> accelerations_;  // of motions, each once
+  std::vector<std::vector<double>> accelerations_;  // of motions, without duplicates
   std::vector<std::int64_t> first_sample_;          // of each of those
   std::optional<PartFile> file_;
   std::optional<Layout> layout_;
@@ -127,7 +127,7 @@ ResultsWriter::Body::~Body() {
     layout_.reset();
     file_->close();
   } catch (const std::runtime_error&) {
-    // Nobody is left to tell; what was flushed before is safe.
+    // Errors cannot be reported here; flushed data are safe.
   }
 }
 
@@ -138,7 +138,8 @@ void ResultsWriter::Body::discard() {
   file_->abandon();
 }
 
-// Turns a failed HDF5 call into the one error of this writer, and closes the file so that nothing fails again at exit.
+// Converts a failed HDF5 call into the single error of this writer, and closes the file so that nothing fails again at
+// exit.
 template <class Action>
 void ResultsWriter::Body::guarded(Action action) {
   require_open();
@@ -195,7 +196,7 @@ void ResultsWriter::Body::add_history(double time, std::span<const double> value
     throw ResultsError(fmt::format("results histories at t = {:g} s: {} values for {} histories", time, values.size(),
                                    history_names_.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
-    // NaN is a sample that was not taken: before the history begins, and while its owner is out of the model.
+    // NaN is a missing sample: before the history begins, and while its owner is out of the model.
     if (std::isinf(values[i]) || !std::isfinite(time))
       throw ResultsError(fmt::format("history '{}' at t = {:g} s is {}", history_names_[i].name, time, values[i]));
   copy(layout_->history_time, time);
@@ -249,7 +250,7 @@ void ResultsWriter::Body::add(const ModeRow& mode) {
   flush();
 }
 
-// Samples that an earlier row has to the bit are not stored again: delayed copies, and one motion of many bodies.
+// Samples that equal an earlier row to the bit are not stored again: delayed copies, and one motion of many bodies.
 void ResultsWriter::Body::add(MotionRow motion) {
   require_open();
   check_motion(motion, bodies_.size(), nodes_);
@@ -307,8 +308,8 @@ void ResultsWriter::Body::flush() {
   guarded([&] { write_rows(); });
 }
 
-// The order is the guarantee: rows first, on the disk where asked, and only then the counters that vouch for them. The
-// whole file is flushed once: HDF5 walks through its whole cache for each set that is flushed alone.
+// The order provides the guarantee: rows first, synchronised if requested, and only then their counters. The whole file
+// is flushed once, because HDF5 walks through its whole cache for each separately flushed set.
 void ResultsWriter::Body::write_rows() {
   for (GrowingSet* set : sets_) set->write();
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
@@ -321,7 +322,7 @@ void ResultsWriter::Body::write_rows() {
 
 void ResultsWriter::Body::finish() {
   require_open();
-  require_writable(path);  // something else may have come to stand there while the run went
+  require_writable(path);  // another file may have been created there during the run
   guarded([&] {
     write_rows();
     committed_.reset();

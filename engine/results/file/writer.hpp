@@ -1,4 +1,4 @@
-// Writes a results file as a run goes: buffers rows, flushes them so that a killed run stays readable, and finishes
+// Writes a results file during a run: buffers rows, flushes them so that a killed run remains readable, and finishes
 // with a clean file. The layout is described in docs/results.md.
 #pragma once
 
@@ -14,55 +14,56 @@
 namespace trilith::results {
 
 struct WriterOptions {
-  bool sync = true;  ///< flush() also brings the rows to the disk, against loss of power
+  bool sync = true;  ///< flush() also synchronises the disk, against loss of power
 };
 
-/// While it runs, rows go to `<path>.part` (finished = 0), which any number of readers may follow. finish() copies
-/// them, compressed, to a clean file, marks it finished and renames it to `<path>`; only then an earlier results file
-/// of that name is replaced. A writer destroyed without finish(), or killed, leaves `<path>.part`, readable up to the
-/// last flush. What an earlier run left so is not lost either: it gets a name of its own, and kept_from_before() says
-/// so. After an error the writer refuses further calls with the same message; what was flushed stays readable.
+/// During the run rows are written to `<path>.part` (finished = 0), which any number of readers may follow. The
+/// function finish() copies them, compressed, to a clean file, marks it finished and renames it to `<path>`. Only then
+/// it replaces an earlier results file of that name. A writer that is destroyed without finish(), or killed, leaves
+/// `<path>.part`, readable up to the last flush. The part file of an earlier run is kept under another name, which
+/// kept_from_before() returns. After an error the writer rejects further calls with the same message; flushed data
+/// remain readable.
 class ResultsWriter {
  public:
-  /// Creates `<path>.part` with everything of `header`. Throws ResultsError (unwritable, no such folder, full disk, a
-  /// file that is not ours, another run writing it, arrays of `header` that do not fit each other) and InputError for
-  /// the name of a history that is empty, double, "time" or holds '/'.
+  /// Creates `<path>.part` with the content of `header`. Throws ResultsError (unwritable, no such folder, full disk,
+  /// foreign file, another run writing it, inconsistent arrays of `header`). Throws InputError for the name of a
+  /// history that is empty, duplicate, "time" or contains '/'.
   ResultsWriter(std::filesystem::path path, const Header& header, WriterOptions options = {});
-  /// Flushes what it can; leaves the file unfinished unless finish() was called. Throws nothing.
+  /// Flushes as far as possible; leaves the file unfinished unless finish() was called. Does not throw.
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
   ResultsWriter& operator=(ResultsWriter&&) noexcept;
 
-  /// Each append copies its row into a buffer; the buffers are flushed by themselves at a few megabytes.
-  /// Throws ResultsError where a number is not finite, an array has the wrong size, or a flush failed.
+  /// Each append copies its row into a buffer; the buffers are flushed automatically at a few megabytes. Throws
+  /// ResultsError if a number is not finite, an array has the wrong size, or a flush failed.
   void append_frame(const FrameRow& frame);
-  /// One sample of every history, in the order of Header::histories. `time`: s. NaN stands for a sample that
-  /// was not taken: before a history begins, and while its owner is out of the model.
+  /// One sample of every history, in the order of Header::histories, at `time` [s]. NaN marks a missing sample: before
+  /// a history begins, and while its owner is out of the model.
   void append_history(double time, std::span<const double> values);
   void append_event(EventRow event);
-  /// `terms`: J, in the order of Header::energy_terms; `residual`: J.
+  /// `terms` [J] in the order of Header::energy_terms, `residual` [J].
   void append_energy(double time, std::span<const double> terms, double residual);
-  /// A note or warning that came up at `time`, s.
+  /// Adds a note or warning at `time` [s].
   void append_note(double time, std::string_view text);
-  /// A mode, and flushes.
+  /// Adds a mode, and flushes.
   void append_mode(const ModeRow& mode);
-  /// A motion of a body, and flushes. Samples that are in the file already are not stored again.
+  /// Adds a motion of a body, and flushes. Samples that the file contains already are not stored again.
   void append_motion(MotionRow motion);
-  /// Opens a stage and flushes; gives its row, which frames and events name. Text beyond 64 bytes is cut.
+  /// Opens a stage and flushes; returns its row, to which frames and events refer. Text beyond 64 bytes is cut.
   std::int32_t begin_stage(std::string_view name, std::string_view kind, double time);
   /// Ends the last stage and flushes.
   void end_stage(double time, std::string_view why);
 
-  /// Makes every row appended so far safe: after it returns, a kill loses none of them.
+  /// Secures every row appended so far: after it returns, a kill loses none of them.
   void flush();
-  /// Flushes, writes the clean file and renames it to path(). Nothing may be appended afterwards.
+  /// Flushes, writes the clean file and renames it to path(). Nothing can be appended afterwards.
   void finish();
 
-  /// Where the finished file will stand.
+  /// Path of the finished file.
   const std::filesystem::path& path() const;
-  /// Where the rows are now.
+  /// Present path of the rows.
   const std::filesystem::path& part() const;
-  /// Says under which name the unfinished results of an earlier run are kept, where there were any; else "".
+  /// Text with the name under which unfinished results of an earlier run are kept, or "".
   std::string kept_from_before() const;
 
  private:

@@ -9,7 +9,7 @@
 namespace trilith::results {
 namespace {
 
-/// What the text leaves out: numbers are in the text where it was written by the run.
+/// Text without the type; events written by a run contain their numbers in the text.
 std::string text_beside_type(const EventRow& e) {
   if (!e.text.empty()) return e.text;
   std::string out;
@@ -28,7 +28,7 @@ std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& o
   std::vector<std::pair<std::size_t, std::size_t>> pending;  // row and depth, the next one last
   for (std::size_t i = events.size(); i-- > 0;) {
     const auto cause = row.find(events[i].cause);
-    // A cause comes before its effect; a damaged file could say otherwise and send us in circles.
+    // A cause comes before its effect; a damaged file could contain a cycle.
     if (cause != row.end() && cause->second < i)
       effects[cause->second].push_back(i);
     else
@@ -44,7 +44,9 @@ std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& o
     const EventRow& e = events[i];
     out += fmt::format("{:>10.4f} s  {:<{}}  {:{}}{}\n", e.time - origin.zero, e.type, widest, "", 2 * depth,
                        text_beside_type(e));
-    for (const std::size_t effect : effects[i]) pending.emplace_back(effect, depth + 1);  // latest first: taken last
+    for (const std::size_t effect : effects[i])
+      pending.emplace_back(effect, depth + 1);  // latest first, so that it is
+                                                // processed last
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// The events of a run as a table in plain text, each below the one that led to it.
+// The events of a run as a table in plain text, each below its cause.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 namespace trilith::results {
 
 /// One line for each event, '\n' ended: time [s] since `origin`, type, and its text indented below its cause; the
-/// effects of one cause stand in order of time. An event whose cause is not among `events` stands at the left. No
-/// events: a line that says so.
+/// effects of one cause are sorted by time. An event whose cause is not among `events` starts at the left. Without
+/// events: a line that reports it.
 std::string event_table(const std::vector<EventRow>& events, const TimeOrigin& origin = {});
 
 }  // namespace trilith::results

@@ -16,8 +16,8 @@ RowOf rows_by_id(const std::vector<EventRow>& events) {
   return out;
 }
 
-/// Row in `chosen` of the nearest cause that is there, or -1. A cause comes before its effect; a damaged file could say
-/// otherwise and send us in circles.
+/// Row in `chosen` of the nearest present cause, or -1. A cause comes before its effect; a damaged file could contain a
+/// cycle.
 std::ptrdiff_t nearest_cause(const std::vector<EventRow>& all, const RowOf& in_all, const RowOf& in_chosen,
                              const EventRow& event) {
   const EventRow* at = &event;
@@ -31,7 +31,7 @@ std::ptrdiff_t nearest_cause(const std::vector<EventRow>& all, const RowOf& in_a
   return -1;
 }
 
-/// 0 for what brings a structure down; the last for what follows from it.
+/// 0 for failures of the structure; the last rank for their consequences.
 int rank_of(const EventRow& event, bool first_failure) {
   if (first_failure || event.type == "bearing.failed" || event.type == "member.failed" || event.type == "seat.lost")
     return 0;
@@ -75,7 +75,7 @@ EventTree event_tree(const std::vector<EventRow>& all, std::vector<EventRow> cho
   std::vector<std::ptrdiff_t> cause(count, -1);
   for (std::size_t i = 0; i < count; ++i) {
     cause[i] = nearest_cause(all, in_all, in_chosen, tree.rows[i]);
-    if (cause[i] >= static_cast<std::ptrdiff_t>(i)) cause[i] = -1;  // rows are in time
+    if (cause[i] >= static_cast<std::ptrdiff_t>(i)) cause[i] = -1;  // rows are sorted by time
     if (cause[i] >= 0)
       tree.effects[cause[i]].push_back(i);
     else

@@ -9,7 +9,7 @@ namespace {
 Provenance read_provenance(hid_t file) {
   const h5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose, "there is no /provenance");
   Provenance result;
-  for (const ProvenanceText& entry : provenance_texts)  // files of earlier programs do not name the model
+  for (const ProvenanceText& entry : provenance_texts)  // files of earlier program versions do not name the model
     if (std::string_view(entry.name) != "model" || H5Aexists(group.get(), entry.name) > 0)
       result.*entry.member = h5::read_text(group.get(), entry.name);
   result.script = read_text_set(file, "/provenance/script");
@@ -63,7 +63,7 @@ void read_model(hid_t file, Header& header) {
   header.element_body = read_all<std::int32_t>(file, "/model/element_body");
 }
 
-/// Data sets of /frames that no other part of the header stands for.
+/// Data sets of /frames that no other part of the header describes.
 std::vector<Field> read_fields(hid_t file) {
   static const std::vector<std::string> known{
       "time",   "step",          "stage",         "position", "angle",         "quaternion",    "velocity",

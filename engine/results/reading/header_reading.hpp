@@ -1,4 +1,4 @@
-// Private to results/: the unchanging part of a results file, and single frames, back as values.
+// Private to results/: reads the constant part of a results file, and single frames.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace trilith::results {
 
-/// Throws Failure or ResultsError where a part is missing or does not fit the others.
+/// Throws Failure or ResultsError if a part is missing or inconsistent with the others.
 Header read_header(hid_t file);
 
 /// Frame `index`, below committed.frames.

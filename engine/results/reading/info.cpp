@@ -13,7 +13,7 @@
 namespace trilith::results {
 namespace {
 
-// "3 rigid, 2 beam": how often each word comes, in alphabetical order.
+// "3 rigid, 2 beam": counts of each word, in alphabetical order.
 template <class Row, class Word>
 std::string tally(const std::vector<Row>& rows, Word word) {
   std::map<std::string, int> counts;
@@ -96,7 +96,7 @@ std::string span_of(const std::vector<double>& times) {
   return times.empty() ? "" : fmt::format(", {:g} s to {:g} s", times.front(), times.back());
 }
 
-/// How many, and the frequencies of those that were found last.
+/// Number of modes, and the frequencies of the modes found last.
 std::string modes(const std::vector<ModeRow>& rows) {
   if (rows.empty()) return "";
   std::string text = line("modes", fmt::format("{}, the last ones found at {:g} s", rows.size(), rows.back().time));

@@ -1,4 +1,4 @@
-// What a results file holds, in a page of plain text: the output of `trilith info RESULT`.
+// Summary of a results file in plain text: the output of `trilith info RESULT`.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace trilith::results {
 
-/// State (finished, still running, ended before its end), provenance, model counts, stages, frames, histories, events
-/// by type, energy and notes, as lines ending in '\n'. Throws ResultsError where the file cannot be read to its end.
+/// State (finished, still running, ended prematurely), provenance, model counts, stages, frames, histories, events by
+/// type, energy and notes, as lines ending in '\n'. Throws ResultsError if the file cannot be read completely.
 std::string info_text(const ResultsReader& reader);
 
-/// A line where these are finished results beside what a later run has left or is writing; else "".
+/// A line if these are finished results and a later run has left, or is writing, a part file; otherwise "".
 std::string newer_run_text(const ResultsReader& reader);
 
 }  // namespace trilith::results

@@ -1,4 +1,4 @@
-// How large the values of a curve become.
+// Largest absolute value of a curve.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace trilith::results {
 
-/// The largest absolute value, of those that are finite; 0 where there is none.
+/// The largest absolute value among finite ones; 0 if there is none.
 inline double largest_value(const std::vector<double>& values) {
   double most = 0;
   for (const double v : values) most = std::isfinite(v) ? std::max(most, std::abs(v)) : most;

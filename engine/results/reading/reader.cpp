@@ -73,7 +73,7 @@ class ResultsReader::Body {
     open();
   }
 
-  // Names the file in whatever goes wrong.
+  // Adds the file name to all errors.
   template <class Action>
   auto guarded(Action action) const {
     const h5::Quiet quiet;

@@ -1,4 +1,4 @@
-// Private to results/: rows are refused before anything of them is written.
+// Private to results/: checks of rows before any of their data are written.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace trilith::results {
 
-/// How many numbers a frame of a file has.
+/// Array sizes of a frame of a file.
 struct FrameSizes {
   int dim;
   std::size_t nodes, elements, bearings;
@@ -17,13 +17,13 @@ struct FrameSizes {
   const std::vector<std::size_t>& field;  ///< numbers in a row of each field
 };
 
-/// Throws ResultsError where an array has another size, or holds a number that is not finite.
+/// Throws ResultsError if an array has another size, or contains a number that is not finite.
 void check_frame(const FrameRow& frame, const FrameSizes& sizes);
 void check_mode(const ModeRow& mode, int dim, std::size_t nodes);
-/// ... or where it moves a body or node that is not there, or is no motion: less than two samples, no step.
+/// Also throws for an unknown body or node, fewer than two samples, and a step that is not positive.
 void check_motion(const MotionRow& motion, std::size_t bodies, std::size_t nodes);
 
-/// Of a row that an event names; "" for -1. Throws ResultsError where there is no such row.
+/// Name of a row to which an event refers; "" for -1. Throws ResultsError if there is no such row.
 std::string row_name(const std::vector<std::string>& names, std::int32_t index, const char* what);
 
 }  // namespace trilith::results

@@ -9,7 +9,7 @@ h5::Handle open_set(hid_t file, const std::string& path) {
   return h5::Handle(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "there is no readable " + path);
 }
 
-// A damaged size must not ask for absurd memory: an uncompressed set holds its bytes.
+// A damaged size must not allocate excessive memory: an uncompressed set stores its bytes.
 void require_stored(hid_t dataset, std::size_t bytes, const std::string& path) {
   if (H5Dget_storage_size(dataset) < bytes) throw h5::Failure(path + " is damaged");
 }

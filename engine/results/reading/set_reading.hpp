@@ -1,4 +1,4 @@
-// Private to results/: rows of data sets back as values, checked against what the caller expects.
+// Private to results/: reads rows of data sets as values, and checks them against the caller's expectations.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace trilith::results {
 
-/// Reads rows [first, first + count) of data set `path` as `type` into `out`. Throws Failure where the set is missing,
-/// its rows have another shape than `row_shape`, or it has fewer rows.
+/// Reads rows [first, first + count) of data set `path` as `type` into `out`. Throws Failure if the set is missing, its
+/// rows have another shape than `row_shape`, or it has fewer rows.
 void read_into(hid_t file, const std::string& path, std::int64_t first, std::int64_t count,
                const std::vector<hsize_t>& row_shape, hid_t type, void* out);
 
 /// Number of rows of data set `path`.
 std::int64_t row_count(hid_t file, const std::string& path);
 
-/// Narrows `type` to the columns table `path` has, text columns to the widths stored there.
+/// Narrows `type` to the columns of table `path`, text columns to the widths stored there.
 void match_stored(hid_t file, const std::string& path, TableType& type);
 
 /// The text of a scalar data set.
@@ -50,7 +50,7 @@ inline hid_t native_type<std::int8_t>() {
 template <class T>
 std::vector<T> read_rows(hid_t file, const std::string& path, std::int64_t first, std::int64_t count,
                          const std::vector<hsize_t>& row_shape) {
-  // Asked first, so that a damaged counter never asks for absurd memory.
+  // Checked first, so that a damaged counter does not allocate excessive memory.
   if (first < 0 || count < 0 || first > row_count(file, path) - count)
     throw h5::Failure(path + " has fewer rows than were flushed");
   std::size_t size = static_cast<std::size_t>(count);

@@ -1,5 +1,5 @@
 // Private to results/: table rows as packed records. `describe` (table_rows.hpp) names the columns of a row type once;
-// the three archives here turn that one declaration into the table's type, into bytes, and back into values.
+// the three archives here convert that declaration into the table's type, into bytes, and back into values.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace trilith::results {
 
-// Packed records and the stored types are little-endian both.
+// Packed records and the stored types are both little-endian.
 static_assert(std::endian::native == std::endian::little);
 
 enum class Kind { real, int64, int32, int8, text };
@@ -31,7 +31,7 @@ struct Column {
   Kind kind = Kind::real;
   std::size_t length = 0;  ///< bytes
   std::size_t offset = 0;  ///< bytes from the start of the record
-  bool present = true;     ///< false: the file read has no such column
+  bool present = true;     ///< false: the file has no such column
 };
 
 /// The columns of a table, packed without gaps.
@@ -45,14 +45,14 @@ struct TableType {
   std::vector<std::string> descriptions() const;
 };
 
-/// What the archives share: the dimension and the way from x, y, z to columns.
+/// Common part of the archives: the dimension and the columns of x, y, z.
 struct Archive {
   explicit Archive(int dimension) : dim(dimension) {}
   int dim;
   static constexpr const char* axis[3] = {"x", "y", "z"};
 };
 
-/// Collects the columns; called for several rows, text columns grow to the longest.
+/// Collects the columns; if called for several rows, text columns grow to the longest.
 class ColumnCollector : public Archive {
  public:
   template <class T>
@@ -120,7 +120,7 @@ class Packer : public Archive {
   std::size_t next_ = 0;
 };
 
-/// Reads one row from a record; columns the file lacks keep their default.
+/// Reads one row from a record; columns missing in the file keep their default.
 class Unpacker : public Archive {
  public:
   template <class T>

@@ -6,19 +6,19 @@
 
 namespace trilith::results {
 
-/// A note made while the run goes.
+/// A note made during the run.
 struct NoteRow {
   double time = 0;
   std::string text;
 };
 
-/// A contact force with the frame it belongs to.
+/// A contact force with its frame.
 struct ContactRow {
   std::int32_t frame = 0;
   ContactForce contact;
 };
 
-/// How many rows of each growing table are safe to read. Written last at each flush.
+/// Number of committed rows of each growing table. Written last at each flush.
 struct Committed {
   std::int64_t frames = 0, contacts = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0, modes = 0;
   std::int64_t motions = 0, motion_samples = 0;

@@ -1,4 +1,4 @@
-// What the events of a results file say of whether its run may be trusted.
+// Verdict on the reliability of a run, from the events of a results file.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace trilith::results {
 
-/// Of all events of a file, in time.
+/// `events`: all events of a file, sorted by time.
 Verdict results_verdict(const std::vector<EventRow>& events);
 
 }  // namespace trilith::results

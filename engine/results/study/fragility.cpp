@@ -15,25 +15,26 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// ln of the bounds; -inf below where it is 0.
+/// ln of the bounds; -inf for a lower bound of 0.
 struct LogBounds {
   double low, high;
 };
 
-/// Log-likelihood, its slope and its curvature in (a, b).
+/// Log-likelihood, its gradient and its Hessian in (a, b).
 struct Likelihood {
   double value = 0, da = 0, db = 0, aa = 0, ab = 0, bb = 0;
 };
 
-/// P(high) - P(low), on the side of the distribution where it keeps its digits.
+/// P(high) - P(low), on the side of the distribution without cancellation.
 double share_between(double low, double high) {
   return low > 0 ? normal_share(-low) - normal_share(-high) : normal_share(high) - normal_share(low);
 }
 
-/// In: eta = a + b u at both bounds u. Out: the sums of l = ln(Phi(eta_h) - Phi(eta_l)), of its first derivatives
-///   l_a = (phi_h - phi_l) / D,  l_b = (phi_h u_h - phi_l u_l) / D,  D = Phi(eta_h) - Phi(eta_l),
-/// and of its second ones, with phi' = -eta phi:  l_ij = (-eta_h phi_h w_ij,h + eta_l phi_l w_ij,l) / D - l_i l_j,
-/// w = 1, u, u^2. What is not bounded adds nothing.
+/// Input: eta = a + b u at both bounds u. Output: the sums of l = ln(Phi(eta_h) - Phi(eta_l)), of its first derivatives
+///     l_a = (phi_h - phi_l) / D,  l_b = (phi_h u_h - phi_l u_l) / D,  D = Phi(eta_h) - Phi(eta_l),
+/// and of its second ones, with phi' = -eta phi:
+///     l_ij = (-eta_h phi_h w_ij,h + eta_l phi_l w_ij,l) / D - l_i l_j,   w = 1, u, u^2.
+/// Infinite bounds contribute nothing.
 Likelihood likelihood(const std::vector<LogBounds>& bounds, double a, double b) {
   Likelihood sum;
   for (const LogBounds& one : bounds) {
@@ -63,13 +64,13 @@ std::vector<LogBounds> logs_of(const std::vector<CapacityBounds>& bounds) {
     logs.push_back(
         {one.low > 0 ? portable::log(one.low) : -forever, std::isfinite(one.high) ? portable::log(one.high) : forever});
   }
-  // A bound from 0 to infinity says nothing.
+  // A bound from 0 to infinity contains no information.
   std::erase_if(logs, [](const LogBounds& l) { return !std::isfinite(l.low) && !std::isfinite(l.high); });
   return logs;
 }
 
-/// Throws where no maximum exists, and says which case it is. It exists where the intervals have no point in common:
-/// with one, a curve that jumps there has likelihood 1.
+/// Throws if no maximum exists, with the reason. It exists if the intervals have no common point: otherwise a curve
+/// with a jump at this point has likelihood 1.
 void require_maximum(const std::vector<LogBounds>& logs) {
   double most_low = -forever, least_high = forever;
   for (const LogBounds& l : logs) most_low = std::max(most_low, l.low), least_high = std::min(least_high, l.high);
@@ -85,7 +86,7 @@ void require_maximum(const std::vector<LogBounds>& logs) {
                     portable::exp(most_low), portable::exp(least_high)));
 }
 
-/// A curve to start from: centred on the finite bounds, as wide as they are.
+/// Initial curve: centred on the finite bounds, with their spread.
 Fragility first_guess(const std::vector<LogBounds>& logs) {
   double sum = 0, squares = 0, n = 0;
   for (const LogBounds& l : logs)
@@ -111,7 +112,7 @@ Confidence Fragility::band(double x, double confidence) const {
 }
 
 Confidence Fragility::median_interval(double confidence) const {
-  // ln median = -a / b: its slopes are -1 / b and a / b^2.
+  // ln median = -a / b: its derivatives are -1 / b and a / b^2.
   const double sa = -1 / b, sb = a / (b * b), z = normal_quantile(0.5 + 0.5 * confidence);
   const double error = std::sqrt(std::max(0.0, sa * sa * var_a + 2 * sa * sb * cov_ab + sb * sb * var_b));
   return {median * portable::exp(-z * error), median * portable::exp(z * error)};

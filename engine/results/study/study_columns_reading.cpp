@@ -1,4 +1,4 @@
-// What is asked of the columns of a study's table.
+// Access to the columns of a study's table.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@ std::string trimmed(const std::string& text) {
   return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
 }
 
-/// The longer signs stand first.
+/// Longer signs come first.
 constexpr std::array signs{">=", "<=", "!=", "==", ">", "<", "="};
 
 struct Comparison {

@@ -8,15 +8,15 @@
 
 namespace trilith::results {
 
-/// Of one case.
+/// Result of a condition for one case.
 enum class Holds { no, yes, unknown };
 
-/// Whether `condition` holds in each case; unknown where the case has no value. It is a flag of the table, alone or
-/// after "not", or one of its numbers against a number, or one of its texts against a text; signs are > < >= <= = !=.
-/// Numbers stand in the column's unit. Throws InputError for anything else, with the nearest name.
+/// Evaluates `condition` in each case; unknown if the case has no value. It is a flag of the table, alone or after
+/// "not", a numeric column compared with a number, or a text column compared with a text; signs are > < >= <= = !=.
+/// Numbers are in the column's unit. Throws InputError for anything else, with the nearest name.
 std::vector<Holds> condition_of_cases(const std::vector<StudyColumn>& columns, const std::string& condition);
 
-/// How many of the cases that answer say yes.
+/// Number of cases with a result, and of cases in which the condition holds.
 struct Tally {
   int hits = 0, count = 0;
   void add(Holds holds) {

@@ -12,7 +12,7 @@
 namespace trilith::results {
 namespace {
 
-/// "record=a.csv, seed=2": all parameters that take several values, but `over`.
+/// "record=a.csv, seed=2": all parameters with several values, except `over`.
 std::string record_name(const std::vector<const StudyColumn*>& others, std::size_t row) {
   std::string name;
   for (const StudyColumn* c : others)
@@ -33,7 +33,7 @@ bool passed_any_over(const std::vector<StudyColumn>& columns) {
   return false;
 }
 
-/// Between the highest intensity below the first that brought it down, and that one; unbounded where none did.
+/// Between the highest intensity below the first one with the outcome, and that one; unbounded without an outcome.
 CapacityBounds capacity_of(const RecordCases& record, const std::vector<double>& x, const std::vector<Holds>& holds) {
   CapacityBounds bounds{0, std::numeric_limits<double>::infinity()};
   for (const std::size_t row : record.rows) {

@@ -27,7 +27,7 @@ std::size_t row_count_of(const std::vector<StudyColumn>& columns) {
   return columns.empty() ? 0 : std::visit([](const auto& v) { return v.size(); }, columns[0].values);
 }
 
-/// The values a parameter takes, in the order of the cases; many as the first and the last.
+/// Values of a parameter, in the order of the cases; for many values the first and the last.
 std::string values_text(const StudyColumn& column, std::size_t rows) {
   constexpr std::size_t most = 12;
   std::vector<std::string> seen;

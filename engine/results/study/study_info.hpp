@@ -1,4 +1,4 @@
-// A study in plain words, for a terminal.
+// Summary of a study as plain text.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace trilith::results {
 
-/// Several lines, each ended: how many cases finished, what failed and why, the parameters with their values, and of
-/// each figure median, 16 to 84 % band, range and dispersion; of a flag its probability with Wilson's interval.
+/// Several lines: number of finished cases, failures with their reasons, and the parameters with their values. For each
+/// figure they contain median, 16 to 84 % band, range and dispersion; for a flag its probability with Wilson's
+/// interval.
 std::string study_info_text(const std::vector<StudyColumn>& columns);
 
-/// The probability that `condition` holds with its interval; for each value of parameter `over` where that is not "".
-/// Throws InputError as condition_of_cases.
+/// The probability of `condition` with its interval; for each value of parameter `over` unless that is "". Throws
+/// InputError as condition_of_cases.
 std::string study_probability_text(const std::vector<StudyColumn>& columns, const std::string& condition,
                                    const std::string& over);
 

@@ -33,7 +33,7 @@ double dispersion_of(std::vector<double> values) {
   return deviation_of(values);
 }
 
-/// Of sorted values.
+/// Quantile of sorted values.
 double sorted_quantile(const std::vector<double>& values, double p) {
   if (values.empty()) return unknown;
   const double place = p * static_cast<double>(values.size() - 1);

@@ -60,8 +60,8 @@ void write_study_provenance(hid_t file, const Provenance& provenance) {
   write_text(file, {"/provenance/script", "", "the whole script of the cases"}, provenance.script);
 }
 
-/// Number of rows of the table `dataset`. A damaged size must not ask for absurd memory: no more than deflate can have
-/// made of them is taken for stored.
+/// Number of rows of the table `dataset`. A damaged size must not allocate excessive memory: the limit is the largest
+/// compression ratio of deflate.
 std::size_t require_rows(hid_t dataset, hid_t type) {
   constexpr double most_compressed = 1100;
   const std::vector<hsize_t> extent = h5::extents(dataset);

@@ -64,7 +64,7 @@ VtkBodies::VtkBodies(const Header& header, const std::vector<bool>& left_out) : 
   add_names();
 }
 
-/// A polyhedron: how many faces, then of each how many corners, and which.
+/// A polyhedron: number of faces, then for each face the number of its corners, and their indices.
 void VtkBodies::add_solid(const BodyRow& body, std::int32_t index) {
   const auto base = static_cast<std::int32_t>(points_.size()) - body.first_vertex;
   cells_.faces.push_back(body.face_count);
@@ -81,7 +81,7 @@ void VtkBodies::add_solid(const BodyRow& body, std::int32_t index) {
   cells_.close(polyhedron, index, -1);
 }
 
-/// A point with its radius for each: ParaView shows points as spheres of a radius that an array says.
+/// A point with a radius for each sphere: ParaView draws points as spheres with a radius from an array.
 void VtkBodies::add_spheres(const BodyRow& body, std::int32_t index) {
   const auto end = header_->sphere_vertex.end();
   auto at = std::lower_bound(header_->sphere_vertex.begin(), end, body.first_vertex);
@@ -95,7 +95,7 @@ void VtkBodies::add_spheres(const BodyRow& body, std::int32_t index) {
   }
 }
 
-/// A polygon in the plane; in space, where a file tells of no faces, its corners alone.
+/// A polygon in the plane; in space, if a file contains no faces, only its corners.
 void VtkBodies::add_outline(const BodyRow& body, std::int32_t index) {
   const bool plane = header_->dim == 2;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
@@ -120,7 +120,7 @@ void VtkBodies::add_elements(std::int32_t index) {
   }
 }
 
-/// Body, name, mass, whether it is held, the first of its groups, and for each group whether it is in it.
+/// Body, name, mass, a mark for fixed bodies, the first of its groups, and for each group its membership.
 void VtkBodies::add_names() {
   std::set<std::string> groups;
   for (const BodyRow& body : header_->bodies)

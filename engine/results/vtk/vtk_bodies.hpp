@@ -9,21 +9,21 @@
 
 namespace trilith::results {
 
-/// What of the bodies does not change while the same ones are there: made once, then asked for each frame's file.
+/// The constant part of the bodies while the same ones are present: made once, then used for each frame's file.
 class VtkBodies {
  public:
-  /// `left_out`: [body] true where the body is not there.
+  /// `left_out`: [body] true for an absent body.
   VtkBodies(const Header& header, const std::vector<bool>& left_out);
-  /// Bytes of the .vtu of a frame.
+  /// Bytes of the .vtu file of a frame.
   [[nodiscard]] std::string file(const Frame& frame) const;
 
  private:
-  /// A point of the file goes with a node.
+  /// A point of the file, attached to a node.
   struct Point {
     std::int32_t node;
-    Vec3 local;  ///< in the axes of the node, m
+    Vec3 local;  ///< in the axes of the node [m]
   };
-  /// A cell under way: what it is, the points of its outline, and in space its faces as VTK counts them.
+  /// Arrays of cells: type, points of the outline, and in space the faces in VTK's format.
   struct Cells {
     std::vector<std::int32_t> corners, ends, faces, face_ends, body, element;
     std::vector<std::int8_t> kinds;
@@ -39,10 +39,10 @@ class VtkBodies {
   const Header* header_;
   std::vector<Point> points_;
   std::vector<Vec3> start_;     ///< of the points
-  std::vector<double> radius_;  ///< of the points: of spheres, else 0; empty without spheres [m]
+  std::vector<double> radius_;  ///< of the points: of spheres, otherwise 0; empty without spheres [m]
   Cells cells_;
   std::vector<VtkArray> topology_;  ///< the section Cells
-  std::vector<VtkArray> fixed_;     ///< data of cells that no frame changes
+  std::vector<VtkArray> fixed_;     ///< data of cells that are constant
 };
 
 }  // namespace trilith::results

@@ -18,12 +18,12 @@ void append_triple(std::vector<double>& to, const double (&v)[3]) {
   to.insert(to.end(), v, v + 3);
 }
 
-/// A row of dim numbers as three.
+/// A row of dim numbers as three numbers.
 void append_row(std::vector<double>& to, const std::vector<double>& rows, std::size_t row, int dim) {
   for (int k = 0; k < 3; ++k) to.push_back(k < dim ? rows[row * static_cast<std::size_t>(dim) + k] : 0);
 }
 
-/// Cells of `corners` points each, one behind the other.
+/// Cells of `corners` points each, consecutive.
 struct PointCells {
   PointCells(std::size_t cells, std::int32_t corners) {
     std::vector<std::int32_t> at, ends;
@@ -67,7 +67,7 @@ std::string contacts_file(const Header& header, const Frame& frame) {
       frame.time);
 }
 
-/// Bearings as lines from the point on body a to that on body b.
+/// Bearings as lines from the point on body a to the point on body b.
 std::string bearings_file(const Header& header, const Frame& frame) {
   const Placement at(header, frame);
   std::vector<double> place, force, displacement;
@@ -102,7 +102,7 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
 }
 
-/// [body] true where the body is not there: it is no cell.
+/// [body] true for an absent body, which is no cell.
 std::vector<bool> absent_at(const Presence& presence, const Header& header, double time) {
   std::vector<bool> absent(header.bodies.size());
   for (std::size_t i = 0; i < absent.size(); ++i) absent[i] = !presence.is_there(i, time);
@@ -116,7 +116,7 @@ class Series {
       : folder_(std::move(folder)), name_(std::move(name)), ending_(ending) {
     make_folder(folder_ / name_);
   }
-  /// Where one stage ends and the next begins there are two frames of one time: the later one counts.
+  /// At the change of stages there are two frames with the same time: the later one counts.
   void add(std::size_t frame, double time, const std::string& bytes) {
     const std::string file = fmt::format("{}/{:06}.{}", name_, frame, ending_);
     write_whole_file(folder_ / file, bytes);
@@ -165,7 +165,7 @@ std::vector<std::filesystem::path> export_vtk(const ResultsReader& reader, const
     contacts.add(i, frame.time, contacts_file(header, frame));
     if (bearings) bearings->add(i, frame.time, bearings_file(header, frame));
     if (progress) progress(static_cast<double>(i - range.from + 1) / static_cast<double>(last - range.from + 1));
-    if (last - i < range.every) break;  // a large `every` may not run over the end of the numbers
+    if (last - i < range.every) break;  // a large `every` must not overflow
   }
   std::vector<std::filesystem::path> written{bodies.finish(), contacts.finish()};
   if (bearings) written.push_back(bearings->finish());

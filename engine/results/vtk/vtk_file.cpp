@@ -22,8 +22,8 @@ void put(std::uint64_t number, std::string& out) {
   out.append(bytes, sizeof number);
 }
 
-/// One block of zlib behind VTK's four words: how many blocks, how long they are, how long a last shorter one is, how
-/// long it is compressed. Nothing is no block.
+/// One zlib block after VTK's four words: number of blocks, block length, length of a shorter last block, compressed
+/// length. Empty data have no block.
 std::string pack_bytes(const void* data, std::size_t bytes) {
   std::string out;
   if (bytes == 0) {
