@@ -9,8 +9,8 @@
 namespace trilith {
 namespace {
 
-/// What a unit of the push's force is about the node that turns row `i`: of all rows that turn with it, given once,
-/// with the first of them.
+/// Moment per unit of the push's force about the node that rotates row `i`: the sum of all rows that rotate with it,
+/// returned once, with the first of them.
 template <int D>
 Moment<D> lever_about(const State<D>& state, const Push<D>& push, std::size_t i) {
   const int node = push.rows[i].turn;
@@ -25,12 +25,12 @@ Moment<D> lever_about(const State<D>& state, const Push<D>& push, std::size_t i)
   return sum;
 }
 
-/// Rate of the push's displacement after the step, and how much a unit of force changes it.
+/// Rate of the push's displacement after the step, and its change per unit of force.
 struct Response {
   double rate = 0, per_force = 0;
 };
 
-/// Adds a node's part by its turning with the spin `next`: l . w, and l . J^-1 l span of the turns that are free.
+/// Adds the contribution of a rotating node with the spin `next`: l . w, and l . J^-1 l span for the free rotations.
 void add_turning(const Model<2>& model, const State<2>& /*state*/, int n, double lever, double next, double span,
                  Response& r) {
   r.rate += lever * next;
@@ -42,8 +42,8 @@ void add_turning(const Model<3>& model, const State<3>& state, int n, const Vec3
   r.per_force += span * lever.dot(spin_rate_by(model.inertia[n], state.rotation[n], lever, free_turns(model, n)));
 }
 
-/// The velocity after the step under the forces of now, weighed as the push weighs its points, and sum of w^2 / m
-/// times the time over which a force acts on a leapfrog velocity, the mean of the steps behind and ahead.
+/// The weighted velocity of the pushed points after the step under the present forces. Also the sum of w^2 / m times
+/// the time over which a force acts on a leapfrog velocity, which is the mean of the last and the next step.
 template <int D>
 Response respond(const Model<D>& model, const State<D>& state, const Work<D>& work, const Push<D>& push,
                  const StepOptions& options, const RestDamping& rest) {
@@ -104,18 +104,18 @@ void control_displacement(const Model<D>& model, const State<D>& state, Work<D>&
     const double then = push.origin + push.motion->displacement(state.time + options.dt - push.start);
     const double rate = (then - push_place(state, push)) / options.dt;
     const Response free = respond(model, state, work, push, options, {});
-    if (!(free.per_force > 0)) continue;  // all held
+    if (!(free.per_force > 0)) continue;  // all fixed
     const double force = (rate - free.rate) / free.per_force;
     add(state, push, force, work.load, work.load_moment);
     add(state, push, force, work.force, work.moment);
-    // With `force` in place the node is nearly balanced, so RestDamping finds little to answer; what it takes is the
+    // With `force` applied the node is nearly balanced, so RestDamping is small; its effect is compensated by the
     // correction.
     const Response damped = respond(model, state, work, push, options, options.rest);
     const double more = (rate - damped.rate) / damped.per_force;
     add(state, push, more, work.correction, work.correction_moment);
     work.push_force[i] = force;
   }
-  // The push has changed what is left over on the nodes it acts on.
+  // The push changes the residual of its nodes.
   find_unbalanced(model, work);
 }
 

@@ -15,31 +15,31 @@ namespace trilith {
 namespace {
 
 constexpr int most_shares = 1000;
-/// A body moves by so much of its size within a step at most: a rigid one, whose contacts are then found as they are
-/// made; one that deforms.
+/// Largest displacement of a body within a step as a share of its size, for a rigid body, whose contacts are then found
+/// when they form, and for a deformable one.
 constexpr double most_of_rigid = 0.1, most_of_soft = 0.5;
-/// Turns within a step, of either [rad].
+/// Largest rotation within a step, for a rigid and a deformable body [rad].
 constexpr double most_turn = 0.3, most_turn_of_soft = 1;
-/// Pseudo-time grows from step to step: where few iterations were enough; else.
+/// Growth of the pseudo-time step: after a step with at most this number of iterations, and otherwise.
 constexpr int easy_for_pseudo = 6;
 constexpr double growth_if_easy = 10, growth_of_pseudo = 2;
-/// ... and for so many steps after one that was cut.
+/// Reduced growth for this number of steps after a step that was cut.
 constexpr int wary_steps = 3;
 constexpr double wary_growth = 1.5;
-/// See Search::shorter [radians of the stiffest].
+/// See Search::shorter [rad of the stiffest unknown].
 constexpr double first_periods = 3;
-/// Iterations that do not halve what is left over within so many are given up.
+/// Iterations stop if the residual is not halved within this number.
 constexpr int patience = 5;
-/// A step that fails is cut so much.
+/// Factor of a failed step.
 constexpr double cut_share = 0.2;
-/// Below this pseudo-time nothing can be told from rounding [s].
+/// Below this pseudo-time results are dominated by rounding [s].
 constexpr double shortest_pseudo = 1e-7;
-/// A step ends where it leaves this share of what it began with: the next one is as good as a further iteration.
+/// A step ends at this share of its initial residual: the next step is as good as a further iteration.
 constexpr double enough_of_step = 1e-2;
-/// The tangent is found anew where an iteration has left more than this share.
+/// The tangent is updated after an iteration that leaves more than this share.
 constexpr double slow_iteration = 0.5;
-/// An iteration ends where the forces left over do no more work along it than this share of what they did at first;
-/// such a place is looked for so often.
+/// The line search ends if the work of the residual along the iteration is below this share of its initial value; it
+/// makes at most this number of tries.
 constexpr double work_left = 0.5;
 constexpr int most_tries = 12;
 
@@ -51,7 +51,7 @@ void scale_all(const Model<D>& whole, double share, Model<D>& model) {
   scale_loads(model, "", share);
 }
 
-/// One search for rest.
+/// One search for equilibrium.
 template <int D>
 class Search {
  public:
@@ -66,7 +66,7 @@ class Search {
       for (int i = 0; i < model.bodies[b].nodes; ++i) body_of_[model.bodies[b].first_node + i] = static_cast<int>(b);
   }
 
-  /// To rest under the loads that the model has now.
+  /// Finds equilibrium under the present loads of the model.
   bool settle(Equilibrium& out);
   StaticTrial<D>& trial() { return trial_; }
 
@@ -83,15 +83,15 @@ class Search {
   const Model<D>& model_;
   const EquilibriumOptions& options_;
   StaticTrial<D> trial_;
-  Placement<D> given_;         // as the search began
-  std::vector<Vec<D>> begin_;  // [node] as the share of the loads began
+  Placement<D> given_;         // at the begin of the search
+  std::vector<Vec<D>> begin_;  // [node] at the begin of the present load share
   std::vector<int> body_of_;
   double merit_ = 0;
   bool has_failed_ = false;
-  int since_cut_ = wary_steps;  // steps taken since one was cut
+  int since_cut_ = wary_steps;  // steps after the last cut one
 };
 
-/// True where some body has moved more within the step than its contacts can be trusted over.
+/// True if some body has moved further within the step than its contacts permit.
 template <int D>
 bool Search<D>::too_long() const {
   const Eigen::VectorXd way = trial_.way();
@@ -106,7 +106,7 @@ bool Search<D>::too_long() const {
   return false;
 }
 
-/// The node that has gone farthest beyond what is allowed, or -1.
+/// The node with the largest displacement beyond its limit, or -1.
 template <int D>
 int Search<D>::gone() const {
   int worst = -1;
@@ -118,7 +118,7 @@ int Search<D>::gone() const {
   return worst;
 }
 
-/// True where a body has left its place, or has gone off.
+/// True if a body has left its place, or moves away.
 template <int D>
 bool Search<D>::leaves(Equilibrium& out) const {
   out.travel = displaced_body(model_, trial_.state(), given_, options_.within);
@@ -131,11 +131,11 @@ bool Search<D>::leaves(Equilibrium& out) const {
   return n >= 0;
 }
 
-/// Goes along `full` to about where the forces left over do no more work along it: there a potential, where they have
-/// one, is least. A residual that grows for an iteration, as where joints open, does no harm (Matthies and Strang,
-/// "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). What is loose
-/// meets something on its way: work is then 0 where the two have just met, which is looked for between a place before
-/// and one beyond, so that the next tangent knows of it. False where there is no place ahead.
+/// Line search along `full` to a point at which the residual does about no work along it, where a potential, if it
+/// exists, has its minimum. A residual that increases for an iteration, as when joints open, is harmless (Matthies and
+/// Strang, "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). A loose
+/// part may meet another one on the way. The work is then 0 at the first contact, which is located between a point
+/// before and one beyond it, so that the next tangent contains the contact. False if there is no such point ahead.
 template <int D>
 bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enough) {
   const double begin = trial_.left().dot(full), little = work_left * std::abs(begin);
@@ -148,7 +148,7 @@ bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enou
     if (trial_.share() <= enough || std::abs(work) <= little || (work > 0 && beyond == 0)) return true;
     if (tries == most_tries) return work > 0 || before > 0;
     work > 0 ? void((before = share, work_before = work)) : void((beyond = share, work_beyond = work));
-    // Where a line through the work at both is 0, within bounds. The last try is a place before.
+    // Zero of the line through the work at both points, within bounds. The last try is a point before.
     const double part = std::clamp(work_before / (work_before - work_beyond), 0.1, 0.9);
     const double next = tries + 1 == most_tries && before > 0 ? before : before + part * (beyond - before);
     trial_.move(full, next - share);
@@ -156,15 +156,15 @@ bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enou
   }
 }
 
-/// A step of pseudo-time h [s]: M d / h^2 = F at its end, d the way there. `from`: the share left over as it begins.
-/// True where it has converged; then it is committed.
+/// A step of pseudo-time h [s]: M d / h^2 = F at its end, with the displacement d. `from`: initial residual as a share.
+/// True if it has converged; then it is committed.
 template <int D>
 bool Search<D>::step(double h, double from, Equilibrium& out) {
   const double inertia = 1 / (h * h), enough = std::max(0.5 * options_.tolerance, enough_of_step * from);
   merit_ = trial_.measure(inertia);
   bool stale = true;
   double least = merit_;
-  int since = 0;  // iterations since the least was so much less
+  int since = 0;  // iterations after the last sufficient decrease
   for (int i = 0;
        i < options_.most_iterations && std::isfinite(merit_) && since <= patience && !too_long() && !stopped(); ++i) {
     if (i > 0 && trial_.share() <= enough) {
@@ -183,8 +183,8 @@ bool Search<D>::step(double h, double from, Equilibrium& out) {
   return false;
 }
 
-/// The step after one of length h that failed: the first to do so is followed by one in which the stiffest contact has
-/// just time to take up what lies on it, so that bodies that do not press on each other yet come to hold by friction.
+/// The step after a failed one of length h. After the first failure the stiffest contact has just enough time to take
+/// up its load. So bodies that are not yet pressed together are held by friction.
 template <int D>
 double Search<D>::shorter(double h) {
   since_cut_ = 0;
@@ -194,7 +194,7 @@ double Search<D>::shorter(double h) {
   return std::min(cut_share * h, first_periods / std::sqrt(square));
 }
 
-/// By how much the step after one that took so many iterations is longer.
+/// Growth factor of the step after one with this number of iterations.
 template <int D>
 double Search<D>::growth(int iterations) {
   ++since_cut_;
@@ -212,7 +212,7 @@ bool Search<D>::settle(Equilibrium& out) {
     if (out.left <= options_.tolerance) out.end = EquilibriumEnd::rests;
     if (out.left <= options_.tolerance || steps == options_.most_steps) break;
     int before = out.iterations;
-    // Fails until a shorter h succeeds; iterations of failed tries do not make a step count as a hard one.
+    // Fails until a shorter h succeeds; iterations of failed tries do not count for the growth.
     bool found = false;
     while (h > shortest_pseudo && !stopped() && !(found = step(h, out.left, out)))
       ++out.cuts, before = out.iterations, h = shorter(h);

@@ -1,13 +1,13 @@
-// The state of rest under the model's weight and loads of the present time, without a motion that leads there.
+// Static equilibrium under the model's weight and present loads, without the motion towards it.
 //
 // F(x) = 0 is solved by Newton's method on steps of pseudo-time h, each from rest:
 //
-//   M (x' - x) / h^2 = F(x'),      h growing as less is left over
+//     M (x' - x) / h^2 = F(x'),      h increases as the residual decreases
 //
-// so that what nothing holds yet is held by its mass, and where the structure carries, h is as good as endless and a
-// step is one of Newton's for F = 0: pseudo-transient continuation (Kelley and Keyes, "Convergence analysis of
+// Parts without support are held by their mass. If the structure carries the loads, h becomes very large and a step is
+// a Newton step for F = 0. This is pseudo-transient continuation (Kelley and Keyes, "Convergence analysis of
 // pseudo-transient continuation", SIAM J. Numer. Anal. 35, 1998). Each step is committed, so friction, yielding and
-// softening follow the way.
+// softening follow the path.
 #pragma once
 
 #include <functional>
@@ -22,42 +22,43 @@
 namespace trilith {
 
 struct EquilibriumOptions {
-  double tolerance = 1e-8;   ///< largest force left over, as a share of the largest one carried
-  int shares = 1;            ///< weight and loads are brought on in so many equal shares, each from rest to rest
-  double first = 1;          ///< pseudo-time of the first step [s]; it is cut where that is too long
+  double tolerance = 1e-8;   ///< largest residual force, as a share of the largest force carried
+  int shares = 1;            ///< weight and loads are applied in this number of equal shares, each from rest to rest
+  double first = 1;          ///< pseudo-time of the first step [s]; it is cut if it is too long
   int most_steps = 1000;     ///< of pseudo-time, for each share
-  int most_iterations = 20;  ///< of a step
-  /// Equilibrium is looked for near the given configuration: a body that goes farther than this share of its size from
-  /// where the search began, turns as far, or falls by more than its own height ends it as unstable (displaced_body).
+  int most_iterations = 20;  ///< of a step.
+  /// Equilibrium is searched near the given configuration. A body that moves farther than this share of its size from
+  /// its initial position, rotates as far, or falls by more than its own height ends the search as unstable
+  /// (displaced_body).
   double within = usual_travel;
-  /// Likewise one that nothing holds up, or that deforms and is held somewhere, and goes farther than this share of the
-  /// distance of its farthest point within a share of the loads.
+  /// Limit for a body without support, or a deformable body with some support: largest displacement within a load share
+  /// over the distance of its farthest point.
   double farthest = 1;
-  /// Asked at each iteration: once it says true the search ends, and State is as it was. Empty: it goes on.
+  /// Called at each iteration; the search ends when it returns true, and State remains unchanged. Empty: never stopped.
   std::function<bool()> is_stopped;
 };
 
-/// How the search ended: at rest; a body that nothing held has gone too far; no step of pseudo-time however short
-/// converges; no rest within the most steps; it was stopped; a body has left its place.
+/// End of the search, in this order: at rest; a body without support has moved too far; no step converges, however
+/// short; no rest within most_steps; stopped; a body has left its place.
 enum class EquilibriumEnd { rests, goes_off, stuck, unsettled, stopped, unstable };
 std::string_view name_of(EquilibriumEnd end);
 
 struct Equilibrium {
   bool converged = false;
   EquilibriumEnd end = EquilibriumEnd::unsettled;
-  int iterations = 0;         ///< Newton's, of all steps, failed ones too
+  int iterations = 0;         ///< Newton iterations of all steps, including failed ones
   int steps = 0;              ///< of pseudo-time, committed
-  int cuts = 0;               ///< steps that were cut short
-  double left = 0;            ///< largest force left over, as a share of the largest one carried
-  int worst = -1;             ///< the node where that is; where a body goes off, its node that went farthest
-  Travel travel;              ///< of the body that has left its place, where the end is unstable
-  std::vector<Event> events;  ///< of the way there
+  int cuts = 0;               ///< steps that were cut
+  double left = 0;            ///< largest residual force, as a share of the largest force carried
+  int worst = -1;             ///< node with this residual; if a body moves away, its node with the largest displacement
+  Travel travel;              ///< of the body that has left its place, if the end is unstable
+  std::vector<Event> events;  ///< of the path to equilibrium
 };
 
-/// Brings `state` (at a step border, see StaticTrial) to rest. Time does not go on; velocities are 0; the energy that
-/// the way gave off is booked as `rest_damping`. Where there is no rest to be found State is as it was, to the bit.
-/// Equilibria are not asked whether they are stable where they are found. Throws InputError for options out of range
-/// and where a push (model/loads.hpp) controls a displacement.
+/// Brings `state` (at a step border, see StaticTrial) to equilibrium. Time does not advance and velocities are 0. The
+/// energy dissipated along the path is booked as `rest_damping`. Without an equilibrium State remains unchanged, to the
+/// bit. The stability of equilibria is not checked. Throws InputError for options out of range and if a push
+/// (model/loads.hpp) controls a displacement.
 template <int D>
 Equilibrium find_equilibrium(const Model<D>& model, State<D>& state, const EquilibriumOptions& options = {});
 

@@ -14,13 +14,13 @@
 namespace trilith {
 namespace {
 
-/// A step that fails is cut to this share.
+/// Factor of a failed step.
 constexpr double cut_of_path = 0.5;
-/// Beside the stiffest frequency squared: keeps the tangent regular where something is free to move, and no more.
+/// Share of the stiffest frequency squared that keeps the tangent regular with free parts, and is otherwise negligible.
 constexpr double hold_of_loose = 1e-13;
-/// Failed arcs in a row before dissipation control is tried.
+/// Number of consecutive failed arcs before dissipation control is tried.
 constexpr int arcs_before_detour = 2;
-/// Loads below this share of the largest one are carried by nothing but the hold of what is loose.
+/// Loads below this share of the largest one are carried only by the regularisation of loose parts.
 constexpr double nothing_carried = 1e-9;
 template <int D>
 Model<D> scaled(const Model<D>& model, const std::string& name, double factor) {
@@ -29,7 +29,7 @@ Model<D> scaled(const Model<D>& model, const std::string& name, double factor) {
   return out;
 }
 
-/// The loads that are scaled, alone and full.
+/// A model with the scaled loads alone, at factor 1.
 template <int D>
 Model<D> reference_of(const Model<D>& model, const std::string& name) {
   Model<D> out = model;
@@ -64,7 +64,7 @@ LoadPathWalk<D>::LoadPathWalk(const Model<D>& model, const State<D>& state, cons
     if (!is_turn<D>(coupling.freedom[i])) sum += share_[i];
   }
   share_ /= sum;
-  // One row of weights: the followed displacement is their product with the way.
+  // One row of weights: the followed displacement is their product with the path.
   followed_ = Eigen::VectorXd::Zero(coupling.size());
   for (const FollowedFreedom& f : options.followed) {
     const int i = coupling.unknown[f.freedom.node][f.freedom.k];
@@ -72,7 +72,7 @@ LoadPathWalk<D>::LoadPathWalk(const Model<D>& model, const State<D>& state, cons
     followed_[i] += f.weight;
   }
   origin_ = followed_place();
-  trial_.find_tangent(1);  // tells how stiff it is
+  trial_.find_tangent(1);  // determines the largest stiffness
 }
 
 template <int D>
@@ -97,8 +97,8 @@ void LoadPathWalk<D>::move(const Eigen::VectorXd& by, double factor) {
   trial_.evaluate_here();
 }
 
-/// The scaled loads at the factor 1 on the unknowns, where the bodies are now.
-/// The loads of `reference_` are written to Work for this alone, and those of `loaded_` put back.
+/// The scaled loads at factor 1 on the unknowns, in the present position of the bodies. Only for this the loads of
+/// `reference_` are written to Work; the loads of `loaded_` are restored.
 template <int D>
 void LoadPathWalk<D>::find_loads() {
   Work<D>& work = trial_.work();
@@ -112,7 +112,7 @@ void LoadPathWalk<D>::find_loads() {
   apply_loads(loaded_, trial_.state(), work);
 }
 
-/// The tangent at the present place, and what the loads move by it.
+/// The tangent at the present position, and the displacement by the scaled loads.
 template <int D>
 bool LoadPathWalk<D>::solve_loads() {
   if (!trial_.find_tangent(hold_of_loose * trial_.highest_square())) return false;
@@ -121,10 +121,10 @@ bool LoadPathWalk<D>::solve_loads() {
   return per_factor_.allFinite();
 }
 
-/// True where the path is to go on from it.
+/// Adds a point; true if the path continues.
 template <int D>
 bool LoadPathWalk<D>::add_point(int iterations) {
-  // Of the path by arcs, whatever it is controlled by: limit points are looked for over it.
+  // Arc length for any control: limit points are searched over it.
   const double length = last_way_.size() == 0 ? 0 : std::sqrt(inner(last_way_, last_way_));
   const double before = out_.points.empty() ? 0 : out_.points.back().length;
   out_.points.push_back(
@@ -133,8 +133,8 @@ bool LoadPathWalk<D>::add_point(int iterations) {
   return !options_.goes_on || options_.goes_on(out_.points.back(), trial_.state());
 }
 
-/// A limit point lies about the last but one point where the factor rises before it and falls after it, or the other
-/// way round: the end of the parabola over the length of the path.
+/// A limit point lies near the last but one point if the factor increases before it and decreases after it, or the
+/// reverse: the vertex of the parabola over the path length.
 template <int D>
 void LoadPathWalk<D>::look_for_limit() {
   if (out_.points.size() < 3) return;
@@ -142,7 +142,7 @@ void LoadPathWalk<D>::look_for_limit() {
   const double before = p[1].factor - p[0].factor, after = p[2].factor - p[1].factor;
   if (!(before * after < 0)) return;
   const double s0 = p[0].length - p[1].length, s2 = p[2].length - p[1].length;
-  const auto parabola = [&](double y0, double y1, double y2) {  // slope and half the bend at the middle point
+  const auto parabola = [&](double y0, double y1, double y2) {  // slope and half of the curvature at the middle point
     const double to0 = (y0 - y1) / s0, to2 = (y2 - y1) / s2;
     const double bend = (to2 - to0) / (s2 - s0);
     return std::pair(to2 - bend * s2, bend);
@@ -154,7 +154,7 @@ void LoadPathWalk<D>::look_for_limit() {
       {p[1].factor + at * (slope + bend * at), p[1].displacement + at * (rate + turn * at), before > 0});
 }
 
-/// The step is cut short where it would go beyond the end; 0 there.
+/// Limits the step to the end of the path; 0 at the end.
 template <int D>
 double LoadPathWalk<D>::size_to_go(double size) const {
   if (options_.control == PathControl::arc) return size;
@@ -163,7 +163,7 @@ double LoadPathWalk<D>::size_to_go(double size) const {
   return std::abs(left) < std::abs(size) ? left : size;
 }
 
-/// False where the last point carries next to nothing of the largest load: the parts have come apart.
+/// False if the last point carries a negligible share of the largest load: the parts have separated.
 template <int D>
 bool LoadPathWalk<D>::resists() const {
   if (last_way_.size() == 0 || out_.points.size() < 3 || options_.control != PathControl::arc) return true;
@@ -202,7 +202,7 @@ void LoadPathWalk<D>::follow() {
       return;
     }
     if (energy_ > 0) continue;
-    // Few iterations: a longer step; the root keeps it from swinging.
+    // Few iterations permit a longer step; the square root prevents oscillation.
     size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_path_change,
                        most_path_change);
     size = std::copysign(std::min(std::abs(size), longest), size);

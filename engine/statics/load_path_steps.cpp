@@ -7,18 +7,18 @@
 namespace trilith {
 namespace {
 
-/// Dissipation control that fails is cut to this share, so many times; it begins with this share of the energy that
-/// going on would give off.
+/// Dissipation control: a failed step is cut by this factor, up to this number of times; it begins with this share of
+/// the energy that the continued step would dissipate.
 constexpr int most_detour_cuts = 10;
 constexpr double cut_of_detour = 0.25, share_of_overshoot = 0.1;
-/// A step without dissipation gives off less than this share of the last step's energy per length.
+/// A step counts as free of dissipation below this share of the last step's energy per length.
 constexpr double idle_share = 1e-3;
 /// Energy differences are taken over this share of the step.
 constexpr double share_of_step = 1e-4;
 
 }  // namespace
 
-/// What the condition of a step of this size is off by: of the factor, the displacement, or the arc's square.
+/// Error of the condition for a step of this size: of the factor, the displacement, or the squared arc.
 template <int D>
 double LoadPathWalk<D>::condition(double size) const {
   const Eigen::VectorXd way = trial_.way();
@@ -35,7 +35,7 @@ double LoadPathWalk<D>::condition(double size) const {
   return inner(way, way) - size * size;
 }
 
-/// How the condition changes with a move of all unknowns, the factor kept.
+/// Change of the condition by a move of all unknowns at constant factor.
 template <int D>
 double LoadPathWalk<D>::change(const Eigen::VectorXd& by) {
   switch (control_) {
@@ -51,8 +51,8 @@ double LoadPathWalk<D>::change(const Eigen::VectorXd& by) {
   return 2 * inner(trial_.way(), by);
 }
 
-/// The directional derivative of the energy that the trial has given off, by central differences: so it holds for
-/// every law. The trial ends where it was.
+/// The directional derivative of the dissipated energy of the trial, by central differences, so that it is valid for
+/// every law. The trial is restored.
 template <int D>
 double LoadPathWalk<D>::dissipation_along(const Eigen::VectorXd& by) {
   const double size = length_of(by);
@@ -68,7 +68,7 @@ double LoadPathWalk<D>::dissipation_along(const Eigen::VectorXd& by) {
   return (more - less) / (2 * share);
 }
 
-/// The trial at a share of a move from the step's begin.
+/// The trial at a share of a move from the begin of the step.
 template <int D>
 void LoadPathWalk<D>::try_at(const Eigen::VectorXd& direction, double factor, double share) {
   trial_.go_back();
@@ -76,8 +76,8 @@ void LoadPathWalk<D>::try_at(const Eigen::VectorXd& direction, double factor, do
   move(share * direction, share * factor);
 }
 
-/// The share of a move at which the trial has given off this energy; unbounded where it does not within twice the
-/// longest arc.
+/// The share of a move at which the trial has dissipated this energy; unbounded if it does not within twice the longest
+/// arc.
 template <int D>
 double LoadPathWalk<D>::reach(const Eigen::VectorXd& direction, double factor, double energy) {
   const double most = 2 * longest_ / length_of(direction);
@@ -97,9 +97,10 @@ double LoadPathWalk<D>::reach(const Eigen::VectorXd& direction, double factor, d
   return high;
 }
 
-/// A step under dissipation control begins on the loading branch of every softening point: on along the last step, or
-/// along the tangent either way, whichever gives the energy off over the shortest way. At a sharp snap-back the tangent
-/// at the last equilibrium is of neither branch, and Newton's method would change between the two.
+/// A step under dissipation control begins on the loading branch of every softening point. It continues along the last
+/// step, or along the tangent in either sense, whichever dissipates the energy over the shortest distance. At a sharp
+/// snap-back the tangent at the last equilibrium belongs to neither branch, and Newton's method would alternate between
+/// the two.
 template <int D>
 bool LoadPathWalk<D>::predict_dissipation(double energy) {
   std::vector<std::pair<Eigen::VectorXd, double>> directions;
@@ -120,7 +121,7 @@ bool LoadPathWalk<D>::predict_dissipation(double energy) {
   return true;
 }
 
-/// The first move of a step, along the tangent; an arc goes on the way the last one went, or the other way.
+/// The predictor of a step, along the tangent; an arc continues in the sense of the last one, or in the opposite sense.
 template <int D>
 bool LoadPathWalk<D>::predict(double size, bool reversed) {
   if (control_ == PathControl::dissipation) return predict_dissipation(size);
@@ -140,8 +141,8 @@ bool LoadPathWalk<D>::predict(double size, bool reversed) {
   return true;
 }
 
-/// Newton's iterations for equilibrium and condition at once: the tangent is solved for what is left over and for the
-/// loads, and the factor is what the condition asks for (bordering).
+/// Newton iterations for equilibrium and condition together: the tangent is solved for the residual and for the loads,
+/// and the condition determines the factor (bordering).
 template <int D>
 bool LoadPathWalk<D>::correct(double size) {
   for (int i = 0;; ++i) {
@@ -164,7 +165,7 @@ bool LoadPathWalk<D>::correct(double size) {
   }
 }
 
-/// Cosine between this step and the last one; 1 where there is none.
+/// Cosine of the angle between this step and the last one; 1 if there is none.
 template <int D>
 double LoadPathWalk<D>::turned() const {
   if (last_way_.size() == 0 || control_ != PathControl::arc) return 1;
@@ -172,8 +173,8 @@ double LoadPathWalk<D>::turned() const {
   return inner(way, last_way_) / std::sqrt(inner(way, way) * inner(last_way_, last_way_));
 }
 
-/// An arc that follows a step with dissipation, gives off none and lowers the load: softening points unload, and it
-/// goes back towards the unloaded structure.
+/// True for an arc that follows a step with dissipation, dissipates nothing and reduces the load: softening points
+/// unload, and the path returns towards the unloaded structure.
 template <int D>
 bool LoadPathWalk<D>::unloads() const {
   if (control_ != PathControl::arc || last_way_.size() == 0 || !(last_energy_ > 0)) return false;
@@ -181,18 +182,18 @@ bool LoadPathWalk<D>::unloads() const {
   return trial_.dissipated() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
 }
 
-/// An arc over fracture may leap from one branch to another, whatever that costs in energy: such a step is left to
-/// dissipation control, as long as that finds one.
+/// An arc across fracture may jump to another branch at any energy. Such a step is left to dissipation control, as long
+/// as that finds one.
 template <int D>
 bool LoadPathWalk<D>::fractures() const {
   return control_ == PathControl::arc && !may_leap_ && last_way_.size() > 0 && trial_.fractured() > least_energy();
 }
 
-/// Tries a step of this size. Where it fails all is as it was.
+/// Tries a step of this size. If it fails, everything is restored.
 template <int D>
 bool LoadPathWalk<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
-  // An arc that has turned by more than a right angle would go back on the path it came by.
+  // An arc that has turned by more than a right angle would return along its path.
   if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures()) {
     last_way_ = trial_.way();
     last_rise_ = factor_ - last_factor_;
@@ -208,8 +209,8 @@ bool LoadPathWalk<D>::step(double size, bool reversed) {
   return false;
 }
 
-/// A step under dissipation control: where softening turns the path sharply. The energy is that of the last such step,
-/// or what going on by `size` would give off.
+/// A step under dissipation control, where softening turns the path sharply. The energy is taken from the last such
+/// step, or from the dissipation of a continued step of `size`.
 template <int D>
 bool LoadPathWalk<D>::dissipate(double size) {
   if (last_way_.size() == 0) return false;
@@ -242,8 +243,8 @@ bool LoadPathWalk<D>::dissipate(double size) {
   return true;
 }
 
-/// Over the loss of a brittle bond, where the path itself jumps: the first bond to go along the path is broken alone,
-/// and equilibrium is found again at the same displacement. More bonds go there only as that equilibrium asks for it.
+/// Crosses the loss of a brittle bond, where the path itself jumps. The first bond along the path is broken alone, and
+/// equilibrium is found again at the same displacement. Further bonds break only if that equilibrium requires it.
 template <int D>
 bool LoadPathWalk<D>::jump() {
   if (last_way_.size() == 0 || options_.followed.empty()) return false;
@@ -259,8 +260,8 @@ bool LoadPathWalk<D>::jump() {
   control_ = PathControl::displacement;
   const bool found = step(0);
   control_ = options_.control;
-  // The path continues in the direction it had before the loss of the bond. Where no equilibrium is found, the bond is
-  // whole again and the state is that of the last point.
+  // The path continues in the direction it had before the loss of the bond. Without an equilibrium the bond is restored
+  // and the state is the last point.
   last_way_ = way, last_rise_ = rise, last_energy_ = found ? 0 : energy;
   if (found) {
     ++out_.jumps;
@@ -272,7 +273,7 @@ bool LoadPathWalk<D>::jump() {
   return false;
 }
 
-/// The last resort: an arc that may go over fracture.
+/// The last resort: an arc that may cross fracture.
 template <int D>
 bool LoadPathWalk<D>::leap(double size) {
   may_leap_ = true;
@@ -281,7 +282,7 @@ bool LoadPathWalk<D>::leap(double size) {
   return found;
 }
 
-/// One step of an arc, and its other way where the first one unloads.
+/// One step of an arc, and the opposite sense if the first one unloads.
 template <int D>
 bool LoadPathWalk<D>::arc(double size) {
   may_leap_ = options_.control != PathControl::arc;

@@ -1,5 +1,4 @@
-// One path of equilibria, as statics/load_path.hpp describes it: its steps (load_path_steps.cpp), and how they follow
-// each other (load_path.cpp).
+// One path of equilibria (statics/load_path.hpp): its steps (load_path_steps.cpp) and their sequence (load_path.cpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,20 +12,20 @@
 
 namespace trilith {
 
-/// From one step to the next sizes change by these factors at most.
+/// Limits of the change of the step size from one step to the next.
 inline constexpr double least_path_change = 0.5, most_path_change = 2;
-/// The condition of a step is met to this share of it.
+/// Tolerance of the condition of a step, as a share.
 inline constexpr double condition_share = 1e-7;
 
-/// One path.
-/// Unknowns x and factor; one step from the last equilibrium:
+/// One path, with the unknowns x and factor. One step from the last equilibrium:
 ///
-///     factor |        _.-o  correct: dx = dx_r + dfactor dx_q, until F = 0 and the condition hold at once
+///     factor |        _.-o  correct: dx = dx_r + dfactor dx_q, until F = 0 and the condition are both satisfied
 ///            |     .'  /    predict: along the tangent, dx_q = A^-1 q
 ///            |   o'---x
 ///            +------------ x
 ///
-/// All states on the way are the trial's; the factor is set by scaling the loads of `loaded_`, which it evaluates.
+/// All intermediate states are states of the trial. The factor is applied by scaling the loads of `loaded_`, which the
+/// trial evaluates.
 template <int D>
 class LoadPathWalk {
  public:
@@ -72,8 +71,8 @@ class LoadPathWalk {
 
   const LoadPathOptions<D>& options_;
   LoadPath& out_;
-  Model<D> loaded_;           // as it is
-  const Model<D> full_;       // ... with its loads at the factor 1
+  Model<D> loaded_;           // with present loads
+  const Model<D> full_;       // with its loads at factor 1
   const Model<D> reference_;  // with the scaled loads alone
   StaticTrial<D> trial_;
   double factor_, last_factor_;
@@ -81,11 +80,11 @@ class LoadPathWalk {
   double origin_ = 0, longest_ = 0;
   double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
   bool may_leap_ = false;                   // see fractures()
-  double energy_ = 0;                       // next step under dissipation control [J]; 0: none yet
+  double energy_ = 0;                       // of the next step under dissipation control [J]; 0: none yet
   int taken_ = 0;                           // iterations of the last step
   Eigen::ArrayXd share_;                    // of the mass, by unknown
   Eigen::VectorXd followed_;                // weights, by unknown
-  Eigen::VectorXd loads_, per_factor_;      // by unknown: of the factor 1; what they move at the present tangent
+  Eigen::VectorXd loads_, per_factor_;      // by unknown: at factor 1, and displacement by them at the present tangent
   Eigen::VectorXd last_way_;                // of the last step
 };
 

@@ -8,10 +8,10 @@
 namespace trilith {
 namespace {
 
-/// Beside the stiffest frequency squared: keeps the tangent regular where something is free to move.
+/// Share of the stiffest frequency squared that keeps the tangent regular with free parts.
 constexpr double held_by_little = 1e-13;
 
-/// A unit of the push's force on a node, and about the node that turns with it.
+/// Adds a unit of the push's force on a node, and its moment about the node that rotates with it.
 template <int D>
 void add_row(const State<D>& state, const Push<D>& push, const PushRow<D>& row, const DofGraph<D>& coupling,
              Eigen::VectorXd& loads) {
@@ -30,7 +30,7 @@ void add_row(const State<D>& state, const Push<D>& push, const PushRow<D>& row, 
 template <int D>
 double push_compliance(const Model<D>& model, const State<D>& state, const Push<D>& push) {
   StaticTrial<D> trial(model, state);
-  trial.find_tangent(1);  // tells how stiff it is
+  trial.find_tangent(1);  // determines the largest stiffness
   if (!trial.find_tangent(held_by_little * trial.highest_square())) return 0;
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(trial.coupling().size());
   for (const PushRow<D>& row : push.rows) add_row(trial.state(), push, row, trial.coupling(), loads);

@@ -1,4 +1,4 @@
-// How a structure answers a push, as far as a quasi-static one has to know.
+// Response of a structure to a push, for the control of quasi-static pushes.
 #pragma once
 
 #include <type_traits>
@@ -10,19 +10,19 @@
 
 namespace trilith {
 
-/// How far a unit of the push's force moves its points along it, by the tangent at the present instant [m/N]; 0 where
-/// that is singular or holds nothing. The model must have no push.
+/// Displacement of the pushed points along the push per unit of its force, by the tangent at the present instant [m/N];
+/// 0 if that is singular or there is no stiffness. The model must have no push.
 template <int D>
 double push_compliance(const Model<D>& model, const State<D>& state, const Push<D>& push);
 
-/// Sum of all forces on the free degrees of freedom along `direction`, dampings of nodes left out [N]. Forces between
-/// bodies cancel in it, so that it is how much more the pushes, loads and weights are than the supports take up.
-/// `work` must hold the evaluation of the present instant.
+/// Sum of all forces on the free degrees of freedom along `direction`, without dampings of nodes [N]. Forces between
+/// bodies cancel, so this is the excess of pushes, loads and weight over the support forces. `work` must be evaluated
+/// at the present instant.
 template <int D>
 double unsupported_force(const Model<D>& model, const Work<D>& work, const std::type_identity_t<Vec<D>>& direction);
 
-/// Power of all forces on the free degrees of freedom, dampings of nodes left out: what goes into the energy of motion
-/// and into those dampings [W].
+/// Power of all forces on the free degrees of freedom, without dampings of nodes: the rate of kinetic energy plus those
+/// dampings [W].
 template <int D>
 double unbalanced_power(const Model<D>& model, const State<D>& state, const Work<D>& work);
 

@@ -13,12 +13,13 @@
 namespace trilith {
 namespace {
 
-/// Length of a static step: so long that rates are none [s].
+/// Length of a static step, for which rates are negligible [s].
 constexpr double slow_step = 1e3;
-/// Nodes are moved for the tangent by this share of how far the stiffest one is pressed in, or joints would open and
-/// close under it; and by so much at least and at most [m].
+/// Perturbation of nodes for the tangent, as a share of the penetration of the stiffest one, because joints would open
+/// and close otherwise; with its limits [m].
 constexpr double share_of_pressed = 1e-2, least_disturbance = 1e-12, most_disturbance = 1e-8;
-/// ... and by no more than this share of the way of the step, or what slides a little would seem to stick half of it.
+/// Upper limit as a share of the path of the step: with a larger one, slightly sliding contacts would appear to stick
+/// on one side.
 constexpr double share_of_way = 0.1;
 
 template <int D>
@@ -29,14 +30,14 @@ void stop_moving(State<D>& state) {
   std::fill(state.spin_rate.begin(), state.spin_rate.end(), nothing<Spin<D>>());
 }
 
-/// By it moments compare with forces; 1 m where a node has no size.
+/// Length that relates moments to forces; 1 m for a node without size.
 template <int D>
 double lever_of(const Model<D>& model, int n) {
   const double radius = gyration_of(model, n);
   return radius > 0 ? radius : 1;
 }
 
-/// Size of the body that each node belongs to [m].
+/// Size of the body of each node [m].
 template <int D>
 std::vector<double> reaches(const Model<D>& model) {
   std::vector<double> out(model.mass.size(), 0.0);
@@ -45,7 +46,7 @@ std::vector<double> reaches(const Model<D>& model) {
   return out;
 }
 
-/// What inertia holds of a node that went this way [N], [N m].
+/// Inertia force of a node after the displacement `way` [N], [N m].
 Dofs<2> held_by_mass(const Model<2>& model, const State<2>& state, int n, double inertia, const Dofs<2>& way) {
   const Dofs<2> mass = mass_of(model, state, n);
   return {mass[0] * (inertia * way[0]), mass[1] * (inertia * way[1]), mass[2] * (inertia * way[2])};
@@ -55,7 +56,7 @@ Dofs<3> held_by_mass(const Model<3>& model, const State<3>& state, int n, double
                  Vec3(inertia * momentum_of(model.inertia[n], state.rotation[n], about_of(way))));
 }
 
-/// The number whose digits a rotation has [rad].
+/// Magnitude that determines the rounding of a rotation [rad].
 double size_of_turn(double rotation) {
   return std::abs(rotation);
 }
@@ -75,22 +76,22 @@ StaticTrial<D>::StaticTrial(const Model<D>& model, const State<D>& state)
   if (!model.pushes.empty())
     throw InputError("statics: push '" + model.pushes.front().name +
                      "' controls a displacement in time; release it, or follow the path of its load instead");
-  // Simulation holds a state that has been advanced and not committed: that is done first, under the scheme that took
-  // the step, then velocities are brought to the instant, so that the balance of now is what statics has to keep.
+  // The state of a simulation has been advanced and not committed. It is committed first, under the scheme that took
+  // the step. Then velocities are brought to the instant, so that statics conserves the present energy balance.
   evaluate(model_, state_, work_, state_.last_dt);
   commit(model_, state_, work_);
   events_ = work_.events;
   begin_explicit(model_, state_, work_);
   begin_implicit(model_, state_, work_);
-  evaluate(model_, state_, work_, 0);  // commit has taken the memories along that tell what is stored
+  evaluate(model_, state_, work_, 0);  // commit has swapped the memories that determine the stored energy
   balance_ = implicit_energy(model_, state_, work_).balance();
   stop_moving(state_);
-  // Laws take `position_before` and `last_dt` for mean rates: the way of the step over 1000 s.
+  // Laws use `position_before` and `last_dt` for mean rates: the path of the step over 1000 s.
   state_.last_dt = slow_step;
   begin_here();
 }
 
-/// Forces at the begin are kept: work is booked by the mean of them and those at the end.
+/// The forces at the begin are stored: work is booked by the mean of them and the forces at the end.
 template <int D>
 void StaticTrial<D>::begin_here() {
   state_.position_before = begin_position_ = state_.position;
@@ -115,8 +116,8 @@ void StaticTrial<D>::evaluate_here() {
   if (rounding_.size() != coupling().size()) rounding_ = Eigen::VectorXd::Zero(coupling().size());
 }
 
-/// The largest force that a node takes up: of contacts and elements, or weight and loads; moments of beams and loads
-/// too [N].
+/// The largest force that a node carries: of contacts and elements, or weight and loads; including moments of beams and
+/// loads [N].
 template <int D>
 double StaticTrial<D>::carried() const {
   double most = work_.carried;
@@ -153,8 +154,8 @@ Eigen::VectorXd StaticTrial<D>::way() const {
   return out;
 }
 
-/// left = F - inertia M d; its square, sum of left^2 / m, is what iterations are judged by; `share_` what ends them. In
-/// space M d of a turn is the tensor of inertia as the body lies times the rotation vector.
+/// left = F - inertia M d. Returns the sum of left^2 / m, by which iterations are judged; `share_` ends them. In space
+/// M d of a rotation is the present tensor of inertia times the rotation vector.
 template <int D>
 double StaticTrial<D>::measure(double inertia) {
   // `inertia` is 1/h^2 in a step of pseudo-time and 0 on a path.
@@ -179,7 +180,7 @@ double StaticTrial<D>::measure(double inertia) {
   return sum;
 }
 
-/// The largest way of a node within the step [m].
+/// The largest displacement of a node within the step [m].
 template <int D>
 double StaticTrial<D>::farthest() const {
   double most = 0;
@@ -188,7 +189,7 @@ double StaticTrial<D>::farthest() const {
   return most;
 }
 
-/// The tangent, and what follows from it.
+/// The tangent, and derived quantities.
 template <int D>
 bool StaticTrial<D>::find_tangent(double inertia, bool closes) {
   const double gone = farthest();
@@ -206,7 +207,7 @@ void StaticTrial<D>::find_stiffest(double inertia) {
   highest_square_ = 0;
   for (int i = 0; i < coupling().size(); ++i) {
     const double mass = mass_at(i), stiffness = tangent_.matrix().coeff(i, i) - inertia * mass;
-    // The diagonal less its inertia: K_ii / m_i.
+    // The diagonal minus its inertia: K_ii / m_i.
     highest_square_ = std::max(highest_square_, stiffness / mass);
     if (!is_turn<D>(coupling().freedom[i])) stiffest = std::max(stiffest, stiffness);
   }
@@ -214,8 +215,8 @@ void StaticTrial<D>::find_stiffest(double inertia) {
     disturbance_ = std::clamp(share_of_pressed * work_.carried / stiffest, least_disturbance, most_disturbance);
 }
 
-/// What the last digit of every place makes of the forces: no iteration gets below it. A skin point has the digits of
-/// its distance from the origin.
+/// Rounding error of the forces due to the last digit of the positions, below which no iteration converges. A skin
+/// point has the digits of its distance from the origin.
 template <int D>
 void StaticTrial<D>::find_rounding() {
   constexpr double digit = std::numeric_limits<double>::epsilon();
@@ -253,7 +254,7 @@ void StaticTrial<D>::go_back() {
   evaluate_here();
 }
 
-/// F (x' - x) with the mean of F at both ends, as half the way with either; `finish` books what the balance then lacks.
+/// Work F (x' - x) with the mean of F at both ends; `finish` books the remaining difference of the balance.
 template <int D>
 void StaticTrial<D>::accept() {
   const std::vector<NodeForces<D>> force = all_forces();
@@ -276,7 +277,7 @@ void StaticTrial<D>::return_to(Begin begin) {
   begin_here();
 }
 
-/// What statics cannot say where it went is `rest_damping`: the motion to rest that was left out.
+/// Energy that statics cannot assign is booked as `rest_damping`: the omitted motion to rest.
 template <int D>
 State<D> StaticTrial<D>::finish() {
   go_back();

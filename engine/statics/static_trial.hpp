@@ -1,4 +1,4 @@
-// A state on its way to rest: what statics moves, evaluates and commits. Shared by statics/equilibrium.hpp and
+// A state on its path to rest, which statics moves, evaluates and commits. Used by statics/equilibrium.hpp and
 // statics/load_path.hpp.
 #pragma once
 
@@ -11,66 +11,66 @@
 
 namespace trilith {
 
-/// Bodies without velocities. Each step leads from a committed place to the next: what slides, yields or breaks does so
-/// along the straight way between the two, however long that takes; dampers do not act.
+/// Bodies without velocities. Each step leads from a committed position to the next one. Sliding, yielding and breaking
+/// follow the straight path between the two, independent of time; dampers do not act.
 template <int D>
 class StaticTrial {
  public:
-  /// Of a state at a step border (advanced, not committed, as Simulation holds it). Both must outlive this; `model` may
-  /// be changed between evaluations in its loads and weight, and in nothing else.
+  /// Starts from a state at a step border (advanced, not committed, as in Simulation). Both must outlive this; only the
+  /// loads and the weight of `model` may change between evaluations.
   StaticTrial(const Model<D>& model, const State<D>& state);
 
-  /// Forces at the present place.
+  /// Evaluates the forces at the present position.
   void evaluate_here();
-  /// What is left of F - inertia M d, where d is the way from the step's begin, at the place last evaluated. Returns
-  /// its square, each part over its mass. `inertia` [1/s2]
+  /// Residual F - inertia M d at the last evaluated position, with the displacement d from the begin of the step.
+  /// Returns the sum of its squares, each over its mass. `inertia` [1/s2].
   double measure(double inertia);
-  /// A = inertia M - dF/dx at the present place, ready to solve with. False where it is singular. `closes`: faces that
-  /// just meet count as closed, as they are about to.
+  /// Finds and factorises A = inertia M - dF/dx at the present position. False if it is singular. `closes`: faces that
+  /// just meet count as closed.
   bool find_tangent(double inertia, bool closes = false);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return tangent_.solve(right); }
   void move(const Eigen::VectorXd& by, double share);
-  /// The way from the step's begin, by unknown [m] or [rad].
+  /// Displacement from the begin of the step, by unknown [m] or [rad].
   [[nodiscard]] Eigen::VectorXd way() const;
-  /// Back to the step's begin, evaluated.
+  /// Returns to the begin of the step, and evaluates it.
   void go_back();
-  /// Makes the place last evaluated the begin of the next step: commits it, books the work of weight, loads and
-  /// supports along the way with the mean of their forces at both ends, and evaluates it anew.
+  /// Makes the last evaluated position the begin of the next step. Commits it, books the work of weight, loads and
+  /// supports along the path with the mean of their forces at both ends, and evaluates it again.
   void accept();
-  /// The begin of a step, to return to after later steps have been accepted.
+  /// The begin of a step, to return to after further steps.
   struct Begin {
     State<D> state;
     std::size_t events;
   };
-  /// Of the present step; the trial is there (go_back).
+  /// Begin of the present step, at which the trial must be (go_back).
   [[nodiscard]] Begin begin() const { return {state_, events_.size()}; }
-  /// Undoes the steps accepted since.
+  /// Undoes the steps accepted after `begin`.
   void return_to(Begin begin);
-  /// The state at rest at the step's begin, as one that either kind of step goes on from. What the way gave off beyond
-  /// what the laws book is the ledger's `rest_damping`. The last call.
+  /// The state at rest at the begin of the step, from which explicit or implicit steps can continue. Dissipation along
+  /// the path beyond the laws is booked as `rest_damping`. Must be the last call.
   State<D> finish();
 
   [[nodiscard]] const Eigen::VectorXd& left() const { return left_; }
-  /// Largest force left over, as a share of the largest one carried; moments by the node's radius of gyration.
-  /// What the digits of places cannot tell is not counted.
+  /// Largest residual force, as a share of the largest force carried; moments by the node's radius of gyration.
+  /// Rounding errors do not count.
   [[nodiscard]] double share() const { return share_; }
-  [[nodiscard]] int worst() const { return worst_; }  ///< the node where that is, or -1
-  /// From now on shares are of no less than what is carried at the place last evaluated.
+  [[nodiscard]] int worst() const { return worst_; }  ///< the node with this residual, or -1
+  /// From now on shares refer at least to the forces carried at the last evaluated position.
   void keep_carried() { least_carried_ = std::max(least_carried_, carried()); }
-  /// Of the stiffest unknown by itself, as the last tangent has it; 0 where nothing is stiff [1/s2].
+  /// Highest frequency squared of a single unknown, from the last tangent; 0 without stiffness [1/s2].
   [[nodiscard]] double highest_square() const { return highest_square_; }
   [[nodiscard]] const DofGraph<D>& coupling() const { return tangent_.coupling(); }
   [[nodiscard]] const State<D>& state() const { return state_; }
   [[nodiscard]] Work<D>& work() { return work_; }
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }  ///< of all accepted steps
-  /// What friction, fracture and yielding have given off within the step, at the place last evaluated [J].
+  /// Energy dissipated by friction, fracture and yielding within the step, at the last evaluated position [J].
   [[nodiscard]] double dissipated() const {
     double sum = 0;
     for (std::size_t i = 0; i < energy_term_info.size(); ++i)
       if (energy_term_info[i].dissipated) sum += work_.given.value[i] - state_.given.value[i];
     return sum;
   }
-  /// The part of it that bonds at their loss and crushing took [J].
+  /// Part of it due to broken bonds and crushing [J].
   [[nodiscard]] double fractured() const {
     return work_.given[EnergyTerm::contact_fracture] - state_.given[EnergyTerm::contact_fracture];
   }
@@ -90,12 +90,12 @@ class StaticTrial {
   Work<D> work_;
   Tangent<D> tangent_;
   bool was_implicit_;
-  double balance_ = 0;                  // of the ledger as statics began [J]
+  double balance_ = 0;                  // of the ledger at the begin [J]
   std::vector<Vec<D>> begin_position_;  // of the step
   std::vector<Rotation<D>> begin_rotation_;
   std::vector<NodeForces<D>> begin_force_;
   std::vector<double> reach_;        // [node] of its body [m]
-  double disturbance_;               // how far nodes are moved for the tangent [m]
+  double disturbance_;               // perturbation of nodes for the tangent [m]
   Eigen::VectorXd left_, rounding_;  // by unknown
   double least_carried_ = 0;         // [N]
   double share_ = 0, highest_square_ = 0;

@@ -15,9 +15,9 @@
 namespace trilith {
 namespace {
 
-/// A body may fall by this share of its own height.
+/// Largest fall of a body as a share of its own height.
 constexpr double most_fallen = 1;
-/// Heights are looked up where a body has gone by more than this share of its size.
+/// Heights are computed only for bodies displaced by more than this share of their size.
 constexpr double little_travel = 0.01;
 
 double angle_between(double from, double to) {
@@ -27,14 +27,14 @@ double angle_between(const UnitQuaternion& from, const UnitQuaternion& to) {
   return turn_between(from, to).norm();
 }
 
-/// Whether a search for rest is asked where body `b` went.
+/// True if the displacement of body `b` is checked.
 template <int D>
 bool is_asked(const Model<D>& model, const State<D>& state, const Placement<D>& from, int b) {
   const Body& body = model.bodies[b];
   const auto row = static_cast<std::size_t>(b);
   if (static_cast<std::size_t>(body.first_node + body.nodes) > from.position.size() || state.is_removed(row))
     return false;
-  if (row < state.left.size() && state.left[row] != 0) return true;  // held where it left the bounds
+  if (row < state.left.size() && state.left[row] != 0) return true;  // fixed where it left the bounds
   bool held = false;
   for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
     for (int k = 0; k < Space<D>::dofs; ++k) {
@@ -45,14 +45,14 @@ bool is_asked(const Model<D>& model, const State<D>& state, const Placement<D>& 
   return model.body_moves(b) && (body.is_rigid() || !held);
 }
 
-/// First piece of a body and the one after its last; pieces are in the order of bodies.
+/// First piece of a body and end of its pieces; pieces are in the order of bodies.
 template <int D>
 std::pair<int, int> pieces_of(const Model<D>& model, int b) {
   const auto [first, end] = std::equal_range(model.piece_body.begin(), model.piece_body.end(), b);
   return {static_cast<int>(first - model.piece_body.begin()), static_cast<int>(end - model.piece_body.begin())};
 }
 
-/// Of one sphere: to turn is to stay.
+/// True for a single sphere, whose rotation does not matter.
 template <int D>
 bool is_sphere(const Model<D>& model, int b) {
   if constexpr (D == 2) return false;
@@ -60,7 +60,7 @@ bool is_sphere(const Model<D>& model, int b) {
   return D == 3 && end - first == 1 && model.piece_solid[static_cast<std::size_t>(first)].is_sphere();
 }
 
-/// The extent of a rigid body along the unit vector `up`, as it lay at `from` [m].
+/// The extent of a rigid body along the unit vector `up`, in the position `from` [m].
 template <int D>
 double height_along(const Model<D>& model, const Placement<D>& from, int b, const Vec<D>& up) {
   double low = unbounded, high = -unbounded;
@@ -102,7 +102,7 @@ Travel travel_of(const Model<D>& model, const State<D>& state, const Placement<D
   return t;
 }
 
-/// [body] whether something held it up at `from`.
+/// [body] true if it was supported at `from`.
 template <int D>
 std::vector<std::uint8_t> held_up_at(const Model<D>& model, const State<D>& state, const Placement<D>& from) {
   Model<D> then = model;
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> held_up_at(const Model<D>& model, const State<D>& stat
   for (std::size_t b = 0; b < removed.size(); ++b) {
     removed[b] = state.is_removed(b) ? 1 : 0;
     if (removed[b] != 0 || b >= state.left.size() || state.left[b] == 0) continue;
-    // Held since it left the bounds.
+    // Fixed after it left the bounds.
     const Body& body = model.bodies[b];
     for (int n = body.first_node; n < body.first_node + body.nodes; ++n) then.support[n].fill(Support::free);
   }
@@ -135,7 +135,7 @@ Travel farthest_travel(const Model<D>& model, const State<D>& state, const Place
 template <int D>
 Travel displaced_body(const Model<D>& model, const State<D>& state, const Placement<D>& from, double within) {
   Travel out;
-  std::vector<std::uint8_t> held_up;  // found for the first that is asked
+  std::vector<std::uint8_t> held_up;  // computed at the first use
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (!is_asked(model, state, from, b)) continue;
     Travel t = travel_of(model, state, from, b);

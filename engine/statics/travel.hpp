@@ -1,7 +1,7 @@
-// How far bodies have gone from where a search for rest began, and which of them have left their places.
+// Displacements of bodies from the begin of a search for rest, and bodies that have left their places.
 //
-// An equilibrium is that of the structure as it is drawn only where it lies near that configuration. A block that
-// topples, a voussoir that falls and a plank that slides down come to rest too, somewhere else.
+// An equilibrium is valid for the drawn structure only near that configuration. A toppled block, a fallen voussoir and
+// a plank that slid down come to rest too, in another place.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace trilith {
 
-/// A body may go by this share of its size, where nothing else is asked for.
+/// Default limit of the displacement of a body as a share of its size.
 constexpr double usual_travel = 0.25;
 
-/// Where all nodes are at one instant.
+/// Positions of all nodes at one instant.
 template <int D>
 struct Placement {
   std::vector<Vec<D>> position;       ///< [node] [m]
@@ -26,23 +26,23 @@ Placement<D> placement_of(const State<D>& state) {
   return {state.position, state.rotation};
 }
 
-/// How far a body has gone. Its size is twice the distance of its farthest point from its centre.
+/// Displacement of a body. Its size is twice the distance of its farthest point from its centre.
 struct Travel {
   int body = -1;      ///< -1: none
   double moved = 0;   ///< the centre of a rigid body, the farthest node of a deformable one [m]
-  double turned = 0;  ///< of a rigid body that is no sphere [rad]
+  double turned = 0;  ///< of a rigid body, except a sphere [rad]
   double share = 0;   ///< (moved + chord of the turn at its farthest point) / size [1]
   double fallen = 0;  ///< along gravity, as a share of the body's own height [1]
 };
 
-/// The body that has gone farthest by share of its size. Asked of all but those that are held or driven in every
-/// direction, were removed, came later, or deform and are held somewhere: these bend as far as they are made to.
+/// The body with the largest displacement as a share of its size. Some bodies are not considered: bodies that are fixed
+/// or driven in every direction, removed or added later, and deformable bodies with some support, which bend as
+/// designed.
 template <int D>
 Travel farthest_travel(const Model<D>& model, const State<D>& state, const Placement<D>& from);
 
-/// The same of bodies that have left their places: that went by more than `within` of their size or fell by more than
-/// their own height. Bodies that nothing held up at `from` are on their way to a place and are not asked.
-/// Travel::body is -1 where all stay.
+/// The body that has left its place: it moved by more than `within` of its size or fell by more than its own height.
+/// Bodies without support at `from` are still on their way and are not considered. Travel::body is -1 if there is none.
 template <int D>
 Travel displaced_body(const Model<D>& model, const State<D>& state, const Placement<D>& from, double within);
 
