@@ -11,7 +11,7 @@
 namespace trilith::view {
 namespace {
 
-constexpr int gzip_window = 15 + 16;  // the largest window, with the head of gzip
+constexpr int gzip_window = 15 + 16;  // the largest window, with a gzip header
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 void put(std::string& out, std::int64_t difference) {
@@ -20,7 +20,7 @@ void put(std::string& out, std::int64_t difference) {
   out += static_cast<char>(rest);
 }
 
-// zlib reads only, but its old interface has no const.
+// zlib only reads, but its old interface has no const.
 Bytef* input(std::string_view bytes) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
 }

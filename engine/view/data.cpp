@@ -19,7 +19,7 @@ void put_number(std::uint32_t number, std::string& out) {
     out += static_cast<char>(static_cast<unsigned char>(number >> shift & 255));
 }
 
-/// One column of samples, every so many of them, and the last; 50,000 steps over its range, `no_sample` for NaN.
+/// One column of samples with the given stride, and the last; 50,000 steps over its range, `no_sample` for NaN.
 ViewBlock samples(const std::string& name, const std::vector<double>& values, std::size_t stride) {
   constexpr double parts = 50000;
   double largest = 0;
@@ -31,7 +31,7 @@ ViewBlock samples(const std::string& name, const std::vector<double>& values, st
   return block;
 }
 
-/// Histories and energy: what each is goes to `json`, its numbers to blocks.
+/// Histories and energy: descriptions in `json`, numbers in blocks.
 class Series {
  public:
   Series(const ViewLimits& limits, JsonText& json, std::vector<ViewBlock>& blocks)

@@ -12,19 +12,19 @@ struct Quanta {
   double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1;
 };
 
-/// A row of places of `dim` numbers; z is 0 in the plane.
+/// A row of positions of `dim` numbers; z is 0 in the plane.
 Vec3 row_at(const results::Header& header, const std::vector<double>& places, int row) {
   const double* at = places.data() + static_cast<std::size_t>(header.dim) * static_cast<std::size_t>(row);
   return {at[0], at[1], header.dim == 3 ? at[2] : 0};
 }
 
-/// `radius`: of the sphere about each vertex; empty without spheres.
+/// `radius`: radius of the sphere about each vertex; empty without spheres.
 double reach(const results::Header& header, const results::BodyRow& body, const std::vector<double>& radius) {
   double out = 0;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
     out = std::max(
         out, row_at(header, header.vertices, v).norm() + (radius.empty() ? 0.0 : radius[static_cast<std::size_t>(v)]));
-  // Outline points that are nodes themselves lie at no distance from them: the start tells the size.
+  // Outline points that are nodes have no distance from them, so the size follows from the start.
   const Vec3 first = row_at(header, header.node_position, body.first_node);
   for (int n = body.first_node; n < body.first_node + body.node_count; ++n)
     out = std::max(out, (row_at(header, header.node_position, n) - first).norm());
@@ -46,7 +46,7 @@ Quanta body_quanta(const results::Header& header) {
   Quanta out;
   out.length = length;
   out.angle = std::clamp(length / largest, 1e-6, 1e-3);
-  if (header.dim == 3) out.angle /= 2;  // a quaternion has the halves of angles
+  if (header.dim == 3) out.angle /= 2;  // a quaternion contains half angles
   return out;
 }
 
@@ -57,7 +57,7 @@ double share_of(std::vector<double>& values, double share) {
   return *at;
 }
 
-/// Kept small by the usual value; the rare large ones cost a byte more.
+/// Determined by the usual value; the rare large ones cost an additional byte.
 double usual_quantum(std::vector<double> sizes, double share, double parts) {
   std::erase_if(sizes, [](double s) { return !(s > 0); });
   const double usual = share_of(sizes, share);
@@ -132,7 +132,7 @@ void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
   for (const double v : values) sizes.push_back(std::abs(v));
 }
 
-/// Force and bearing quanta from some fifty frames; how many contact forces a frame has.
+/// Quanta of forces and bearings from about 50 frames; returns the mean number of contact forces per frame.
 double survey(const results::ResultsReader& reader, Quanta& quanta) {
   std::vector<double> forces, bearing_forces, displacements, stresses, plastic;
   std::size_t contacts = 0, looked = 0;
@@ -165,7 +165,7 @@ ViewFrames view_frames(const results::ResultsReader& reader, const ViewLimits& l
   Quanta quanta = body_quanta(header);
   const double contacts = survey(reader, quanta);
   const auto frames = static_cast<double>(count);
-  // Stress and plastic strain of an element take as much room as a node and a third.
+  // Stress and plastic strain of an element need the space of 4/3 nodes.
   const double nodes = static_cast<double>(header.node_count()) + 4.0 / 3 * static_cast<double>(header.element_count());
   out.frame_stride = stride_for(frames * nodes, limits.node_frames);
   out.contact_stride = stride_for(frames * contacts / static_cast<double>(out.frame_stride), limits.contact_rows);

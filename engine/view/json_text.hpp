@@ -1,4 +1,4 @@
-// Private to view/: JSON, written piece by piece in order.
+// Private to view/: JSON, written sequentially.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace trilith::view {
 
-/// Commas and quotes are put by this class; that keys and ends fit each other is the caller's business (asserted).
+/// This class adds commas and quotes; the caller must match keys and ends (asserted).
 class JsonText {
  public:
   JsonText& begin_object() { return begin('{'); }
   JsonText& begin_list() { return begin('['); }
-  JsonText& end();  ///< of the innermost object or list
+  JsonText& end();  ///< closes the innermost object or list
   JsonText& key(std::string_view name);
   JsonText& text(std::string_view value);
-  JsonText& number(double value);  ///< null where not finite
+  JsonText& number(double value);  ///< null if not finite
   JsonText& flag(bool value);
 
   JsonText& text(std::string_view name, std::string_view value) { return key(name).text(value); }
   JsonText& number(std::string_view name, double value) { return key(name).number(value); }
   JsonText& flag(std::string_view name, bool value) { return key(name).flag(value); }
 
-  /// What was written; all objects and lists must have ended.
+  /// Returns the text; all objects and lists must have ended.
   std::string take();
 
  private:

@@ -24,7 +24,7 @@ const EventTypeInfo* info_of(const std::string& type) {
   return at == event_type_info.end() ? nullptr : at;
 }
 
-/// What a viewer wants to hear of at once; a type this program does not know may be of note.
+/// True for an event that is shown at first; an unknown type counts as important.
 bool is_of_note(const results::EventRow& event) {
   const EventTypeInfo* const info = info_of(event.type);
   if (info == nullptr) return true;
@@ -40,12 +40,12 @@ std::string heading_in_words(const std::string& type) {
   return text;
 }
 
-/// In time; where there are too many, those of note and of the others the earliest.
+/// Sorted by time; beyond the limit, important events and the earliest others.
 std::vector<results::EventRow> chosen(std::vector<results::EventRow> events, double most) {
   if (static_cast<double>(events.size()) <= most) return events;
   double room = most - static_cast<double>(std::count_if(events.begin(), events.end(), is_of_note));
   std::erase_if(events, [&](const results::EventRow& e) {
-    // Contacts made and lost by the ten thousand tell nobody anything, so that rests come before them.
+    // Tens of thousands of contacts made and lost are of little interest, so rests come before them.
     return !is_of_note(e) && (e.type.starts_with("contact.") || --room < 0);
   });
   if (static_cast<double>(events.size()) > most) events.resize(static_cast<std::size_t>(most));
@@ -77,12 +77,12 @@ void write_run(const results::ResultsReader& reader, const ViewFrames& frames, s
   json.end().end();
 }
 
-/// To so many parts of 1: events keep their order by millionths of a second.
+/// Rounded to 1/parts: events keep their order to a millionth of a second.
 double rounded(double value, double parts) {
   return std::round(value * parts) / parts;
 }
 
-/// Of each face how many corners it has, then which rows of the vertices; and where the faces of each body begin.
+/// For each face the number of its corners, then their vertex rows; and the begin of the faces of each body.
 void write_faces(const results::Header& header, JsonText& json) {
   json.key("faces").begin_list();
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
@@ -97,7 +97,7 @@ void write_faces(const results::Header& header, JsonText& json) {
   json.end();
 }
 
-/// Of each sphere the row of the vertices about which it is, and its radius.
+/// For each sphere the vertex row of its centre, and its radius.
 void write_spheres(const results::Header& header, JsonText& json) {
   json.key("spheres").begin_list();
   for (std::size_t s = 0; s < header.sphere_vertex.size(); ++s)
@@ -135,8 +135,8 @@ void write_elements(const results::Header& header, JsonText& json) {
   json.end();
 }
 
-/// The node that a point of a body goes with, and where it is from there: the one whose outline point is nearest at the
-/// start, where a body has several. `point` is given from the first node as at the start.
+/// The node of a point of a body, and its offset from there: on a body with several nodes, the node with the nearest
+/// outline point at the start. `point` is the initial offset from the first node.
 struct PointOfNode {
   int node;
   double x, y, z;
@@ -180,7 +180,7 @@ void write_stages(const results::ResultsReader& reader, JsonText& json) {
   json.end();
 }
 
-/// "tension", "shear" or "compression" where the event's text ends so: "... broke in shear at 3 kN"; else "".
+/// "tension", "shear" or "compression" if the event's text contains it: "... broke in shear at 3 kN"; otherwise "".
 std::string mode_of(const results::EventRow& event) {
   for (const std::string mode : {"tension", "shear", "compression"})
     if (event.text.find(" in " + mode) != std::string::npos) return mode;
@@ -213,13 +213,13 @@ void write_events(const std::vector<results::EventRow>& events, int dim, JsonTex
   json.end();
 }
 
-/// The line that a bond in the plane broke along.
+/// The line along which a bond in the plane broke.
 void write_joint(const results::EventRow& e, std::size_t index, const EdgePart& part, JsonText& json) {
   json.begin_list().number(static_cast<double>(index)).number(part.body).number(part.edge);
   json.number(rounded(part.from, 1e4)).number(rounded(part.to, 1e4)).text(mode_of(e)).end();
 }
 
-/// The outline of the joint that a bond in space broke in, as one of its bodies carries it.
+/// The outline of the joint whose bond in space broke, attached to one of its bodies.
 void write_joint(const results::EventRow& e, std::size_t index, const draw::SolidJoint::Side& side, JsonText& json) {
   json.begin_list().number(static_cast<double>(index)).number(side.body).begin_list();
   for (const int row : side.corner) json.number(row);
@@ -228,7 +228,7 @@ void write_joint(const results::EventRow& e, std::size_t index, const draw::Soli
   json.end().text(mode_of(e)).end();
 }
 
-/// Bonds that cracked or broke, each with where the bodies faced each other at the start.
+/// Bonds that cracked or broke, each with the initial position of the joint.
 void write_joints(const results::Header& header, const std::vector<results::EventRow>& events, JsonText& json) {
   const auto is_of_bond = [](const results::EventRow& e) {
     return e.type.starts_with("bond.") && std::min(e.body_a, e.body_b) >= 0;
@@ -241,7 +241,7 @@ void write_joints(const results::Header& header, const std::vector<results::Even
   for (std::size_t i = 0; i < events.size(); ++i) {
     const results::EventRow& e = events[i];
     if (!is_of_bond(e)) continue;
-    // Both bodies carry it away, and one of them may be gone.
+    // Written for both bodies, because one of them may be removed.
     if (header.dim == 2)
       for (const auto& [one, other] : {std::pair(e.body_a, e.body_b), std::pair(e.body_b, e.body_a)})
         for (const EdgePart& part : joint_of(header, one, other)) write_joint(e, i, part, json);

@@ -1,4 +1,4 @@
-// Private to view/: what the page of `trilith view` is told in words: model, stages, events, parameters, colours.
+// Private to view/: texts and tables of the page of `trilith view`: model, stages, events, parameters, colours.
 #pragma once
 
 #include "results/reading/reader.hpp"
@@ -8,7 +8,7 @@
 namespace trilith::view {
 
 /// Writes the keys "run", "bodies", "vertices", "elements", "bearings", "stages", "types", "events", "joints",
-/// "palette" into the object `json` is in. `frames` tells which joints were bonded and what was thinned out.
+/// "palette" into the present object of `json`. `frames` contains the bonded joints and the strides.
 void write_view_model(const results::ResultsReader& reader, const ViewFrames& frames, const ViewLimits& limits,
                       JsonText& json);
 

@@ -8,9 +8,9 @@
 namespace trilith::view {
 namespace {
 
-/// A page does not hold more; the last ones.
+/// Limit of a page; the last ones are kept.
 constexpr std::size_t most_modes = 40;
-/// Of the largest number in a block.
+/// Resolution as a share of the largest number in a block.
 constexpr double mode_parts = 1e5;
 
 ViewBlock mode_block(const char* name, std::size_t columns, const std::vector<std::vector<double>>& rows) {

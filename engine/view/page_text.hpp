@@ -3,7 +3,7 @@
 
 namespace trilith::view {
 
-const char* view_page_html();   ///< with marks where title, style, code and data go
+const char* view_page_html();   ///< with marks for title, style, code and data
 const char* view_page_style();  ///< CSS
 const char* view_page_code();   ///< JavaScript: all modules as one
 

@@ -1,4 +1,4 @@
-// The part of the world that is seen, in the plane.
+// The visible part of the world, in the plane.
 
 export class Camera {
   constructor() {
@@ -10,7 +10,7 @@ export class Camera {
     this.home = { x0: -1, y0: -1, x1: 1, y1: 1 };
   }
 
-  /** The canvas has another size: what was in the middle stays there. */
+  /** Resizes the canvas; the point in its middle remains there. */
   resize(width, height) {
     const fits = this.isHome;
     this.width = Math.max(1, width);
@@ -38,7 +38,7 @@ export class Camera {
     return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];
   }
 
-  /** Zooms by `factor`; what is at (px, py) stays there. */
+  /** Zooms by `factor`; the point at (px, py) remains in place. */
   zoom(factor, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.reach(px, py);
     const home = Math.min(this.width, this.height) / Math.max(this.home.x1 - this.home.x0, this.home.y1 - this.home.y0);
@@ -55,10 +55,10 @@ export class Camera {
     this.isHome = false;
   }
 
-  /** What a drag of the pointer does. */
+  /** Handles a drag of the pointer. */
   drag(dx, dy) { this.pan(dx, dy); }
 
-  /** Brings a place into view, if it is not. */
+  /** Moves a point into view, if necessary. */
   show(x, y) {
     const [px, py] = this.place(x, y);
     if (px > 40 && py > 40 && px < this.width - 40 && py < this.height - 40) return;
@@ -68,8 +68,8 @@ export class Camera {
   }
 }
 
-/** The box of all free bodies at the start and, as far as that is near, over the run; of all bodies where none is free.
- *  What flies or falls far away does not make the rest small. */
+/** AABB of all free bodies at the start and, if near, over the run; of all bodies if none is free.
+ *  Parts that fly or fall far away do not reduce the scale. */
 export function homeBox(run) {
   const some = run.bodies.some((b) => b.free) ? run.bodies.filter((b) => b.free) : run.bodies;
   const nothing = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };

@@ -1,15 +1,15 @@
-// What bodies are coloured by, and the colours of the theme.
+// Quantities for colouring bodies, and the colours of the theme.
 import { upperBound } from "./run.js";
 import { readableUnit, figures } from "./words.js";
 
 const channels = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
-/** `share` of the way from one #rrggbb to another. */
+/** Linear interpolation from one #rrggbb to another. */
 export function blend(from, to, share) {
   const a = channels(from), b = channels(to);
   return "#" + a.map((v, i) => Math.round(v + share * (b[i] - v)).toString(16).padStart(2, "0")).join("");
 }
 
-/** Colours of the style sheet, as the theme has them now. */
+/** Present colours of the style sheet, by theme. */
 export function themeColours() {
   const style = getComputedStyle(document.documentElement);
   const names = ["paper", "ink", "quiet", "line", "accent", "ground", "ground-line", "outline", "ghost", "force"];
@@ -19,14 +19,14 @@ export function themeColours() {
 }
 
 const few = 3;
-/** The word a body is coloured by: its first group, else its material; few grounds have their names. */
+/** The word that determines a body's colour: its first group or material; few grounds use their names. */
 function groupsOf(run) {
   const named = run.bodies.filter((b) => !b.free).length <= few;
   return run.bodies.map((b) => (!b.free && named ? b.name : b.groups.split(" ")[0] || b.material));
 }
 
-/** Mean compression in each body from its contact forces: the lower principal value of the sum of arm times force over
- *  the area (Love 1892, Weber 1966), per metre of thickness [N/m]. */
+/** Mean compression in each body from its contact forces [N/m], per metre of thickness: the lower principal value of
+ *  the sum of arm times force over the area (Love 1892, Weber 1966). */
 function compressions(run, frame) {
   const sum = new Float64Array(4 * run.bodies.length);
   const [first, last] = run.contactRows(frame);
@@ -58,7 +58,7 @@ function principal([xx, yy, xy]) {
   return [mean + radius, mean - radius];
 }
 
-/** Ways to colour finite elements by their mean stress; `cells(frame)`: one number for each element. */
+/** Options to colour finite elements by their mean stress; `cells(frame)`: one number for each element. */
 function elementColourings(run) {
   if (!run.block("stress").rows) return [];
   const each = (f) => (frame) => run.elements.map((_, i) => f(i, frame));
@@ -75,7 +75,7 @@ function elementColourings(run) {
   return out;
 }
 
-/** Every way to colour that this run has data for. `values(frame, time)`: one number or null for each body. */
+/** All colour options for which this run has data. `values(frame, time)`: one number or null for each body. */
 export function colourings(run) {
   const free = (f) => (frame, time) => run.bodies.map((b) => (b.free ? f(b, frame, time) : null));
   const start = run.frames ? run.bodies.map((b) => run.centre(b, 0)) : [];
@@ -97,7 +97,7 @@ export function colourings(run) {
   return out;
 }
 
-/** The value that all but 2 % stay below over the run, rounded up, so that one fast fragment leaves colours to the rest. */
+/** 98 % quantile of the values over the run, rounded up, so that one fast fragment does not use up the colours. */
 function usualTop(run, colouring) {
   const sizes = [];
   for (let i = 0; i < Math.min(20, run.frames); i++) {
@@ -144,7 +144,7 @@ export class BodyColours {
     });
   }
 
-  /** A colour for each element in `frame`, or null where elements have none of their own. */
+  /** A colour for each element in `frame`, or null if elements have no own colours. */
   cellsAt(frame) {
     return this.colouring.cells?.(frame).map((value) => this.colourOf(value)) ?? null;
   }
@@ -164,7 +164,7 @@ export class BodyColours {
   }
 }
 
-/** Last of `events` (in time) at or before `time`, or -1. */
+/** Last of `events` (sorted by time) at or before `time`, or -1. */
 export function lastBefore(events, time) {
   return upperBound(events.map((e) => e.time), time + 1e-9) - 1;
 }

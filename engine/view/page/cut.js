@@ -1,4 +1,4 @@
-// A plane across an axis that a model in space is cut by: what is on the eye's side of it is left out.
+// A cutting plane across an axis of a model in space: the part on the eye's side is not drawn.
 import { byId, make, figures, roundBelow } from "./words.js";
 
 const axes = ["x", "y", "z"];
@@ -7,25 +7,25 @@ export class Cut {
   constructor(camera) {
     this.camera = camera;
     this.axis = -1;  // 0 to 2; -1: none
-    this.place = 0;  // along the axis, m
+    this.place = 0;  // along the axis [m]
   }
 
   get isThere() { return this.axis >= 0; }
 
-  /** Whether the left-out side is that of larger numbers, 1, or of smaller ones, -1. */
+  /** 1 if the removed side is at larger coordinates, -1 if at smaller ones. */
   get side() { return this.camera.toward[this.axis] < -1e-9 ? -1 : 1; }
 
-  /** Whether a point is left out. */
+  /** True if a point is removed. */
   takes(point) { return this.isThere && this.side * (point[this.axis] - this.place) > 0; }
 
-  /** Unit normal towards the eye and offset, m; zeros where there is no cut. */
+  /** Unit normal towards the eye, and offset [m]; zeros without a cut. */
   plane() {
     const plane = [0, 0, 0, 0];
     if (this.isThere) [plane[this.axis], plane[3]] = [this.side, this.side * this.place];
     return plane;
   }
 
-  /** Corners of a square in the plane that reaches `far` from the origin, m, as a strip of two triangles. */
+  /** Corners of a square in the plane that extends to `far` from the origin [m], as a strip of two triangles. */
   corners(far) {
     const [u, v] = [(this.axis + 1) % 3, (this.axis + 2) % 3], out = [];
     for (const [s, t] of [[-1, -1], [1, -1], [-1, 1], [1, 1]]) {
@@ -36,7 +36,7 @@ export class Cut {
     return out;
   }
 
-  /** The outlines of the sections of all bodies that are there, as points, two for each line, one number after the other. */
+  /** Outlines of the sections of all present bodies, as points, two for each line, in a flat array. */
   outlines(run) {
     const lines = [];
     if (!this.isThere) return lines;
@@ -47,7 +47,7 @@ export class Cut {
     return lines;
   }
 
-  /** Where the sides of a face go through the plane, two by two in the order in which they lie. */
+  /** Intersections of the sides of a face with the plane, in pairs, sorted along their line. */
   crossings(corners) {
     const found = [];
     corners.forEach((b, i) => {
@@ -59,7 +59,7 @@ export class Cut {
   }
 }
 
-/** The menu of axes and the slider of the place. */
+/** The menu of axes and the slider of the position. */
 export class CutTool {
   constructor(cut, changed) {
     [this.cut, this.changed] = [cut, changed];
@@ -71,7 +71,7 @@ export class CutTool {
     this.choose(-1);
   }
 
-  /** Through the middle of what is home, across an axis; -1: no cut. */
+  /** Cuts across an axis through the middle of the home view; -1: no cut. */
   choose(axis) {
     const { cut, slider } = this, { low = [-1, -1, -1], high = [1, 1, 1] } = cut.camera.home;
     cut.axis = axis;

@@ -1,4 +1,4 @@
-// The data of the page: gzip and base64 around JSON and blocks of whole numbers (engine/view/bytes.hpp).
+// Decodes the data of the page: gzip and base64 around JSON and blocks of integers (engine/view/bytes.hpp).
 
 /** Bytes of base64 text. */
 function bytesOf(text) {
@@ -15,7 +15,7 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Rows of whole numbers from differences down each column. */
+/** Rows of integers from differences down each column. */
 function unpack(bytes, from, rows, columns) {
   const values = new Int32Array(rows * columns);
   let at = from;
@@ -35,7 +35,7 @@ function unpack(bytes, from, rows, columns) {
   return values;
 }
 
-/** Text of the data element to { head, blocks }: blocks[name] = { rows, columns, quantum, values: Int32Array }. */
+/** Converts the text of the data element to { head, blocks }: blocks[name] = { rows, columns, quantum, values: Int32Array }. */
 export async function decode(text) {
   const bytes = await inflate(bytesOf(text));
   const view = new DataView(bytes.buffer);

@@ -1,11 +1,11 @@
-// The list of events: filtered by kind and words, drawn only where it is seen, in step with the replay.
+// The list of events: filtered by kind and text, drawn only where visible, synchronised with the replay.
 import { upperBound } from "./run.js";
 import { byId, make, seconds } from "./words.js";
 
 const rowHeight = 44;
 const faults = ["body.passed", "element.overstrained"];
 
-/** The colour of an event's mark: what fails, what moves, what is told. */
+/** Colour of an event's mark: failures, motions, and others. */
 export function eventColour(type, theme, palette) {
   if (type.endsWith("failed") || type === "seat.lost" || faults.includes(type)) return theme.dark ? "#ff6a3c" : palette.failed;
   if (type.startsWith("bond.")) return theme.dark ? "#ff8f6b" : "#d9653b";
@@ -59,7 +59,7 @@ export class EventsPanel {
     this.fill();
   }
 
-  /** Puts the rows in place that are in sight. */
+  /** Creates the visible rows. */
   fill() {
     const first = Math.max(0, Math.floor(this.list.scrollTop / rowHeight) - 4);
     const last = Math.min(this.rows.length, first + Math.ceil((this.list.clientHeight || 600) / rowHeight) + 8);
@@ -92,7 +92,7 @@ export class EventsPanel {
     this.fill();
   }
 
-  /** The last event before the moment is marked, and kept in sight while nobody reads elsewhere. */
+  /** Marks the last event before the present time, and keeps it visible unless the user scrolls elsewhere. */
   draw(time) {
     const current = upperBound(this.times, time + 1e-6) - 1;
     if (current === this.current) return;

@@ -1,4 +1,4 @@
-// What colours and marks mean, and how long a metre is.
+// Legend of colours and marks, and the scale bar.
 import { crackColour } from "./scene.js";
 import { byId, make, quantity, roundBelow } from "./words.js";
 
@@ -15,7 +15,7 @@ export class Legend {
     this.bar = byId("scale-bar");
   }
 
-  /** Anew, where colours or what is shown have changed. */
+  /** Rebuilds the legend after a change of colours or contents. */
   build(colours, show) {
     const { run } = this.app;
     const parts = [];

@@ -1,4 +1,4 @@
-// Puts the page together.
+// Assembles the page.
 import { decode } from "./decode.js";
 import { Run } from "./run.js";
 import { Camera, homeBox } from "./camera.js";
@@ -117,7 +117,7 @@ class App {
       tab.addEventListener("click", () => open(tab));
       tab.addEventListener("keydown", (e) => {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[e.key];
-        // Whoever clicked the tab means the frames; whoever came to it by keys means the tabs.
+        // A click on the tab leaves the arrow keys to the frames; keyboard focus gives them to the tabs.
         if (!step || !tab.matches(":focus-visible")) return;
         e.stopPropagation();
         const to = tabs[(i + step + tabs.length) % tabs.length];
@@ -158,7 +158,7 @@ class App {
     byId("clock").title = `time since ${since || "the start of the run"}`;
   }
 
-  /** The menu of what times count from: the start, the stages, the first event of each type of note. */
+  /** The menu of the origin of times: the start, the stages, the first event of each important type. */
   wireClock() {
     const { run } = this, firsts = new Map();
     for (const e of run.events) if (e.note && !e.type.startsWith("stage.") && !firsts.has(e.type)) firsts.set(e.type, e.time);
@@ -203,7 +203,7 @@ class App {
       about.script ? make("details", {}, make("summary", {}, "script"), make("pre", { tabindex: 0 }, about.script)) : "");
   }
 
-  /** Chooses { body } or { bearing }, or nothing. */
+  /** Selects { body } or { bearing }, or nothing. */
   select(hit) {
     if (hit?.body && this.run.frames) {
       const points = Array.from({ length: this.run.frames }, (_, f) => this.run.centre(hit.body, f));
@@ -216,7 +216,7 @@ class App {
     this.redraw();
   }
 
-  /** Goes to an event and marks what it is about, without leaving the list. */
+  /** Seeks to an event and selects its bodies, without leaving the list. */
   chooseEvent(event) {
     this.player.pause();
     this.player.seek(event.time);
@@ -267,7 +267,7 @@ class App {
 
   drawFlashes(time) {
     const colour = (e) => eventColour(e.type, this.theme, this.run.palette);
-    const long = 0.5 * this.player.speed;  // s of the run
+    const long = 0.5 * this.player.speed;  // [s] of the run
     if (this.player.playing)
       for (const e of this.player.notes) {
         if (e.time > time) break;
@@ -283,7 +283,7 @@ class App {
     } else this.flashed = null;
   }
 
-  /** Left and right step frames wherever the focus is, but for fields in which they have a meaning of their own. */
+  /** Left and right step frames, except in fields that use these keys themselves. */
   stepsFrames(e) {
     if (!["ArrowLeft", "ArrowRight"].includes(e.key)) return false;
     const { tagName, type, id } = e.target;
@@ -312,7 +312,7 @@ class App {
     does();
   }
 
-  /** Of a model in space: from the next side. */
+  /** For a model in space: the next view direction. */
   nextView() {
     if (this.run.dim !== 3) return;
     const at = viewsAround.findIndex(([azimuth, elevation]) => azimuth === this.camera.azimuth && elevation === this.camera.elevation);

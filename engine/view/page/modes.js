@@ -1,7 +1,7 @@
-// Natural modes: a menu of them, and the one that swings.
+// Natural modes: a menu of modes, and the animation of the selected one.
 import { byId, make, seconds } from "./words.js";
 
-const period = 2;  // s on the wall clock, whatever the mode's own is
+const period = 2;  // [s] of wall clock, independent of the mode's period
 
 export class Modes {
   /** `app`: { run, player, redraw(), draw() }. */
@@ -43,7 +43,7 @@ export class Modes {
     if (this.swinging) requestAnimationFrame((now) => this.tick(now));
   }
 
-  /** Back to the run. */
+  /** Returns to the run. */
   leave() {
     if (!this.on) return;
     this.app.run.mode = null;
@@ -61,7 +61,7 @@ export class Modes {
     requestAnimationFrame((next) => this.tick(next));
   }
 
-  /** What stands in place of the clock and the stage. */
+  /** Text in place of the clock and the stage. */
   draw() {
     if (!this.on) return;
     const mode = this.app.run.modes[this.app.run.mode.index];

@@ -1,6 +1,6 @@
-// What is under the pointer; drag to pan, wheel or two fingers to zoom, click to choose.
+// Selection of the object under the pointer; drag to pan, wheel or two fingers to zoom, click to select.
 
-/** { bearing } or { body } at a place on the canvas, or null; bearings come first, then free bodies. */
+/** { bearing } or { body } at a point on the canvas, or null; bearings come first, then free bodies. */
 export function pick(scene, px, py) {
   const { run } = scene;
   if (!run.frames) return null;
@@ -17,7 +17,7 @@ export function pick(scene, px, py) {
   return body ? { body } : null;
 }
 
-/** Wires the canvas. `on`: { changed(), chosen(hit), hovered(hit, x, y) }. */
+/** Adds the event handlers of the canvas. `on`: { changed(), chosen(hit), hovered(hit, x, y) }. */
 export function listen(canvas, scene, on) {
   const { camera } = scene;
   const down = new Map();

@@ -1,4 +1,4 @@
-// Time goes on: play, pause, speed, and the strip with stages and event marks.
+// Progress of time: play, pause, speed, and the strip with stages and event marks.
 import { eventColour } from "./events.js";
 import { byId, duration, make, seconds } from "./words.js";
 
@@ -60,7 +60,7 @@ export class Player {
   tick(now) {
     if (!this.playing) return;
     if (this.last !== null) {
-      // A page that was out of sight goes on where it was.
+      // A page that was hidden continues at its last time.
       const passed = Math.min(0.25, (now - this.last) / 1000);
       this.time = Math.min(this.app.run.end, this.time + passed * this.speed);
       this.frameTimes.push(now - this.last);
@@ -100,7 +100,7 @@ export class Player {
     if (found) this.app.chooseEvent(found);
   }
 
-  /** Frames a second over the last ones drawn while playing. */
+  /** Frames per second over the last ones drawn while playing. */
   get rate() {
     if (!this.frameTimes.length) return 0;
     return (1000 * this.frameTimes.length) / this.frameTimes.reduce((a, b) => a + b, 0);
@@ -125,7 +125,7 @@ export class Player {
     this.strip.height = Math.round(box.height * ratio);
     const c = this.strip.getContext("2d");
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const inset = 8;  // half the thumb of the range: marks and thumb agree
+    const inset = 8;  // half of the slider's thumb, so that marks and thumb align
     const x = (t) => inset + ((box.width - 2 * inset) * (t - run.begin)) / (run.end - run.begin || 1);
     run.stages.forEach((s, i) => {
       c.fillStyle = theme.line;

@@ -1,11 +1,11 @@
-// Small plots against time, or of one quantity over another, with the moment of the replay in them. A click or a drag
-// goes to that time; a button makes them large.
+// Small plots against time, or of one quantity against another, with the current time of the replay. A click or a drag
+// seeks to that time; a button enlarges them.
 import { upperBound } from "./run.js";
 import { byId, clock, figures, make, readableUnit, ticks } from "./words.js";
 
 const pad = { left: 46, right: 8, top: 6, bottom: 18 };
 
-/** Lowest, highest of some lists; widened where they are flat. */
+/** Lowest and highest value of some lists; widened if they are equal. */
 function rangeOf(lists) {
   let low = Infinity, high = -Infinity;
   for (const values of lists)
@@ -21,8 +21,8 @@ function rangeOf(lists) {
 const largestOf = (values) => values.reduce((m, v) => (Math.abs(v) > m ? Math.abs(v) : m), 0);
 const scaledBy = (values, factor) => Float64Array.from(values, (v) => v * factor);
 
-/** Per pixel column the lowest and highest value, so that no peak is lost; lines as [x, y] on the canvas. A sample that
- * was not taken (NaN) is a gap, [NaN, NaN]. */
+/** Lowest and highest value for each pixel column, so that no peak is lost; lines as [x, y] on the canvas. A missing
+ * sample (NaN) is a gap, [NaN, NaN]. */
 function path(times, values, xOf, yOf) {
   const out = [];
   let column = NaN, low = 0, high = 0;
@@ -50,7 +50,7 @@ function path(times, values, xOf, yOf) {
   return out;
 }
 
-/** Draws points as lines, which end at a gap and go on after it. */
+/** Draws points as lines, interrupted at gaps. */
 function trace(c, points) {
   let down = false;
   for (const [x, y] of points) {
@@ -60,7 +60,7 @@ function trace(c, points) {
   }
 }
 
-/** Shows a plot as large as the window, and puts it back where it was when that is closed. */
+/** Enlarges a plot to the window, and restores it when that is closed. */
 function enlarge(figure, changed) {
   const dialog = byId("large"), place = make("span", {});
   if (dialog.open) return dialog.close();
@@ -116,7 +116,7 @@ export class Plot {
     return this.span[0] + Math.max(0, Math.min(1, share)) * (this.span[1] - this.span[0]);
   }
 
-  /** Of a loop: when it came nearest to a place on the canvas. */
+  /** For a loop: the time at which it is nearest to a point on the canvas. */
   nearestTime(px, py, box) {
     const { x, y } = this.scales(box.width, box.height);
     let least = Infinity, time = 0;
@@ -128,7 +128,7 @@ export class Plot {
     return time;
   }
 
-  /** Draws lines and axes where the size or theme has changed, then the moment over them. */
+  /** Draws lines and axes after a change of size or theme, then the present time over them. */
   draw(time, theme) {
     const box = this.canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
     if (!box.width) return;
@@ -172,7 +172,7 @@ export class Plot {
     ticks(this.range[0], this.range[1], height > 300 ? 8 : 4).forEach(level);
     c.textBaseline = "bottom";
     c.textAlign = "center";
-    // Round times are those that are counted, from whatever moment that is.
+    // Round numbers refer to the displayed times, with their origin.
     const zero = this.over ? 0 : clock.zero;
     for (const t of ticks(this.span[0] - zero, this.span[1] - zero, width > 700 ? 10 : 5))
       c.fillText(figures(t, 2), Math.min(width - 14, x(t + zero)), height - 2);

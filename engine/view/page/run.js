@@ -1,4 +1,4 @@
-// The run as the page sees it: where everything is at a time, and what each body and bearing went through.
+// The run in the page: positions at a time, and the history of each body and bearing.
 
 const empty = { rows: 0, columns: 1, quantum: 1, values: new Int32Array(0) };
 export const isFree = (body) => body.support === "" || body.support.startsWith("free");
@@ -23,7 +23,7 @@ export function upperBound(times, time) {
   return low;
 }
 
-/** Stands for a sample that was not taken (engine/view/bytes.hpp). */
+/** Marks a missing sample (engine/view/bytes.hpp). */
 const noSample = -2147483648;
 const floats = (block) => Float64Array.from(block.values, (v) => (v === noSample ? NaN : v * block.quantum));
 
@@ -54,7 +54,7 @@ export class Run {
     for (const body of this.bodies) body.area = this.areaOf(body);
   }
 
-  /** Outline points, and room for where they and the nodes are. */
+  /** Outline points, and buffers for their positions and the positions of the nodes. */
   takeVertices(head) {
     this.vertexNode = new Int32Array(head.vertices.length / 3);
     this.vertexX = new Float64Array(this.vertexNode.length);
@@ -72,7 +72,7 @@ export class Run {
     this.pointY = new Float64Array(this.vertexNode.length);
   }
 
-  /** A column of samples as numbers; made once. */
+  /** A column of samples as numbers; computed once. */
   samples(name) {
     this.made ??= new Map();
     if (!this.made.has(name)) this.made.set(name, floats(this.block(name)));
@@ -90,7 +90,7 @@ export class Run {
       body.changes = this.events.filter((e) => e.a === body.index && (e.type === "body.added" || e.type === "body.removed"));
     const seen = new Set();
     for (const event of this.events) {
-      // Of a joint that breaks half by half the first half counts.
+      // For a joint that breaks in two halves the first one counts.
       const pair = `${Math.min(event.a, event.b)} ${Math.max(event.a, event.b)}`;
       if (event.type !== "bond.broken" || seen.has(pair)) continue;
       seen.add(pair);
@@ -98,7 +98,7 @@ export class Run {
     }
   }
 
-  /** Whether a body is in the model at `time`: what is added first was not there before. */
+  /** True if a body is in the model at `time`: a body that is added first was absent before. */
   isThere(body, time = this.now.time) {
     let there = body.changes[0]?.type !== "body.added";
     for (const change of body.changes) if (change.time <= time + 1e-9) there = change.type === "body.added";
@@ -109,7 +109,7 @@ export class Run {
   get begin() { return this.frames ? this.times[0] : 0; }
   get end() { return this.frames ? this.times[this.frames - 1] : 0; }
 
-  /** The frame at or before `time`, the next one, and the share of the way between them. */
+  /** The frame at or before `time`, the next one, and the fraction between them. */
   locate(time) {
     const frame = Math.max(0, Math.min(this.frames - 1, upperBound(this.times, time) - 1));
     const next = Math.min(frame + 1, this.frames - 1);
@@ -117,7 +117,7 @@ export class Run {
     return { frame, next, share: span > 0 ? Math.max(0, Math.min(1, (time - this.times[frame]) / span)) : 0 };
   }
 
-  /** Puts all nodes and outline points where they are at `time`; in a mode, where that has them. */
+  /** Moves all nodes and outline points to their positions at `time`; in a mode, to its positions. */
   pose(time) {
     if (!this.frames) return;
     if (this.mode) return void this.poseMode();
@@ -133,7 +133,7 @@ export class Run {
     this.posePoints();
   }
 
-  /** In `this.mode`, { index, share }: the nodes where they stood, and this share of the mode. */
+  /** In `this.mode`, { index, share }: the initial positions plus this share of the mode. */
   poseMode() {
     const { index, share } = this.mode, n = this.nodes;
     this.now = { ...this.locate(this.modes[index].time), time: this.modes[index].time, share: 0 };
@@ -163,7 +163,7 @@ export class Run {
     }
   }
 
-  /** The area inside the outline as it is posed now. */
+  /** The area inside the outline in its present position. */
   areaOf(body) {
     let twice = 0;
     for (let i = 0; i < body.vertices; i++) {
@@ -173,7 +173,7 @@ export class Run {
     return Math.abs(twice) / 2;
   }
 
-  /** Mean place of a body's nodes in a frame. */
+  /** Mean position of a body's nodes in a frame. */
   centre(body, frame) {
     const { values, quantum } = this.block("position");
     let x = 0, y = 0;
@@ -184,7 +184,7 @@ export class Run {
     return [x * quantum / body.nodes, y * quantum / body.nodes];
   }
 
-  /** Speed of a body's centre between the frames around `frame`, m/s. */
+  /** Speed of a body's centre between the frames around `frame` [m/s]. */
   speed(body, frame) {
     let a = frame, b = Math.min(frame + 1, this.frames - 1);
     while (a > 0 && this.times[b] - this.times[a] < 1e-4) a--;
@@ -194,19 +194,19 @@ export class Run {
     return Math.hypot(...to.map((v, k) => v - from[k])) / span;
   }
 
-  /** Rotation of a rigid body since the start, rad; 0 for a body of many nodes. */
+  /** Rotation of a rigid body from the start [rad]; 0 for a body of many nodes. */
   rotation(body, frame) {
     const { values, quantum } = this.block("rotation");
     return quantum * (values[frame * this.nodes + body.node] - values[body.node]);
   }
 
-  /** Mean stress of an element in a frame: [xx, yy, xy], Pa. */
+  /** Mean stress of an element in a frame: [xx, yy, xy] [Pa]. */
   stress(element, frame) {
     const { values, quantum, columns } = this.block("stress"), at = frame * columns + 3 * element;
     return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];
   }
 
-  /** Where points a and b of a bearing are, as posed now. */
+  /** Present positions of the points a and b of a bearing. */
   bearingEnds(bearing) {
     const end = (node, x, y) => {
       const c = Math.cos(this.turn[node]), s = Math.sin(this.turn[node]);
@@ -215,7 +215,7 @@ export class Run {
     return [end(bearing.an, bearing.ax, bearing.ay), end(bearing.bn, bearing.bx, bearing.by)];
   }
 
-  /** How a bearing stands: as the frame says, or as an event between that frame and `time` does. */
+  /** State of a bearing: from the frame, or from an event between that frame and `time`. */
   bearingState(bearing, frame, time = this.times[frame]) {
     let state = this.block("bearing_state").values[frame * this.bearings.length + bearing.index] ?? 0;
     for (const e of bearing.events)

@@ -36,14 +36,14 @@ export class Scene {
 
   contextOf(canvas) { return canvas.getContext("2d"); }
 
-  /** The body under a place on the canvas, free ones first, or null. */
+  /** The body under a point on the canvas, free ones first, or null. */
   bodyAt(px, py) {
     const [x, y] = this.camera.reach(px, py);
     for (let i = this.order.length - 1; i >= 0; i--) if (this.run.isThere(this.order[i]) && inside(this.run, this.order[i], x, y)) return this.order[i];
     return null;
   }
 
-  /** The force that nine in ten stay below, for the length of arrows. */
+  /** The 90 % quantile of the forces, for the length of arrows. */
   findUsualForce() {
     const { values, quantum, rows, columns } = this.run.block("contact_force");
     const sizes = [];
@@ -84,7 +84,7 @@ export class Scene {
     const { context: c, camera } = this;
     c.beginPath();
     for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
-      // Far beyond the canvas browsers draw badly.
+      // Browsers draw badly far beyond the canvas.
       const [x, y] = camera.place(xs[v], ys[v]);
       c.lineTo(Math.max(-1e5, Math.min(1e5, x)), Math.max(-1e5, Math.min(1e5, y)));
     }
@@ -110,7 +110,7 @@ export class Scene {
     const { context: c } = this;
     c.lineJoin = "round";
     const small = this.camera.scale * this.usualSize < 14;
-    const faint = (body) => (body.leaves <= this.run.now.time ? 0.25 : 1); // it has left the bounds
+    const faint = (body) => (body.leaves <= this.run.now.time ? 0.25 : 1); // out of bounds
     const shown = this.order.filter((body) => this.run.isThere(body));
     for (const body of shown) {
       c.globalAlpha = faint(body);
@@ -130,7 +130,7 @@ export class Scene {
     c.globalAlpha = 1;
   }
 
-  /** What swings in a mode, as it stood. */
+  /** Draws the initial position of the parts that vibrate in a mode. */
   drawStood(theme) {
     const { run } = this, swing = run.mode.share;
     run.mode.share = 0;
@@ -175,12 +175,12 @@ export class Scene {
     c.lineCap = "butt";
   }
 
-  /** Length on the canvas of the usual force: a pleasant one, no longer than a body where bodies are small. */
+  /** Length on the canvas of the usual force: a readable one, at most the size of small bodies. */
   get usualLength() {
     return Math.max(6, Math.min(34, 0.9 * this.usualSize * this.camera.scale));
   }
 
-  /** Length on the canvas of a force [N]: by the square root, so that small ones are seen beside impacts. */
+  /** Length on the canvas of a force [N]: by the square root, so that small forces remain visible with impacts. */
   forceLength(size) {
     return Math.min(160, this.usualLength * Math.sqrt(size / this.usualForce));
   }
@@ -196,7 +196,7 @@ export class Scene {
       let fx = force.quantum * force.values[2 * k], fy = force.quantum * force.values[2 * k + 1];
       const size = Math.hypot(fx, fy), length = this.forceLength(size);
       if (length < 1.5) continue;
-      // Of the two bodies' forces the one on the body that is held up by it.
+      // Of the pair of forces, the one on the supported body is drawn.
       const aFree = run.bodies[pair[3 * k]]?.free, bFree = run.bodies[pair[3 * k + 1]]?.free;
       if (aFree === bFree ? fy < 0 : bFree) fx = -fx, fy = -fy;
       const [x, y] = camera.place(place.quantum * place.values[2 * k], place.quantum * place.values[2 * k + 1]);
@@ -218,14 +218,14 @@ export class Scene {
     c.fill();
   }
 
-  /** What is drawn of a bearing: its ends on the canvas and how it stands; null while it waits for another, or is not there. */
+  /** Drawing of a bearing: its ends on the canvas and its state; null while it waits for another, or is absent. */
   bearingMark(bearing) {
     const { run, camera } = this;
     const state = run.bearingState(bearing, run.now.frame, run.now.time);
     if (state === bearingStates.waiting || state === bearingStates.removed) return null;
     const [a, b] = run.bearingEnds(bearing);
     const far = Math.hypot(...a.map((v, k) => v - b[k]));
-    // What it changed to, sliding on a seat, ends where its bodies part.
+    // The mark of a changed bearing, sliding on a seat, ends when its bodies separate.
     const shown = state === bearingStates.changed && far > 1 ? bearingStates.failed : state;
     return { a: camera.place(...a), b: camera.place(...b), state: shown };
   }
@@ -268,7 +268,7 @@ export class Scene {
     }
   }
 
-  /** Whether a place is cut away. */
+  /** True if a point is cut away. */
   isCut() { return false; }
 
   drawNames(theme) {
@@ -287,7 +287,7 @@ export class Scene {
     }
   }
 
-  /** Mean of a body's outline points as posed now. */
+  /** Mean of a body's outline points in its present position. */
   middle(body) {
     let x = 0, y = 0;
     for (let v = body.vertex; v < body.vertex + body.vertices; v++) x += this.run.pointX[v], y += this.run.pointY[v];
@@ -317,7 +317,7 @@ export class Scene {
     c.stroke();
   }
 
-  /** A ring around the place where something has just happened; `age` from 0 (now) to 1 (over). */
+  /** A ring around the place of a recent event; `age` from 0 (now) to 1 (over). */
   flash(place, age, colour) {
     const c = this.context;
     c.globalAlpha = 1 - age;

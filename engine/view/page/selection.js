@@ -1,4 +1,4 @@
-// The chosen body or bearing: its name, what it is, how it stands now, its histories and its events.
+// The selected body or bearing: its name, description, present state, histories and events.
 import { stateNames } from "./run.js";
 import { Plot } from "./plots.js";
 import { byId, figures, make, quantity, seconds } from "./words.js";
@@ -83,7 +83,7 @@ export class SelectionPanel {
     };
   }
 
-  /** Force over displacement in one direction, where the run has histories of both. */
+  /** Force over displacement in one direction, if the run has histories of both. */
   loops(bearing) {
     const mine = new Map(this.app.run.series.flatMap((s) => (s.text.endsWith(` of bearing '${bearing.name}'`) ? [[s.text.split(" of bearing")[0], s]] : [])));
     return [...mine].flatMap(([what, force]) => {
@@ -94,7 +94,7 @@ export class SelectionPanel {
 
   events(filter) {
     const all = this.app.run.events.filter(filter);
-    // Contacts made and lost fill a list without end; where there are many, what is of note comes alone.
+    // Contacts made and lost would fill an endless list; if there are many, only important events are shown.
     const rows = all.length > 60 ? all.filter((e) => e.note).slice(0, 200) : all;
     const items = rows.map((e) => make("li", {}, make("button", { class: "event-link", onclick: () => this.app.seek(e.time) },
       make("time", {}, seconds(e.time)), e.text)));
@@ -108,11 +108,11 @@ export class SelectionPanel {
   }
 }
 
-/** All histories and the energy, those of one unit and group together; over time, or histories over one of them. */
+/** All histories and the energy, grouped by unit; over time, or histories over one of them. */
 export class HistoriesPanel {
   constructor(app) {
     this.app = app;
-    // A ledger has terms for what this run does not have.
+    // A ledger contains terms that are zero throughout this run.
     this.series = app.run.series.filter((s) => s.times.length && (s.group !== "energy" || s.values.some((v) => v !== 0)));
     const histories = this.series.filter((s) => s.group !== "energy");
     this.menu = make("select", { id: "against" }, make("option", { value: "" }, "time"), ...histories.map((s) => make("option", { value: s.name }, s.name)));

@@ -1,4 +1,4 @@
-// The eye that goes around a model in space. Orthographic: lengths across the line of sight are to one scale.
+// Orbit camera for a model in space. Orthographic: lengths across the line of sight have one scale.
 import { Camera } from "./camera.js";
 
 export const viewsAround = [[-60, 20], [-90, 0], [0, 0], [-90, 90], [-45, 35.264]];  // azimuth, elevation
@@ -10,7 +10,7 @@ export class SpaceCamera extends Camera {
     this.look(...viewsAround[0]);
   }
 
-  /** From where: azimuth from the x axis, anticlockwise from above, and elevation, in degrees. */
+  /** View direction: azimuth from the x axis, anticlockwise from above, and elevation, in degrees. */
   look(azimuth, elevation) {
     this.azimuth = azimuth;
     this.elevation = Math.max(-90, Math.min(90, elevation));
@@ -21,7 +21,7 @@ export class SpaceCamera extends Camera {
     this.toward = [ce * ca, ce * sa, se];
   }
 
-  /** Shows all of `home`, a box, as it is seen from here. */
+  /** Shows all of `home`, a box, in this direction. */
   fit() {
     const { low = [-1, -1, -1], high = [1, 1, 1] } = this.home;
     [this.x, this.y, this.z] = low.map((v, k) => (v + high[k]) / 2);
@@ -36,7 +36,7 @@ export class SpaceCamera extends Camera {
     this.isHome = true;
   }
 
-  /** Half the diagonal of what is home, m. */
+  /** Half of the diagonal of the home box [m]. */
   get radius() {
     const { low, high } = this.home;
     return low ? 0.5 * Math.hypot(...high.map((v, k) => v - low[k])) : 1;
@@ -46,10 +46,10 @@ export class SpaceCamera extends Camera {
   place(x, y, z) {
     return [this.width / 2 + this.scale * this.along(this.right, x, y, z), this.height / 2 - this.scale * this.along(this.up, x, y, z)];
   }
-  /** Towards the eye, m. */
+  /** Coordinate towards the eye [m]. */
   depth(x, y, z) { return this.along(this.toward, x, y, z); }
 
-  /** The point that is `depth` towards the eye behind a place on the canvas. */
+  /** The point at a point on the canvas, `depth` [m] towards the eye. */
   pointAt(px, py, depth) {
     const right = (px - this.width / 2) / this.scale, up = (this.height / 2 - py) / this.scale;
     return [this.x, this.y, this.z].map((v, k) => v + right * this.right[k] + up * this.up[k] + depth * this.toward[k]);
@@ -71,7 +71,7 @@ export class SpaceCamera extends Camera {
 
   pan(dx, dy) { this.move(-dx / this.scale, dy / this.scale); }
 
-  /** A drag turns the model; with shift or another button than the first it moves it. */
+  /** A drag rotates the model; with shift or another button than the first it moves it. */
   drag(dx, dy, e) {
     if (e.shiftKey || e.buttons > 1) this.pan(dx, dy);
     else this.look(this.azimuth - 0.4 * dx, this.elevation + 0.4 * dy);
@@ -85,8 +85,8 @@ export class SpaceCamera extends Camera {
   }
 }
 
-/** The box around all free bodies at the start, over the run as far as that is near, and around the bulk of them wherever
- *  they go. */
+/** AABB of all free bodies at the start and, if near, over the run, and of most of them wherever they
+ *  go. */
 export function homeSpace(run) {
   const some = run.bodies.some((b) => b.free) ? run.bodies.filter((b) => b.free) : run.bodies;
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];

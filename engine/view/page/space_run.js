@@ -1,13 +1,13 @@
-// A run in space: nodes turn by quaternions, bodies have faces.
+// A run in space: nodes rotate by quaternions, bodies have faces.
 import { Run } from "./run.js";
 
-/** Turns [x, y, z] by the unit quaternion w, u. */
+/** Rotates [x, y, z] by the unit quaternion w, u. */
 export function turned(w, ux, uy, uz, x, y, z) {
   const tx = 2 * (uy * z - uz * y), ty = 2 * (uz * x - ux * z), tz = 2 * (ux * y - uy * x);
   return [x + w * tx + uy * tz - uz * ty, y + w * ty + uz * tx - ux * tz, z + w * tz + ux * ty - uy * tx];
 }
 
-/** The unit quaternion [w, x, y, z], turned on by a rotation vector. */
+/** Applies a rotation vector to the unit quaternion [w, x, y, z]. */
 export function turnedOn([w, x, y, z], [a, b, c]) {
   const angle = Math.hypot(a, b, c), half = Math.cos(angle / 2), f = angle > 0 ? Math.sin(angle / 2) / angle : 0.5;
   const [i, j, k] = [f * a, f * b, f * c];
@@ -22,13 +22,13 @@ export class SpaceRun extends Run {
     for (const name of ["vertexX", "vertexY", "vertexZ", "pointX", "pointY", "pointZ"]) this[name] = new Float64Array(count);
     for (let v = 0; v < count; v++)
       [this.vertexNode[v], this.vertexX[v], this.vertexY[v], this.vertexZ[v]] = head.vertices.slice(4 * v, 4 * v + 4);
-    /** Of each body its faces, each a list of rows of the points. */
+    /** Faces of each body, each a list of rows of the points. */
     this.faces = head.faces.map((row) => {
       const faces = [];
       for (let at = 0; at < row.length; at += row[at] + 1) faces.push(row.slice(at + 1, at + 1 + row[at]));
       return faces;
     });
-    /** Rows of the points that are centres of spheres, and the radius about each point, 0 where there is no sphere. */
+    /** Rows of the points that are centres of spheres, and the radius about each point, 0 without a sphere. */
     this.spheres = [];
     this.radius = new Float32Array(count);
     for (let s = 0; s < (head.spheres ?? []).length; s += 2) {
@@ -40,7 +40,7 @@ export class SpaceRun extends Run {
     this.quaternion = new Float64Array(4 * this.nodes);
   }
 
-  /** Linear between frames; quaternions along the shorter arc, made of length 1 again. */
+  /** Linear between frames; quaternions along the shorter arc, normalised. */
   pose(time) {
     if (!this.frames) return;
     if (this.mode) return void this.poseMode();
@@ -65,7 +65,7 @@ export class SpaceRun extends Run {
     this.posePoints();
   }
 
-  /** In `this.mode`, { index, share }: each node where it stood, moved and turned on by this share of the mode. */
+  /** In `this.mode`, { index, share }: each node in its initial position, moved and rotated by this share of the mode. */
   poseMode() {
     const { index, share } = this.mode;
     this.now = { ...this.locate(this.modes[index].time), time: this.modes[index].time, share: 0 };
@@ -89,17 +89,17 @@ export class SpaceRun extends Run {
       [this.pointX[v], this.pointY[v], this.pointZ[v]] = this.placed(this.vertexNode[v], this.vertexX[v], this.vertexY[v], this.vertexZ[v]);
   }
 
-  /** A point in the axes of a node, as posed now. */
+  /** Present position of a point in the axes of a node. */
   placed(n, x, y, z) {
     const q = this.quaternion, [a, b, c] = turned(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3], x, y, z);
     return [this.place[3 * n] + a, this.place[3 * n + 1] + b, this.place[3 * n + 2] + c];
   }
 
-  /** `corner`: the points that carry the joint; `share`: of each corner of its outline, ways along the sides to the second
-   *  and third of them. */
+  /** `corner`: the points that carry the joint; `share`: of each corner of its outline, coordinates along the sides to the
+   *  second and third of them. */
   jointOf([event, body, corner, share, mode]) { return { event: this.events[event], body, corner, share, mode }; }
 
-  /** The corners of a joint's outline as posed now. */
+  /** Present corners of a joint's outline. */
   outlineOf({ corner, share }) {
     const [a, b, c] = corner.map((v) => this.point(v)), outline = [];
     for (let i = 0; i < share.length; i += 2) outline.push(a.map((x, k) => x + share[i] * (b[k] - x) + share[i + 1] * (c[k] - x)));
@@ -108,7 +108,7 @@ export class SpaceRun extends Run {
 
   point(v) { return [this.pointX[v], this.pointY[v], this.pointZ[v]]; }
 
-  /** About the area that is seen of a body: a sixth of its box's surface. */
+  /** Approximate visible area of a body: a sixth of its box's surface. */
   areaOf(body) {
     const span = (values) => {
       const own = values.subarray(body.vertex, body.vertex + body.vertices);
@@ -123,11 +123,11 @@ export class SpaceRun extends Run {
     return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];
   }
 
-  /** Angle by which a body has turned since the start, rad, at most pi. */
+  /** Rotation angle of a body from the start [rad], at most pi. */
   rotation(body, frame) {
     const { values: q } = this.block("rotation"), a = 4 * body.node, b = 4 * (frame * this.nodes + body.node);
     const size = (at) => Math.hypot(q[at], q[at + 1], q[at + 2], q[at + 3]);
-    // Of the quaternion that leads from one to the other: the scalar part, and the length of the rest.
+    // Scalar part of the relative quaternion, and the length of its vector part.
     const w = q[a] * q[b] + q[a + 1] * q[b + 1] + q[a + 2] * q[b + 2] + q[a + 3] * q[b + 3];
     const all = size(a) * size(b);
     return 2 * Math.atan2(Math.sqrt(Math.max(0, all * all - w * w)), Math.abs(w));

@@ -1,9 +1,9 @@
-// Draws a model in space: solids by WebGL, and marks, forces and the selection on a canvas over it.
+// Draws a model in space: polyhedra with WebGL; marks, forces and the selection on a canvas over it.
 import { Cut } from "./cut.js";
 import { Scene, crackColour } from "./scene.js";
 import { ballPixelCode, ballVertexCode, pixelCode, vertexCode } from "./space_shaders.js";
 
-/** #rrggbb, or rgb(r, g, b) as style sheets give it, to three numbers up to 1. */
+/** #rrggbb, or rgb(r, g, b) from style sheets, to three numbers up to 1. */
 function shares(colour) {
   if (colour.startsWith("#")) return [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255);
   return (colour.match(/[\d.]+/g) ?? [0, 0, 0]).slice(0, 3).map((v) => Number(v) / 255);
@@ -11,7 +11,7 @@ function shares(colour) {
 
 function compiled(gl, ofVertices, ofPixels) {
   const program = gl.createProgram();
-  // One place for each attribute, so that both programs read the same buffers.
+  // Fixed attribute locations, so that both programs read the same buffers.
   ["point", "colour", "radius"].forEach((name, place) => gl.bindAttribLocation(program, place, name));
   for (const [kind, code] of [[gl.VERTEX_SHADER, ofVertices], [gl.FRAGMENT_SHADER, ofPixels]]) {
     const shader = gl.createShader(kind);
@@ -25,7 +25,7 @@ function compiled(gl, ofVertices, ofPixels) {
 }
 
 export class SpaceScene extends Scene {
-  /** Solids go to the canvas itself, all else to one over it. */
+  /** Polyhedra are drawn on the canvas itself, everything else on one over it. */
   contextOf(canvas) {
     const gl = canvas.getContext("webgl2", { antialias: false, stencil: true });
     if (!gl) throw new Error("This browser shows no models in space: it lacks WebGL 2.");
@@ -45,7 +45,7 @@ export class SpaceScene extends Scene {
     return this.over.getContext("2d");
   }
 
-  /** Triangles of all faces and each edge once; both count the points of the run. */
+  /** Triangles of all faces, and each edge once; both index the points of the run. */
   takeFaces() {
     const { gl, run } = this, triangles = [], edges = [];
     run.faces.forEach((faces) => {
@@ -84,7 +84,8 @@ export class SpaceScene extends Scene {
     super.resize();
     this.over.width = this.canvas.width;
     this.over.height = this.canvas.height;
-    // Drawn finer than it is shown: some machines get the depth of lines wrong that they smooth themselves.
+    // Rendered at twice the displayed resolution: some machines compute wrong depths for lines with their own
+    // smoothing.
     if (this.ratio < 2) {
       this.canvas.width *= 2;
       this.canvas.height *= 2;
@@ -126,7 +127,7 @@ export class SpaceScene extends Scene {
     this.drawList(this.gl.LINES, this.edges, [...shares(theme.ghost), 1]);
   }
 
-  /** How far any point is from the origin, m: the depth that must be told apart. */
+  /** Largest distance of any point from the origin [m]: the range of the depth buffer. */
   measure() {
     const { run } = this;
     this.farthest = 1e-3;
@@ -154,7 +155,7 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.fills, gl.DYNAMIC_DRAW);
   }
 
-  /** Bodies that have left the bounds, or are not there, shrink to nothing. */
+  /** Bodies out of bounds, or absent, shrink to zero size. */
   upload(xs, ys, zs) {
     const { run, gl } = this;
     for (const body of run.bodies) {
@@ -170,14 +171,14 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.points, gl.DYNAMIC_DRAW);
   }
 
-  /** Edges lie a little nearer than their faces. */
+  /** Edges are drawn slightly nearer than their faces. */
   setLine(line) {
     this.gl.uniform4fv(this.at("line"), line);
     this.gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
   }
 
-  /** All faces. Where one is seen from behind, a section is seen, and what is drawn next is behind it if it is behind the
-   *  plane of the cut. */
+  /** All faces. Where a face is seen from behind, a section is visible, and later objects are behind it if they are behind
+   *  the plane of the cut. */
   drawFaces() {
     const { gl, cut } = this;
     if (!cut.isThere) return this.drawList(gl.TRIANGLES, this.triangles, [0, 0, 0, 0]);
@@ -200,13 +201,13 @@ export class SpaceScene extends Scene {
     this.drawPoints(this.gl.LINES, this.cut.outlines(this.run), [...shares(theme.outline), 1]);
   }
 
-  /** The outlines of joints that have lost their bond, over the edges of solids. */
+  /** The outlines of joints that have lost their bond, over the edges of polyhedra. */
   drawSolidCracks(time, theme) {
     for (const mode of new Set(this.run.joints.map((joint) => joint.mode)))
       this.drawPoints(this.gl.TRIANGLES, this.ribbons(time, mode), [...shares(crackColour(mode, theme)), 1], this.cut.plane());
   }
 
-  /** Both triangles of each side of those joints, as wide on the canvas wherever they lie. */
+  /** Both triangles of each side of those joints, with constant width on the canvas. */
   ribbons(time, mode) {
     const { run, camera } = this, points = [], nearer = 1 / camera.scale;
     for (const joint of run.joints) {
@@ -224,7 +225,7 @@ export class SpaceScene extends Scene {
     return points;
   }
 
-  /** Points of their own. Those that lie in the cut are not to be taken away by it: no plane then. */
+  /** Draws separate points. Points in the plane of the cut must not be removed by it: no plane then. */
   drawPoints(kind, points, line, plane = [0, 0, 0, 0]) {
     const { gl, cut } = this;
     if (!points.length) return;
@@ -271,7 +272,7 @@ export class SpaceScene extends Scene {
       const row = (block) => [0, 1, 2].map((i) => block.quantum * block.values[3 * k + i]);
       const at = row(place), f = row(force), size = Math.hypot(...f);
       if (this.forceLength(size) < 1.5 || this.isCut(at)) continue;
-      // Of the two bodies' forces the one on the body that is held up by it.
+      // Of the pair of forces, the one on the supported body is drawn.
       const aFree = run.bodies[pair[3 * k]]?.free, bFree = run.bodies[pair[3 * k + 1]]?.free;
       const metres = ((aFree === bFree ? f[2] < 0 : bFree) ? -1 : 1) * this.forceLength(size) / camera.scale / size;
       const [x, y] = camera.place(...at), [ex, ey] = camera.place(...at.map((v, i) => v + metres * f[i]));
@@ -284,7 +285,7 @@ export class SpaceScene extends Scene {
     }
   }
 
-  /** Whether a place is on the side of the cut that is left out. */
+  /** True if a point is on the removed side of the cut. */
   isCut(place) { return this.cut.takes(place); }
 
   bearingMark(bearing) {
@@ -297,7 +298,7 @@ export class SpaceScene extends Scene {
     return sum;
   }
 
-  /** The edges of the chosen body, and where its centre went. */
+  /** The edges of the selected body, and the path of its centre. */
   drawSelection(selection, theme) {
     if (!selection.body) return super.drawSelection(selection, theme);
     const { run, context: c, camera } = this, { x, y, z } = selection.trail;
@@ -338,7 +339,7 @@ export class SpaceScene extends Scene {
     });
   }
 
-  /** The spheres of a body as seen: where, how near the eye the centre is, m, and how large on the canvas. */
+  /** The visible spheres of a body: position, depth of the centre [m], and radius on the canvas. */
   discs(body) {
     const { run, camera } = this, discs = [];
     for (let v = body.vertex; v < body.vertex + body.vertices; v++)
@@ -346,7 +347,7 @@ export class SpaceScene extends Scene {
     return discs;
   }
 
-  /** The body whose face is nearest to the eye at a place on the canvas, or null. */
+  /** The body whose face is nearest to the eye at a point on the canvas, or null. */
   bodyAt(px, py) {
     const { run, camera } = this;
     let best = null, nearest = -Infinity;
@@ -370,7 +371,7 @@ export class SpaceScene extends Scene {
   }
 }
 
-/** How near the plane of a face is at a place on the canvas, from the face's first corner that is no edge-on. */
+/** Depth of the plane of a face at a point on the canvas, from the face's first corner that is not edge-on. */
 function depthAt(flat, depth, px, py) {
   const [x, y] = flat[0];
   for (let i = 1; i + 1 < flat.length; i++) {

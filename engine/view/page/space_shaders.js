@@ -1,4 +1,4 @@
-// What the graphics processor does for a model in space.
+// Shaders for a model in space.
 
 export const vertexCode = `#version 300 es
 uniform vec3 right, up, toward, middle;
@@ -16,8 +16,8 @@ void main() {
   fill = colour;
   gl_Position = vec4(seen.xy * scale.xy, -(seen.z + nearer) * scale.z, 1.0);
 }`;
-// The normal of a face follows from how its points change from pixel to pixel. Light comes from the upper left. Where a
-// face is seen from behind, the eye looks into its solid through the cut: the section is shown there, hatched.
+// The normal of a face follows from the derivatives of its points between pixels. Light comes from the upper left. A
+// face seen from behind means that the cut opens its solid: the section is shown there, hatched.
 export const pixelCode = `#version 300 es
 precision highp float;
 uniform vec4 line;  // of edges: their colour; opacity 0 where faces are drawn
@@ -37,8 +37,8 @@ void main() {
   shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
 }`;
 
-// A sphere is a square of pixels about its centre: the disc within it, each pixel with the depth and the light of the
-// place on the sphere that it shows.
+// A sphere is a square of pixels about its centre: the disc within it, with the depth and the light of the sphere at
+// each pixel.
 export const ballVertexCode = `#version 300 es
 uniform vec3 right, up, toward, middle;
 uniform vec3 scale;

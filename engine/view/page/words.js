@@ -1,9 +1,9 @@
-// Numbers and names as a reader wants them.
+// Formatting of numbers and names for display.
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
 const scaled = new Set(["N", "J", "Pa", "N/m", "N m", "N·m", "W"]);
 
-/** { factor, unit } so that values up to `largest` read well: kN, mm, ... */
+/** { factor, unit } with which values up to `largest` are readable: kN, mm, ... */
 export function readableUnit(largest, unit) {
   const size = Math.abs(largest);
   if (unit === "m") return size > 0 && size < 0.5 ? { factor: 1e3, unit: "mm" } : { factor: 1, unit: "m" };
@@ -14,7 +14,7 @@ export function readableUnit(largest, unit) {
   return { factor: 1 / factor, unit: prefix + unit };
 }
 
-/** Three figures, no exponent where it can be helped, a true minus sign. */
+/** Three significant digits, without an exponent if possible, with a true minus sign. */
 export function figures(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
@@ -30,10 +30,10 @@ export function quantity(value, unit) {
   return to.unit === "°" ? `${figures(value * to.factor)}°` : `${figures(value * to.factor)} ${to.unit}`.trim();
 }
 
-/** What times count from: `zero` [s of the run], and in words where that is not the start of the run. */
+/** Origin of times: `zero` [s of the run], and its text unless it is the start of the run. */
 export const clock = { zero: 0, since: "" };
 
-/** An instant, as it is counted. */
+/** Text of an instant relative to the origin. */
 export const seconds = (time) => duration(time - clock.zero);
 export const duration = (time) => `${time.toFixed(2).replace("-", "−")} s`;
 
@@ -43,7 +43,7 @@ export function roundBelow(value) {
   return [5, 2, 1].find((k) => k * power <= value * 1.0001) * power;
 }
 
-/** Round places from `low` to `high`, about `count` of them. */
+/** Round values from `low` to `high`, about `count` of them. */
 export function ticks(low, high, count) {
   if (!(high > low)) return [low];
   const step = [1, 2, 5, 10].map((k) => k * 10 ** Math.floor(Math.log10((high - low) / count)))
