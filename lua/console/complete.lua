@@ -1,4 +1,4 @@
--- What Tab offers: names, fields and methods, keys of the table that is being written, names of the model in strings.
+-- Completions at Tab: names, fields and methods, keys of the table being written, names of the model in strings.
 local console, core = ...
 
 local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in",
@@ -16,7 +16,7 @@ local function beginning_with(names, start)
   return found
 end
 
---- The quote that is open at the end of the text and where its string begins; nil where there is none.
+--- The open quote at the end of the text and the begin of its string; nil if there is none.
 local function open_string(text)
   local quote, from
   local i = 1
@@ -60,7 +60,7 @@ local function add_names_of(model, names, place)
   end
 end
 
---- Files and folders that begin so; folders end with a slash, so that Tab goes on into them.
+--- Files and folders with this beginning; folders end with a slash, so that Tab continues into them.
 local function files_beginning_with(start)
   local folder, stem = start:match "^(.*/)([^/]*)$"
   if not folder then folder, stem = "", start end
@@ -75,7 +75,7 @@ end
 
 local file_calls = { motion = true, dofile = true, loadfile = true, open = true, lines = true }
 
---- Whether the string is a file's name: of a key or a function that takes one, or a path.
+--- True if the string is a file name: of a key or a function that takes one, or a path.
 local function is_file(before, start)
   local key, call = before:match "([%w_]+)%s*=%s*$", before:match "([%w_]+)%s*%(?%s*$"
   return start:find "/" or key == "file" or key == "script" or file_calls[call]
@@ -110,7 +110,7 @@ local function members_of(value, mark)
   return names
 end
 
---- The value of "a.b['c'][1]": names and keys alone, no calls.
+--- The value of "a.b['c'][1]": names and keys only, no calls.
 local function value_of_chain(session, chain)
   if chain:find "[%(%){}]" then return nil end
   local chunk = load("return " .. chain, "=console", "t", session.environment)
@@ -133,7 +133,7 @@ local function keys_of_call(session, before)
   return names
 end
 
---- The place (from 1) of the name at the end of `before`, and the names that could stand there.
+--- The position (from 1) of the name at the end of `before`, and its possible completions.
 function console.complete(before, session)
   local quote, from = open_string(before)
   if quote then

@@ -29,11 +29,11 @@ script::Host& host_of(lua_State* L) {
 
 using script::text_at;
 
-/// How long Lua code may go on after Ctrl-C before it is taken for endless [s]; a handler comes to its end before.
+/// Time that Lua code may continue after Ctrl-C before it counts as endless [s]; a handler ends earlier.
 constexpr double longest_wait = 0.5;
 
-/// What Tab offers, from console.complete(before, session): first letter (from 1), names. Session: stack index 2 of
-/// terminal.read, which is at work.
+/// Completions from console.complete(before, session): first letter (from 1), names. Session: stack index 2 of
+/// terminal.read, which is running.
 Completion complete(lua_State* L, const std::string& before) {
   Completion found;
   const int top = lua_gettop(L);
@@ -53,7 +53,7 @@ Completion complete(lua_State* L, const std::string& before) {
   return found;
 }
 
-/// terminal.read(prompt, session): a line, nil at the end of the input, false where Ctrl-C dropped it.
+/// terminal.read(prompt, session): a line, nil at the end of the input, false if Ctrl-C cancelled it.
 int read(lua_State* L) {
   script::Host& host = host_of(L);
   if (host.observer != nullptr) host.observer->clear();
@@ -63,7 +63,7 @@ int read(lua_State* L) {
   std::string line;
   const LineEditor::Read was = editor.read(text_at(L, 1), line);
   if (ending_signal() != 0) end_by_signal(host);
-  if (editor.terminal()) forget_interrupts();  // one that came while nothing ran
+  if (editor.terminal()) forget_interrupts();  // pressed while nothing ran
   if (was == LineEditor::Read::line)
     lua_pushlstring(L, line.data(), line.size());
   else if (was == LineEditor::Read::cancelled)
@@ -89,14 +89,14 @@ int write_error(lua_State* L) {
   return write_to(L, stderr);
 }
 
-/// terminal.told(): an error has come to where it is told; where it is an interrupt, that is over.
+/// terminal.told(): called before an error is printed; ends the handling of an interrupt.
 int told(lua_State* L) {
   quench_interrupt();
   if (session_of(L).editor.terminal()) forget_interrupts();
   return 0;
 }
 
-/// terminal.quit(code, why): ends the program; results are complete where `why` is "".
+/// terminal.quit(code, why): ends the program; results are complete if `why` is "".
 int quit(lua_State* L) {
   script::Host& host = host_of(L);
   const std::string why = text_at(L, 2);
@@ -201,8 +201,8 @@ bool ConsoleSession::manual(lua_State* L, const std::string& what, const std::st
 void ConsoleSession::on_interrupt(lua_State* L, lua_Debug* at) {
   ConsoleSession& session = session_of(L);
   if (ending_signal() != 0) end_by_signal(session.host_);
-  // A running stage pauses at its next step border, if the handler at work comes to its end; a second interrupt does
-  // not wait for that.
+  // A running stage pauses at its next step border, if the running handler ends; a second interrupt does not wait for
+  // that.
   if (session.host_.running > 0 && interrupts() == 1 && !is_raised() && session.editor.terminal() &&
       since_interrupt() < longest_wait) {
     wait_with_interrupt(L, 1000);

@@ -1,4 +1,4 @@
--- Whether the manual says of the Lua interface what it is: nothing left out, nothing that is not there, every key.
+-- Check of the manual against the Lua interface: no missing entries, no unknown entries, every key.
 local console, core = ...
 
 local function complain(list, ...) list[#list + 1] = string.format(...) end
@@ -39,7 +39,7 @@ local function check_there(list, manual)
   end
 end
 
--- An unknown key makes a constructor say which ones it knows.
+-- With an unknown key a constructor lists its known ones.
 local function keys_known(entry, things)
   local owner = console.table_of(entry.owner)
   local given = { zz_no_such_key_zz = 1 }
@@ -83,7 +83,7 @@ local function check_keys(list, manual)
   end
 end
 
---- What is wrong, in words; empty where the manual is whole.
+--- Errors of the manual as text; empty if it is complete.
 function console.undeclared()
   local manual, list = console.manual(), {}
   check_members(list, manual)

@@ -18,7 +18,7 @@ local function add_keys(lines, keys)
   end
 end
 
---- How it is called: "model:run{ duration = , to = , ... }".
+--- Call syntax: "model:run{ duration = , to = , ... }".
 function console.call_text(entry)
   if entry.is_field or entry.type then return entry.name end
   local names = {}
@@ -143,7 +143,7 @@ local function function_name(f)
   return nil
 end
 
---- Describes a value, or the object that a text names.
+--- Describes a value, or the object with the given name.
 function console.help_text(value, value_of)
   if value == nil then return overview() end
   if type(value) == "string" then return text_named(value, value_of) end

@@ -25,7 +25,7 @@ std::size_t terminal_width() {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/// libedit reads letters of several bytes as the locale says. Numbers stay as they are in every locale.
+/// libedit reads multibyte characters by the locale. Numbers are independent of it.
 void choose_letters() {
   const char* now = std::setlocale(LC_CTYPE, "");
   if (now == nullptr || std::strcmp(now, "C") == 0 || std::strcmp(now, "POSIX") == 0)
@@ -61,7 +61,7 @@ std::string in_columns(const std::vector<std::string>& names, std::size_t width)
   return text;
 }
 
-/// libedit's objects, and what its C functions are handed.
+/// libedit's objects, and the argument of its C callbacks.
 class LineEditor::Edited {
  public:
   explicit Edited(const LineHistory& known)
@@ -73,7 +73,7 @@ class LineEditor::Edited {
     el_set(edit_, EL_PROMPT, &Edited::prompt_of);
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
-    // While a line is typed, Ctrl-C is a key: it drops the line. While Lua runs, it is a signal.
+    // While a line is typed, Ctrl-C is a key that cancels the line. While Lua runs, it is a signal.
     el_set(edit_, EL_SETTY, "-d", "-isig", nullptr);
     el_set(edit_, EL_ADDFN, "trilith-complete", "Complete the name", &Edited::complete);
     el_set(edit_, EL_ADDFN, "trilith-cancel", "Drop the line", &Edited::cancel);
@@ -93,7 +93,7 @@ class LineEditor::Edited {
     prompt_ = prompt;
     cancelled_ = false;
     int count = 0;
-    el_set(edit_, EL_PREP_TERM, 1);  // before the prompt: a key pressed at its sight is a key, no signal
+    el_set(edit_, EL_PREP_TERM, 1);  // before the prompt: a key pressed at its sight is a key, not a signal
     const char* text = el_gets(edit_, &count);
     if (cancelled_) return Read::cancelled;
     if (text == nullptr || count <= 0) return Read::end;
@@ -171,7 +171,7 @@ void LineEditor::complete_with(std::function<Completion(const std::string&)> com
 
 namespace {
 
-/// Longer than any line of Lua: what has no end must not fill the memory.
+/// Longer than any line of Lua: unterminated input must not fill the memory.
 constexpr std::size_t longest_line = 1U << 20;
 
 }  // namespace

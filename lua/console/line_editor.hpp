@@ -1,4 +1,4 @@
-// Reads lines: edited, with history and completion, where a person types at a terminal; plainly from anything else.
+// Reads lines: edited, with history and completion, from a terminal; plainly from other input.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace trilith::program {
 
-/// What Tab offers: names that could stand in place of the text from byte `from` on.
+/// Completions at Tab: names that can replace the text from byte `from` on.
 struct Completion {
   std::size_t from = 0;
   std::vector<std::string> names;
@@ -18,18 +18,18 @@ struct Completion {
 
 class LineEditor {
  public:
-  enum class Read { line, end, cancelled };  ///< cancelled: Ctrl-C dropped what was typed
+  enum class Read { line, end, cancelled };  ///< cancelled: Ctrl-C dropped the typed text
 
   LineEditor();
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
   ~LineEditor();
 
-  /// True where a person types: both stdin and stdout are terminals.
+  /// True for an interactive terminal: both stdin and stdout are terminals.
   [[nodiscard]] bool terminal() const { return terminal_; }
-  /// What could stand at the end of `before`, the line up to the cursor.
+  /// Sets the function that completes `before`, the line up to the cursor.
   void complete_with(std::function<Completion(const std::string& before)> complete);
-  /// The next line, without its end. The prompt is shown on a terminal alone.
+  /// The next line, without its end. The prompt is shown only on a terminal.
   Read read(const std::string& prompt, std::string& line);
 
  private:
@@ -41,10 +41,10 @@ class LineEditor {
   std::unique_ptr<Edited> edited_;
 };
 
-/// The text that all names begin with.
+/// The common beginning of all names.
 std::string common_start(const std::vector<std::string>& names);
 
-/// Names in columns, for a screen of `width` letters; at most 200 of them.
+/// Names in columns, for a screen of `width` letters; at most 200 names.
 std::string in_columns(const std::vector<std::string>& names, std::size_t width);
 
 }  // namespace trilith::program

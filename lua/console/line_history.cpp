@@ -60,7 +60,7 @@ bool LineHistory::add(const std::string& line) {
     path_.clear();
   } else if (fresh) {
     using std::filesystem::perms;
-    std::filesystem::permissions(path_, perms::owner_read | perms::owner_write, error);  // lines are nobody else's
+    std::filesystem::permissions(path_, perms::owner_read | perms::owner_write, error);  // readable by the user only
   }
   return true;
 }

@@ -7,20 +7,20 @@
 
 namespace trilith::program {
 
-/// Where the lines are kept: $TRILITH_HISTORY where it is set ("" there: nowhere), else
-/// $XDG_STATE_HOME/trilith/console_history, else ~/.local/state/trilith/console_history; "" where there is no home.
+/// Path of the history file: $TRILITH_HISTORY if set ("": none), otherwise $XDG_STATE_HOME/trilith/console_history,
+/// otherwise ~/.local/state/trilith/console_history; "" without a home folder.
 std::filesystem::path history_path();
 
 class LineHistory {
  public:
-  /// Reads what is there; at most the last 2000 lines are kept. Nothing goes wrong where there is no such file.
+  /// Reads the file, at most its last 2000 lines. A missing file is no error.
   explicit LineHistory(std::filesystem::path path);
 
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
-  /// Adds a line, here and in the file, unless it is empty, begins with a blank or repeats the last one. False where
-  /// it was not new. A file that cannot be written is left alone from then on.
+  /// Adds a line, here and in the file, unless it is empty, begins with a blank or repeats the last one. False if it
+  /// was not added. A file that cannot be written is ignored from then on.
   bool add(const std::string& line);
-  /// Why the file is not written, once; "" where it is.
+  /// Reason for which the file cannot be written, returned once; "" otherwise.
   [[nodiscard]] std::string take_complaint();
 
  private:

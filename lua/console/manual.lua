@@ -1,8 +1,8 @@
--- The manual: every declaration of the Lua interface, from lua/manual/*.lua, from the properties of the kinds of
--- handles and from the laws' parameters. Help, completion for editors and the reference pages are all made of it.
+-- The manual: all declarations of the Lua interface, from lua/manual/*.lua, from the properties of the kinds of handles
+-- and from the laws' parameters. Help, completion for editors and the reference pages are made from it.
 local console, core = ...
 
--- Names in declarations: the kind of handle they belong to.
+-- Names in declarations: the kind of handle.
 local kind_names = {
   model = "model", body = "body", set = "set of bodies", bearing = "bearing", seat = "seat", history = "history",
   storey = "storey", motion = "motion", ["contact law"] = "contact law", section = "section",
@@ -123,7 +123,7 @@ local function add_tables(manual, page)
   end
 end
 
---- The types of events: what the engine says of their values, with a sentence of a page for each.
+--- The types of events: the engine's description of their values, with a sentence of a page for each.
 local function add_events(manual, page)
   local sentences = {}
   for line in page.events:gmatch "[^\n]+" do
@@ -151,7 +151,7 @@ local function add_examples(manual)
   end
 end
 
---- All of it: { by_name, list (in order of pages), pages }.
+--- The whole manual: { by_name, list (in order of pages), pages }.
 function console.manual()
   if console.manual_made then return console.manual_made end
   local manual = { by_name = {}, list = {}, pages = {}, module = core.module }
@@ -183,13 +183,13 @@ function console.manual()
   return manual
 end
 
---- The table of functions that an owner of entries names: the module or one in it; nil for kinds of handles.
+--- The table of functions for an owner of entries: the module or a table in it; nil for kinds of handles.
 function console.table_of(owner)
   local inner = owner:match "^trilith%.(%w+)$"
   return owner == "trilith" and core.module or inner and rawget(core.module, inner) or nil
 end
 
---- The name in declarations of a kind of handle: "set" for "set of bodies".
+--- The name of a kind of handle in declarations: "set" for "set of bodies".
 function console.owner_of(kind)
   for owner, name in pairs(kind_names) do
     if name == kind then return owner end
@@ -198,7 +198,7 @@ function console.owner_of(kind)
 end
 console.kind_names = kind_names
 
---- Entries that `text` names: "m.consolidate" where m is a handle, "model:run", "trilith.build.wall", "run".
+--- Entries named by `text`: "m.consolidate" where m is a handle, "model:run", "trilith.build.wall", "run".
 function console.entries_named(text, value_of)
   local manual = console.manual()
   local event = manual.by_name[('event "%s"'):format(text)]
@@ -218,7 +218,7 @@ function console.entries_named(text, value_of)
       table.insert((not first or entry.owner == first) and found or of_others, entry)
     end
   end
-  -- "m.run" before there is an m: what is called so, whosever it is.
+  -- "m.run" without a variable m: all entries of this name, of any owner.
   if #found == 0 and first and not kind_names[first] and first ~= "trilith" then return of_others end
   return found
 end

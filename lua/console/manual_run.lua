@@ -1,4 +1,4 @@
--- trilith manual: (what, name) gives a text, or nil and why not.
+-- trilith manual: `(what, name)` returns a text, or nil and the reason.
 local console = ...
 
 function console.manual_text(what, name)

@@ -96,7 +96,7 @@ local function field_type(entry)
 end
 
 local function add_class(lines, owner)
-  -- A model in space is a model with other makers of bodies.
+  -- A model in space is a model with other builders of bodies.
   lines[#lines + 1] = "---@class " .. class_of[owner] .. (owner == "space" and ": trilith.model" or "")
   for _, entry in ipairs(console.manual().list) do
     if entry.owner == owner and entry.is_field then

@@ -1,4 +1,4 @@
--- The manual as pages of Markdown: docs/reference is made of it.
+-- The manual as pages of Markdown, from which docs/reference is made.
 local console = ...
 
 local function cell(text)
@@ -99,7 +99,7 @@ local function add_fields(lines, entries)
   end
 end
 
---- One page, or without a name the list of them.
+--- One page, or without a name the list of pages.
 function console.page_markdown(name)
   local lines, fields, known = {}, {}, false
   if not name then
@@ -130,7 +130,7 @@ function console.page_markdown(name)
   return table.concat(lines, "\n") .. "\n"
 end
 
---- Names of the pages, a line each.
+--- Names of the pages, one per line.
 function console.page_names()
   local names = {}
   for i, page in ipairs(console.manual().pages) do names[i] = page.name end

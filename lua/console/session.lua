@@ -1,7 +1,8 @@
--- The console: reads lines, runs them, shows what they give. One session at the top, further ones where a run pauses.
+-- The console: reads lines, runs them, shows their results. One session at the top level, further ones at pauses of a
+-- run.
 local console, core, terminal = ...
 
-local kept = {} -- names that outlive the chunk that declared them as locals
+local kept = {} -- names that outlive the chunk in which they were local
 console.kept = kept
 
 --- Keeps the locals of the function at `level` (seen from the caller) under their names.
@@ -13,8 +14,8 @@ local function keep_locals(level)
   end
 end
 
--- The first line of each chunk begins with it: its locals are kept when the chunk is left. Where an error leaves it,
--- the chunk is gone by then, and the message handler has kept them.
+-- Beginning of the first line of each chunk: its locals are kept when the chunk is left. After an error the chunk has
+-- ended already, and the message handler has kept them.
 console.prelude = "local _kept <close> = require 'trilith.kept'; "
 package.loaded["trilith.kept"] = setmetatable({}, { __close = function(_, failure)
   if failure == nil then keep_locals(2) end
@@ -38,7 +39,7 @@ local function keep_failed()
   end
 end
 
---- The frames of the user's own functions below the caller, innermost first, where a run pauses.
+--- The frames of the user's own functions below the caller, innermost first, at a pause of a run.
 local function frames_now()
   local total = 1
   while debug.getinfo(total + 1, "l") do total = total + 1 end
@@ -53,7 +54,7 @@ local function frames_now()
   return frames, coroutine.running()
 end
 
---- Calls f(get, set, count) style access on locals and upvalues of a frame; nil where the name is not there.
+--- Access by get, set and count functions to locals and upvalues of a frame; nil for an unknown name.
 local function frame_variable(session, name)
   local frame = session.frames[session.frame]
   if not frame or coroutine.running() ~= session.thread then return nil end
@@ -79,7 +80,7 @@ local function frame_variable(session, name)
   return nil
 end
 
---- Every name that a chunk of this session sees.
+--- All names visible to a chunk of this session.
 function console.names_of(session)
   local names, seen = {}, {}
   local function add(name)
@@ -110,7 +111,7 @@ function console.names_of(session)
   return names
 end
 
---- The value of a name, without an error where there is none.
+--- The value of a name; no error for an unknown name.
 function console.value_of(session, name)
   local variable = frame_variable(session, name) or kept[name]
   if variable then return variable.value end
@@ -118,7 +119,8 @@ function console.value_of(session, name)
   return rawget(_G, name)
 end
 
--- What the chunks of a session see: locals and upvalues of the chosen frame, names kept, words of the console, globals.
+-- Environment of the chunks of a session: locals and upvalues of the chosen frame, kept names, console commands,
+-- globals.
 local function environment_of(session)
   return setmetatable({}, {
     __index = function(_, name)
@@ -145,7 +147,7 @@ local function environment_of(session)
   })
 end
 
---- The text as a function; or nil, a message, and true where only more lines are missing.
+--- The text as a function; or nil, a message, and true if only further lines are missing.
 local function compile(text, environment)
   local chunk = load("return " .. text, "=console", "t", environment)
   if chunk then return chunk end
@@ -155,8 +157,8 @@ local function compile(text, environment)
   return nil, message, message:find "near <eof>$" ~= nil
 end
 
---- A message handler: the message without the console's own part of the traceback, and without a place that says
---- nothing. The locals of what failed are kept.
+--- A message handler: the message without the console's own part of the traceback, and without a meaningless place. It
+--- keeps the locals of the failed function.
 function console.told(message)
   terminal.told()
   keep_failed()
@@ -190,7 +192,7 @@ local function show_results(session, ...)
   end
 end
 
---- Runs a chunk; what it gives is shown. False where it failed.
+--- Runs a chunk and shows its results. False if it failed.
 local function run(session, chunk)
   local results = table.pack(xpcall(chunk, told))
   if not results[1] then
@@ -202,12 +204,13 @@ local function run(session, chunk)
   return shown
 end
 
---- Reads one chunk: lines until it is whole. Its function and text, or nil and a message; false where the input ends.
+--- Reads one chunk: lines until it is complete. Returns its function and text, or nil and a message; false at the end
+--- of the input.
 local function read(session)
   local text = nil
   while true do
     local line = terminal.read(text and (" "):rep(#session.prompt - 3) .. ">> " or session.prompt, session)
-    if line == false then return nil, nil end -- Ctrl-C drops what was typed
+    if line == false then return nil, nil end -- Ctrl-C drops the typed text
     if not line then
       if text then return nil, "the input ends within a chunk:\n" .. text end
       return false
@@ -227,18 +230,18 @@ local function new_session(prompt, frames, thread)
   local session = { prompt = prompt, frames = frames, frame = 1, thread = thread, words = {}, acts = {} }
   session.environment = environment_of(session)
   console.add_words(session)
-  session.words.trilith = core.module -- there without `require`, as nobody wants to type it first
+  session.words.trilith = core.module -- available without `require`, for convenience
   return session
 end
 
---- Reads and runs chunks until the session is left. True where no chunk failed.
+--- Reads and runs chunks until the session is left. True if no chunk failed.
 local function loop(session)
   local all_good, ends = true, 0
   while not session.left do
     local chunk, message = read(session)
     if chunk then
       ends = 0
-      -- What is typed in a pause is no part of the script: the results say it.
+      -- Input during a pause is not part of the script: the results record it.
       if session.model then core.note(session.model, ("console at %.6g s: %s"):format(session.model.time, message)) end
       local good = run(session, chunk)
       all_good = good and all_good
@@ -259,13 +262,13 @@ local function loop(session)
   console.failed = console.failed or not all_good
 end
 
---- The console at the top, until it is left. True where no chunk has failed.
+--- The console at the top level, until it is left. True if no chunk has failed.
 function console.top()
   loop(new_session("> ", {}, coroutine.running()))
   return not console.failed
 end
 
---- The console where `model`, or (nil) a script, pauses: gives back when it is to go on.
+--- The console at a pause of `model`, or (nil) of a script: returns when it continues.
 function console.pause(why, model)
   local frames, thread = frames_now()
   local session = new_session(model and prompt_at(model) or "paused> ", frames, thread)

@@ -1,4 +1,4 @@
--- How values are shown at the console: readable, and never longer than a screen.
+-- Display of values at the console: readable, and never longer than a screen.
 local console, core = ...
 
 local most_entries, most_depth, most_width = 24, 3, 100
@@ -73,7 +73,7 @@ function console.show_rows(rows)
   return #lines == 0 and "none" or table.concat(lines, "\n")
 end
 
---- The text of a value, of several lines where it has much to say.
+--- The text of a value, with several lines for a complex one.
 function console.show(value)
   local kind = core.kind_of(value)
   if kind then return console.show_handle(value, kind) end
@@ -88,7 +88,7 @@ local function value_text(value, unit)
   return #text <= 60 and text or text:sub(1, 57) .. "..."
 end
 
--- Of a model those that are quick to find; of the others all but these.
+-- For a model the numbers that need no evaluation; for other kinds all except these.
 local of_model = { time = true, steps = true, dt = true, speed = true, ratio = true }
 local of_deformed = { sxx = true, syy = true, szz = true, sxy = true, syz = true, szx = true, plastic = true }
 
@@ -106,10 +106,10 @@ local function names_in(set)
   return table.concat(names, ", ")
 end
 
--- Rows of a model that its first stage makes.
+-- Kinds with properties that the first stage of a model creates.
 local needs_stage = { bearing = true, seat = true, storey = true, model = true }
 
---- A body, bearing, set, ...: its title and every number that can be read, with its unit.
+--- A body, bearing, set, ...: its title and all numbers that can be read, with units.
 function console.show_handle(handle, kind)
   local lines = { tostring(handle) }
   if kind == "model" then

@@ -1,4 +1,4 @@
--- The words of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
+-- Commands of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
 local console, core, terminal = ...
 
 local function frame_line(session, i)
@@ -10,17 +10,17 @@ local function need_pause(session, word)
   if not session.paused then core.fail(word .. ": no run pauses here") end
 end
 
---- Adds the words to a session.
+--- Adds the commands to a session.
 function console.add_words(session)
   local words = session.words
 
-  --- Lets the run go on.
+  --- Continues the run.
   words["continue"] = function()
     need_pause(session, "continue")
     session.left = true
   end
 
-  --- Ends the stage at this border, and lets the script go on.
+  --- Ends the stage at this border, and continues the script.
   function words.stop()
     need_pause(session, "stop")
     if not session.model then core.fail "stop: no stage runs here" end
@@ -34,13 +34,13 @@ function console.add_words(session)
   end
   words.exit = words.quit
 
-  --- Lists the user's functions that are at work, innermost first.
+  --- Lists the running functions of the user, innermost first.
   function words.where()
     need_pause(session, "where")
     for i = 1, #session.frames do terminal.write(frame_line(session, i)) end
   end
 
-  --- Chooses the frame whose locals are seen.
+  --- Chooses the frame whose locals are visible.
   function words.frame(i)
     need_pause(session, "frame")
     if not session.frames[i] then core.fail(("frame: there are frames 1 to %d"):format(#session.frames)) end

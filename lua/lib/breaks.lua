@@ -1,4 +1,4 @@
--- Where a run is to pause: m:break_on, m:breaks, m:break_off. A pause opens the console at the next step border.
+-- Breakpoints of a run: m:break_on, m:breaks, m:break_off. A pause opens the console at the next step border.
 local _, core = ...
 local model_methods = core.members "model"
 
@@ -43,7 +43,7 @@ local function on_condition(model, stop, when)
   end)
 end
 
--- Lines of scripts. A hook looks at each line that is run, so it is set only while there are such breaks.
+-- Breakpoints at lines of scripts. A hook tests each line, so it is set only while there are such breakpoints.
 local lines = {}
 
 local function at_line(_, line)
@@ -59,7 +59,7 @@ local function at_line(_, line)
   end
 end
 
---- Sets the hook where it is needed; the console calls it after an interrupt, which takes it away.
+--- Sets the hook if necessary; the console calls it after an interrupt, which removes the hook.
 function core.arm_lines()
   if next(lines) and core.has_console() then debug.sethook(at_line, "l") end
 end
@@ -80,7 +80,7 @@ local function on_line(stop, place)
 end
 
 --- m:break_on "bearing.failed", m:break_on{ "impact", body = "S3", above = 1 }, m:break_on(function(m) return ... end),
---- m:break_on{ line = "bridge.lua:40" }: the run pauses there. Gives the number of this break.
+--- m:break_on{ line = "bridge.lua:40" }: pauses the run there. Returns the number of this breakpoint.
 function model_methods.break_on(model, options)
   if type(options) == "string" then options = { options } end
   if type(options) == "function" then options = { when = options } end
@@ -110,7 +110,7 @@ function model_methods.break_on(model, options)
   return stop.number
 end
 
---- m:break_off(number): that break is over; without a number all are.
+--- m:break_off(number): removes that breakpoint; without a number all of them.
 function model_methods.break_off(model, number)
   local breaks = core.own(model).breaks
   if number ~= nil and not breaks[number] then
@@ -121,7 +121,7 @@ function model_methods.break_off(model, number)
   end
 end
 
---- m:breaks(): those that hold, in words by number.
+--- m:breaks(): the active breakpoints, in words by number.
 function model_methods.breaks(model)
   local list = {}
   for i, stop in ipairs(core.own(model).breaks) do
@@ -130,7 +130,7 @@ function model_methods.breaks(model)
   return list
 end
 
---- m:continue(): lets a run that pauses go on, or the stage that rewind has brought back.
+--- m:continue(): continues a paused run, or the stage that rewind has restored.
 model_methods["continue"] = function(model)
   if core.paused(model) then return core.leave_pause() end
   return core.resume(model)

@@ -37,7 +37,7 @@ local function check_number(owner, row, key, preset)
   return value
 end
 
--- What follows from the bridge as a whole is not for its rows to say.
+-- Rejects keys of rows that follow from the bridge as a whole.
 local function refuse(owner, row, ...)
   for _, key in ipairs { ... } do
     if row[key] ~= nil then
@@ -73,7 +73,7 @@ local function check(options)
   return supports, spans
 end
 
--- What the row says, and where it says nothing, what all of its kind have in common.
+-- The values of the row; for missing keys the common values of its kind.
 local function merged(...)
   local all = {}
   for _, t in ipairs { ... } do
@@ -88,7 +88,7 @@ local function owner_of(kind, row, i)
   return type(row.name) == "string" and ("%s '%s'"):format(kind, row.name) or ("bridge: %s %d"):format(kind, i)
 end
 
--- Makes support i, `rise` lower than the underside of the deck: by the height of the bearings on it.
+-- Makes support i, `rise` lower than the soffit: by the height of its bearings.
 local function add_support(model, options, row, place)
   local owner = owner_of(place.kind, row, place.i)
   local height = check_number(owner, row, "height")
@@ -131,8 +131,8 @@ local function add_supports(model, options, supports, spans, soffit)
   return made
 end
 
---- All of a bridge or nothing: a script that catches the error has the model as it was. Into a model that has run it
---- comes as a whole, as a deck stands on its bearings alone.
+--- Adds a whole bridge or nothing: if a script catches the error, the model is unchanged. A model that has run receives
+--- it as a whole, because a deck is supported by its bearings only.
 function core.whole_bridge(model, make)
   local whole = false
   local _ <close> = setmetatable({}, { __close = function()
@@ -160,8 +160,8 @@ local function made_of(model, options, supports, spans)
   return bridge
 end
 
---- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name;
---- in space what core.bridge_in_space says.
+--- m:bridge{ supports = {...}, spans = {...}, gap =, seat =, ... }: { supports, spans }, each in order and by name; in
+--- space see core.bridge_in_space.
 function model_methods.bridge(model, options)
   if model.dim == 3 then return core.bridge_in_space(model, options) end
   local supports, spans = check(options)

@@ -1,8 +1,8 @@
--- What a bridge in space is made of: solids of supports and decks, members of bents and of grillages.
+-- Bodies of a bridge in space: polyhedra of supports and decks, members of bents and of grillages.
 local _, core = ...
 local body_words = core.bridge_rules.body_words
 local portable = core.module.math
-local standard_gravity = 9.80665 -- m/s2, by which weights are told everywhere
+local standard_gravity = 9.80665 -- [m/s2], for weights in messages
 
 --- The convex solid between two lines x = place - slope y, each { place, slope }, from y0 to y1 and from z0 to z1.
 local function solid(a, b, y0, y1, z0, z1)
@@ -15,7 +15,7 @@ local function solid(a, b, y0, y1, z0, z1)
   return { hull = hull }
 end
 
---- A row's words of a body, with what the builder says of it.
+--- The body keys of a row, together with the values of the builder.
 local function described(row, group, more)
   for _, key in ipairs(body_words) do more[key] = row[key] end
   local given = row.groups
@@ -95,7 +95,7 @@ local function add_pier(model, s)
   return model:body(described(s, "piers", { pieces = pieces }))
 end
 
---- Places of the joints of a cap: over columns, at its ends, and under girders that are not close to one of these.
+--- Positions of the joints of a cap: over columns, at its ends, and under girders that are not close to one of these.
 local function cap_places(plan, s, columns)
   local at = table.move(columns, 1, #columns, 1, {})
   local function add(y, close)
@@ -105,7 +105,8 @@ local function cap_places(plan, s, columns)
     at[#at + 1] = y
   end
   for _, y in ipairs { -0.5*s.breadth, 0.5*s.breadth } do add(y, 1e-6) end
-  for _, line in ipairs(plan.lines) do add(line.y, 0.5*s.cap_thickness) end -- short deep beams would want short steps
+  for _, line in ipairs(plan.lines) do add(line.y, 0.5*s.cap_thickness) end -- short deep beams would require short
+                                                                            -- steps
   table.sort(at)
   return at
 end
@@ -146,7 +147,7 @@ local function add_bent(model, plan, s)
   return model:frame(words)
 end
 
---- Where diaphragms stand, as shares of the way from the left end to the right one.
+--- Positions of diaphragms as shares of the distance from the left end to the right one.
 local function shares(count)
   local out = {}
   for k = 1, count do out[k] = count == 1 and 0.5 or (k - 1)/(count - 1) end
@@ -175,9 +176,9 @@ local function add_solid_deck(model, plan, v)
   return model:body(described(v, "spans", { pieces = pieces }))
 end
 
---- A grillage: a member on each girder line from end to end of the deck, and cross beams between the lines, the outer
---- ones a girder's depth from the ends: short deep beams would want short steps. Bearings hang on the nodes nearest to
---- them by rigid arms.
+--- A grillage: a member on each girder line from end to end of the deck, and cross beams between the lines. The outer
+--- cross beams are a girder's depth from the ends, because short deep beams would require short steps. Rigid arms
+--- connect the bearings to the nearest nodes.
 local function add_grillage(model, plan, v)
   local z, d, inset = plan.bridge.soffit_level + v.section.below, v.diaphragm, v.section.depth
   local joints, members = {}, {}

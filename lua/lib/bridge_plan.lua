@@ -1,6 +1,6 @@
--- A bridge in space worked out from its tables, before anything is made: where girder lines, axes, joints, seats and
--- bearings lie. x runs along the bridge, y across it to the left, z up. A joint that is turned by the skew s lies at
--- x = axis - tan(s) y, and so do the edges of its seats; lengths along the bridge are the same on all girder lines.
+-- Plan of a bridge in space, computed from its tables before any body is made: positions of girder lines, axes, joints,
+-- seats and bearings. x is along the bridge, y across it to the left, z up. A joint with the skew s lies at x = axis -
+-- tan(s) y, and so do the edges of its seats; lengths along the bridge are equal on all girder lines.
 local _, core = ...
 local read, fail, what_is = core.bridge_rules.read, core.bridge_rules.fail, core.bridge_rules.what_is
 
@@ -13,7 +13,7 @@ local function owner_of(kind, row, i)
     or ("bridge: %s %d"):format(kind, i)
 end
 
---- Girder lines from right to left: { name, y }, and how broad a girder is.
+--- Girder lines from right to left: { name, y }, and the width of a girder.
 local function girder_lines(given, half)
   local owner, lines = "bridge: girders", {}
   local g = read("girders", owner, given)
@@ -74,7 +74,7 @@ local function foundation_of(owner, given)
   return found
 end
 
---- Of a bent, whose columns carry the seats by a cap.
+--- Checks a bent, whose columns carry the seats by a cap.
 local function check_columns(owner, v)
   if v.columns > 1 and not v.column_spacing then fail(owner, "'column_spacing' is missing; give a number in m") end
   if v.cap_thickness == 0 then fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap") end
@@ -89,7 +89,7 @@ local function check_columns(owner, v)
   end
 end
 
---- Of one whose columns are members.
+--- Checks a bent whose columns are members.
 local function check_members(owner, v)
   if v.shear_key and not v.shear_key.law then
     fail(owner, "a solid shear key stands on a rigid cap; on one of members give shear_key = { law = }")
@@ -125,7 +125,7 @@ local function check_pier(owner, v)
   end
 end
 
---- Of the bearings at both sides of a support: all are equally high, as its top is level.
+--- Height of the bearings at both sides of a support: all are equal, because its top is level.
 local function rise_of(plan, i, owner)
   local rise
   for _, at in ipairs { { i - 1, 2 }, { i, 1 } } do
@@ -234,14 +234,14 @@ local function read_span(model, plan, options, i)
   return v
 end
 
---- The ends of a span: places on the line y = 0, and the way from each end into the span.
+--- The ends of a span: positions on the line y = 0, and the direction from each end into the span.
 local function lay_span(plan, i)
   local v = plan.spans[i]
   v.ends = {}
   for side = 1, 2 do
     local s, way = plan.supports[i + side - 1], side == 1 and 1 or -1
     local x = s.x + way*0.5*s.gap
-    -- Girders that are members end square: their corners keep half the joint, where it is turned.
+    -- Girders as members end square: at a skewed joint their corners keep half of the joint.
     local set_back = v.section and 0.5*plan.girder*math.abs(s.slope) or 0
     v.ends[side] = { support = s, way = way, x = x, set_back = set_back, edge = x + way*s.seat,
       bearing = x + way*0.5*s.seat,
@@ -264,7 +264,7 @@ local function lay_span(plan, i)
   end
 end
 
---- Solid keys stand beside what the deck rests on: girders under a slab that passes over them, or the solid deck.
+--- Solid keys are next to the supported part of the deck: girders under a slab above the keys, or the solid deck.
 local function lay_keys(plan, i)
   local s = plan.supports[i]
   local key = s.shear_key
@@ -295,7 +295,7 @@ local function check_names(rows, kind)
   return seen
 end
 
---- The whole of it; an error where something is wrong.
+--- The whole plan; an error for invalid input.
 function core.bridge_plan(model, options)
   if type(options) ~= "table" then
     fail("bridge", "takes a table { supports = , spans = , ... }; this is %s", what_is(options))

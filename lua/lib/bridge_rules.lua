@@ -1,4 +1,4 @@
--- What the tables of a bridge in space may say: kind, unit and range of each key. What is wrong is told in one line.
+-- Keys of the tables of a bridge in space: kind, unit and range of each. Errors are reported in one line.
 local _, core = ...
 
 local function number(unit, rule)
@@ -6,17 +6,17 @@ local function number(unit, rule)
   rule.kind, rule.unit = "number", unit
   return rule
 end
-local function above(rule) -- a length that may not be 0
+local function above(rule) -- a length above 0
   rule = number("m", rule)
   rule.above = 0
   return rule
 end
-local function least(rule) -- one that may
+local function least(rule) -- a length that may be 0
   rule = number("m", rule)
   rule.least = 0
   return rule
 end
--- A skew beyond 75 degrees would be four times as long along the bridge as across; 30 is meant in degrees.
+-- Beyond a skew of 75 degrees the length along the bridge is four times the length across; 30 probably means degrees.
 local function skew(preset)
   return number("rad", { preset = preset, least = -75*math.pi/180, most = 75*math.pi/180,
     hint = "30*deg is 30 degrees" })
@@ -28,7 +28,7 @@ local function with(rules, more)
   return rules
 end
 
--- What m:body says of a body besides name and shape goes on to it as it is.
+-- Keys of m:body except name and shape are passed on unchanged.
 local body_words = { "material", "groups", "density", "unit_weight", "mass", "weight" }
 local body = {}
 for _, key in ipairs(body_words) do body[key] = { kind = "any" } end
@@ -78,7 +78,7 @@ local rules = {
   },
 }
 
-local sorted = {} -- keys of each of them in an order that is always the same
+local sorted = {} -- keys of each kind in a fixed order
 for kind, of_kind in pairs(rules) do
   sorted[kind] = {}
   for key in pairs(of_kind) do table.insert(sorted[kind], key) end
@@ -148,7 +148,7 @@ local function check_known(kind, owner, given)
   if unknown then fail(owner, "unknown key '%s'%s", shown(unknown), core.hint(unknown, sorted[kind])) end
 end
 
---- The values of a row of this kind: of the tables, each of which may be nil, the first that says it counts.
+--- The values of a row of this kind: for each key the first of the tables, which may be nil, that contains it.
 local function read(kind, owner, ...)
   local tables, values = {}, {}
   for i = 1, select("#", ...) do

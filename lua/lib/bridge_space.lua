@@ -1,12 +1,12 @@
--- m:bridge{...} of a model in space: bodies, ground, foundations, bearings, seats and keys of what the plan says, and
--- the table by which a script finds them. Where something is wrong, nothing of it stays in the model.
+-- m:bridge{...} of a model in space: bodies, ground, foundations, bearings, seats and keys from the plan, and the table
+-- by which a script finds them. After an error nothing of it remains in the model.
 local _, core = ...
 local read, fail, what_is = core.bridge_rules.read, core.bridge_rules.fail, core.bridge_rules.what_is
 local trilith = core.module
-local Bridge = {} -- methods of what m:bridge gives
+local Bridge = {} -- methods of the result of m:bridge
 Bridge.__index = Bridge
 
---- What stands on the ground: half its length and its breadth there, and the middle along the bridge.
+--- Base of a support on the ground: half of its length and width, and its middle along the bridge.
 local function base_of(plan, s, i)
   if s.kind == "abutment" then
     local _, front, back = core.bridge_places.abutment(s, i == 1 and 1 or -1)
@@ -43,7 +43,7 @@ local function body_called(model, owner, name)
   return fail(owner, "ground: there is no body '%s'%s", name, core.hint(name, names))
 end
 
---- What a support says of its ground, before anything is made: the values of a block, or a body that is there.
+--- Ground of a support, before any body is made: the values of a block, or an existing body.
 local function read_ground(model, s)
   local given = s.ground
   if given == nil or type(given) == "userdata" and core.kind_of(given) == "body" then return given end
@@ -57,7 +57,7 @@ local function add_ground(model, plan, s, i)
   return type(s.ground) == "table" and add_block(model, plan, s, i) or s.ground
 end
 
---- Springs of a rigid disc of this area on an elastic half space, as the laws of a bearing (Gazetas 1991).
+--- Springs of a rigid disc of this area on an elastic half space, as laws of a bearing (Gazetas 1991).
 local function half_space(f, area)
   local r, g, nu = math.sqrt(area/math.pi), f.soil, f.poisson
   local function spring(k) return trilith.linear { stiffness = k, damping = f.beta*k } end
@@ -66,7 +66,7 @@ local function half_space(f, area)
     turning_axial = spring(16/3*g*r*r*r) }
 end
 
---- What carries a support on its ground: one link at the middle of its base, of members one at each foot.
+--- Foundation of a support on its ground: one link at the middle of its base, or one at each foot of members.
 local function add_foundations(model, plan, s, i, body, ground)
   if not s.foundation then return {} end
   local half, broad, x = base_of(plan, s, i)
@@ -83,7 +83,7 @@ local function add_foundations(model, plan, s, i, body, ground)
     for key, law in pairs(laws) do link[key] = law end
     links[k] = model:bearing(link)
   end
-  -- Springs of the ground that also carry stand for its contact with the base, all of it.
+  -- Ground springs with an axial law replace the whole contact of ground and base.
   if laws.axial then plan.apart[#plan.apart + 1] = { ground.name, s.name } end
   return links
 end
@@ -106,7 +106,7 @@ local function add_lines(model, plan, v, side, deck, out)
   end
 end
 
---- The seats of the outer girders sideways, to the end of the support's top; and the key there, where it is a bearing.
+--- Sideways seats of the outer girders, up to the end of the support's top; and the key there, if it is a bearing.
 local function add_sideways(model, plan, v, side, deck)
   local e, soffit, out = v.ends[side], plan.bridge.soffit_level, {}
   local s = e.support
@@ -141,7 +141,7 @@ local function add_links(model, plan, bridge, made)
   end
 end
 
---- What follows the ground at each support: its ground, or the support itself where that is fixed.
+--- The body that follows the ground motion at each support: its ground, or the support itself if that is fixed.
 local function driven_by(s, ground, body)
   if ground then return ground end
   return (s.section and not s.foundation or s.support ~= nil) and body or nil
@@ -169,12 +169,12 @@ end
 
 local function built(model, options)
   local plan = core.bridge_plan(model, options)
-  plan.apart = {} -- names of grounds and supports that do not touch
+  plan.apart = {} -- names of grounds and supports without contact
   for _, s in ipairs(plan.supports) do s.ground = read_ground(model, s) end
   return core.whole_bridge(model, function() return made_of(model, plan) end)
 end
 
---- The motion at support i along one axis: of all supports, or of a list; late by its delay, or as the wave passes.
+--- The motion at support i along one axis, common to all supports or from a list, delayed by its delay or the wave.
 local function motion_at(bridge, given, key, i)
   local motion = given[key]
   if type(motion) == "table" then
@@ -208,7 +208,7 @@ local function check_delays(bridge, given)
   end
 end
 
---- bridge:motions{ x =, y =, z =, velocity =, delay = }: the list that m:shake{ motions = } takes.
+--- bridge:motions{ x =, y =, z =, velocity =, delay = }: the list for m:shake{ motions = }.
 function Bridge:motions(given)
   given = read("motions", "motions", given)
   check_delays(self, given)

@@ -1,4 +1,4 @@
--- m:calibrate{...}: a stiffness that gives a measured frequency; trilith.rayleigh{...}: damping of mass and stiffness.
+-- m:calibrate{...}: fits a stiffness to a measured frequency; trilith.rayleigh{...}: damping by mass and stiffness.
 local trilith, core = ...
 local model_methods = core.members "model"
 
@@ -65,7 +65,7 @@ local function what_may_vary(model)
   return names
 end
 
---- { law =, key =, value = } of each name; one of them sets the bounds.
+--- { law =, key =, value = } of each name; one of them determines the bounds.
 local function read_varied(model, vary)
   local list = type(vary) == "string" and { vary } or vary
   if type(list) ~= "table" or #list == 0 then
@@ -90,7 +90,7 @@ local function read_varied(model, vary)
   return varied
 end
 
---- Modal assurance of two shapes by the bodies they share: (a . b)^2 / (a . a) (b . b).
+--- Modal assurance criterion of two shapes over their common bodies: (a . b)^2 / (a . a) (b . b).
 local function likeness(a, b)
   local ab, aa, bb = 0, 0, 0
   for body, s in pairs(a) do
@@ -102,7 +102,7 @@ local function likeness(a, b)
   return aa > 0 and bb > 0 and ab^2/(aa*bb) or 0
 end
 
---- Frequency of the mode that is asked for, as the model is now; with a shape, the mode most like it.
+--- Frequency of the requested mode in the present model; with a shape, of the mode most similar to it.
 local function frequency_now(model, options)
   local found = core.quiet_modes(model, math.max(options.mode, options.shape and 10 or 1))
   if not options.shape then
@@ -122,7 +122,7 @@ end
 local Search = {}
 Search.__index = Search
 
---- Sets all that vary to `value` of the first, in their ratio, and finds the frequency.
+--- Sets all varied numbers in their ratio, with `value` for the first, and finds the frequency.
 function Search:try(value)
   for _, row in ipairs(self.varied) do
     core.set_law_number(self.model, row.law, row.key, row.value*value/self.varied[1].value)
@@ -140,7 +140,7 @@ function Search:restore()
   for _, row in ipairs(self.varied) do core.set_law_number(self.model, row.law, row.key, row.value) end
 end
 
---- A stiffer joint must not have a lower frequency, or there is more than one answer.
+--- A stiffer joint must not have a lower frequency, otherwise the solution is not unique.
 function Search:check_rising()
   local sorted = { table.unpack(self.tries) }
   table.sort(sorted, function(a, b) return a.value < b.value end)
@@ -154,7 +154,8 @@ function Search:check_rising()
   end
 end
 
---- False position in the logarithms, Illinois' way: the end that stays is halved (Dowell and Jarratt, BIT 11, 1971).
+--- False position in the logarithms with the Illinois modification: the value at the retained end is halved (Dowell and
+--- Jarratt, BIT 11, 1971).
 function Search:find(low, high, tolerance)
   local a, b = math.log(low), math.log(high)
   local fa, fb = self:try(low), self:try(high)
@@ -167,7 +168,7 @@ function Search:find(low, high, tolerance)
   local last = 0
   for _ = 1, 60 do
     local at = b - fb*(b - a)/(fb - fa)
-    -- Near an end of a flat curve the middle comes nearer.
+    -- Near an end of a flat curve bisection converges faster.
     if not (at > a and at < b) or #self.tries > 12 and (b - a) > 0.5 then at = 0.5*(a + b) end
     local f = self:try(math.exp(at))
     self:check_rising()
@@ -196,7 +197,7 @@ end
 
 local calibrate_keys = { "frequency", "vary", "mode", "shape", "between", "tolerance", "settle" }
 
---- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps what was found.
+--- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps the result.
 function model_methods.calibrate(model, options)
   if model.dim ~= 2 then
     core.fail(("calibrate: is of models in the plane, and model '%s' has dim = %d"):format(model.name, model.dim))

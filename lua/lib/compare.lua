@@ -1,10 +1,10 @@
--- m:compare(): what changed between the run that rewind took back and the present one.
+-- m:compare(): differences between the run that rewind removed and the present one.
 local _, core = ...
 local model_methods = core.members "model"
 
 core.findings.__tostring = function(found) return found.text end
 
--- What an event is of, whatever its numbers.
+-- Identity of an event without its numbers.
 local function key_of(event)
   local names = {}
   for _, body in ipairs(event.bodies) do names[#names + 1] = body.name end

@@ -1,5 +1,5 @@
--- Handlers: m:on(event, f), m:every(interval, f), m:on_step(f), m:off(handler). The engine tests what is due; Lua is
--- entered only then.
+-- Handlers: m:on(event, f), m:every(interval, f), m:on_step(f), m:off(handler). The engine tests for due handlers; Lua
+-- is entered only then.
 local _, core = ...
 local model_methods = core.members "model"
 
@@ -10,7 +10,7 @@ end
 
 core.check_function = check_function
 
--- What m:on and its like give: m:off takes it. `list`: where it stands, and is taken out of.
+-- Handler object of m:on and similar functions, removed by m:off. `list`: the list that contains it.
 local handler_type = {
   __name = "handler",
   __tostring = function(h) return ("handler of %s%s"):format(h.what, h.off and ", which is off" or "") end,
@@ -26,7 +26,7 @@ core.made[#core.made + 1] = function(model, own)
   local by_event, clocks, steps, samples = {}, {}, {}, {}
   own.by_event, own.clocks, own.steps, own.samples = by_event, clocks, steps, samples
 
-  -- One that is off is left out at once, and taken out of the list where that is gone through from its end.
+  -- A removed handler is skipped at once, and deleted from the list when that is traversed from its end.
   local function hand_to(list, value)
     if not list then return end
     local gone = false
@@ -61,7 +61,7 @@ end
 
 local on_keys = { "body", "bearing", "seat", "group", "above" }
 
---- { "impact", body = b, above = 2 } as what core.fits wants to know.
+--- Converts { "impact", body = b, above = 2 } to the argument of core.fits.
 local function wanted_of(model, options)
   for key in pairs(options) do
     local known = key == 1
@@ -74,8 +74,8 @@ local function wanted_of(model, options)
   return core.wanted(model, options, "on")
 end
 
---- m:on("bearing.failed", f): f(event) at each such event; "*" for every event; { "impact", body = b }: of that body
---- alone. Gives the handler, for m:off.
+--- m:on("bearing.failed", f): calls f(event) at each such event; "*" for every event; { "impact", body = b }: for that
+--- body only. Returns the handler, for m:off.
 function model_methods.on(model, event, f)
   check_function(f, "on")
   if type(event) == "table" then
@@ -89,7 +89,7 @@ function model_methods.on(model, event, f)
   return new_handler(model, event, core.timed(f, "on " .. event), by_event[event])
 end
 
---- m:every(interval, f): f(model) each interval of simulated time. Gives the handler.
+--- m:every(interval, f): calls f(model) at each interval of simulated time. Returns the handler.
 function model_methods.every(model, interval, f)
   check_function(f, "every")
   local handler = new_handler(model, "every " .. tostring(interval) .. " s", core.timed(f, "every"))
@@ -97,7 +97,7 @@ function model_methods.every(model, interval, f)
   return handler
 end
 
---- m:on_step(f): f(model) after each step. Gives the handler.
+--- m:on_step(f): calls f(model) after each step. Returns the handler.
 function model_methods.on_step(model, f)
   check_function(f, "on_step")
   local handler = new_handler(model, "each step", core.timed(f, "on_step"), core.own(model).steps)
@@ -105,7 +105,7 @@ function model_methods.on_step(model, f)
   return handler
 end
 
---- m:off(handler): what m:on, m:every or m:on_step gave is not called any more.
+--- m:off(handler): removes a handler of m:on, m:every or m:on_step.
 function model_methods.off(model, handler)
   if getmetatable(handler) ~= handler_type then
     core.fail(("off: takes the handler that m:on, m:every or m:on_step gave; this is a %s"):format(type(handler)))
@@ -116,7 +116,7 @@ function model_methods.off(model, handler)
 end
 
 local follow = model_methods.history
---- m:history{...}; a function given as `of` is kept here.
+--- m:history{...}; a function given as `of` is stored here.
 function model_methods.history(model, options)
   local history = follow(model, options)
   local own = core.own(model)

@@ -1,13 +1,13 @@
--- m:lint(): what of a model is likely not meant, each with the next thing to try.
+-- m:lint(): probable errors of a model, each with advice.
 local _, core = ...
 local model_methods = core.members "model"
 
 local checks = {}
 
-local most_faults = 10 -- told one by one
-local least_damping, usual_damping = 0.01, 0.1 -- shares of critical
+local most_faults = 10 -- reported one by one
+local least_damping, usual_damping = 0.01, 0.1 -- shares of critical damping
 
---- What keeps the model from being built. True where nothing does.
+--- Errors that prevent building the model. True if there are none.
 function checks.faults(model, add)
   local faults = core.faults(model)
   for i = 1, math.min(#faults, most_faults) do add(faults[i]) end
@@ -19,7 +19,7 @@ function checks.doubts(model, add)
   for _, text in ipairs(core.doubts(model)) do add(text) end
 end
 
--- Of a model with faults nothing is known of its contacts.
+-- For a model with errors the contacts are unknown.
 function checks.damping(model, add, whole)
   local damped = whole and core.damping(model, least_damping) or {}
   for _, law in ipairs(core.contact_laws(model)) do
@@ -37,7 +37,7 @@ function checks.damping(model, add, whole)
   end
 end
 
---- A number of a law, or nil where laws of its kind have none of that name.
+--- A number of a law, or nil if laws of its kind have no such number.
 local function number_of(law, key)
   local known, value = pcall(function() return law[key] end)
   return known and value or nil
@@ -89,7 +89,7 @@ function checks.masses(model, add)
   end
 end
 
---- The size of gravity as it is now [m/s2]; of a model without, the usual one.
+--- Magnitude of the present gravity [m/s2]; for a model without gravity, the standard one.
 local function weight_of(model)
   local square = 0
   for _, part in ipairs(model.gravity) do square = square + part*part end
@@ -116,9 +116,9 @@ function checks.sinking(model, add)
   end
 end
 
--- Friction gives by mu p/ks before it slides. Where sliding turns about often, what is left of it converges slowly with
--- that: it is to be small beside the slip that matters.
-local usual_slip, slip_share = 0.1, 1e-3 -- [m], and the share of it
+-- Elastic slip before sliding is mu p/ks. If sliding reverses often, residual slip converges slowly with that; it
+-- should be small compared with the relevant slip.
+local usual_slip, slip_share = 0.1, 1e-3 -- [m], and its share
 
 function checks.slipping(model, add, slip)
   local most = slip_share*(slip or usual_slip)
@@ -161,11 +161,11 @@ function checks.recording(model, add)
 end
 
 local of_any = { "doubts", "laws", "damping" }
--- Of outlines, areas and unbalanced bodies models in the plane alone tell.
+-- Outlines, areas and unbalanced bodies are checked for plane models only.
 local of_whole = { [2] = { "edges", "masses", "sinking", "slipping", "bearings", "rest", "recording" },
   [3] = { "solids", "masses", "bearings", "recording" } }
 
---- The slip that is expected [m], as m:lint{ slip = } says; nil where it does not.
+--- The expected slip [m] from m:lint{ slip = }; nil if not given.
 local function expected_slip(options)
   if options == nil then return nil end
   if type(options) ~= "table" then error("lint: takes a table, as in m:lint{ slip = 0.02 }", 0) end
@@ -179,8 +179,8 @@ local function expected_slip(options)
   return slip
 end
 
---- m:lint{ slip = }: a list of findings, and the same in words. Faults that keep the model from being built are
---- findings too.
+--- m:lint{ slip = }: a list of findings, and the same in words. Errors that prevent building the model are findings
+--- too.
 function model_methods.lint(model, options)
   local slip = expected_slip(options)
   local found = {}

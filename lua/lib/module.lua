@@ -1,7 +1,7 @@
--- The module table: its constructor of models, and errors for names that are not there.
+-- The module table: its constructor of models, and errors for unknown names.
 local trilith, core = ...
 
--- A list of a model's rows by name or number; # counts them, ipairs goes through them.
+-- A list of a model's rows by name or number; # returns their number, ipairs traverses them.
 local function rows(model, one, count)
   return setmetatable({}, {
     __index = function(_, key) return one(model, key) end,
@@ -27,12 +27,12 @@ end
 
 function trilith.model(options) return made(core.model(options)) end
 
---- m:extruded{ name =, held = }: the model in space that one of the plane is.
+--- m:extruded{ name =, held = }: the model in space of a plane model.
 local model_methods = core.members "model"
 function model_methods.extruded(model, options) return made(core.extruded(model, options)) end
 
 local declare, exit = trilith.params, os.exit
---- trilith.params{...}; without values they were listed, as asked of a stock interpreter, and the script is done.
+--- trilith.params{...}; without values they were listed, as requested from a stock interpreter, and the script ends.
 function trilith.params(declared)
   local values = declare(declared)
   if not values then exit(true, true) end
@@ -47,7 +47,7 @@ local event_fields = { "type", "time", "id", "cause", "step", "value", "value_na
 local is_event_field = {}
 for _, name in ipairs(event_fields) do is_event_field[name] = true end
 
---- Of a field that this event does not have: nil where others have it.
+--- Access to an unknown field of an event: nil if other events have it.
 core.event.__index = function(event, name)
   if is_event_field[name] then return nil end
   core.fail(("event '%s' has no '%s'%s"):format(rawget(event, "type"), tostring(name),

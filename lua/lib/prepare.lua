@@ -1,14 +1,14 @@
--- What the program makes of a Lua state before the script runs: its folder to require from, text chunks alone, and
--- errors for globals that nobody declared. The globals of this file are the library's, _G are the script's.
+-- Preparation of a Lua state before the script runs: its folder for require, text chunks only, and errors for
+-- undeclared globals. The globals of this file belong to the library, _G contains the script's.
 local trilith, folder = ...
 
 package.loaded.trilith = trilith
--- The script's table `package` and the library's are two; `require` looks into the first.
+-- The script's table `package` and the library's are separate; `require` uses the first.
 local scripts_package = rawget(_G, "package")
 scripts_package.path = folder .. "/?.lua;" .. folder .. "/?/init.lua"
 package.path = scripts_package.path
 
--- A binary chunk can break the interpreter, so only text is loaded. What is loaded sees the script's globals.
+-- A binary chunk can crash the interpreter, so only text is loaded. Loaded chunks see the script's globals.
 local load_chunk, load_file, G = load, loadfile, _G
 function G.load(chunk, name, _, ...) return load_chunk(chunk, name, "t", ...) end
 function G.loadfile(file, _, ...) return load_file(file, "t", ...) end

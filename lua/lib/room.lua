@@ -1,6 +1,6 @@
--- The closed room: takes from a script's globals what reaches other files, programs or the insides of the library. This
--- file, as all of the library, sees a copy of the globals that no script can change; it calls no method of a text, as
--- a script can change these.
+-- The closed room: removes access to other files, programs or the internals of the library from a script's globals.
+-- This file, like all of the library, uses a copy of the globals that no script can change. It calls no method of a
+-- text, because a script can change these.
 local room = ...
 local G, fail, rawget, rawset, type, error, next, select = _G, room.fail, rawget, rawset, type, error, next, select
 local meta_of, set_meta, open, lines = debug.getmetatable, setmetatable, io.open, io.lines
@@ -13,7 +13,7 @@ local function refusal(name, why)
   end
 end
 
--- Functions of a library that a script has not, in words that say it.
+-- Functions of a library that a script cannot use, with error messages.
 local function refuse_others(name, whole, closed, why)
   for key, value in next, whole do
     if rawget(closed, key) == nil and type(value) == "function" then
@@ -30,7 +30,7 @@ local function keep(whole, names)
   return closed
 end
 
--- Metatables: a script has those that it set itself. Of any other it can neither read nor change a thing.
+-- Metatables: a script can access those it has set itself. All others are neither readable nor writable.
 local set_by_script = set_meta({}, { __mode = "k" })
 function G.getmetatable(value)
   local meta = meta_of(value)
@@ -74,7 +74,7 @@ closed_os.remove, closed_os.rename, closed_os.getenv = room.remove, room.rename,
 refuse_others("os", os, closed_os, { "it changes this process", execute = "it starts programs",
   tmpname = "it makes a file outside the folders of the script; name one beside the results" })
 
--- Code: text alone, from files that can be read.
+-- Code: text only, from readable files.
 local function loaded_file(path, owner, ...)
   room.readable(path, owner)
   return load_file(path, "t", ...)
@@ -89,7 +89,7 @@ end
 local closed_string = rawget(G, "string")
 closed_string.dump = refusal("string.dump", "a script has no bytecode")
 
--- What require uses: the library's searchers, which a script cannot reach, and the script's package.path.
+-- Parts of require: the library's searchers, which a script cannot access, and the script's package.path.
 local searchers, path, preloaded = package.searchers, package.path, package.preload
 local closed_package = { loaded = package.loaded, preload = preloaded, path = path, config = package.config }
 for i = #searchers, 3, -1 do searchers[i] = nil end
@@ -107,7 +107,7 @@ set_meta(closed_package, { __metatable = "locked", __index = function(_, name)
     " is refused: modules are Lua files in package.path; `trilith run --trust SCRIPT` allows more")
 end })
 
--- The debug library: where something is, never the thing itself.
+-- The debug library: only positions of objects, never the objects themselves.
 local shown = { "currentline", "short_src", "source", "linedefined", "lastlinedefined", "what", "name", "namewhat" }
 local closed_debug = { traceback = traceback }
 function closed_debug.getinfo(at, ...)

@@ -1,9 +1,9 @@
--- What `trilith doctor` runs: a small collapse with something of each kind, whose motion is known to the bit
--- (tests/golden/hashes.txt, run "self-test"). A copy of this program that computes anything else is not to be trusted.
+-- Self-test of `trilith doctor`: a small collapse with something of each kind, whose motion is known to the bit
+-- (tests/golden/hashes.txt, run "self-test"). A copy of this program with another result is not reliable.
 --
--- Rigid blocks that tumble, an arch, an elastic and a yielding mesh, a quad, mortar that softens, a span on a spring
--- and a yielding bearing over ground that slides away under it. Nothing of Lua's math is in it: the C library has
--- variants of its functions whose last bits differ.
+-- It contains tumbling rigid blocks, an arch, an elastic and a yielding mesh, a quad, softening mortar, and a span on a
+-- spring and a yielding bearing over moving ground. It does not use Lua's math, because the C library has variants of
+-- its functions whose last bits differ.
 local trilith = require "trilith"
 local p = trilith.params { out = { "self_test.h5", "results" } }
 local deg = trilith.units "deg"

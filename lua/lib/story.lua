@@ -1,4 +1,4 @@
--- Stories: functions that run alongside a model and wait for what happens. m:story(f), m:wait(...).
+-- Stories: functions that run alongside a model and wait for events. m:story(f), m:wait(...).
 local _, core = ...
 local model_methods = core.members "model"
 
@@ -50,7 +50,7 @@ local function check_wait(options)
   end
 end
 
---- What core.fits wants to know of an event and its filters.
+--- Converts an event and its filters to the argument of core.fits.
 function core.wanted(model, options, owner)
   local above = options.above
   if above ~= nil and (type(above) ~= "number" or above ~= above or above < 0) then
@@ -81,7 +81,7 @@ core.made[#core.made + 1] = function(model, own)
     if wanted.until_time then core.wake(model, wanted.until_time) end
   end
 
-  -- Takes out those that `is_due`, then resumes them: what they wait for next sees later events only.
+  -- Removes the stories for which `is_due` is true, then resumes them: their next wait sees only later events.
   local function resume_due(is_due, ...)
     local due, rest = {}, {}
     for _, wanted in ipairs(waiting) do
@@ -109,14 +109,14 @@ core.made[#core.made + 1] = function(model, own)
   own.begin_story = resume
 end
 
---- m:story(f): f(model) runs at once up to its first m:wait, then goes on when that happens.
+--- m:story(f): f(model) runs at once up to its first m:wait, and continues when that occurs.
 function model_methods.story(model, f)
   core.check_function(f, "story")
   core.own(model).begin_story(coroutine.create(f), model)
 end
 
---- m:wait "bearing.failed", m:wait{ "seat.lost", body = "S3", within = 10 }, m:wait(2): the event, or nil when the time
---- is over. Only in a story.
+--- m:wait "bearing.failed", m:wait{ "seat.lost", body = "S3", within = 10 }, m:wait(2): returns the event, or nil after
+--- the time limit. Only in a story.
 function model_methods.wait(model, options)
   if type(options) == "string" then options = { options } end
   if type(options) == "number" then options = { within = options } end

@@ -5,7 +5,7 @@
 
 namespace trilith::program {
 
-/// "" or what is wrong with it, as CLI11 wants to know.
+/// "" or the error text, as CLI11 requires.
 inline std::string is_assignment(const std::string& text) {
   const std::size_t at = text.find('=');
   return at == std::string::npos || at == 0 ? "'" + text + "' is not NAME=VALUE" : "";

@@ -7,10 +7,10 @@
 
 namespace trilith::program {
 
-/// The parts between commas; none is dropped, empty ones stay empty.
+/// The parts between commas, including empty ones.
 std::vector<std::string> comma_list(std::string_view text);
 
-/// `text` as a finite number; throws InputError that begins with `what` where it is none.
+/// `text` as a finite number; throws InputError that begins with `what` for other text.
 double number_of(const std::string& text, std::string_view what);
 
 }  // namespace trilith::program

@@ -16,7 +16,7 @@ constexpr const char* run_verb = "run";
 constexpr const char* console_verb = "console";
 constexpr const char* results_ending = ".h5";
 
-/// A script is told by its ending, or by being there; results are no script.
+/// A script is recognised by its extension, or by an existing file; results are not scripts.
 bool is_script(const std::string& word) {
   const std::string ending = std::filesystem::path(word).extension().string();
   std::error_code error;
@@ -28,7 +28,7 @@ bool is_script(const std::string& word) {
   throw CLI::ParseError(fmt::format(text, word, hint), CLI::ExitCodes::ExtrasError);
 }
 
-/// "; did you mean '--events'?" for the first word that is no option of the verb it stands behind; else "".
+/// "; did you mean '--events'?" for the first unknown option of the verb; otherwise "".
 std::string hint_of_extras(const CLI::App& app) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty()) return "";
@@ -43,7 +43,7 @@ std::string hint_of_extras(const CLI::App& app) {
   return "";
 }
 
-/// What is wrong, in a line, and the help that tells more.
+/// The error in one line, and the help command with details.
 std::string failure_text(const CLI::App* app, const CLI::Error& error) {
   const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
   const std::vector<CLI::App*> parsed = app->get_subcommands();
@@ -103,7 +103,7 @@ std::vector<std::string> words_with_verb(const CLI::App& app, std::vector<std::s
     words.insert(words.begin(), run_verb);
     return words;
   }
-  // Two letters are like all others of two letters.
+  // Two letters resemble all other options of two letters.
   if (is_option) refuse_word("there is no option '{}'{}", first, first.size() > 2 ? name_hint(first, known) : "");
   if (std::filesystem::path(first).extension() == results_ending)
     refuse_word("results are no script; try trilith info {}{}", first, "");
@@ -127,7 +127,7 @@ std::vector<std::string> spellings(const CLI::Option& option) {
 
 std::string value_word(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
-  // CLI11 puts what a check wants behind a colon: "TEXT:{si,us}", "INT:INT in [1 - 20]".
+  // CLI11 appends the condition of a check after a colon: "TEXT:{si,us}", "INT:INT in [1 - 20]".
   const std::string word = option.get_type_name();
   return word.substr(0, word.find(':'));
 }
@@ -135,7 +135,7 @@ std::string value_word(const CLI::Option& option) {
 std::vector<std::string> listed_values(const CLI::Option& option) {
   const std::string word = option.get_type_name();
   const std::size_t open = word.find('{'), close = word.rfind('}');
-  // "all|important|none", or what CLI11 makes of a list: "TEXT:{si,us}"
+  // "all|important|none", or CLI11's format of a list: "TEXT:{si,us}"
   const bool braced = open != std::string::npos && close != std::string::npos;
   if (!braced && word.find('|') == std::string::npos) return {};
   return CLI::detail::split(braced ? word.substr(open + 1, close - open - 1) : word, braced ? ',' : '|');

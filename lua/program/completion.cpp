@@ -12,14 +12,14 @@
 namespace trilith::program {
 namespace {
 
-/// The ending of the files that a word of this kind names; "" where it is any file or none.
+/// The extension of files for a placeholder; "" for any file or none.
 std::string ending_of(const std::string& word) {
   static const std::map<std::string, std::string> endings{{"SCRIPT", "lua"}, {"RESULT", "h5"}};
   const auto found = endings.find(word);
   return found == endings.end() ? "" : found->second;
 }
 
-/// The ending of the files that stand behind a verb; "" where any may.
+/// The extension of the files after a verb; "" for any.
 std::string ending_behind(const CLI::App& verb) {
   for (const CLI::Option* o : placed_options(verb))
     if (const std::string ending = ending_of(value_word(*o)); !ending.empty()) return ending;
@@ -33,7 +33,7 @@ std::string words_of(const CLI::App& verb) {
   return CLI::detail::join(words, " ");
 }
 
-/// "draw:--units" for each way to write an option whose values can be listed.
+/// "draw:--units" for each spelling of an option with listed values.
 std::string listed_cases(const CLI::App& verb) {
   std::string text;
   for (const CLI::Option* o : named_options(verb)) {
@@ -45,7 +45,7 @@ std::string listed_cases(const CLI::App& verb) {
   return text;
 }
 
-/// Text in single quotes of zsh, within a specification of _arguments: brackets and colons are its own signs.
+/// Text in single quotes of zsh, within a specification of _arguments, in which brackets and colons are special.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -59,7 +59,7 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
-/// What zsh offers for a value: ":FILE:_files", or ":TEXT:(si us)"; "" for a flag.
+/// zsh specification of a value: ":FILE:_files", or ":TEXT:(si us)"; "" for a flag.
 std::string zsh_value(const CLI::Option& o) {
   const std::string word = value_word(o), ending = ending_of(word);
   if (word.empty()) return "";

@@ -1,4 +1,4 @@
-// What Tab offers in shells.
+// Shell completions at Tab.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -8,7 +8,7 @@
 namespace trilith::program {
 namespace {
 
-/// A hook of the script's own that an interrupt has pushed aside.
+/// A hook of the script that an interrupt has replaced.
 struct PushedAside {
   lua_State* thread = nullptr;
   lua_Hook hook = nullptr;
@@ -16,13 +16,13 @@ struct PushedAside {
 };
 
 constexpr int every_event = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT;
-/// What may run between one raise and the next: finalizers and message handlers come to their end.
+/// Instructions between two raises, within which finalizers and message handlers end.
 constexpr int instructions_between = 1000000;
 
 lua_State* volatile running_thread = nullptr;
 lua_Hook volatile watched_hook = nullptr;
 PushedAside aside;
-/// Where not "": an error that no script can catch, other than an interrupt.
+/// Unless "": an error that no script can catch, other than an interrupt.
 std::string final_error;
 volatile std::sig_atomic_t count = 0, most = 1, ending = 0, raised = 0;
 volatile std::time_t first_second = 0;
@@ -73,7 +73,7 @@ InterruptScope::InterruptScope(lua_State* L, lua_Hook hook, int patience) : main
   running_thread = L;
   previous_ = std::signal(SIGINT, on_interrupt);
   struct sigaction action {};
-  action.sa_handler = on_ending;  // without SA_RESTART: a console that waits for a line waits no longer
+  action.sa_handler = on_ending;  // without SA_RESTART: a console stops waiting for a line
   for (std::size_t i = 0; i < before_.size(); ++i) {
     ::sigaction(ending_signals[i], nullptr, &before_[i]);
     if (before_[i].sa_handler != SIG_IGN) ::sigaction(ending_signals[i], &action, nullptr);
@@ -82,7 +82,7 @@ InterruptScope::InterruptScope(lua_State* L, lua_Hook hook, int patience) : main
 
 InterruptScope::~InterruptScope() {
   std::signal(SIGINT, previous_);
-  // A pipe that nobody reads is told of at each line; the last ones must not end the program in another way.
+  // A closed pipe raises a signal at each line; the last ones must not end the program in another way.
   for (std::size_t i = 0; i < before_.size(); ++i)
     if (ending == 0) ::sigaction(ending_signals[i], &before_[i], nullptr);
   if (main_ != nullptr) disarm(main_);
@@ -138,7 +138,7 @@ void raise_interrupt(lua_State* L, lua_Debug*) {
     script::mark_whole(L);
     lua_error(L);
   }
-  if (!is_interrupted()) {  // a coroutine that waited, or was made, while there was one
+  if (!is_interrupted()) {  // a coroutine that waited, or was created, during an interrupt
     disarm(L);
     return;
   }

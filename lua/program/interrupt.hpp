@@ -1,4 +1,4 @@
-// Signals that end a run in order: Ctrl-C, and those that ask a program to end.
+// Signals that end a run in order: Ctrl-C, and termination signals.
 #pragma once
 
 #include <array>
@@ -9,15 +9,16 @@
 
 namespace trilith::program {
 
-/// SIGTERM (batch systems, shutdown), SIGHUP (a closed terminal), SIGXCPU (the limit of CPU time) and SIGPIPE (nobody
-/// reads the output).
+/// SIGTERM (batch systems, shutdown), SIGHUP (a closed terminal), SIGXCPU (the limit of CPU time) and SIGPIPE (closed
+/// output).
 inline constexpr std::array ending_signals{SIGTERM, SIGHUP, SIGXCPU, SIGPIPE};
 
-/// While it lives, SIGINT and the ending signals are noted and set `hook` on the thread of Lua that runs, the main one
-/// or a coroutine (lua_sethook may be called from a signal); no state: noted alone. A stage sees what was noted, and
-/// ends at the next step border. After `patience` interrupts that nobody took, the next one ends the program at once,
-/// and so does a second SIGTERM; the others come in crowds (a closed terminal, each second beyond the limit), and later
-/// ones are ignored. What was ignored when the program began, as under nohup, stays so, but for SIGINT.
+/// During its lifetime, SIGINT and the ending signals are noted and set `hook` on the running Lua thread, the main one
+/// or a coroutine (lua_sethook may be called from a signal). Without a state they are only noted. A stage checks the
+/// noted signals, and ends at the next step border. After `patience` unhandled interrupts the next one ends the program
+/// at once, and so does a second SIGTERM. The other signals arrive in groups (a closed terminal, each second beyond the
+/// limit), and later ones are ignored. Signals that were ignored at the start of the program, as under nohup, remain
+/// ignored, except SIGINT.
 class InterruptScope {
  public:
   InterruptScope(lua_State* L, lua_Hook hook, int patience = 1);
@@ -31,43 +32,43 @@ class InterruptScope {
   std::array<struct sigaction, ending_signals.size()> before_;
 };
 
-/// Interrupts that nobody took.
+/// Number of unhandled interrupts.
 int interrupts();
-/// Wall clock since the first of them [s].
+/// Wall clock after the first of them [s].
 double since_interrupt();
-/// Takes them all.
+/// Marks all as handled.
 void forget_interrupts();
-/// True where nobody took one, or an ending signal came; a function for Host.
+/// True for an unhandled interrupt or an ending signal; a function for Host.
 bool is_interrupted();
 
-/// The first of the ending signals that came, or 0.
+/// The first ending signal, or 0.
 int ending_signal();
-/// Exit code where a signal is to end the program: 128 and its number; 0 where none came.
+/// Exit code if a signal ends the program: 128 plus its number; 0 without a signal.
 int signal_code();
-/// What the signal was, in words: "interrupted", "ended by SIGTERM".
+/// The signal in words: "interrupted", "ended by SIGTERM".
 std::string signal_text();
 
-// For hooks; `L` is the thread they are called in.
-/// Raises the error "interrupted" in the Lua code, or takes the hook away where the interrupt was taken meanwhile. What
-/// catches the error does not get far: see is_raised, and the hook comes again after a while.
+// For hooks; `L` is the calling thread.
+/// Raises the error "interrupted" in the Lua code, or removes the hook if the interrupt was handled meanwhile. Code
+/// that catches the error does not continue for long: see is_raised, and the hook runs again after a while.
 void raise_interrupt(lua_State* L, lua_Debug* at);
-/// Raises an error that no script can catch; over with quench_interrupt.
+/// Raises an error that no script can catch, until quench_interrupt.
 void raise_final(lua_State* L, const char* message);
-/// The hook comes again after so many instructions.
+/// Calls the hook again after this number of instructions.
 void wait_with_interrupt(lua_State* L, int instructions);
 
-/// True from where "interrupted" was raised until quench_interrupt: whatever caught it has to raise it again.
+/// True from the raise of "interrupted" until quench_interrupt: code that caught it must raise it again.
 bool is_raised();
-/// The error has come to where it is told: no hook any more. The count stays, see forget_interrupts.
+/// Called before the error is printed: removes the hook. The count remains, see forget_interrupts.
 void quench_interrupt();
 
-/// Puts pcall, xpcall and what coroutines are resumed with in the place of Lua's own: they do the same, but know which
-/// thread runs, and raise an interrupt again that they caught.
+/// Replaces pcall, xpcall and the functions that resume coroutines. The replacements behave equally, but track the
+/// running thread, and raise a caught interrupt again.
 void open_interruptible_calls(lua_State* L);
 
-/// The thread of Lua that runs, nullptr where none is watched.
+/// The running Lua thread, nullptr if none is watched.
 lua_State* thread_at_work();
-/// For them: from now on `thread` runs; gives the one before.
+/// For these functions: `thread` runs from now on; returns the previous one.
 lua_State* switch_thread(lua_State* thread);
 
 }  // namespace trilith::program

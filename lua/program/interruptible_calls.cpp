@@ -1,11 +1,11 @@
-// pcall, xpcall and coroutines that an interrupt gets through. A hook belongs to one thread of Lua, so Ctrl-C must know
-// which one runs; and a script that catches every error must not catch this one.
+// pcall, xpcall and coroutines that let an interrupt pass. A hook belongs to one Lua thread, so Ctrl-C needs the
+// running one; and a script that catches every error must not catch this one.
 #include "interrupt.hpp"
 
 namespace trilith::program {
 namespace {
 
-/// What a protected call gives, also where it goes on after a yield. `before`: values on the stack below its results.
+/// Result of a protected call, also if it continues after a yield. `before`: values on the stack below its results.
 int finish_call(lua_State* L, int status, lua_KContext before) {
   if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L) - static_cast<int>(before);
   if (is_raised()) raise_interrupt(L, nullptr);
@@ -32,7 +32,8 @@ int handled_call(lua_State* L) {
   return finish_call(L, lua_pcallk(L, given, LUA_MULTRET, 2, 2, finish_call), 2);
 }
 
-/// Resumes `thread` with the values on top of the stack. How many it gave, now on top of the stack; -1: an error is.
+/// Resumes `thread` with the values on top of the stack. Returns the number of its results, now on top of the stack; -1
+/// with an error there.
 int resume_with(lua_State* L, lua_State* thread, int given) {
   if (lua_checkstack(thread, given) == 0) {
     lua_pushliteral(L, "too many arguments to resume");
@@ -71,14 +72,14 @@ int resume(lua_State* L) {
   return results < 0 ? 2 : results + 1;
 }
 
-/// The function that coroutine.wrap gives; upvalue 1: the thread.
+/// The function that coroutine.wrap returns; upvalue 1: the thread.
 int resume_wrapped(lua_State* L) {
   lua_State* const thread = lua_tothread(L, lua_upvalueindex(1));
   const int results = resume_with(L, thread, lua_gettop(L));
   if (results >= 0) return results;
   if (is_raised()) raise_interrupt(L, nullptr);
   const int status = lua_status(thread);
-  if (status != LUA_OK && status != LUA_YIELD) {  // its variables to be closed may have an error of their own
+  if (status != LUA_OK && status != LUA_YIELD) {  // closing its variables may raise a further error
     lua_resetthread(thread);
     lua_xmove(thread, L, 1);
   }
@@ -100,7 +101,7 @@ int wrap(lua_State* L) {
   return 1;
 }
 
-/// coroutine.close(thread): Lua's own, upvalue 1, with what it closes running in the thread.
+/// coroutine.close(thread): Lua's own function, upvalue 1, with the closing code running in the thread.
 int close(lua_State* L) {
   lua_State* const before = switch_thread(thread_at(L, 1));
   lua_pushvalue(L, lua_upvalueindex(1));

@@ -7,7 +7,7 @@
 namespace trilith::program {
 namespace {
 
-// Wall clock [s]: between redrawn lines on a terminal, between lines elsewhere, between looks at the clock.
+// Wall clock [s]: between redrawn lines on a terminal, between lines elsewhere, between reads of the clock.
 constexpr double redraw_interval = 0.15, line_interval = 5, status_interval = 30, look_interval = 0.02;
 
 }  // namespace
@@ -25,7 +25,7 @@ void Live::tell_event(const Event& event, const Instant<D>& now) {
     stage_began_ = shown_ = looked_ = wall();
     pace_.add(now.state.time, stage_began_);
   }
-  // The report of a stage says more than its last event.
+  // The report of a stage contains more than its last event.
   if (quiet_ || event.type == EventType::stage_ended) return;
   const bool strong = event.type == EventType::bearing_failed || event.type == EventType::member_failed ||
                       event.type == EventType::member_removed || event.type == EventType::seat_lost ||
@@ -38,7 +38,7 @@ void Live::tell_step(const Instant<D>& now) {
   if (quiet_ || ++steps_ < stride_) return;
   steps_ = 0;
   const double at = wall();
-  // So many steps that the clock is looked at some fifty times a second.
+  // Number of steps for which the clock is read about 50 times per second.
   if (at - looked_ < 0.5 * look_interval) stride_ = std::min(2 * stride_, 1 << 16);
   if (at - looked_ > 2 * look_interval) stride_ = std::max(stride_ / 2, 1);
   looked_ = at;

@@ -1,4 +1,4 @@
-// Shows a run while it goes on: events as they happen, below them one line of status.
+// Displays a run: events as they occur, below them one status line.
 #pragma once
 
 #include <chrono>
@@ -12,21 +12,21 @@ namespace trilith::program {
 
 class Live : public script::RunObserver {
  public:
-  /// `quiet`: shows nothing at all but what goes wrong.
+  /// `quiet`: shows only errors.
   Live(std::FILE* out, const EventLines& lines, bool quiet = false);
 
   void note(const std::string& text) override;
   void event(const Event& event, const Instant<2>& now) override;
   void event(const Event& event, const Instant<3>& now) override;
-  /// Called after every step; looks at the clock only every so many of them.
+  /// Called after every step; reads the clock only at intervals of steps.
   void step(const Instant<2>& now) override;
   void step(const Instant<3>& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
-  /// Times were to count from a stage or an event that has not come.
+  /// The stage or event at which times should start has not occurred yet.
   [[nodiscard]] bool waits() const { return lines_.waits(); }
   void line(const std::string& text, bool strong) override;
-  /// Redrawn on a terminal, a line now and then elsewhere.
+  /// Redrawn on a terminal, printed from time to time elsewhere.
   void status(const std::string& text) override;
 
  private:

@@ -33,8 +33,7 @@ int run_program(int argc, char** argv) {
   return code;
 }
 
-/// Opens what of the standard streams is closed to /dev/null, so that no file takes its place: what is printed would
-/// go into it.
+/// Opens closed standard streams to /dev/null, so that no file takes their descriptors and receives printed text.
 void keep_standard_descriptors() {
   for (int wanted = STDIN_FILENO; wanted <= STDERR_FILENO; ++wanted)
     if (::fcntl(wanted, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) std::_Exit(wrong_input);

@@ -7,7 +7,7 @@
 namespace trilith::program {
 namespace {
 
-/// Text as roff reads it: no line of it is a request, and a hyphen that is typed stays the ASCII one.
+/// Text for roff: no line of it is a request, and a typed hyphen remains the ASCII one.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

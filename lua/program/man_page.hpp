@@ -1,4 +1,4 @@
-// The page that `man trilith` shows.
+// The page of `man trilith`.
 #pragma once
 
 #include <CLI/CLI.hpp>

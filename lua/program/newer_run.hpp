@@ -1,4 +1,4 @@
-// Results that are not the last ones.
+// Warning about results that are not the latest.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 namespace trilith::program {
 
-/// Says, on standard error, where what is shown is older than what a later run has left or is writing.
+/// Prints a warning to standard error if a later run has left, or is writing, newer results.
 inline void tell_of_newer_run(const results::ResultsReader& reader) {
   const std::string text = results::newer_run_text(reader);
   if (!text.empty()) fmt::print(stderr, "note: {}: {}\n", reader.path().string(), text);

@@ -1,4 +1,4 @@
-// Folders for what the program writes.
+// Output folders of the program.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,8 +7,8 @@
 
 namespace trilith::program {
 
-/// Makes the folder of an output where there is none, and says so: it may have been mistyped. Where it cannot be made,
-/// whoever writes the output says what is wrong.
+/// Creates the folder of an output if necessary, and reports it, because the name may be mistyped. If it cannot be
+/// created, the writer of the output reports the error.
 inline void make_folder_for(const std::filesystem::path& out) {
   const std::filesystem::path folder = out.parent_path();
   std::error_code error;

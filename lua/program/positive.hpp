@@ -7,7 +7,7 @@
 
 namespace trilith::program {
 
-/// "" or what is wrong with it, as CLI11 wants to know.
+/// "" or the error text, as CLI11 requires.
 inline std::string is_positive(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -23,7 +23,7 @@ inline std::string is_not_negative(const std::string& text) {
   return read && value >= 0 && std::isfinite(value) ? "" : "'" + text + "' is no number from 0 up";
 }
 
-/// The same for how many of something.
+/// "" or the error text for a number of objects.
 inline std::string is_count(const std::string& text) {
   const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   return whole && is_positive(text).empty() ? "" : "'" + text + "' is no whole number above 0";

@@ -1,4 +1,4 @@
-// Where the time of a run went, as lines.
+// Run times of the parts of a run, as lines.
 #pragma once
 
 #include <string>

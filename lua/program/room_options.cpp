@@ -33,14 +33,15 @@ double bytes_of(const std::string& text) {
   return value * factor;
 }
 
-/// A parameter's value that can only be a path: with a slash, and no number with a unit such as "3 m/s2".
+/// True for a parameter value that can only be a path: with a slash, and not a number with a unit such as "3 m/s2".
 bool names_path(const std::string& value) {
   if (value.find('/') == std::string::npos) return false;
   const std::size_t first = value.find_first_not_of("+-.");
   return first == std::string::npos || std::isdigit(static_cast<unsigned char>(value[first])) == 0;
 }
 
-/// Whether the home folder lies in `folder` or is it: a script run from there would reach all that the user has.
+/// True if `folder` contains or is the home folder: a script run from there would have access to all of the user's
+/// files.
 bool holds_home(const std::filesystem::path& folder) {
   const char* const home = std::getenv("HOME");
   std::error_code error;
@@ -80,7 +81,7 @@ void add_room_options(CLI::App& verb, RoomOptions& options) {
       ->type_name("SECONDS")
       ->check(CLI::Validator(is_not_negative, "", ""));
   verb.add_option("--room", options.folders)
-      ->allow_extra_args(false)  // one at a time: the word behind it is a parameter
+      ->allow_extra_args(false)  // one at a time: the next word is a parameter
       ->group("");
 }
 

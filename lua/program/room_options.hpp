@@ -12,7 +12,7 @@ namespace trilith::program {
 struct RoomOptions {
   bool trust = false;
   double memory = -1, seconds = -1;  ///< -1: not given
-  std::vector<std::string> folders;  ///< of a study's case: in the place of what its command line names
+  std::vector<std::string> folders;  ///< of a study's case: instead of the paths in its command line
 
   /// These options as words of a command line.
   [[nodiscard]] std::vector<std::string> words() const;
@@ -21,7 +21,7 @@ struct RoomOptions {
 void add_room_options(CLI::App& verb, RoomOptions& options);
 
 /// Closes the room of `host`, unless it is trusted, and sets its limits. Script, parameters, results file and folder of
-/// the case come first: what they name is within reach.
+/// the case must be set before, because their paths are accessible.
 void set_room(script::Host& host, const RoomOptions& options);
 
 }  // namespace trilith::program

@@ -1,4 +1,4 @@
-// Where output goes: a terminal with a last line that is redrawn, or plain lines.
+// Output: a terminal with a last line that is redrawn, or plain lines.
 #pragma once
 
 #include <cstdio>
@@ -15,11 +15,11 @@ class Screen {
   ~Screen();
 
   [[nodiscard]] bool is_terminal() const { return terminal_; }
-  /// A whole line, above the status where there is one; `strong`: in bold on a terminal with colours.
+  /// A whole line, above the status if there is one; `strong`: in bold on a terminal with colours.
   void line(const std::string& text, bool strong = false);
-  /// Redraws the status, cut to the terminal's width. Nothing where this is no terminal.
+  /// Redraws the status, cut to the terminal's width. Does nothing without a terminal.
   void status(const std::string& text);
-  /// Takes the status away, before others write.
+  /// Removes the status before other output.
   void clear();
 
  private:

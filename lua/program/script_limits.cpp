@@ -17,18 +17,18 @@
 namespace trilith::program {
 namespace {
 
-constexpr double longest_between = 10;  ///< looks at the clock [s]
+constexpr double longest_between = 10;  ///< interval of clock reads [s]
 
 struct Memory {
   double most = 0, held = 0;  ///< [bytes]
   std::string refusal;
 } memory;
 
-/// A signal looks at the clock now and then: a hook that counts instructions would slow all Lua code down.
+/// A signal reads the clock at intervals: a hook that counts instructions would slow down all Lua code.
 struct Time {
   double most = 0;  ///< [s]; 0: no limit
   std::uint64_t crossings = 0;
-  std::timespec begun{};  ///< of the stretch without a crossing
+  std::timespec begun{};  ///< begin of the interval without a crossing
   timer_t timer{};
   bool runs = false;
 } script_time;
@@ -40,7 +40,7 @@ void note_refusal() {
       L != nullptr ? script::user_place(L) : "", memory.most / 1e6);
 }
 
-/// As Lua's own allocator, with the limit. Lua calls it again after a full collection where it gives nothing.
+/// As Lua's own allocator, with the limit. If it returns nothing, Lua calls it again after a full collection.
 void* allocate(void*, void* block, std::size_t before, std::size_t wanted) {
   const double was = block != nullptr ? static_cast<double>(before) : 0;
   if (wanted == 0) {
@@ -58,7 +58,7 @@ void* allocate(void*, void* block, std::size_t before, std::size_t wanted) {
   return found;
 }
 
-/// Since the last crossing, as far as the looks at the clock know it [s]; a new stretch begins where there was one.
+/// Time after the last crossing, as far as the clock was read [s]; restarts after a crossing.
 double seconds_alone() {
   std::timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -71,7 +71,7 @@ double seconds_alone() {
          1e-9 * static_cast<double>(now.tv_nsec - script_time.begun.tv_nsec);
 }
 
-/// A hook: at the script's next instruction, unless the engine was at work meanwhile.
+/// A hook: raises the error at the script's next instruction, unless the engine ran meanwhile.
 void raise_at_limit(lua_State* L, lua_Debug*) {
   if (seconds_alone() < script_time.most) {
     lua_sethook(L, nullptr, 0, 0);
@@ -94,7 +94,7 @@ extern "C" void on_look(int) {
   if (lua_gethook(L) != raise_at_limit) lua_sethook(L, raise_at_limit, LUA_MASKCALL | LUA_MASKRET | LUA_MASKCOUNT, 1);
 }
 
-/// A process that parts from this one (a case of a study) has no timer of it.
+/// A forked process (a case of a study) does not inherit the timer.
 extern "C" void start_timer() {
   if (!(script_time.most > 0)) return;
   struct sigaction action {};

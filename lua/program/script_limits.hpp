@@ -1,4 +1,4 @@
-// What a script may use up: memory that Lua holds, time between two calls into the engine.
+// Limits of a script: Lua memory, and time between two calls into the engine.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace trilith::program {
 
-/// Lua code of `L` can hold so many bytes; 0: no limit. One state of a program has one at a time.
+/// Lua code of `L` can hold this number of bytes; 0: no limit. Only one state of a program has a limit at a time.
 void limit_memory(lua_State* L, double bytes);
-/// What was refused last, with the script's line; "" where nothing was.
+/// The last rejected request, with the script's line; "" if there was none.
 std::string memory_refusal();
 
-/// Lua code of this thread can run so long [s] without a call into the engine or back, while an InterruptScope lives;
-/// 0: no limit. An error that no script can catch says where it was.
+/// Lua code of this thread can run for this time [s] without a call into the engine or back, while an InterruptScope
+/// lives; 0: no limit. An error that no script can catch reports the place.
 void limit_time(double seconds);
 
 }  // namespace trilith::program

@@ -23,7 +23,7 @@ script::Host& host_of(lua_State* L) {
   return *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
-/// Files that scripts of this process have made; they alone can be removed, renamed or replaced by renaming.
+/// Files that scripts of this process have created; only these can be removed, renamed or replaced by renaming.
 std::set<std::filesystem::path>& made_files() {
   static std::set<std::filesystem::path> made;
   return made;
@@ -80,7 +80,7 @@ std::filesystem::path made_at(lua_State* L, int index, const char* owner) {
   return path;
 }
 
-/// As os.remove and os.rename give it: true, or nil and why not.
+/// Result of os.remove and os.rename: true, or nil and the reason.
 int push_done(lua_State* L, bool good, const std::string& path, int reason) {
   if (good) {
     lua_pushboolean(L, 1);
@@ -108,12 +108,12 @@ int rename_file(lua_State* L) {
   return push_done(L, good, script::text_at(L, 1), errno);
 }
 
-/// room.fail(message): a line with the script's place, and no traceback.
+/// room.fail(message): a line with the script's place, without traceback.
 int fail(lua_State* L) {
   throw InputError(script::text_at(L, 1));
 }
 
-/// room.variable(name): what os.getenv may give.
+/// room.variable(name): permitted values of os.getenv.
 int variable(lua_State* L) {
   const std::string name = script::text_at(L, 1);
   if (!std::string_view(name).starts_with("TRILITH_"))

@@ -1,4 +1,4 @@
-// The closed room of a script: which parts of Lua's own libraries it has.
+// The closed room of a script: available parts of Lua's own libraries.
 #pragma once
 
 #include "bindings/core/host.hpp"
@@ -6,8 +6,8 @@
 
 namespace trilith::program {
 
-/// Takes from the globals of `L` what reaches out of the room, and puts functions in the place of the rest that ask
-/// `host.room`. May raise a Lua error. The library keeps its own globals, see keep_library_environment.
+/// Removes access to the outside of the room from the globals of `L`, and replaces the remaining functions by versions
+/// that check `host.room`. May raise a Lua error. The library keeps its own globals, see keep_library_environment.
 void close_room(lua_State* L, script::Host& host);
 
 }  // namespace trilith::program

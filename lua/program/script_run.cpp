@@ -18,7 +18,7 @@
 namespace trilith::program {
 namespace {
 
-/// Says what runs are not to be trusted; true where there are any.
+/// Reports runs that are not reliable; true if there are any.
 bool report_untrusted_runs(const script::Host& host) {
   const std::vector<std::string> untrusted_runs = host.untrusted_runs();
   if (host.observer != nullptr) host.observer->clear();
@@ -34,20 +34,20 @@ int report_error(script::Host& host, const std::string& message) {
   return report_untrusted_runs(host) ? not_trusted : wrong_input;
 }
 
-/// A hook. No script can catch what ends the program; an interrupt is an error, and so is a signal within a stage,
-/// which is to end first.
+/// A hook. No script can catch the end of the program; an interrupt is an error, and so is a signal within a stage,
+/// which must end first.
 void on_signal(lua_State* L, lua_Debug* at) {
   script::Host& host = script::host(L);
   if (ending_signal() != 0 && host.running == 0) end_by_signal(host);
   raise_interrupt(L, at);
 }
 
-/// Keeps what the script came to in the folder of its case.
+/// Stores the script's figures in the folder of its case.
 void write_figures(const script::Host& host) {
   if (!host.case_folder.empty()) write_whole_file(host.case_folder / figures_file, figures_text(host.figures));
 }
 
-/// (host, what the script gave)
+/// Arguments: host, result of the script.
 int take_figures(lua_State* L) {
   static_cast<script::Host*>(lua_touserdata(L, 1))->figures = script::figures_at(L, 2);
   return 0;

@@ -10,10 +10,10 @@ namespace trilith::program {
 /// Runs host.script to its end. Returns the program's exit code; messages go to stderr.
 int run_script(script::Host& host);
 
-/// Where a signal is to end the program: leaves the results as unfinished, says why and what is kept, and gives the
+/// If a signal ends the program: leaves the results unfinished, reports the reason and the kept files, and returns the
 /// exit code.
 int close_by_signal(script::Host& host);
-/// The same, and ends the program.
+/// As above, and ends the program.
 [[noreturn]] void end_by_signal(script::Host& host);
 
 /// This program's file.

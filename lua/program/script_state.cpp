@@ -17,7 +17,7 @@
 namespace trilith::program {
 namespace {
 
-/// os.exit(code): as in Lua, but the results say how the run ended.
+/// os.exit(code): as in Lua, but the results record the end of the run.
 int exit_script(lua_State* L) {
   const bool good =
       lua_isnoneornil(L, 1) || (lua_isboolean(L, 1) ? lua_toboolean(L, 1) != 0 : lua_tointeger(L, 1) == 0);
@@ -29,7 +29,7 @@ int exit_script(lua_State* L) {
   std::exit(good && !untrusted_runs.empty() ? not_trusted : code);
 }
 
-/// print(...), on lines of its own: the status goes first. Upvalues: the host, and Lua's print.
+/// print(...), on separate lines: the status is removed first. Upvalues: the host, and Lua's print.
 int print_apart(lua_State* L) {
   const auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
   if (host.observer != nullptr) host.observer->clear();

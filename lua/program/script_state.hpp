@@ -14,14 +14,14 @@ struct CloseState {
 };
 using ScriptState = std::unique_ptr<lua_State, CloseState>;
 
-/// A state with add_traceback at stack index 1, made ready for `host`, which must outlive it. Throws InputError where
-/// that fails.
+/// A state with add_traceback at stack index 1, prepared for `host`, which must outlive it. Throws InputError if that
+/// fails.
 ScriptState new_script_state(script::Host& host);
 
-/// Reads host.script into host.script_text. Throws InputError where it cannot be read.
+/// Reads host.script into host.script_text. Throws InputError if it cannot be read.
 void read_script(script::Host& host);
 
-/// Pushes the script as a function, or a message: LUA_OK or an error, as luaL_loadbuffer. `before` stands in front of
+/// Pushes the script as a function, or a message: LUA_OK or an error, as luaL_loadbuffer. `before` is inserted before
 /// its first line.
 int load_script(lua_State* L, const script::Host& host, const std::string& before = "");
 

@@ -1,4 +1,4 @@
-// A status line that says how far something is.
+// A status line with the completed share of a task.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace trilith::program {
 
-/// Tells the share done, where there is a terminal and more than a moment has gone by.
+/// Prints the completed share on a terminal, after a short time.
 class ShareStatus {
  public:
   /// `what`: such as "reading frames".

@@ -1,4 +1,4 @@
-// The option that says what times count from, of all verbs that show times.
+// The option for the origin of times, of all verbs that show times.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,20 +1,20 @@
-// The verbs of the program: each adds itself to the command line, in a file of its own.
+// The verbs of the program: each adds itself to the command line, in a separate file.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace trilith::program {
 
-/// How the program ends.
+/// Exit codes of the program.
 enum ExitCode : int {
   ended_well = 0,
   wrong_input = 1,
   wrong_usage = 2,
-  not_trusted = 3,  ///< a run diverged, did not come to rest where it had to, or let bodies pass through each other
+  not_trusted = 3,  ///< a run diverged, did not come to rest as required, or had bodies that passed through each other
   interrupted = 130
 };
 
-/// A verb sets `code` when it has run.
+/// A verb sets `code` after it has run.
 void add_console(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);

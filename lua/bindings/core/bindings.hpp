@@ -1,4 +1,4 @@
-// What each file of bindings adds to the module table, in one list.
+// List of the functions and methods that each file of bindings adds to the module table.
 #pragma once
 
 #include "bindings/core/handles.hpp"
@@ -7,7 +7,7 @@ namespace trilith::script {
 
 Host& host(lua_State* L);
 
-// Each adds its functions to the table on top of the stack.
+// Each function adds its functions to the table on top of the stack.
 void open_units(lua_State* L);         ///< units, params
 void open_math(lua_State* L);          ///< math.sin, math.exp, ...
 void open_laws(lua_State* L);          ///< frictional, bonded, linear, ...
@@ -17,7 +17,7 @@ void open_motions(lua_State* L);       ///< motion
 void open_build(lua_State* L);         ///< build.block, build.arch, ...
 void open_study(lua_State* L);         ///< study
 void open_core(lua_State* L);          ///< for the library only: model, wake, fail, ...
-void open_declarations(lua_State* L);  ///< for the library only: what is declared of kinds and laws
+void open_declarations(lua_State* L);  ///< for the library only: declarations of kinds and laws
 
 // Methods of a model, file by file.
 std::span<const Method> parts_methods();     ///< material, contact, body, add, pier, span, ...
@@ -40,31 +40,32 @@ int push_member_forces(lua_State* L);
 int push_member_hinges(lua_State* L);
 int push_member_fibres(lua_State* L);
 
-/// Highest number of a storey ("storey 3") among the groups of the bodies so far.
+/// Highest number of a storey ("storey 3") among the groups of the present bodies.
 int storey_count(const ScriptModel& model);
-/// Of the model, over all: base shear, drift, damage, openings; InputError where there is nothing to build.
+/// Properties of the whole model: base shear, drift, damage, openings; InputError if the model cannot be built.
 std::span<const Property<ModelBox>> finding_properties();
-/// Of the model: force and displacement of its pushes.
+/// Properties of the model: force and displacement of its pushes.
 std::span<const Property<ModelBox>> pushover_properties();
 
-/// Of the model: worst.
+/// Properties of the model: worst.
 std::span<const Property<ModelBox>> debug_properties();
 /// For the library: pause, resume, compare, laws of a model.
 void open_debug(lua_State* L);
 void open_compare(lua_State* L);
 void open_change(lua_State* L);
 void open_modes(lua_State* L);
-void open_bridge(lua_State* L);  ///< for the library: bearing types, laid at the ends of spans
-void open_lint(lua_State* L);    ///< for the library: faults, doubts, damping of contacts, what is usual
+void open_bridge(lua_State* L);  ///< for the library: bearing types, and bearings at the ends of spans
+void open_lint(lua_State* L);    ///< for the library: faults, plausibility notes, damping of contacts, plausible ranges
 
-/// Pushes an event as the table that handlers get. `model_index`: of the model's userdata.
+/// Pushes an event as the table for handlers. `model_index`: index of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);
 
-/// A note on what is done to `model` now: told at once while a stage runs, else with the others as one begins.
+/// Adds a note on a change of `model`: reported at once while a stage runs, otherwise with the others at the begin of a
+/// stage.
 void tell_note(lua_State* L, ScriptModel& model, const std::string& text);
 
-/// Name in `model` of a contact law: `name`, its own, that of a law with the same numbers, or a new one; the builder
-/// knows it from now on. Throws InputError where another law has that name.
+/// Name of a contact law in `model`: `name`, its own name, the name of a law with equal numbers, or a new one; adds the
+/// law to the builder. Throws InputError if another law has that name.
 std::string require_law(ScriptModel& model, const ContactLawValue& law, const std::string& name);
 
 }  // namespace trilith::script

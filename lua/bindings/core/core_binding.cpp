@@ -1,4 +1,4 @@
-// What the library in lua/lib needs of the engine: clocks, event names, messages. Not for scripts.
+// Engine functions for the library in lua/lib: clocks, event names, messages. Not for scripts.
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +12,12 @@ ScriptModel& model_at(lua_State* L) {
   return handle<ModelBox>(L, 1).get();
 }
 
-/// core.fail(text): an error of input at the user's line.
+/// core.fail(text): an input error at the user's line.
 int fail(lua_State* L) {
   throw InputError(lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "something is wrong");
 }
 
-/// core.what_is(value): what it is, as messages say it.
+/// core.what_is(value): description of a value for messages.
 int what_it_is(lua_State* L) {
   lua_settop(L, 1);
   const std::string text = what_is(L, 1);
@@ -31,7 +31,7 @@ std::vector<std::string> event_names() {
   return names;
 }
 
-/// core.listen(model, name, owner): from now on such events are handed to the library. "*": all.
+/// core.listen(model, name, owner): passes such events to the library from now on. "*": all events.
 int listen(lua_State* L) {
   ScriptModel& m = model_at(L);
   const std::string owner = lua_type(L, 3) == LUA_TSTRING ? text_at(L, 3) : "on";
@@ -63,7 +63,7 @@ int timer(lua_State* L) {
   return 1;
 }
 
-/// core.wake(model, time): the library's wake function is called then.
+/// core.wake(model, time): calls the library's wake function at that time.
 int wake(lua_State* L) {
   ScriptModel& m = model_at(L);
   m.wake_at = std::min(m.wake_at, lua_tonumber(L, 2));
@@ -106,7 +106,7 @@ int seat(lua_State* L) {
   push_seat(L, 1, row);
   return 1;
 }
-/// core.storey(model, number): nil where there is no such storey.
+/// core.storey(model, number): nil if there is no such storey.
 int storey(lua_State* L) {
   if (lua_isinteger(L, 2) == 0) throw InputError(fmt::format("storeys go by number; this is {}", what_is(L, 2)));
   const lua_Integer number = lua_tointeger(L, 2);
@@ -127,7 +127,8 @@ int seat_count(lua_State* L) {
   return 1;
 }
 
-/// core.traced(thread, message): the message with the thread's traceback, marked as whole; an error object as it is.
+/// core.traced(thread, message): the message with the thread's traceback, marked as complete; an error object is
+/// returned unchanged.
 int traced(lua_State* L) {
   lua_settop(L, 2);
   if (lua_tothread(L, 1) == nullptr) throw InputError("traced: takes a thread and a message");
@@ -135,8 +136,8 @@ int traced(lua_State* L) {
   return 1;
 }
 
-/// core.name_of(model, kind, thing, owner): the name of a body, bearing or seat of the model, which is given itself or
-/// by name. A name that is not there is an error once the model is built; before, it may still come.
+/// core.name_of(model, kind, thing, owner): the name of a body, bearing or seat of the model, which is given as a
+/// handle or by name. An unknown name is an error after the model is built; before, it may still be added.
 int name_of(lua_State* L) {
   const ScriptModel& m = model_at(L);
   const std::string kind = text_at(L, 2), owner = text_at(L, 4);
@@ -155,7 +156,7 @@ int name_of(lua_State* L) {
   return 1;
 }
 
-/// core.nearest(name, {known}): the hint of messages.
+/// core.nearest(name, {known}): the hint in messages.
 int hint(lua_State* L) {
   std::vector<std::string> known;
   const auto count = lua_type(L, 2) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, 2)) : 0;
@@ -168,7 +169,7 @@ int hint(lua_State* L) {
   return 1;
 }
 
-/// core.members(kind): the table of a kind's members, for the library to add methods to.
+/// core.members(kind): the table of a kind's members, to which the library adds methods.
 int members(lua_State* L) {
   const std::string key = std::string("trilith.") + (lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "");
   if (luaL_getmetatable(L, key.c_str()) != LUA_TTABLE) throw InputError(fmt::format("there is no kind '{}'", key));

@@ -1,4 +1,4 @@
-// Looking into a model: single steps, checkpoints and going back, its worst body, what changed between two branches.
+// Inspection of a model: single steps, checkpoints and rewinding, its worst body, differences between two branches.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace trilith::script {
 namespace {
 
-/// m:step(n): n steps more, of the stage that pauses, or of one of its own.
+/// m:step(n): takes n further steps, of the paused stage, or of a separate one.
 int step(lua_State* L) {
   ScriptModel& m = this_model(L);
   const lua_Integer n = lua_isnoneornil(L, 2) ? 1 : lua_tointeger(L, 2);
@@ -43,7 +43,7 @@ double time_to_go_to(lua_State* L, const ScriptModel& m) {
   return to;
 }
 
-/// m:rewind(seconds) or m:rewind{ to = time }: gives the time it is then.
+/// m:rewind(seconds) or m:rewind{ to = time }: returns the time after rewinding.
 int rewind(lua_State* L) {
   ScriptModel& m = this_model(L);
   const double left = m.time();
@@ -64,7 +64,7 @@ std::string checkpoints_text(const Checkpoints& c) {
                      c.list().front().time(), c.list().back().time(), static_cast<double>(c.bytes()) / 1e6, limits);
 }
 
-/// m:checkpoints{ every =, count =, bytes =, on = }: sets what is given; gives what there is.
+/// m:checkpoints{ every =, count =, bytes =, on = }: sets the given options; returns the present ones.
 int checkpoints(lua_State* L) {
   ScriptModel& m = this_model(L);
   Checkpoints& c = m.checkpoints;
@@ -99,7 +99,7 @@ int checkpoints(lua_State* L) {
   return 1;
 }
 
-/// core.pause(model, why): the run pauses at the next step border. False where there is no console.
+/// core.pause(model, why): pauses the run at the next step border. False if there is no console.
 int pause(lua_State* L) {
   ScriptModel& m = this_model(L);
   m.pause_reason = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "asked for";
@@ -118,7 +118,7 @@ int paused(lua_State* L) {
   return 1;
 }
 
-/// core.pause_reason(model): why the run paused in what a console ran, once; "" where it did not.
+/// core.pause_reason(model): reason of a pause during a console command, returned once; "" without a pause.
 int pause_reason(lua_State* L) {
   ScriptModel& m = this_model(L);
   const std::string why = std::exchange(m.pause_reason, "");
@@ -126,20 +126,20 @@ int pause_reason(lua_State* L) {
   return 1;
 }
 
-/// core.resume(model): the stage that rewind has brought back goes on.
+/// core.resume(model): continues the stage that rewind has restored.
 int resume(lua_State* L) {
   lua_settop(L, 1);
   push_report(L, resume_stage(L, this_model(L)));
   return 1;
 }
 
-/// core.note(model, text): to the results file.
+/// core.note(model, text): adds a note to the results file.
 int note(lua_State* L) {
   this_model(L).note(lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "");
   return 0;
 }
 
-/// core.records(model): whether results or histories were asked for.
+/// core.records(model): true if results or histories were requested.
 int records(lua_State* L) {
   const ScriptModel& m = this_model(L);
   lua_pushboolean(L, m.results || !m.histories.empty() || !host(L).results_file.empty() ? 1 : 0);
@@ -152,7 +152,7 @@ int has_console(lua_State* L) {
   return 1;
 }
 
-/// core.open_console(why): here, in Lua code.
+/// core.open_console(why): opens the console at this place in Lua code.
 int open_console(lua_State* L) {
   const std::string why = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   if (host(L).console == nullptr) return 0;
@@ -161,7 +161,8 @@ int open_console(lua_State* L) {
   return 0;
 }
 
-/// The function of upvalue 1, timed in row upvalue 2 of the profile. No object with a destructor: errors pass.
+/// The function of upvalue 1, timed in row upvalue 2 of the profile. It contains no object with a destructor, because
+/// errors pass through it.
 int call_timed(lua_State* L) {
   const auto begun = std::chrono::steady_clock::now();
   const int given = lua_gettop(L);
@@ -175,7 +176,7 @@ int call_timed(lua_State* L) {
   return lua_gettop(L);
 }
 
-/// core.timed(f, what): f itself; where a profile is wanted, one that adds its time to it under that name.
+/// `core.timed(f, what)`: f itself; with a profile, a function that adds its run time under that name.
 int timed(lua_State* L) {
   Host& h = host(L);
   lua_settop(L, 2);

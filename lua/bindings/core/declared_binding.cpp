@@ -1,5 +1,4 @@
-// What is declared of the kinds of handles and of the laws, for the library: console, manual, completion. Not for
-// scripts.
+// Declarations of the kinds of handles and of the laws, for the library: console, manual, completion. Not for scripts.
 #include <filesystem>
 
 #include "bindings/core/bindings.hpp"
@@ -40,7 +39,7 @@ bool push_any_kind(lua_State* L, std::string_view name) {
   return (push_kind<Hs>(L, name) || ...);
 }
 
-/// core.properties(kind): list of { name, unit, doc, number, settable }; nil where there is no such kind.
+/// core.properties(kind): list of { name, unit, doc, number, settable }; nil if there is no such kind.
 int properties(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? text_at(L, 1) : "";
   return push_any_kind<ModelBox, BodyHandle, BodySet, BearingHandle, SeatHandle, HistoryHandle, StoreyHandle,
@@ -78,8 +77,8 @@ struct PushLaw {
   }
 };
 
-/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in six tables: laws of
-/// contacts, of a bearing's directions, of solids, of fibres, of hinges; shapes of sections.
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in six tables: contact laws,
+/// bearing direction laws, solids, fibre laws, hinge laws, and section shapes.
 int laws(lua_State* L) {
   lua_newtable(L);
   ContactLaws::for_each(PushLaw{L});
@@ -96,7 +95,7 @@ int laws(lua_State* L) {
   return 6;
 }
 
-/// A builder's keys as pages of the manual say them: a line each of name, kind and sentence.
+/// Keys of a builder in the format of the manual: one line each of name, kind and sentence.
 template <DeclaredBuilder B>
 std::string builder_keys() {
   const std::string name = B{}.name;
@@ -121,7 +120,7 @@ int builders(lua_State* L) {
   return 1;
 }
 
-/// core.manual_pages(): the pages of the manual, each a function that gives its table.
+/// core.manual_pages(): the pages of the manual, each a function that returns its table.
 int manual_pages(lua_State* L) {
   lua_newtable(L);
   lua_Integer i = 0;
@@ -133,7 +132,7 @@ int manual_pages(lua_State* L) {
   return 1;
 }
 
-/// core.files_in(folder): what is in it, folders with a slash behind; nothing where it cannot be read.
+/// core.files_in(folder): names in the folder, with a slash after folders; nothing if it cannot be read.
 int files_in(lua_State* L) {
   std::error_code error;
   lua_newtable(L);
@@ -158,8 +157,8 @@ int event_names(lua_State* L) {
   return 1;
 }
 
-/// core.event_types(): of each kind of event its name, what its value is, the unit, and whether it has a place and the
-/// mode of a joint.
+/// core.event_types(): for each kind of event its name, the meaning of its value, the unit, and whether it has a place
+/// and the mode of a joint.
 int event_types(lua_State* L) {
   lua_newtable(L);
   lua_Integer i = 0;
@@ -200,7 +199,7 @@ int kind_of(lua_State* L) {
   return 1;
 }
 
-/// core.is_built(handle): whether the model it belongs to has been built.
+/// core.is_built(handle): true if the model of the handle has been built.
 int is_built(lua_State* L) {
   push_model_of(L, 1);
   const auto* box = test_handle<ModelBox>(L, -1);

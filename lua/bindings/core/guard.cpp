@@ -19,10 +19,10 @@ namespace {
 
 constexpr const char* whole_message = "trilith.whole_message";
 constexpr const char* error_object = "trilith.error_object";
-/// Chunks of the library that is compiled in are named so; they are not the user's.
+/// Prefix of the chunk names of the built-in library, to distinguish them from the user's.
 constexpr std::string_view library_prefix = "=trilith/";
 
-/// Guarded functions at work in this thread, and what they may still use.
+/// Guarded functions that run in this thread, and objects they may still use.
 struct AtWork {
   int calls = 0;
   std::vector<std::shared_ptr<void>> kept;
@@ -42,19 +42,19 @@ struct Call {
 };
 
 void push_message(lua_State* L, const std::exception& e, bool whole) {
-  // It may quote what the script gave, and stock lua writes it to the terminal as it is.
+  // It may quote text of the script, and stock lua writes it to the terminal unchanged.
   const std::string text = terminal_text(e.what());
   lua_pushstring(L, whole ? text.c_str() : (user_place(L) + text).c_str());
 }
 
-/// Pushes the error object that a ScriptError is about.
+/// Pushes the error object of a ScriptError.
 void take_error_object(lua_State* L) {
   lua_getfield(L, LUA_REGISTRYINDEX, error_object);
   lua_pushnil(L);
   lua_setfield(L, LUA_REGISTRYINDEX, error_object);
 }
 
-/// The text that a value's __tostring, or a number, gives; "" where there is none. What __tostring raises passes.
+/// Text of a number, or from a value's __tostring; "" if there is none. Errors of __tostring propagate.
 int own_text(lua_State* L) {
   if (lua_type(L, 1) == LUA_TNUMBER)
     luaL_tolstring(L, 1, nullptr);
@@ -77,7 +77,7 @@ std::string plain_value(lua_State* L, int index) {
   }
 }
 
-/// "{ 1, code = 5 }": the list of a table, then its names in their order, each up to a few.
+/// "{ 1, code = 5 }": the list part of a table, then its sorted names, each up to a limit.
 std::string contents(lua_State* L, int table) {
   constexpr std::size_t most = 8;
   std::vector<std::string> list, named;
@@ -94,14 +94,14 @@ std::string contents(lua_State* L, int table) {
   return list.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(list, ", "));
 }
 
-/// Message handler: add_traceback that leaves error objects as they are.
+/// Message handler: add_traceback that leaves error objects unchanged.
 int trace_text(lua_State* L) {
   lua_settop(L, 1);
   add_thread_traceback(L, L);
   return 1;
 }
 
-/// The function of Lua that is at work, as "wall: ", or "" where it has no name.
+/// The Lua function that is running, as "wall: ", or "" if it has no name.
 std::string name_at_work(lua_State* L) {
   lua_Debug frame;
   if (lua_getstack(L, 0, &frame) != 1 || lua_getinfo(L, "n", &frame) == 0 || frame.name == nullptr) return "";

@@ -1,8 +1,8 @@
-// The one place where C++ exceptions become Lua errors, and Lua errors C++ exceptions.
+// Conversion of C++ exceptions to Lua errors, and of Lua errors to C++ exceptions.
 //
-// Every C function given to Lua is written as guarded<f>. Within f, code throws InputError (or any std::exception) and
-// calls no Lua function that raises for anything but lack of memory: raw access, explicit type tests, call() for Lua
-// code. So no longjmp ever crosses an object with a destructor, and the same code is right under both builds of Lua.
+// Every C function for Lua is written as guarded<f>. Within f, code throws InputError (or any std::exception). It calls
+// no Lua function that raises errors other than lack of memory: only raw access, explicit type tests, and call() for
+// Lua code. So no longjmp crosses an object with a destructor, and the same code is valid for both builds of Lua.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace trilith::script {
 
-/// A Lua error on its way through C++: its message is whole (place and traceback are in it). An error object that is no
-/// text waits in the Lua state, and goes on as it was; the message then says what it is.
+/// A Lua error that passes through C++. Its message is complete, with place and traceback. An error object that is not
+/// a text is stored in the Lua state and is raised again unchanged; the message then describes it.
 class ScriptError : public std::runtime_error {
  public:
   explicit ScriptError(const std::string& message, bool is_object = false)
@@ -26,10 +26,10 @@ class ScriptError : public std::runtime_error {
   bool is_object_;
 };
 
-/// Keeps `value` until no guarded function is at work: a finalizer may run in the midst of one that still uses it.
+/// Keeps `value` alive until no guarded function runs, because a finalizer may run during one that still uses it.
 void keep_until_idle(std::shared_ptr<void> value);
 
-/// Runs `body`; what it throws becomes a Lua error with the user's script and line in front.
+/// Runs `body`; its exceptions become Lua errors that begin with the user's script and line.
 int run_guarded(lua_State* L, lua_CFunction body);
 
 template <int (*body)(lua_State*)>
@@ -38,32 +38,33 @@ int guarded(lua_State* L) {
 }
 
 /// Calls the function below `arguments` values on the stack, as lua_pcall does, leaving `results` values. Throws
-/// ScriptError where it fails: a text with its traceback, or the error object as it was raised.
+/// ScriptError if it fails, with the text and its traceback, or the error object as raised.
 void call(lua_State* L, int arguments, int results);
 
-/// How often control has passed between Lua and the engine in this thread, in either direction.
+/// Number of crossings between Lua and the engine in this thread, in either direction.
 std::uint64_t engine_crossings();
 
-/// `text` gives what Lua's "not enough memory" means where a limit was reached, and "" elsewhere.
+/// `text` returns an explanation of Lua's "not enough memory" if a limit was reached, otherwise "".
 void explain_lack_of_memory(std::string (*text)());
 
-/// Message handler for lua_pcall where an error is told: makes it a text, and adds a traceback, but for errors of
-/// input, where the one line says it all.
+/// Message handler for lua_pcall before an error is printed: converts it to a text, and adds a traceback except for
+/// input errors, whose single line is sufficient.
 int add_traceback(lua_State* L);
 
-/// Adds the traceback of `thread` to the message on top of the stack; an error object that is no text is left as it is.
+/// Adds the traceback of `thread` to the message on top of the stack; an error object that is not a text remains
+/// unchanged.
 void add_thread_traceback(lua_State* L, lua_State* thread);
 
-/// The value at `index` as a text for people: what its __tostring says, or what it holds. Raises nothing.
+/// The value at `index` as a text for people: from its __tostring, or its content. Raises no error.
 std::string error_text(lua_State* L, int index);
 
-/// The text at `index` with all its bytes, "" where there is none.
+/// The text at `index` with all its bytes, "" if there is none.
 std::string text_at(lua_State* L, int index);
 
-/// Marks the string on top of the stack as whole: add_traceback leaves it as it is.
+/// Marks the string on top of the stack as complete: add_traceback leaves it unchanged.
 void mark_whole(lua_State* L);
 
-/// "script.lua:12: " of the innermost frame that is the user's own, or "".
+/// "script.lua:12: " of the innermost frame of the user's code, or "".
 std::string user_place(lua_State* L);
 
 }  // namespace trilith::script

@@ -7,7 +7,7 @@
 namespace trilith::script {
 namespace {
 
-/// Pushes the row's handle from the cache `table` of the model's own table, making it where it is not there.
+/// Pushes the row's handle from the cache `table` of the model's own table; creates it if necessary.
 template <class H>
 void push_row(lua_State* L, int model_index, int row, const char* table) {
   model_index = lua_absindex(L, model_index);
@@ -99,7 +99,7 @@ ScriptModel& this_model(lua_State* L) {
 
 namespace {
 
-/// What the running function was called by, "bearing" of m:bearing{...}.
+/// Name by which the running function was called, such as "bearing" for m:bearing{...}.
 std::string called_name(lua_State* L) {
   lua_Debug call{};
   if (lua_getstack(L, 0, &call) == 0 || lua_getinfo(L, "n", &call) == 0 || call.name == nullptr) return "this";
@@ -186,7 +186,7 @@ std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& mode
 
 namespace {
 
-/// A body that was removed is none to do anything with.
+/// A removed body cannot be used.
 template <class H>
 int usable(const ScriptModel& model, int row, const std::string& owner) {
   if constexpr (std::is_same_v<H, BodyHandle>)
@@ -234,7 +234,7 @@ std::string body_name(Keys& keys, std::string_view key, const ScriptModel& model
 
 bool matches(std::string_view pattern, std::string_view name) {
   constexpr std::size_t none = std::string_view::npos;
-  std::size_t p = 0, n = 0, star = none, taken = 0;  // the last '*' takes what lies before name[taken]
+  std::size_t p = 0, n = 0, star = none, taken = 0;  // the last '*' matches the text before name[taken]
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;
@@ -242,7 +242,7 @@ bool matches(std::string_view pattern, std::string_view name) {
     } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
       ++p, ++n;
     } else if (star != none) {
-      p = star + 1;  // an earlier '*' need not take more: what stands between it and this one matches already
+      p = star + 1;  // an earlier '*' need not match more: the part between it and this one matches already
       n = ++taken;
     } else {
       return false;

@@ -1,7 +1,8 @@
-// The handles that scripts hold: a model, and rows of a model. A row's user value is its model, so that it lives on.
+// Handles that scripts hold: a model, and rows of a model. The user value of a row is its model, which keeps the model
+// alive.
 //
-// Handles outlive models: a model may be closed, and at the end of a script finalizers read what is gone. So a row
-// holds its model weakly and asks each time (Owner), and whatever is given a handle goes through require_own.
+// Handles outlive models: a model may be closed, and finalizers at the end of a script may read destroyed objects. So a
+// row holds its model weakly and checks it at each access (Owner), and every handle argument is checked by require_own.
 #pragma once
 
 #include <memory>
@@ -20,21 +21,21 @@ namespace trilith::script {
 struct ModelBox {
   std::shared_ptr<ScriptModel> model;
   [[nodiscard]] bool open() const { return model != nullptr && !model->closed; }
-  /// The model, or InputError where it has been closed.
+  /// The model, or InputError if it has been closed.
   [[nodiscard]] ScriptModel& get() const;
-  /// ... and where it is in space.
+  /// As above; InputError too if the model is in space.
   [[nodiscard]] PlaneModel& plane() const;
-  /// From now on the model is closed for all its handles. It is freed once no call of the interface is at work.
+  /// Closes the model for all its handles. It is freed when no call of the interface runs.
   void close();
 };
 
-/// The model that a handle belongs to.
+/// The model of a handle.
 class Owner {
  public:
   Owner() = default;
   explicit Owner(const std::shared_ptr<ScriptModel>& model) : model_(model) {}
   [[nodiscard]] bool open() const { return ModelBox{model_.lock()}.open(); }
-  /// The model, or InputError where it has been closed. It is there until the present call of the interface ends.
+  /// The model, or InputError if it has been closed. It remains alive until the present call of the interface ends.
   [[nodiscard]] ScriptModel& get() const { return ModelBox{model_.lock()}.get(); }
   [[nodiscard]] bool same(const Owner& other) const {
     return !model_.owner_before(other.model_) && !other.model_.owner_before(model_);
@@ -50,16 +51,16 @@ struct Row {
   int index = 0;
   [[nodiscard]] bool open() const { return owner.open(); }
   [[nodiscard]] ScriptModel& model() const { return owner.get(); }
-  /// For what only models in the plane have; InputError where it is in space.
+  /// For features of plane models; InputError if the model is in space.
   [[nodiscard]] PlaneModel& plane() const;
 };
 struct BodyHandle : Row {};
 struct BearingHandle : Row {};
 struct SeatHandle : Row {};
 struct HistoryHandle : Row {};
-struct StoreyHandle : Row {};  ///< index: its number less 1
+struct StoreyHandle : Row {};  ///< index: its number minus 1
 
-/// Bodies of one model, in rising order; user value 1 is the model.
+/// Bodies of one model, sorted; user value 1 is the model.
 struct BodySet {
   Owner owner = {};
   std::vector<int> bodies = {};
@@ -67,7 +68,7 @@ struct BodySet {
   [[nodiscard]] ScriptModel& model() const { return owner.get(); }
 };
 
-/// A ground motion; `steady` ones need not come to rest.
+/// A ground motion; a `steady` one need not end at rest.
 struct MotionValue {
   std::shared_ptr<const GroundMotion> motion;
   bool steady = false;
@@ -75,7 +76,7 @@ struct MotionValue {
 
 struct ContactLawValue {
   ContactLaw law;
-  std::string name;  ///< "" where the script gave none
+  std::string name;  ///< "" if the script gave none
 };
 
 struct DirectionLawValue {
@@ -90,7 +91,7 @@ struct FibreLawValue {
   UniaxialLaw law;
 };
 
-/// One kind so far.
+/// Law of a plastic hinge; one kind at present.
 struct HingeLawValue {
   std::variant<HingeLaw> law;
 };
@@ -98,11 +99,11 @@ struct HingeLawValue {
 /// A cross-section of beams.
 struct SectionValue {
   Section numbers;
-  std::string text;                 ///< how it was made
-  std::optional<FibreShape> shape;  ///< where it can be cut into fibres
-  std::optional<FibreSpec> fibres;  ///< where it is made of them
-  Section3 in_space = {};           ///< the same of members in space
-  std::string not_in_space = {};    ///< why it cannot be one there
+  std::string text;                 ///< its constructor call
+  std::optional<FibreShape> shape;  ///< if it can be divided into fibres
+  std::optional<FibreSpec> fibres;  ///< if it consists of fibres
+  Section3 in_space = {};           ///< section for members in space
+  std::string not_in_space = {};    ///< reason for which it is not possible there
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
@@ -137,13 +138,13 @@ TRILITH_KIND(SectionValue, "section");
 /// InputError for a property that a body has only while it is in the model.
 void require_readable(const BodyHandle& b, std::string_view property);
 
-/// The model whose method is called: argument 1. InputError where it is none, or closed.
+/// The model whose method is called: argument 1. InputError if it is not a model, or closed.
 ScriptModel& this_model(lua_State* L);
-/// The same where it is in the plane, or in space; InputError, which names the method, where it is not.
+/// The model if it is in the plane, or in space; otherwise InputError, which names the method.
 PlaneModel& this_plane(lua_State* L);
 SpaceModel& this_space(lua_State* L);
 
-/// A model as what it is, in the plane or in space; nullptr where it is the other.
+/// Cast to a model in the plane or in space; nullptr for the other kind.
 inline PlaneModel* as_plane(ScriptModel& m) {
   return m.dim() == 2 ? static_cast<PlaneModel*>(&m) : nullptr;
 }
@@ -153,11 +154,11 @@ inline const PlaneModel* as_plane(const ScriptModel& m) {
 inline SpaceModel* as_space(ScriptModel& m) {
   return m.dim() == 3 ? static_cast<SpaceModel*>(&m) : nullptr;
 }
-/// The model of what only the plane has; InputError, which names it, where the model is in space.
+/// The model for a feature of the plane; InputError, which names it, if the model is in space.
 PlaneModel& require_plane(ScriptModel& m, const std::string& what);
 
-/// `h`, where it belongs to `model`. InputError, begun with `owner` unless that is "", where its model is another one
-/// or has been closed.
+/// `h`, if it belongs to `model`. InputError, beginning with `owner` unless that is "", if it belongs to another model
+/// or its model has been closed.
 template <class H>
 const H& require_own(const H& h, const ScriptModel& model, const std::string& owner) {
   const std::string begin = owner.empty() ? "" : owner + ": ";
@@ -166,8 +167,8 @@ const H& require_own(const H& h, const ScriptModel& model, const std::string& ow
   if (&h.model() != &model) throw InputError(fmt::format("{}{} belongs to another model", begin, Kind<H>::title(h)));
   return h;
 }
-/// Row of the body, bearing or seat at `index`: a handle of `model`, or the name of one. InputError as require_own, and
-/// where there is no such name.
+/// Row of the body, bearing or seat at `index`: a handle of `model`, or a name. InputError as require_own, and for an
+/// unknown name.
 template <class H>
 int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
 inline PlaneModel& ModelBox::plane() const {
@@ -176,7 +177,7 @@ inline PlaneModel& ModelBox::plane() const {
 inline PlaneModel& Row::plane() const {
   return require_plane(model(), "this");
 }
-/// Of the model that a handle belongs to.
+/// Dimension of the model of a handle.
 inline int dimension_of(const ModelBox& m) {
   return m.get().dim();
 }
@@ -199,11 +200,11 @@ H row_of(ScriptModel& model, int index) {
   return h;
 }
 
-/// Pushes the model that the row or set at `index` belongs to (the model itself for a model), nil where it is neither.
+/// Pushes the model of the row or set at `index` (the model itself for a model), nil for other values.
 void push_model_of(lua_State* L, int index);
-/// Pushes the model's own table, for the library; InputError where there is none.
+/// Pushes the model's own table for the library; InputError if there is none.
 void push_own_table(lua_State* L, int model_index);
-/// Pushes the handle of a body, bearing or seat; the same one each time. `model_index`: of the model's userdata.
+/// Pushes the handle of a body, bearing or seat, the same one each time. `model_index`: index of the model's userdata.
 void push_body(lua_State* L, int model_index, int body);
 void push_bearing(lua_State* L, int model_index, int bearing);
 void push_seat(lua_State* L, int model_index, int seat);
@@ -211,16 +212,16 @@ void push_storey(lua_State* L, int model_index, int storey);
 void push_history(lua_State* L, int model_index, int history);
 void push_set(lua_State* L, int model_index, std::vector<int> bodies);
 
-/// Bodies named at `index`: a body, a set, a name, a group's name, or a list of these. InputError where it is nothing
-/// of the model; `owner` begins the message.
+/// Bodies at `index`: a body, a set, a name, a group's name, or a list of these. InputError if it does not belong to
+/// the model; `owner` begins the message.
 std::vector<int> bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
-/// The same for what is to be done to bodies: InputError too where there is none, as in an empty set.
+/// As above for a change of bodies: InputError too for an empty result, such as an empty set.
 std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner);
-/// The name of the body under a key, given as a body or by name; "" with a problem noted where it is missing or wrong.
+/// The name of the body under a key, given as a body or by name; "" with a problem noted if it is missing or wrong.
 std::string body_name(Keys& keys, std::string_view key, const ScriptModel& model);
 
-/// True where `name` matches `pattern`, in which '*' stands for any text and '?' for any letter. The time it takes is
-/// at most the product of their lengths.
+/// True if `name` matches `pattern`, in which '*' matches any text and '?' any letter. The run time is at most
+/// proportional to the product of their lengths.
 bool matches(std::string_view pattern, std::string_view name);
 
 }  // namespace trilith::script

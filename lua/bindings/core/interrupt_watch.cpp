@@ -7,7 +7,7 @@ int do_nothing(lua_State*) {
   return 0;
 }
 
-/// The one C function behind all hooks that debug.sethook sets; nullptr where the library is not there.
+/// The C function that implements all hooks of debug.sethook; nullptr without the library.
 lua_Hook hook_of_scripts(lua_State* L) {
   const int top = lua_gettop(L);
   lua_checkstack(L, 10);

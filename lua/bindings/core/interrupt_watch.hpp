@@ -1,4 +1,4 @@
-// Whether Ctrl-C was pressed, for what runs long without entering Lua.
+// Detection of Ctrl-C for long computations that do not enter Lua.
 #pragma once
 
 #include "bindings/core/host.hpp"
@@ -6,9 +6,9 @@
 
 namespace trilith::script {
 
-/// The program counts its interrupts (Host::interrupted). Stock lua tells nobody: it sets a hook on its main thread
-/// that raises once Lua code runs. So there it is a hook that was not there when this was made, and is not one of the
-/// script's own, set by debug.sethook.
+/// The program counts its interrupts (Host::interrupted). Stock lua has no such count: it sets a hook on its main
+/// thread that raises an error when Lua code runs. There a new hook that debug.sethook did not set indicates the
+/// interrupt.
 class InterruptWatch {
  public:
   InterruptWatch(lua_State* L, const Host& host);

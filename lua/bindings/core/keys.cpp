@@ -8,14 +8,14 @@
 namespace trilith::script {
 namespace {
 
-/// As a script would print it, but for the sign of NaN, which means nothing.
+/// As a script would print it, except for the sign of NaN, which has no meaning.
 std::string number_text(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{}", value);
 }
 
-constexpr lua_Unsigned longest_shown = 6;  ///< numbers of a list that messages repeat
+constexpr lua_Unsigned longest_shown = 6;  ///< numbers of a list that messages print
 
-/// "{1, nan, 1}" of a short list of numbers and the like, "a table" of any other.
+/// "{1, nan, 1}" for a short list of numbers and similar, "a table" for others.
 std::string table_text(lua_State* L, int index) {
   const lua_Unsigned length = lua_rawlen(L, index);
   if (length == 0 || length > longest_shown) return "a table";
@@ -28,7 +28,7 @@ std::string table_text(lua_State* L, int index) {
     lua_pop(L, 1);
     if (!plain) return "a table";
   }
-  std::vector<std::string> names;  // in their order: a Lua table has none of its own
+  std::vector<std::string> names;  // sorted, because a Lua table has no order
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(one_line(text_at(L, -2)));
   std::sort(names.begin(), names.end());
@@ -66,7 +66,7 @@ std::string what_is(lua_State* L, int index) {
 
 namespace {
 
-/// As many finite numbers as V has, in a list at `index`.
+/// A list at `index` with as many finite numbers as V has.
 template <class V>
 std::optional<V> numbers_at(lua_State* L, int index) {
   V p = V::Zero();
@@ -78,7 +78,7 @@ std::optional<V> numbers_at(lua_State* L, int index) {
     if (good) p[i] = lua_tonumber(L, -1);
     lua_pop(L, 1);
   }
-  // A key of its own is none of a list: it was meant for the table around it.
+  // A named key is not part of a list: it was probably meant for the surrounding table.
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) good = good && lua_isinteger(L, -2) != 0;
   if (!good || !p.allFinite()) return {};
   return p;
@@ -110,7 +110,7 @@ Keys::Keys(lua_State* L, int index, std::string owner)
 }
 
 void Keys::name_owner(const std::string& name) {
-  // A name that is too long is refused by its own message.
+  // A name that is too long is rejected with a separate message.
   if (!name.empty() && name.size() <= longest_name) owner_ = fmt::format("{} '{}'", owner_, one_line(name));
 }
 
@@ -154,7 +154,7 @@ void Keys::refuse(std::string_view key, const std::string& why) {
 
 namespace {
 
-/// Sizes below it are slips: products and quotients of such numbers run out of digits, or of all measure.
+/// Smaller magnitudes are errors: products and quotients of such numbers underflow or overflow.
 constexpr double least_number = 1e-300;
 
 }  // namespace
@@ -339,7 +339,7 @@ std::size_t Keys::choice(std::string_view key, const std::vector<std::string>& c
 }
 
 void Keys::report_unknown() const {
-  std::string first;  // in the order of names, so that the message never depends on the order of a hash
+  std::string first;  // sorted by name, so that the message does not depend on the order of a hash
   bool any = false;
   for (lua_pushnil(L_); lua_next(L_, index_) != 0; lua_pop(L_, 1)) {
     if (lua_type(L_, -2) != LUA_TSTRING) {

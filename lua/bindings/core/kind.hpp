@@ -1,5 +1,5 @@
-// What the handles that scripts hold are made of: one table of properties and methods for each kind, from which come
-// reading, writing, messages, tostring, histories, help and completion.
+// Implementation of the handles that scripts hold: one table of properties and methods for each kind, from which
+// reading, writing, messages, tostring, histories, help and completion are derived.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,21 +19,21 @@
 
 namespace trilith::script {
 
-/// A named value of a handle. Just one of `number` and `push` is given; a number can be followed as a history.
+/// A named value of a handle. Exactly one of `number` and `push` is set; a number can be recorded as a history.
 template <class H>
 struct Property {
-  std::string_view name, unit, doc;  ///< unit "" where it is no number
+  std::string_view name, unit, doc;  ///< unit "" if it is not a number
   double (*number)(const H&) = nullptr;
   void (*push)(lua_State*, const H&) = nullptr;      ///< pushes one value; the handle is at stack index 1
   void (*set)(lua_State*, H&, int index) = nullptr;  ///< nullptr: cannot be set
-  int dim = 0;                                       ///< of models with so many dimensions alone; 0: of all
+  int dim = 0;                                       ///< for models of this dimension only; 0: all
 };
 
 struct Method {
   std::string_view name;
   lua_CFunction call;  ///< guarded<...>
   std::string_view doc;
-  int dim = 0;  ///< of models with so many dimensions alone; 0: of all
+  int dim = 0;  ///< for models of this dimension only; 0: all
 };
 
 /// Specialised for each kind of handle: name (for messages), key (of the metatable), properties(), methods(),
@@ -41,18 +41,19 @@ struct Method {
 template <class H>
 struct Kind;
 
-/// Its address marks what was made as a handle of this kind.
+/// Its address marks objects that were created as a handle of this kind.
 template <class H>
 inline constexpr char kind_mark = 0;
 
-/// What the userdata of a handle holds. Having the metatable is not enough: debug.setmetatable gives it to anything.
+/// Content of the userdata of a handle. The metatable alone is not a proof, because debug.setmetatable can assign it to
+/// any value.
 template <class H>
 struct Held {
-  const void* mark = &kind_mark<H>;  ///< nullptr once its destructor has run
+  const void* mark = &kind_mark<H>;  ///< nullptr after its destructor has run
   H value;
 };
 
-/// A handle that knows whether its model is open; one that is destroyed says that it is not.
+/// A handle that can report whether its model is open; a destroyed one reports closed.
 template <class H>
 concept OfModel = requires(const H& h) {
   {h.open()};
@@ -82,7 +83,7 @@ const Property<H>* find_property(std::string_view name) {
   return nullptr;
 }
 
-/// Whether that handle has it: some are of models in the plane, or in space, alone.
+/// True if the handle has the property: some belong to models in the plane, or in space, only.
 template <class H>
 bool has_property(const Property<H>& p, const H& h) {
   if constexpr (requires { dimension_of(h); })
@@ -91,7 +92,7 @@ bool has_property(const Property<H>& p, const H& h) {
     return true;
 }
 
-/// The same of methods; those that the library adds are of all.
+/// True if the handle has the method; methods that the library adds belong to all.
 template <class H>
 bool has_method(std::string_view name, const H& h) {
   if constexpr (requires { dimension_of(h); })
@@ -120,7 +121,7 @@ void push_property(lua_State* L, const Property<H>& p, const H& h) {
     p.push(L, h);
 }
 
-/// InputError where the model of a handle is closed: then it has no members any more.
+/// InputError if the model of a handle is closed: then it has no members any more.
 template <class H>
 void require_open(const H& h) {
   if constexpr (OfModel<H>)
@@ -169,7 +170,7 @@ int describe_handle(lua_State* L) {
   return 1;
 }
 
-/// __gc. Finalizers of the script may run later and still read the handle: an empty one stays behind.
+/// __gc. Finalizers of the script may run later and still read the handle, so an empty one remains.
 template <class H>
 int destroy_handle(lua_State* L) {
   H* h = test_handle<H>(L, 1);
@@ -194,7 +195,7 @@ inline void set_function(lua_State* L, const char* name, lua_CFunction f) {
   lua_setfield(L, -2, name);
 }
 
-/// Makes the metatable of a kind. Its lookup table stays in the metatable as "members", for the library to add to.
+/// Creates the metatable of a kind. Its lookup table remains in the metatable as "members", to which the library adds.
 template <class H>
 void register_kind(lua_State* L) {
   if (luaL_newmetatable(L, Kind<H>::key) == 0) {
@@ -217,7 +218,7 @@ void register_kind(lua_State* L) {
   if constexpr (requires { Kind<H>::metamethods(); })
     for (const auto& [name, f] : Kind<H>::metamethods()) set_function(L, name, f);
   lua_pushstring(L, Kind<H>::name);
-  lua_setfield(L, -2, "__metatable");  // getmetatable gives the kind's name, and nobody can change it
+  lua_setfield(L, -2, "__metatable");  // getmetatable returns the kind's name, and scripts cannot change it
   lua_pop(L, 1);
 }
 

@@ -1,4 +1,4 @@
-// What laws as values have in common: variants of declared types.
+// Common parts of laws as values: variants of declared types.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace trilith::script {
 
-/// A declared number of a law, looked up by name: law.kn. False where the key is no text.
+/// A declared number of a law by name: law.kn. False if the key is not a text.
 template <class Law>
 bool push_declared(lua_State* L, const Law& law) {
   if (lua_type(L, 2) != LUA_TSTRING) return false;
@@ -33,8 +33,7 @@ bool push_declared(lua_State* L, const Law& law) {
   return true;
 }
 
-/// "frictional{kn=1e+08 Pa/m, mu=0.6}": what describe() gives, where a number without a unit has the unit 1, for
-/// people.
+/// "frictional{kn=1e+08 Pa/m, mu=0.6}": describe() with the unit 1 for dimensionless numbers, for display.
 template <class Law>
 std::string law_text(const Law& law) {
   std::string text;
@@ -48,7 +47,7 @@ std::string law_text(const Law& law) {
   return text;
 }
 
-/// Numbers of a contact law that are allowed each for itself, and mean nothing between two ways or without each other.
+/// Checks numbers of a contact law that are valid individually, but not between two options or without each other.
 template <class L>
 void check_ways(Keys& keys, const L& law) {
   if constexpr (requires { law.loss_by_point; })
@@ -62,7 +61,7 @@ void check_ways(Keys& keys, const L& law) {
           law.dilation > 0 ? "dilation" : "dilation_slip", law.dilation > 0 ? "dilation_slip" : "dilation"));
 }
 
-/// A constructor of a law that is its declared numbers alone, as a `Value` (handles.hpp).
+/// Constructor of a law that consists of declared numbers only, as a `Value` (handles.hpp).
 template <class Value, class L>
 int make_law(lua_State* lua) {
   Keys keys(lua, 1, std::string(L::name));
@@ -73,7 +72,7 @@ int make_law(lua_State* lua) {
   push_handle(lua, Value{law});
   return 1;
 }
-/// For the laws of a list: adds the constructor of each to the table on top of the stack.
+/// Adds the constructor of each law of a list to the table on top of the stack.
 template <class Value>
 struct AddLaw {
   lua_State* lua;
@@ -84,7 +83,7 @@ struct AddLaw {
 };
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type as a template argument takes none.
-/// What a kind of handle is that holds a law and nothing else.
+/// Kind of a handle that holds only a law.
 #define TRILITH_LAW_KIND(Value)                                                       \
   std::span<const Property<Value>> Kind<Value>::properties() {                        \
     return {};                                                                        \

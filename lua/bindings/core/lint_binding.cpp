@@ -1,4 +1,4 @@
-// What m:lint() asks of a model: its faults, numbers that are not usual, contacts that are hardly damped.
+// Checks of a model for m:lint(): its faults, implausible numbers, contacts with little damping.
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "build/space/check_solids.hpp"
@@ -23,7 +23,7 @@ std::vector<std::string> missing_laws_of(SimulatedModel<D>& m) {
   return missing_laws(m.simulation().model());
 }
 
-/// core.faults(model): what keeps it from being built or, once it can be, from beginning its next stage.
+/// core.faults(model): reasons for which it cannot be built or, after that, cannot begin its next stage.
 int faults(lua_State* L) {
   ScriptModel& m = handle<ModelBox>(L, 1).get();
   std::vector<std::string> all = m.faults();
@@ -48,7 +48,7 @@ void add_bearing_plausibility_notes_of(std::vector<std::string>& list, const std
     add_bearing_plausibility_notes(b, fmt::format("bearing '{}'", b.name), list);
 }
 
-/// Of bodies, bearings and the tilt of models in the plane.
+/// Notes on bodies, bearings and the tilt of models in the plane.
 void add_plane_plausibility_notes(std::vector<std::string>& list, const PlaneModel& m) {
   for (const BodySpec& body : m.builder.bodies())
     if (body.density)
@@ -58,7 +58,7 @@ void add_plane_plausibility_notes(std::vector<std::string>& list, const PlaneMod
     add_plausibility_note(list, "tilt", "rate", "rad/s", m.if_built()->model().gravity.tilt_rate);
 }
 
-/// core.doubts(model): notes on numbers that are allowed but implausible, at present.
+/// `core.doubts(model)`: notes on numbers that are allowed but implausible, at present.
 int plausibility_notes_of_model(lua_State* L) {
   const ScriptModel& m = handle<ModelBox>(L, 1).get();
   std::vector<std::string> list;
@@ -76,7 +76,7 @@ int plausibility_notes_of_model(lua_State* L) {
   return 1;
 }
 
-/// A row for each law that some joint has.
+/// A row for each law of some joint.
 template <int D>
 void push_damping(lua_State* L, SimulatedModel<D>& m) {
   const double share = lua_tonumber(L, 2);
@@ -107,8 +107,8 @@ void push_damping(lua_State* L, SimulatedModel<D>& m) {
     lua_setfield(L, -2, model.law_names[law].c_str());
   }
 }
-/// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its contacts, and
-/// `less` those below the share of critical that is given.
+/// core.damping(model, share): by law { share, frequency, a, b } of its least damped contact, `all` its number of
+/// contacts, and `less` the number below the given share of critical damping.
 int damping(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (SpaceModel* space = as_space(m))
@@ -126,7 +126,7 @@ bool holds(SimulatedModel<D>& m, int body) {
   return std::none_of(support.begin(), support.begin() + D, [](Support s) { return s == Support::free; });
 }
 
-/// core.is_held(body): whether all its displacements are fixed or moved; the model is built for that.
+/// core.is_held(body): true if all its displacements are fixed or prescribed; builds the model.
 int is_held(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   ScriptModel& m = b.model();
@@ -135,8 +135,8 @@ int is_held(lua_State* L) {
   return 1;
 }
 
-/// core.solid_faults(model): what a run in space may stumble over of its solids, a line each; {} in the plane. Spheres,
-/// elements and frames have checks of their own as they are added, and so have overlaps.
+/// core.solid_faults(model): defects of polyhedra that may disturb a run in space, one line each; {} in the plane.
+/// Spheres, elements, frames and overlaps are checked when they are added.
 int solid_faults(lua_State* L) {
   const SpaceModel* m = as_space(this_model(L));
   std::vector<std::string> list;
@@ -151,7 +151,7 @@ int solid_faults(lua_State* L) {
   return 1;
 }
 
-/// core.usual(name, unit): what is usual for such a number, in words; "" where all that is allowed is.
+/// core.usual(name, unit): the plausible range of such a number, in words; "" if there is none.
 int usual(lua_State* L) {
   const std::string name = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "",
                     unit = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";

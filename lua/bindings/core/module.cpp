@@ -15,19 +15,19 @@ int end_host(lua_State* L) {
   try {
     host->finish("");
     for (const std::string& line : host->untrusted_runs()) fmt::print(stderr, "trilith: {}\n", line);
-  } catch (const std::exception& e) {  // the state closes: no script is left to be told
+  } catch (const std::exception& e) {  // the state is closing: the script cannot be informed
     fmt::print(stderr, "trilith: {}\n", e.what());
   }
   host->~Host();
   return 0;
 }
 
-/// Takes the words that follow the script in the interpreter's table `arg`, as the program takes its own command line.
-/// What is no NAME=VALUE is left for trilith.params to refuse: a script without it may read `arg` by itself.
+/// Takes the words after the script in the interpreter's table `arg`, as the program takes its own command line. Words
+/// that are not NAME=VALUE are left for trilith.params to reject: a script without it may read `arg` itself.
 void read_arg(lua_State* L, Host& host) {
   lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
   lua_pushliteral(L, "arg");
-  const bool is_there = lua_rawget(L, -2) == LUA_TTABLE;  // raw: strict globals may refuse names that are not there
+  const bool is_there = lua_rawget(L, -2) == LUA_TTABLE;  // raw: strict globals may reject unknown names
   for (lua_Integer i = 0; is_there; ++i) {
     const bool is_text = lua_rawgeti(L, -1, i) == LUA_TSTRING;
     const std::string word = is_text ? lua_tostring(L, -1) : "";

@@ -25,7 +25,7 @@ void load_file(lua_State* L, const LibraryFile& file) {
     lua_pop(L, 1);
 }
 
-/// Pushes a copy of the table on top of the stack, and takes that off.
+/// Replaces the table on top of the stack by a copy.
 void copy_table(lua_State* L) {
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, -3) != 0;) {

@@ -1,4 +1,4 @@
-// Makes the module table in a Lua state.
+// Creates the module table in a Lua state.
 #pragma once
 
 #include <string>
@@ -8,31 +8,31 @@
 
 namespace trilith::script {
 
-/// Makes `host` known to the state; it must outlive it.
+/// Registers `host` in the state; it must outlive it.
 void set_host(lua_State* L, Host& host);
 
-/// Pushes the module table, made anew; set_host comes first. Raises a Lua error where the library does not load.
+/// Pushes a new module table; call set_host first. Raises a Lua error if the library does not load.
 int open_trilith(lua_State* L);
 
-/// From now on files of the library see a copy of today's globals, and of the standard libraries: whatever a script
-/// changes or is refused, the library has what it had.
+/// From now on files of the library use a copy of the present globals and of the standard libraries, so that changes
+/// and restrictions of a script do not affect the library.
 void keep_library_environment(lua_State* L);
 
-/// Pushes what the library gets of the engine beside the module; open_trilith comes first.
+/// Pushes the engine functions for the library, in addition to the module; call open_trilith first.
 void push_core(lua_State* L);
 
-/// Pushes a file of the library as a function; raises a Lua error where there is none.
+/// Pushes a file of the library as a function; raises a Lua error if there is none.
 void load_library_file(lua_State* L, const char* name);
 
-/// The text of a file of the library; throws std::out_of_range where there is none.
+/// The text of a file of the library; throws std::out_of_range if there is none.
 const char* library_text(const std::string& name);
 
-/// A file of the Lua library that is compiled in.
+/// A file of the built-in Lua library.
 struct LibraryFile {
   const char* name;  ///< "story"
   const char* text;
 };
-/// All of them; the last is nullptr. Those from "module" on are run, in order, when the module is opened.
+/// All files; the last is nullptr. Files from "module" on are run, in order, when the module is opened.
 const LibraryFile* library_files();
 
 }  // namespace trilith::script

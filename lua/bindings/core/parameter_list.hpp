@@ -7,8 +7,8 @@
 
 namespace trilith::script {
 
-/// A line for each parameter that the script has declared: name, value, unit, sentence. `title` is what to call the
-/// script where it has declared none.
+/// A line for each parameter that the script has declared: name, value, unit, sentence. `title` is the name of a script
+/// without parameters.
 std::string parameter_lines(const Host& host, const std::string& title);
 
 }  // namespace trilith::script

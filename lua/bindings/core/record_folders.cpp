@@ -1,4 +1,4 @@
-// Where the project's own ground motions lie.
+// Folders of the project's own ground motions.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace trilith::script {
 namespace {
 
-/// The file that this code was loaded from: the module where an interpreter took it in, else the program.
+/// The file that contains this code: the module in an interpreter, otherwise the program.
 std::filesystem::path own_file() {
   static const char here = 0;
   Dl_info about{};

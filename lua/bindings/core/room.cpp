@@ -19,8 +19,8 @@ constexpr const char* way_out = "`trilith run --trust SCRIPT` allows it for a sc
   throw InputError(fmt::format("{}: '{}' is refused: {}; {}", owner, terminal_text(path.string()), why, way_out));
 }
 
-/// `path` without symbolic links, "." and ".."; what is not there yet stays at its end. Empty where a link on the way
-/// leads to nothing, or ".." follows what is not there: a file made there could land anywhere.
+/// `path` without symbolic links, "." and ".."; a missing part remains at its end. Empty if a link on the way is
+/// broken, or ".." follows a missing part: a file created there could be anywhere.
 files::path real_path(const files::path& path) {
   std::error_code error;
   files::path known = files::absolute(path, error), rest;
@@ -38,7 +38,7 @@ files::path real_path(const files::path& path) {
   return rest.empty() ? found : found / rest;
 }
 
-/// What is left of `path` below `folder`; false where it does not lie below.
+/// Sets `rest` to the part of `path` below `folder`; false if it is not below.
 bool lies_below(const files::path& path, const files::path& folder, files::path& rest) {
   const auto [at, end] = std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
   if (end != folder.end()) return false;
@@ -51,7 +51,7 @@ bool has_hidden_name(const files::path& path) {
   return std::any_of(path.begin(), path.end(), [](const files::path& part) { return part.string().starts_with("."); });
 }
 
-/// Files that other programs run or obey.
+/// True for files that other programs run or obey.
 bool is_program(const files::path& path) {
   static constexpr std::array endings{".lua", ".so",      ".sh",  ".bash",  ".zsh", ".fish", ".py",
                                       ".pyc", ".pl",      ".rb",  ".js",    ".mjs", ".c",    ".cpp",

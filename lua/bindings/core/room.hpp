@@ -1,4 +1,4 @@
-// The folders that a script may read from and write to.
+// Restricts the folders that a script may read from and write to.
 #pragma once
 
 #include <filesystem>
@@ -7,22 +7,21 @@
 
 namespace trilith::script {
 
-/// Open by default, so that nothing is refused: the module in a stock interpreter, and `--trust`. Once closed, a path
-/// is decided on after its symbolic links and ".." are resolved; names that begin with a dot are out of reach below
-/// every folder.
+/// Open by default without restrictions: the module in a stock interpreter, and `--trust`. If closed, a path is checked
+/// after its symbolic links and ".." are resolved; names that begin with a dot are inaccessible in every folder.
 class Room {
  public:
-  /// Closes the room: what lies below `script_folder` can be read and written, and nothing else until add().
+  /// Closes the room: only files below `script_folder` can be read and written until add().
   void close(const std::filesystem::path& script_folder);
-  /// What lies below `folder` can be read and written too; a folder that is not there yet counts as well.
+  /// Permits files below `folder` too, also if the folder does not exist yet.
   void add(const std::filesystem::path& folder);
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
-  /// The resolved path of a file to read; `path` itself where the room is open. Throws InputError where it is refused;
+  /// The resolved path of a file to read; `path` itself if the room is open. Throws InputError if it is rejected;
   /// `owner` ("io.open") begins the message.
   [[nodiscard]] std::filesystem::path readable(const std::filesystem::path& path, const std::string& owner) const;
-  /// The same for a file to write. Programs, Lua files and what is no plain file are never written over.
+  /// The resolved path of a file to write. Programs, Lua files and special files are never overwritten.
   [[nodiscard]] std::filesystem::path writable(const std::filesystem::path& path, const std::string& owner) const;
 
  private:

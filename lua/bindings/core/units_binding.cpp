@@ -30,7 +30,7 @@ int units(lua_State* L) {
   return count;
 }
 
-/// A parameter as declared: {default, unit =, choices =, sentence}, or just a default.
+/// A parameter as declared: {default, unit =, choices =, sentence}, or only a default.
 struct Declaration {
   std::string name, unit, sentence;
   std::vector<std::string> choices;
@@ -87,15 +87,15 @@ Declaration read_declaration(lua_State* L, const std::string& name) {
   return d;
 }
 
-/// Takes the value given on the command line.
+/// Takes the value of the command line.
 void take_given(Declaration& d, const std::string& given) {
   const std::string what = fmt::format("parameter '{}'", d.name);
   if (d.type == LUA_TNUMBER) {
     const std::string unit = d.unit.empty() ? "1" : d.unit;
     const double si = parse_quantity(given, unit, what);
     const bool plain = given.find_first_not_of("0123456789+-.eE") == std::string::npos;
-    d.number =
-        plain ? parse_quantity(given, "1", what) : si / parse_unit(unit).factor;  // no rounding where none is needed
+    d.number = plain ? parse_quantity(given, "1", what) : si / parse_unit(unit).factor;  // avoids rounding if there is
+                                                                                         // no conversion
   } else if (d.type == LUA_TBOOLEAN) {
     if (given != "true" && given != "false")
       throw InputError(fmt::format("{} is '{}', must be true or false", what, given));
@@ -107,7 +107,7 @@ void take_given(Declaration& d, const std::string& given) {
   }
 }
 
-/// What is declared as a whole number and is given as one stays whole: a count may index and repeat.
+/// An integer parameter with an integer value remains an integer: a count may be an index or a number of repetitions.
 void push_value(lua_State* L, const Declaration& d) {
   constexpr double most_whole = 0x1p53;
   if (d.type == LUA_TNUMBER && d.whole && d.unit.empty() && d.number == std::floor(d.number) &&
@@ -133,7 +133,7 @@ std::vector<std::string> sorted_keys(lua_State* L, int table) {
   return names;
 }
 
-/// Takes what the command line gives for `d`; removes it from the list.
+/// Takes the value of `d` from the command line; removes it from the list.
 void take_from_host(Host& host, Declaration& d) {
   for (auto it = host.given.begin(); it != host.given.end();) {
     if (it->substr(0, it->find('=')) != d.name) {
@@ -145,7 +145,7 @@ void take_from_host(Host& host, Declaration& d) {
   }
 }
 
-/// A stock interpreter was given --params or --help: prints the list. The library ends the script then.
+/// Prints the list for --params or --help in a stock interpreter. The library then ends the script.
 void print_list(const Host& h) {
   const auto& words = h.arguments;
   if (std::find(words.begin(), words.end(), "--help") != words.end())
@@ -156,7 +156,7 @@ void print_list(const Host& h) {
   fmt::print("{}", parameter_lines(h, "the script"));
 }
 
-/// Refuses what is left of the command line once all parameters have taken theirs.
+/// Rejects the remaining words of the command line after all parameters have taken their values.
 void refuse_leftover(const Host& h, const std::vector<std::string>& names) {
   if (h.given.empty()) return;
   const std::string& word = h.given.front();
@@ -171,7 +171,7 @@ void refuse_leftover(const Host& h, const std::vector<std::string>& names) {
   throw InputError(fmt::format("there is no parameter '{}'{}", name, name_hint(name, names)));
 }
 
-/// trilith.params{...}: the values; nil where a stock interpreter has listed them, for the library to end the script.
+/// trilith.params{...}: the values; nil if a stock interpreter has listed them, so that the library ends the script.
 int params(lua_State* L) {
   Host& h = host(L);
   if (h.given_used) throw InputError("params: called a second time; declare all parameters in one table");

@@ -1,4 +1,4 @@
-// Spans between supports, and the types of bearings they lie on.
+// Spans between supports, and the types of their bearings.
 #include <algorithm>
 
 #include "bindings/core/bindings.hpp"
@@ -10,7 +10,7 @@
 namespace trilith::script {
 namespace {
 
-/// Name of the contact law under `key`, given as a value or by name; "" where there is none or a problem is noted.
+/// Name of the contact law under `key`, given as a value or by name; "" if it is not given or a problem is noted.
 std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) {
   lua_State* L = keys.lua();
   std::string name;
@@ -30,7 +30,7 @@ std::string contact_law_under(Keys& keys, std::string_view key, ScriptModel& m) 
   return name;
 }
 
-/// Whether a law is given in some direction.
+/// True if some direction has a law.
 template <int D>
 bool has_law(Keys& keys) {
   bool any = D == 3 && keys.has("horizontal");
@@ -38,7 +38,7 @@ bool has_law(Keys& keys) {
   return any;
 }
 
-/// Whether a bearing carries the deck wherever that has slid to: nothing holds it along, and no displacement ends it.
+/// True if a bearing carries the deck at any displacement: it has no law along, and no limit.
 template <int D>
 bool slides_on_for_ever(Keys& keys) {
   const bool held = keys.has("along") || (D == 3 && keys.has("horizontal"));
@@ -73,10 +73,10 @@ int add_bearing_type_to(lua_State* L, M& m) {
   recipe.bearing.contact_after = contact_law_under(keys, "becomes", m);
   recipe.contact = contact_law_under(keys, "contact", m);
   keys.finish();
-  if constexpr (D == 3)  // in the plane the first span finds what is wrong with a law
+  if constexpr (D == 3)  // in the plane the first span finds errors of a law
     if (recipe.links) check_bearing(recipe.bearing, keys.owner());
-  // A bearing that carries the deck and has no height sits in the contact of deck and seat, and stands for it. One
-  // without an axial law, such as a dowel, leaves the weight to the contact.
+  // A bearing that carries the deck and has no height replaces the contact of deck and seat. One without an axial law,
+  // such as a dowel, leaves the weight to the contact.
   recipe.bearing.replaces_contact = keys.has("axial") && type.height == 0;
   if (slides_on_for_ever<D>(keys))
     m.add_note(fmt::format(
@@ -97,7 +97,7 @@ int add_bearing_type(lua_State* L) {
   return add_bearing_type_to<2>(L, *as_plane(m));
 }
 
-/// Name of the support under `key`; what no pier and no abutment is carries spans on its top.
+/// Name of the support under `key`; a body that is neither pier nor abutment carries spans on its top.
 std::string support_under(Keys& keys, std::string_view key, PlaneModel& m) {
   lua_State* L = keys.lua();
   std::string name;
@@ -114,7 +114,7 @@ std::string support_under(Keys& keys, std::string_view key, PlaneModel& m) {
   BridgeLayout& layout = book_of(m).layout;
   for (const BodySpec& body : m.builder.bodies()) {
     if (body.name != name || layout.has_support(name)) continue;
-    // Its highest face may be that of the back wall.
+    // Its highest face may belong to the back wall.
     if (std::find(body.groups.begin(), body.groups.end(), "abutments") != body.groups.end())
       keys.problem(fmt::format("{} is abutment '{}', of which nothing but its outline is known; make it by m:abutment",
                                key, name));
@@ -154,7 +154,7 @@ SpanPlan read_plan(Keys& keys, PlaneModel& m) {
   return plan;
 }
 
-/// States the law of a support and the deck on it; of a bridge that may still be refused, later.
+/// Sets the law of a support and the deck on it; for a bridge that may still be rejected, it is set later.
 template <class M>
 void state_contact(M& m, const std::string& support, const std::string& deck, const std::string& law) {
   if (law.empty()) return;
@@ -164,7 +164,7 @@ void state_contact(M& m, const std::string& support, const std::string& deck, co
     m.builder.set_contact(support, deck, law);
 }
 
-/// An end's seat, and its bearing where its type has one.
+/// Adds the seat of an end, and its bearing if its type has one.
 void add_end(PlaneModel& m, const std::string& span, const SpanEnd& end, const std::string& name) {
   const BearingRecipe& recipe = book_of(m).recipes.at(end.type);
   m.builder.add_seat(
@@ -224,7 +224,7 @@ int add_span(lua_State* L) {
   return pushed;
 }
 
-/// The bearing type that argument 2 names; argument 3 begins what is wrong with it.
+/// The bearing type in argument 2; argument 3 begins error messages.
 template <class M>
 const BearingType& type_asked(lua_State* L, M& m) {
   if (lua_type(L, 2) != LUA_TSTRING)
@@ -232,7 +232,7 @@ const BearingType& type_asked(lua_State* L, M& m) {
   return book_of(m).layout.require_type(text_at(L, 2), text_at(L, 3));
 }
 
-/// core.bearing_height(model, type, owner): of a bearing type [m].
+/// core.bearing_height(model, type, owner): height of a bearing type [m].
 int bearing_height(lua_State* L) {
   ScriptModel& m = this_model(L);
   SpaceModel* space = as_space(m);
@@ -240,8 +240,8 @@ int bearing_height(lua_State* L) {
   return 1;
 }
 
-/// core.lay_bearing(model, { name =, type =, support =, span =, from =, to = }): a bearing of that type in space, from
-/// its seat to the deck, and their contact law where the type has one. Nil for a type without a law.
+/// core.lay_bearing(model, { name =, type =, support =, span =, from =, to = }): adds a bearing of that type in space,
+/// from its seat to the deck, and their contact law if the type has one. Nil for a type without a law.
 int lay_bearing(lua_State* L) {
   SpaceModel& m = this_space(L);
   m.adding();
@@ -285,8 +285,8 @@ void take_back_from(M& m) {
   book.layout = book.before.layout;
 }
 
-/// core.add_together(model, begin): what is added from here on comes into a model that is built when this is called
-/// with false, all at once.
+/// core.add_together(model, begin): parts added from here on enter a built model all at once, when this is called with
+/// false.
 int add_together(lua_State* L) {
   ScriptModel& m = this_model(L);
   m.adds_later = lua_toboolean(L, 2) != 0;
@@ -299,7 +299,7 @@ int add_together(lua_State* L) {
   return 0;
 }
 
-/// core.take_back(model): what was added since add_together is there no more.
+/// core.take_back(model): removes the parts added since add_together.
 int take_back(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (SpaceModel* space = as_space(m))

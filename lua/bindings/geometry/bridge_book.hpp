@@ -1,4 +1,4 @@
-// What a model knows of its bridges: supports, bearing types and spans, and what a bearing of each type is made of.
+// Bridge data of a model: supports, bearing types and spans, and the bearing that each type creates.
 #pragma once
 
 #include <map>
@@ -11,22 +11,22 @@
 
 namespace trilith::script {
 
-/// A bearing type: a bearing but for its name, bodies and place, and the contact law of deck and support.
+/// A bearing type: a bearing except its name, bodies and place, and the contact law of deck and support.
 template <int D>
 struct BearingRecipeOf {
   BearingSpecOf<D> bearing;
-  bool links = false;   ///< it has a law in some direction; else the deck just lies on its seat
-  std::string contact;  ///< name of the law; "": the one of the surfaces
+  bool links = false;   ///< it has a law in some direction; otherwise the deck lies on its seat
+  std::string contact;  ///< name of the law; "": the law of the surfaces
 };
 using BearingRecipe = BearingRecipeOf<2>;
 
-/// Of a model in space the layout holds the bearing types alone: where its decks lie, the library works out.
+/// For a model in space the layout contains only the bearing types: the library computes the positions of decks.
 template <int D>
 struct BridgeBookOf {
   BridgeLayout layout;
   std::map<std::string, BearingRecipeOf<D>> recipes;  ///< by the type's name
 
-  /// What there was before a bridge began to be added.
+  /// Sizes before a bridge began to be added.
   struct Before {
     std::size_t bodies = 0, bearings = 0, seats = 0;
     BridgeLayout layout;
@@ -37,10 +37,10 @@ struct BridgeBookOf {
   struct SeatContact {
     std::string support, deck, law;
   };
-  std::vector<SeatContact> contacts;  ///< of the bridge that is being added: stated once all of it is there
+  std::vector<SeatContact> contacts;  ///< of the bridge that is being added; set when all of it is present
 };
 
-/// The model's book; made where there is none.
+/// The model's book; created if there is none.
 inline BridgeBookOf<2>& book_of(PlaneModel& m) {
   if (!m.bridge) m.bridge = std::make_shared<BridgeBookOf<2>>();
   return *m.bridge;
@@ -50,7 +50,7 @@ inline BridgeBookOf<3>& book_of(SpaceModel& m) {
   return *m.bridge;
 }
 
-/// Of the bearing and the seat at the left (0) or right (1) end of a span: "S1.left".
+/// Name of the bearing and the seat at the left (0) or right (1) end of a span: "S1.left".
 inline std::string span_end_name(const std::string& span, std::size_t side) {
   return part_name(span, side == 0 ? "left" : "right");
 }

@@ -89,7 +89,7 @@ MakeParts read_abutment(Keys& k) {
   return [a] { return MadeParts{.parts = {build_abutment(a)}, .tops = {top_of(a)}}; };
 }
 
-/// Of a builder that its declared numbers and a name describe.
+/// Reader of a builder that its declared numbers and a name describe.
 template <DeclaredBuilder B>
 MakeParts read_declared(Keys& k) {
   B builder;

@@ -1,4 +1,4 @@
-// The geometry builders of engine/build as scripts call them: one row each, read from one table.
+// The geometry builders of engine/build in scripts: one row each, read from one table.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,24 @@
 
 namespace trilith::script {
 
-/// Parts, what had to be repaired, and what of them carries spans.
+/// Parts, repairs of their outlines, and the supports among them.
 struct MadeParts {
   std::vector<Part> parts;
   std::vector<std::string> notes = {};
   std::vector<SupportTop> tops = {};
 };
 
-/// Makes the parts; to be called after Keys::finish.
+/// Makes the parts; call it after Keys::finish.
 using MakeParts = std::function<MadeParts()>;
 
 struct PartMaker {
   std::string_view name;  ///< in trilith.build
-  bool single;            ///< one part, always
+  bool single;            ///< always one part
   MakeParts (*read)(Keys&);
   std::string_view doc;
 };
 
-/// Those with a reader of their own come first, then the rows of build/plane/list.hpp.
+/// Builders with a separate reader come first, then the rows of build/plane/list.hpp.
 inline constexpr std::size_t part_maker_count = 13 + DeclaredBuilders::size;
 std::span<const PartMaker, part_maker_count> part_makers();
 /// m:span takes more than the part; bridge_binding.cpp adds it.

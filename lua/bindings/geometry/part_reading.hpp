@@ -1,4 +1,4 @@
-// What the readers of geometry builders' tables share.
+// Common functions of the readers of geometry builders' tables.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,12 +15,12 @@
 
 namespace trilith::script {
 
-/// Notes a problem where the table on top of the stack, that under `key`, has a key of its own beside its places: as a
-/// table of one entry whose braces were forgotten, or an entry that stands one brace too deep. `wanted` as for wrong().
+/// Notes a problem if the table on top of the stack, from `key`, has a named key in addition to its entries. Examples
+/// are a table of one entry without its braces, or an entry one brace too deep. `wanted` as for wrong().
 inline void require_plain_list(Keys& keys, std::string_view key, std::string_view wanted) {
   lua_State* L = keys.lua();
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  std::string found;  // the first by name: a Lua table has no order of its own
+  std::string found;  // first by name: a Lua table has no order
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= count) continue;
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? fmt::format("the key '{}'", one_line(text_at(L, -2)))
@@ -30,7 +30,7 @@ inline void require_plain_list(Keys& keys, std::string_view key, std::string_vie
   if (!found.empty()) keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));
 }
 
-/// Of a body with a mesh whose `body` asks for other elements.
+/// Note on a body with a mesh whose `body` requests other elements.
 inline std::string own_elements_note(const std::string& name) {
   return fmt::format(
       "body '{}': its mesh has elements of its own, and body changes none of them; leave body out, or "
@@ -38,7 +38,7 @@ inline std::string own_elements_note(const std::string& name) {
       name);
 }
 
-/// mesh = {nx, ny, ...}: whole numbers from 1 to 1000; `wanted` says of what.
+/// mesh = {nx, ny, ...}: integers from 1 to 1000; `wanted` describes them.
 template <std::size_t sides>
 void read_divisions(Keys& keys, std::array<int, sides>& divisions, const char* wanted) {
   lua_State* L = keys.lua();
@@ -80,8 +80,8 @@ void read_list(Keys& keys, std::string_view key, const std::string& owner, Item&
   lua_pop(L, 1);
 }
 
-/// Names of the entries of the table on top of the stack, in rising order: a Lua table has none of its own. Notes a
-/// problem where a key is no text; `what` names the table.
+/// Names of the entries of the table on top of the stack, sorted, because a Lua table has no order. Notes a problem if
+/// a key is not a text; `what` names the table.
 inline std::vector<std::string> names_in_table(Keys& keys, const char* what) {
   lua_State* L = keys.lua();
   std::vector<std::string> names;
@@ -101,13 +101,13 @@ inline std::string read_name(Keys& keys, const std::string& preset) {
   return name;
 }
 
-/// What is said of a member that is asked for its fibres and has none.
+/// Error text for fibres of a member without fibres.
 inline std::string no_fibres_text(const std::string& member) {
   return fmt::format("fibres: member '{}' is not of fibres; give it section = trilith.fibre_section{{shape =, law =}}",
                      member);
 }
 
-/// How a member with that section yields: by its fibres, with the `rule` and the number of `stations` along each beam.
+/// Yielding of a member with that section by its fibres, with the `rule` and the number of `stations` along each beam.
 inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* section) {
   const bool gauss = keys.choice("rule", {"lobatto", "gauss"}, 0) == 1;
   const int stations = keys.count("stations", 4);
@@ -119,7 +119,7 @@ inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* s
   return MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
 }
 
-/// A whole number or a list of them under `key`; {preset} where it is not there.
+/// An integer or a list of integers under `key`; {preset} if not given.
 inline std::vector<int> read_counts(Keys& keys, std::string_view key, int preset) {
   lua_State* L = keys.lua();
   std::vector<int> counts;

@@ -13,7 +13,7 @@
 namespace trilith::script {
 namespace {
 
-/// The solid that deformable bodies are made of: `solid`, or E, nu and beta of a linear elastic one.
+/// The solid of deformable bodies: `solid`, or a linear elastic one from E, nu and beta.
 std::optional<Solid> read_solid(Keys& keys) {
   Solid solid;
   const bool elastic = keys.has("E"), given = keys.has("solid");
@@ -72,7 +72,7 @@ int add_material(lua_State* L) {
   return 1;
 }
 
-/// The law under `law`: a value (made known to the builder), or a name. "" with a problem noted where it is neither.
+/// The law under `law`: a value (added to the builder), or a name. "" with a problem noted for other values.
 std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
   lua_State* L = keys.lua();
   std::string law;
@@ -100,7 +100,7 @@ void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
     for (const std::string& g : m.groups_of(b)) names.insert(g);
   }
   if (names.contains(side)) return;
-  // Groups and bodies may be added later, so only a name close to a known one is refused here.
+  // Groups and bodies may be added later, so only a name close to a known one is rejected here.
   const std::vector<std::string> known(names.begin(), names.end());
   if (nearest_name(side, known).empty()) return;
   keys.problem(fmt::format("there is no material, group or body '{}'{}", side, name_hint(side, known)));
@@ -124,7 +124,7 @@ int add_contact(lua_State* L) {
   return 0;
 }
 
-/// Outline under `outline`, or that of the part under `shape` with its groups.
+/// Outline under `outline`, or the outline of the part under `shape` with its groups.
 Polygon read_outline(Keys& keys, std::vector<std::string>& groups) {
   lua_State* L = keys.lua();
   if (!keys.has("shape")) return keys.points("outline");
@@ -207,7 +207,7 @@ std::optional<Mesh> read_mesh(Keys& keys) {
   return mesh;
 }
 
-/// A body of elements; or a rigid one, whose pieces they are, where the body or the model says so.
+/// A body of elements; or a rigid body with these as pieces, if the body or the model requests it.
 void take_mesh(Mesh mesh, bool says_body, PlaneModel& m, const std::string& name, BodySpec& spec) {
   spec.mesh = std::move(mesh);
   if ((says_body || m.says_body) && spec.kind == BodyKind::rigid) return;
@@ -215,7 +215,7 @@ void take_mesh(Mesh mesh, bool says_body, PlaneModel& m, const std::string& name
   spec.kind = BodyKind::mesh;
 }
 
-/// m:body{ name =, outline = | shape = | mesh =, ... } makes one; m:body "name" finds one.
+/// m:body{ name =, outline = | shape = | mesh =, ... } creates a body; m:body "name" finds one.
 int body(lua_State* L) {
   if (lua_type(L, 2) == LUA_TSTRING) {
     push_body(L, 1, this_model(L).require_body(text_at(L, 2), "body"));
@@ -239,7 +239,7 @@ int body(lua_State* L) {
   return 1;
 }
 
-/// Pushes what was added from body `first` on: a body where just one can be, else a set.
+/// Pushes the bodies added from body `first` on: a body if there can be only one, otherwise a set.
 void push_added(lua_State* L, ScriptModel& m, int first, bool single) {
   m.catch_up();
   if (single) {

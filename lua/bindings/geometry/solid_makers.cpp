@@ -85,7 +85,7 @@ MakeSolids read_prism(Keys& k) {
   return [p] { return one_part(build_prism(p)); };
 }
 
-/// base = { width =, height = }, and so the capital.
+/// base = { width =, height = }, and the capital likewise.
 ColumnBlock read_column_block(Keys& k, std::string_view key) {
   ColumnBlock block;
   const int type = k.push(key);
@@ -120,7 +120,7 @@ MakeSolids read_column(Keys& k) {
   return [c] { return SolidParts{build_column(c), {}}; };
 }
 
-/// The file is looked for beside the script.
+/// The file is searched in the folder of the script.
 MakeSolids read_file(Keys& k) {
   SolidFile f;
   f.name = read_name(k, "");

@@ -44,7 +44,7 @@ BeamRow read_beam_row(Keys& own) {
   return row;
 }
 
-/// beams = { along = , ... }, a list of such rows, or false; nothing where it is not there.
+/// beams = { along = , ... }, a list of such rows, or false; none if not given.
 std::optional<std::vector<BeamRow>> read_beams(Keys& k) {
   lua_State* L = k.lua();
   const int type = k.push("beams");
@@ -66,7 +66,7 @@ std::optional<std::vector<BeamRow>> read_beams(Keys& k) {
   return rows;
 }
 
-/// storeys = 2 with courses or storey_height, or a list of tables; of a building they may have beams.
+/// storeys = 2 with courses or storey_height, or a list of tables; for a building they may have beams.
 std::vector<MasonryStorey> read_storeys(Keys& k, bool beams) {
   const MasonryStorey one{.courses = k.count("courses", 0), .height = k.number("storey_height", "m", 0)};
   const int type = k.push("storeys");
@@ -110,7 +110,7 @@ std::vector<MasonryOpening> read_openings(Keys& k) {
   return openings;
 }
 
-/// The profile of a vault, in a table of its own: what m:arch takes in the plane, without a name.
+/// The profile of a vault in a separate table: the keys of m:arch in the plane, without a name.
 Arch read_profile(Keys& k) {
   Arch a;
   a.voussoirs = k.count("voussoirs", a.voussoirs);

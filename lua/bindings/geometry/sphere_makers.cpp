@@ -1,4 +1,4 @@
-// Spheres, clumps of them and many at random, read from one table each.
+// Spheres, clumps of spheres and random packings, read from one table each.
 #include "bindings/geometry/part_reading.hpp"
 #include "bindings/geometry/solid_makers.hpp"
 #include "build/plane/grains.hpp"

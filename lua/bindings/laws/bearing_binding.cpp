@@ -11,7 +11,7 @@
 namespace trilith::script {
 namespace {
 
-// The table of m:bearing, whatever the dimension.
+// The table of m:bearing in either dimension.
 
 std::optional<Vec2> maybe_place(Keys& keys, std::string_view key, const BearingSpecOf<2>& /*spec*/) {
   return keys.maybe_point(key);
@@ -37,7 +37,7 @@ void read_points(Keys& keys, BearingSpecOf<D>& spec) {
 void read_axes(Keys& keys, BearingSpecOf<2>& spec) {
   spec.angle = keys.number("angle", "rad", 0);
 }
-/// An azimuth of along, counted from x to y, or any turn.
+/// Azimuth of the direction along, counted from x to y, or any rotation.
 void read_axes(Keys& keys, BearingSpecOf<3>& spec) {
   const double azimuth = keys.number("angle", "rad", 0);
   const bool turned = keys.has("turn");
@@ -128,12 +128,12 @@ int add_bearing(lua_State* L) {
   return 1;
 }
 
-/// What a handler adds is in the model from the next step border on.
+/// Parts that a handler adds enter the model at the next step border.
 void require_there(std::size_t count, std::size_t row, const std::string& title) {
   if (row >= count) throw InputError(title + " is added at the next step border");
 }
 
-/// A bearing as it is now, in a model of D dimensions.
+/// A bearing in its present state, in a model of D dimensions.
 template <int D>
 struct LiveBearing {
   const Model<D>& model;
@@ -194,9 +194,9 @@ bool is_limited(const BearingHandle& b) {
   });
 }
 
-// Of a direction by its place in the plane and in space.
+// Directions by their index in the plane and in space.
 
-/// The place that holds in D dimensions.
+/// The index in D dimensions.
 template <int D, std::size_t in_plane, std::size_t in_space>
 constexpr std::size_t direction_in() {
   if constexpr (D == 2)
@@ -214,7 +214,7 @@ double displacement(const BearingHandle& b) {
   return with_live(
       b, []<int D>(const LiveBearing<D>& l) { return displacements(l)[direction_in<D, in_plane, in_space>()]; });
 }
-/// Of one that models in space alone have.
+/// Value of a direction that only models in space have.
 template <std::size_t k>
 double force_in_space(const BearingHandle& b) {
   return force<0, k>(b);
@@ -307,7 +307,7 @@ const std::array bearing_method_list{
     Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
 };
 
-/// The table on top of the stack: displacements by direction. What it does not name stays, or has none.
+/// The table on top of the stack: displacement limits by direction. Missing directions keep their limit, or have none.
 template <int D>
 void read_limit_table(Keys& keys, BearingSpecOf<D>& spec, OtherLimits others) {
   Keys own(keys.lua(), -1, "limit");

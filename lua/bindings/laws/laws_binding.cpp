@@ -1,4 +1,4 @@
-// Contact laws and direction laws as values: constructors made from their declarations.
+// Contact laws and direction laws as values: constructors from their declarations.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ int make_contact_law(lua_State* lua) {
   return 1;
 }
 
-/// Numbers that are no declared parameter.
+/// Points of a tabulated law, which are not declared parameters.
 template <TabulatedLaw L>
 void read_points(Keys& keys, L& law) {
   for (const Vec2& p : keys.points("points")) {
@@ -31,13 +31,13 @@ void read_points(Keys& keys, L& law) {
   }
 }
 
-/// Numbers that choose one of some ways: between these they would mean one of them without a word.
+/// Numbers that select one of several options: intermediate values would silently mean one of them.
 template <class L>
 void check_choices(Keys& keys, const L& law) {
   if constexpr (requires { law.side; }) {
     constexpr bool both = !requires {
       law.slack;
-    };  // what pulls does so one way
+    };  // one-sided for tensile elements
     if (std::abs(law.side) != 1 && !(both && law.side == 0))
       keys.problem(fmt::format("'side' is {:g}, must be {}", law.side, both ? "1, -1, or 0 for both" : "1 or -1"));
   }
@@ -119,7 +119,7 @@ std::string require_law(ScriptModel& model, const ContactLawValue& law, const st
   if (use.empty()) {
     const std::string kind =
         std::visit([](const auto& l) { return std::string(std::decay_t<decltype(l)>::name); }, law.law);
-    // The numbers below the last one are taken already.
+    // Smaller numbers are in use already.
     int& number = model.last_unnamed_law[kind];
     const auto taken = [&] {
       return std::any_of(model.laws.begin(), model.laws.end(), [&](const auto& l) { return l.first == use; });

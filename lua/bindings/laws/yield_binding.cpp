@@ -1,4 +1,4 @@
-// How members of frames yield, as values: laws of fibres, sections of fibres, laws of hinges.
+// Yielding of members of frames, as values: laws of fibres, sections of fibres, laws of hinges.
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/law_values.hpp"
 #include "bindings/geometry/part_reading.hpp"
@@ -24,7 +24,7 @@ int make_end_hinge(lua_State* L) {
   return 1;
 }
 
-/// The shape of the section under `key`, which must be one that can be cut into fibres.
+/// The shape of the section under `key`, which must be divisible into fibres.
 std::optional<FibreShape> read_shape(Keys& keys, const char* key) {
   const auto* const section = keys.maybe_handle<SectionValue>(key);
   if (section == nullptr) return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<UniaxialLaw> read_fibre_law(Keys& keys, const char* key) {
   return law == nullptr ? std::nullopt : std::optional(law->law);
 }
 
-/// The section of members in space that a shape is, their torsion and shear with it; `why` it is none.
+/// Section of members in space for a shape, with torsion and shear; `why`: reason for which there is none.
 Section3 shape_in_space(const FibreShape& shape, std::string& why) {
   try {
     return std::visit(
@@ -79,7 +79,7 @@ int make_fibre_section(lua_State* L) {
   if (!spec.bars.empty() && !bar_law) keys.missing("bar_law", "the law of the bars, such as trilith.menegotto_pinto{}");
   spec.bar_law = bar_law.value_or(UniaxialElastic{});
   keys.finish();
-  const FibreSection made = make_fibres(spec);  // whatever is wrong is told here, and not by a member later
+  const FibreSection made = make_fibres(spec);  // reports errors here instead of at a member later
   const std::string text = fmt::format("fibre_section of {} fibres of {}", made.fibres.size(), law_text(spec.law));
   std::string not_in_space;
   const Section3 in_space = shape_in_space(spec.shape, not_in_space);

@@ -13,13 +13,13 @@
 namespace trilith::script {
 namespace {
 
-/// What can follow a motion, in the order of degrees of freedom.
+/// Degrees of freedom that can follow a motion, in their order.
 std::vector<const char*> drive_names(int dim) {
   if (dim == 2) return {"x", "y", "rotation"};
   return {"x", "y", "z", "rotation_x", "rotation_y", "rotation_z"};
 }
 
-/// Whether these are turns, of which bodies that deform have none to drive.
+/// True for rotations, which deformable bodies cannot follow.
 bool is_turn(int dim, std::size_t dof) {
   return dof >= static_cast<std::size_t>(dim);
 }
@@ -88,11 +88,11 @@ void apply_drive(ScriptModel& m, const DriveOrder& order) {
 
 namespace {
 
-/// A motion that ends at more than this share of its peak velocity, and at more than this speed [m/s] or [rad/s], stops
-/// its bodies with a jolt. Records that are corrected end far below.
+/// A motion that ends above this share of its peak velocity, and above this speed [m/s] or [rad/s], stops its bodies
+/// abruptly. Corrected records end far below.
 constexpr double abrupt_share = 0.1, abrupt_speed = 1e-3;
 
-/// The speed that a motion's end takes away at once; 0 where that is negligible.
+/// The speed at a motion's end, which is lost at once; 0 if negligible.
 double speed_lost(const GroundMotion& motion) {
   const double end = std::abs(motion.samples().back().velocity);
   return end > abrupt_speed && end > abrupt_share * std::abs(motion_peaks(motion).velocity.value) ? end : 0;
@@ -143,7 +143,7 @@ double last_end(const std::vector<DriveOrder>& orders) {
 
 namespace {
 
-/// Of two motions of one body along one axis the second would count alone.
+/// Rejects two motions of one body along one axis, of which only the second would act.
 void refuse_twice(Keys& keys, const ScriptModel& m, const std::vector<DriveOrder>& orders) {
   const auto names = drive_names(m.dim());
   std::set<std::pair<int, std::size_t>> driven;

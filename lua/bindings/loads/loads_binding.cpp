@@ -9,7 +9,7 @@
 namespace trilith::script {
 namespace {
 
-/// `at`: a point, or the name of a place or of a joint; the points, one for each body, and nothing for the whole of it.
+/// `at`: a point, or the name of a place or of a joint. Returns the points, one for each body; none for the whole body.
 template <class M, class Point>
 auto read_places(Keys& keys, M& m, const std::vector<int>& bodies, const char* wanted, Point&& point_of) {
   lua_State* L = keys.lua();
@@ -25,7 +25,7 @@ auto read_places(Keys& keys, M& m, const std::vector<int>& bodies, const char* w
   return places;
 }
 
-/// A load on what cannot move is told, once: it may be freed later.
+/// A load on a fixed body is reported once: the body may be freed later.
 template <int D>
 void tell_held(lua_State* L, SimulatedModel<D>& m, const std::vector<int>& bodies, const std::string& name) {
   const Model<D>& model = m.simulation().model();
@@ -73,7 +73,7 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
   return push_load_name(L, spec.name);
 }
 
-/// m:point_load{ body =, force =, moment =, at =, follow =, load_curve =, name = }: its name.
+/// m:point_load{ body =, force =, moment =, at =, follow =, load_curve =, name = }: returns its name.
 int point_load(lua_State* L) {
   if (SpaceModel* space = as_space(this_model(L))) return solid_point_load(L, *space);
   PlaneModel& m = this_plane(L);

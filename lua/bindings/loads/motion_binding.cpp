@@ -64,14 +64,14 @@ std::vector<double> read_samples(Keys& keys) {
   return samples;
 }
 
-/// What is of another way to make a motion, and would be left unread.
+/// Rejects keys of other kinds of motions, which would be ignored.
 void refuse_other_ways(Keys& keys, const char* way, std::initializer_list<std::pair<const char*, const char*>> others) {
   for (const auto& [key, why] : others) keys.refuse(key, fmt::format("'{}' does not go with '{}': {}", key, way, why));
 }
 
 constexpr const char* of_records = "it is of records; a steady motion takes velocity and duration alone";
 
-/// motion{ velocity =, duration = }: the ground moves on steadily, then stands.
+/// motion{ velocity =, duration = }: the ground moves at constant speed, then stops.
 void make_steady(lua_State* L, Keys& keys) {
   refuse_other_ways(keys, "velocity",
                     {{"acceleration", "velocity is a steady motion instead of samples, which begin with v0"},
@@ -111,7 +111,7 @@ std::optional<int> skipped_lines(Keys& keys) {
 
 constexpr std::array form_keys{"unit", "dt", "column", "skip", "decimal"};
 
-/// How to read a file of plain columns; none where the table says nothing of it.
+/// Form of a file of plain columns; none if the table has no such keys.
 std::optional<PlainForm> read_form(Keys& keys) {
   bool any = false;
   for (const char* const key : form_keys) any = keys.has(key) || any;
@@ -250,7 +250,7 @@ int resample(lua_State* L) {
   push_motion(L, resampled(*this_motion(L).motion, number_argument(L, 2, "resample")), this_motion(L).steady);
   return 1;
 }
-/// motion:rotate(other, angle): both components, turned.
+/// motion:rotate(other, angle): both components, rotated.
 int rotate(lua_State* L) {
   const MotionValue &a = this_motion(L), &b = handle<MotionValue>(L, 2);
   const bool steady = a.steady || b.steady;
@@ -259,7 +259,7 @@ int rotate(lua_State* L) {
   push_motion(L, std::move(second), steady);
   return 2;
 }
-/// motion:passage{ distance =, velocity = }: later by the time a wave takes.
+/// motion:passage{ distance =, velocity = }: delayed by the travel time of a wave.
 int passage(lua_State* L) {
   const MotionValue& m = this_motion(L);
   Keys keys(L, 2, "passage");
@@ -269,7 +269,7 @@ int passage(lua_State* L) {
   push_motion(L, m.motion->delayed(distance / velocity), m.steady);
   return 1;
 }
-/// motion:difference(other): how far and how fast it moves against another one, at most.
+/// motion:difference(other): largest relative displacement and velocity of two motions.
 int difference(lua_State* L) {
   const RelativePeaks peaks = relative_peaks(*this_motion(L).motion, *handle<MotionValue>(L, 2).motion);
   lua_createtable(L, 0, 4);

@@ -9,7 +9,7 @@
 namespace trilith::script {
 namespace {
 
-/// Which faces a pressure acts on: face = "top" ..., "all", or from = , to = .
+/// Faces that a pressure acts on: face = "top" ..., "all", or from = , to = .
 struct FaceChoice {
   std::string side;
   std::optional<Vec2> from, to;
@@ -54,7 +54,7 @@ constexpr std::array solid_sides{NamedSide{"top", {0, 0, 1}},    NamedSide{"bott
                                  NamedSide{"left", {-1, 0, 0}},  NamedSide{"right", {1, 0, 0}},
                                  NamedSide{"front", {0, -1, 0}}, NamedSide{"back", {0, 1, 0}}};
 
-/// Faces of a body in space that `side` names, "all" or one of solid_sides.
+/// Faces of a body in space for `side`, "all" or one of solid_sides.
 std::vector<SolidFace> solid_faces(const Model<3>& model, int body, const std::string& side) {
   std::vector<SolidFace> faces;
   if (side == "all") faces = surface_faces(model, body);
@@ -93,7 +93,7 @@ int solid_pressure(lua_State* L, SpaceModel& m) {
   return push_load_name(L, spec.name);
 }
 
-/// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, load_curve =, name = }: its name.
+/// m:pressure{ body =, face = | from =, to =, value =, follow =, direction =, load_curve =, name = }: returns its name.
 int pressure(lua_State* L) {
   if (SpaceModel* space = as_space(this_model(L))) return solid_pressure(L, *space);
   PlaneModel& m = this_plane(L);

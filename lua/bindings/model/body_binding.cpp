@@ -87,7 +87,7 @@ double mean_stress(const BodyHandle& b, Value&& value) {
   return area > 0 ? sum / area : 0;
 }
 
-/// The same over the volume of a body in space.
+/// A mean over the volume of a body in space.
 template <class Value>
 double mean_in_space(const BodyHandle& b, Value&& value) {
   const Simulation<3>* s = as_space(b.model())->if_built();
@@ -107,14 +107,14 @@ double space_stress(const BodyHandle& b) {
   return mean_in_space(b, [](const SpaceElementStress& e) { return in_world(e)[row]; });
 }
 
-/// A component that both have: a member of the stress in the plane, `row` of that in space.
+/// A stress component of both dimensions: a member of the plane stress, or `row` of the stress in space.
 template <double Stress::*member, int row>
 double stress_along(const BodyHandle& b) {
   if (as_space(b.model()) != nullptr) return space_stress<row>(b);
   return mean_stress(b, [](const ElementStress& e) { return in_world(e).*member; });
 }
 
-/// Pushes { left =, right = } with those of `names` that are at the ends of the span; nil for any other body.
+/// Pushes { left =, right = } with the entries of `names` at the ends of the span; nil for any other body.
 template <void (*push)(lua_State*, int, int)>
 void push_ends(lua_State* L, const BodyHandle& b, const std::vector<std::string>& names) {
   const std::string& span = spec(b).name;
@@ -226,7 +226,7 @@ const std::array body_properties{
                  [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
 
-/// body:point{x, y} or body:point "joint": where what was there at the start is now.
+/// body:point{x, y} or body:point "joint": present position of the point that was there at the start.
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
   b.model().require_present(b.index, "point");
@@ -264,7 +264,7 @@ const std::array body_methods{
 
 }  // namespace
 
-/// What a body is stays known for good; how it stands and moves does while it is there.
+/// The properties of a body remain known; its position and motion only while it is in the model.
 void require_readable(const BodyHandle& b, std::string_view property) {
   constexpr std::array known{"name",    "material", "groups", "present",  "removed_at", "mass",
                              "inertia", "area",     "kind",   "bearings", "seats"};

@@ -1,4 +1,4 @@
-// Sets of bodies: their properties, and what they are joined, cut and searched by.
+// Sets of bodies: properties, union, intersection, difference and search.
 #include <algorithm>
 #include <array>
 
@@ -96,7 +96,7 @@ int sets_equal(lua_State* L) {
   lua_pushboolean(L, a != nullptr && b != nullptr && a->owner.same(b->owner) && a->bodies == b->bodies ? 1 : 0);
   return 1;
 }
-/// Called by a generic for: `for body in set do`. The control value is the body before.
+/// Called by a generic for: `for body in set do`. The control value is the previous body.
 int next_of_set(lua_State* L) {
   const auto& set = handle<BodySet>(L, 1);
   const auto* before = test_handle<BodyHandle>(L, 3);
@@ -181,7 +181,7 @@ constexpr std::array body_operators{NamedFunction{"__add", guarded<join_sets>}};
 
 }  // namespace
 
-/// A body may stand where a set of one does.
+/// A body can be used in place of a set of one body.
 std::span<const std::pair<const char*, lua_CFunction>> Kind<BodyHandle>::metamethods() {
   return body_operators;
 }
@@ -201,7 +201,7 @@ bool Kind<BodySet>::read_item(lua_State* L, const BodySet& s) {
   if (lua_isinteger(L, 2) == 0) return false;
   const lua_Integer i = lua_tointeger(L, 2);
   if (i < 1 || i > static_cast<lua_Integer>(s.bodies.size())) {
-    lua_pushnil(L);  // so that ipairs ends
+    lua_pushnil(L);  // ends ipairs
     return true;
   }
   lua_getiuservalue(L, 1, 1);

@@ -1,4 +1,4 @@
-// What changes of a built model: numbers of laws, bearings, and what is there at all.
+// Changes of a built model: numbers of laws, bearings, and removed or reactivated parts.
 #include <algorithm>
 
 #include "base/terminal_text.hpp"
@@ -23,8 +23,8 @@ void note_failed_check(Keys& keys, const L& law) {
   }
 }
 
-/// The declared numbers of a law with those that are given put in; a problem is noted where one is out of range, or
-/// where they do not go together.
+/// The law with the given numbers replaced; a problem is noted if one is out of range, or if they contradict each
+/// other.
 ContactLaw changed_law(Keys& keys, ContactLaw law) {
   std::visit(
       [&](auto& l) {
@@ -61,7 +61,7 @@ std::string change_law(Keys& keys, SimulatedModel<D>& m, const std::string& name
   return fmt::format("law '{}' is now {}", name, law_text(law));
 }
 
-/// A law of another kind has no use for what the one before remembered.
+/// True if the law changes to another kind, which cannot use the previous memory.
 template <int D>
 bool begins_anew(const Bearing<D>& before, const Bearing<D>& after) {
   for (std::size_t k = 0; k < before.law.size(); ++k)
@@ -70,7 +70,7 @@ bool begins_anew(const Bearing<D>& before, const Bearing<D>& after) {
   return false;
 }
 
-/// What follows a bearing under `becomes`: a contact law by its name, a bearing that waits, or false for nothing.
+/// The successor of a bearing under `becomes`: a contact law by its name, a waiting bearing, or false for none.
 template <int D>
 void change_successor(Keys& keys, const ScriptModel& m, const Model<D>& model, Bearing<D>& changed) {
   lua_State* L = keys.lua();
@@ -102,7 +102,7 @@ void change_successor(Keys& keys, const ScriptModel& m, const Model<D>& model, B
   lua_pop(L, 1);
 }
 
-/// Laws and limits that are given, and those that stay, as of a bearing to be: what is asked of one is asked of them.
+/// Reads laws and limits, with the present ones as defaults; the rules of m:bearing apply.
 template <int D>
 void change_directions(Keys& keys, const std::string& owner, Bearing<D>& changed) {
   BearingSpecOf<D> spec;
@@ -170,13 +170,13 @@ int change(lua_State* L) {
   return 0;
 }
 
-/// What `remove` and `reactivate` are asked of.
+/// Arguments of `remove` and `reactivate`.
 struct Chosen {
   std::vector<int> bodies, bearings;
   std::vector<std::string> loads;
 };
 
-/// A bearing's handle, or the name of one.
+/// A bearing, by handle or name.
 std::optional<int> bearing_at(lua_State* L, int index, const ScriptModel& m, const std::string& owner) {
   if (const auto* h = test_handle<BearingHandle>(L, index)) return require_own(*h, m, owner).index;
   if (lua_type(L, index) != LUA_TSTRING) return std::nullopt;
@@ -191,7 +191,7 @@ bool is_load(lua_State* L, int index, ScriptModel& m) {
   return std::find(names.begin(), names.end(), text_at(L, index)) != names.end();
 }
 
-/// InputError where the text at `index` is the name of nothing; that of no bearing and no load is known.
+/// InputError if the text at `index` is not a known name; names of bearings and loads were checked before.
 void require_named(lua_State* L, int index, ScriptModel& m, const std::string& owner) {
   if (lua_type(L, index) != LUA_TSTRING) return;
   const std::string name = text_at(L, index);
@@ -207,7 +207,7 @@ void require_named(lua_State* L, int index, ScriptModel& m, const std::string& o
                                name_hint(name, known)));
 }
 
-/// InputError where no load has the name: it was removed, or is a push.
+/// InputError if no load has the name: it was removed, or is a push.
 template <int D>
 void drop_named(Model<D>& model, const std::string& name) {
   if (drop_loads(model, name) > 0) return;
@@ -257,7 +257,7 @@ Chosen chosen_at(lua_State* L, ScriptModel& m, const std::string& owner) {
   return chosen;
 }
 
-/// m:remove(what): from now on, or the next step border on, it is not there.
+/// `m:remove(what)`: removes parts now, or at the next step border.
 int remove_parts(lua_State* L) {
   ScriptModel& m = this_model(L);
   const Chosen chosen = chosen_at(L, m, "remove");
@@ -275,7 +275,7 @@ int remove_parts(lua_State* L) {
   return 0;
 }
 
-/// m:reactivate(what, { from = "here" | "start" }): where displacements of the bearings count from.
+/// `m:reactivate(what, { from = "here" | "start" })`: origin of the displacements of the bearings.
 bool read_from_start(lua_State* L) {
   if (lua_isnoneornil(L, 3)) return false;
   Keys keys(L, 3, "put_back");
@@ -284,7 +284,7 @@ bool read_from_start(lua_State* L) {
   return from_start;
 }
 
-/// m:reactivate(what, how): bodies and bearings that were removed.
+/// `m:reactivate(what, how)`: reactivates removed bodies and bearings.
 int put_back_parts(lua_State* L) {
   ScriptModel& m = this_model(L);
   const Chosen chosen = chosen_at(L, m, "put_back");
@@ -317,7 +317,7 @@ int contact_laws(lua_State* L) {
   return 1;
 }
 
-/// core.set_law_number(model, law, key, value): as m:change, and says nothing.
+/// core.set_law_number(model, law, key, value): as m:change, without a note.
 int set_law_number(lua_State* L) {
   PlaneModel& m = this_plane(L);
   const std::string name = text_at(L, 2), key = text_at(L, 3);

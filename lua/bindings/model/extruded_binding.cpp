@@ -1,4 +1,4 @@
-// m:extruded{...}: a model of the plane taken into space.
+// m:extruded{...}: a plane model converted to a model in space.
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/handles.hpp"
 #include "bindings/core/keys.hpp"
@@ -8,7 +8,7 @@
 namespace trilith::script {
 namespace {
 
-/// What is done to a model once it is built stays with it, and that is told.
+/// Changes made after a model was built are not converted, which is reported.
 void tell_left_behind(lua_State* L, const PlaneModel& plane, ScriptModel& deep) {
   const Simulation<2>* flat = plane.if_built();
   if (flat == nullptr || (flat->state().time == 0 && !flat->model().loaded())) return;

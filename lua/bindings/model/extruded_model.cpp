@@ -25,7 +25,7 @@ bool strains_in_plane(const BodySpec& flat, const std::vector<Material>& materia
   return false;
 }
 
-/// Boxes that hold nodes reach over all of the depth.
+/// Boxes that fix nodes extend over the whole depth.
 void hold_nodes(const BodySpec& flat, SolidSpec& spec) {
   for (const NodeSupport& hold : flat.supports)
     spec.supports.push_back({in_space(hold.low, -unbounded),
@@ -33,8 +33,8 @@ void hold_nodes(const BodySpec& flat, SolidSpec& spec) {
                              {hold.support[0], Support::free, hold.support[1]}});
 }
 
-/// Held, elements in plane stress keep their far side in its plane, and so do not turn out of it; their near side may
-/// come forward as they grow thicker.
+/// With `held`, elements in plane stress keep their far side in its plane, and so do not rotate out of it; their near
+/// side may move as they grow thicker.
 void hold_elements(const BodySpec& flat, bool strain, double half, bool held, SolidSpec& spec) {
   const auto& s = flat.support;
   spec.support = {s[0], held && strain ? Support::fixed : Support::free, s[1], s[2], s[2], s[2]};
@@ -58,7 +58,7 @@ void hold_frame(const BodySpec& flat, bool held, SolidSpec& spec) {
   hold_nodes(flat, spec);
 }
 
-/// Counter-clockwise in the plane is against the turn about y, which points away from who looks at it.
+/// A counter-clockwise rotation in the plane is negative about y, which points away from the viewer.
 SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held) {
   const double half = flat.thickness.value_or(plane.builder.thickness) / 2;
   SolidSpec spec;
@@ -71,7 +71,7 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
     spec.frame = extruded_frame(*flat.frame, {2 * half, held});
     hold_frame(flat, held, spec);
   } else if (flat.mesh) {
-    // From the far side to the near one: elements run counter-clockwise as the near side is looked at.
+    // From the far side to the near one: elements are counter-clockwise seen from the near side.
     SpaceMesh mesh = extruded(*flat.mesh, Vec3::UnitX(), Vec3::UnitZ(), Vec3(0, half, 0), Vec3(0, -half, 0));
     if (flat.kind == BodyKind::rigid) {
       spec.pieces = solids_of(mesh);
@@ -88,7 +88,8 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
   return spec;
 }
 
-/// `along` is turned from x by the angle of the plane, about the axis that looks out of it; turns count the other way.
+/// `along` is rotated from x by the angle of the plane, about the axis that points out of it; rotations have the
+/// opposite sign.
 BearingSpecOf<3> extruded_bearing(const BearingSpec& flat) {
   BearingSpecOf<3> spec;
   spec.name = flat.name, spec.body_a = flat.body_a, spec.body_b = flat.body_b;

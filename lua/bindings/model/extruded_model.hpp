@@ -1,4 +1,4 @@
-// The model in space that a model of the plane is, with its thickness. No Lua here.
+// Conversion of a plane model with its thickness to a model in space. No Lua here.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace trilith::script {
 
-/// How a model of the plane is taken into space.
+/// Options of the conversion.
 struct PlaneExtrusion {
-  bool held = true;  ///< bodies stay in the plane: none moves along y or turns about x or z
+  bool held = true;  ///< bodies remain in the plane: none moves along y or rotates about x or z
 };
 
-/// A model whose bodies reach over their thickness about y = 0; x stays and the plane's y is z. Materials, laws and
-/// where they hold, bearings, seats, supports, loads and velocities at the start are those of `plane` as it was given,
-/// whatever stages it has run; histories, events and motions are not taken over. Elements in plane stress may grow
-/// thicker where they are held, those in plane strain may not; frames are those of model/builder/extruded_frame.hpp.
+/// A model whose bodies extend over their thickness about y = 0; the plane's y becomes z. Materials, laws with their
+/// pairs, bearings, seats, supports, loads and initial velocities are taken from `plane` as it was given, independent
+/// of its stages. Histories, events and motions are not copied. With `held`, elements in plane stress may grow thicker,
+/// elements in plane strain may not. Frames follow model/builder/extruded_frame.hpp.
 std::shared_ptr<SpaceModel> extruded_model(const PlaneModel& plane, const std::string& name,
                                            const PlaneExtrusion& extrusion);
 

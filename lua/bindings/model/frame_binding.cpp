@@ -60,7 +60,7 @@ void take_hinges(Keys& keys, FrameMember& member) {
   member.yields = hinges;
 }
 
-/// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
+/// Common keys of m:beam and each member of m:frame. Problems are noted in `keys`.
 void read_member(Keys& keys, FrameMember& member) {
   const auto* section = keys.maybe_handle<SectionValue>("section");
   if (auto fibres = read_fibres(keys, section)) member.yields = std::move(*fibres);
@@ -143,7 +143,7 @@ FrameJoint joint_at(lua_State* L, const std::string& name) {
   return joint;
 }
 
-/// joints = { A = {x, y}, B = { at = ... }, ... }, in the order of their names: a Lua table has no order of its own.
+/// joints = { A = {x, y}, B = { at = ... }, ... }, sorted by name, because a Lua table has no order.
 void read_joints(Keys& keys, FrameSpec& frame) {
   lua_State* L = keys.lua();
   const char* const wanted = "a table such as { A = {0, 0}, B = { at = {0, 4}, support = \"fixed\" } }";
@@ -212,7 +212,7 @@ int frame(lua_State* L) {
   return 1;
 }
 
-/// The member that body:forces and body:hinges (`call`) are asked for: the only one, or the one of that name.
+/// The member for body:forces and body:hinges (`call`): the only one, or the one with the given name.
 int member_of(const Model<2>& model, int body, const std::optional<std::string>& name, const char* call) {
   std::vector<std::string> known;
   int only = -1;
@@ -234,7 +234,7 @@ int member_of(const Model<2>& model, int body, const std::optional<std::string>&
   return only;
 }
 
-/// A member of a body that is asked about: argument 2 names it where there are several.
+/// Member of a body in argument 2, which is required if there are several.
 struct AskedMember {
   const Simulation<2>& run;
   int member;

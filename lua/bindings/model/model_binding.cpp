@@ -1,4 +1,4 @@
-// Models: making them, and what can be read of them.
+// Models: constructors and properties.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Energy energy_of(ScriptModel& m) {
   return m.energy();
 }
 
-/// __index of that table, for what is not there.
+/// __index of that table for unknown terms.
 int no_such_term(lua_State* L) {
   std::vector<std::string> known;
   for (const EnergyTermInfo& term : energy_term_info) known.emplace_back(term.name);
@@ -68,7 +68,7 @@ void push_hash(lua_State* L, const ModelBox& box) {
   push_text(L, fmt::format("{:016x}", box.get().hash()));
 }
 
-/// A list of the model that the library made, by name: bearings, seats.
+/// A list that the library made for the model, by name: bearings, seats.
 template <const char* const& field>
 void push_own(lua_State* L, const ModelBox&) {
   push_own_table(L, 1);
@@ -92,7 +92,7 @@ void push_verdict(lua_State* L, const ModelBox& box) {
   lua_setfield(L, -2, "text");
 }
 
-/// As it is now: grown so far, and turned so far; before the model is built, as it was given.
+/// Present gravity, with its growth and tilt; before the model is built, as given.
 template <int D>
 Vec<D> gravity_now(const SimulatedModel<D>& m, const Vec<D>& given) {
   return m.if_built() == nullptr ? given : m.if_built()->model().gravity.at(m.time());
@@ -114,19 +114,19 @@ void push_gravity(lua_State* L, const ModelBox& box) {
   push_list<3>(L, gravity_now<3>(space, space.builder.gravity));
 }
 
-/// Counter-clockwise; the tilt that is on, which may be whole turns, beside what those before it came to.
+/// Counter-clockwise; the present tilt, which may exceed a whole turn, plus the sum of previous ones.
 double tilt_in(const PlaneModel& m) {
   const Gravity<2>& g = m.if_built()->model().gravity;
   const Vec2& first = m.builder.gravity;
   return portable::atan2(cross(first, g.field), first.dot(g.field)) + g.angle(m.time());
 }
-/// The angle between where gravity points and where it pointed first, at most half a turn.
+/// The angle between the present and the initial direction of gravity, at most pi.
 double tilt_in(const SpaceModel& m) {
   const Vec3 now = m.if_built()->model().gravity.grown(m.time());
   const Vec3& first = m.builder.gravity;
   return portable::atan2(cross(first, now).norm(), first.dot(now));
 }
-/// How far gravity stands from where it began [rad].
+/// Rotation of gravity from its initial direction [rad].
 double tilt_now(const ModelBox& box) {
   const ScriptModel& m = box.get();
   if (!m.built()) return 0;
@@ -194,7 +194,7 @@ std::vector<Method> model_methods() {
   return methods;
 }
 
-/// A number downwards, or as many as there are dimensions.
+/// A number downwards, or one number for each dimension.
 template <int D>
 Vec<D> read_gravity(Keys& keys) {
   lua_State* L = keys.lua();
@@ -224,7 +224,7 @@ void require_above(Keys& keys, std::string_view key, double value, std::string_v
   if (!(value > 0)) keys.problem(fmt::format("'{}' is {:g} {}, must be above 0", key, value, unit));
 }
 
-/// What models of plane and space are told alike.
+/// Common keys of models in the plane and in space.
 template <class Builder>
 void read_common(Keys& keys, Builder& b) {
   b.mass_damping = keys.number("mass_damping", "1/s", b.mass_damping);

@@ -7,12 +7,12 @@
 
 namespace trilith::script {
 
-/// model{...}: a model whose own table is empty.
+/// model{...}: creates a model with an empty table of its own.
 int make_model(lua_State* L);
-/// extruded(model, { name =, held = }): the model in space that one of the plane is, its own table empty.
+/// extruded(model, { name =, held = }): the model in space of a plane model, with an empty table of its own.
 int make_extruded(lua_State* L);
 
-/// Pushes a text as it is, zero bytes included.
+/// Pushes a text unchanged, including zero bytes.
 inline void push_text(lua_State* L, const std::string& text) {
   lua_pushlstring(L, text.data(), text.size());
 }

@@ -1,4 +1,4 @@
-// Bodies, bearings and histories that come to a model, go and come back after it has run.
+// Bodies, bearings and histories that are added, removed and reactivated after a model has run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,15 +22,14 @@ bool is_bearing_removed(const State<D>& state, int bearing) {
   return state.bearing[static_cast<std::size_t>(bearing)].status == BearingStatus::removed;
 }
 
-/// What is refused at the step border was asked for at `place` of the script, and not in the line that runs the stage;
-/// "" where it is asked for now.
+/// An error at the step border belongs to `place` in the script instead of the line that runs the stage; "" if it was
+/// requested now.
 [[noreturn]] void refuse_later(const std::string& place, const std::string& what) {
   if (place.empty()) throw InputError(what);
   throw ScriptError(place + what);
 }
 
-/// What is said of a bearing that pulls or pushes with more than the weight of its bodies as it is put back; "" where
-/// it does not.
+/// Note on a bearing whose force after reactivation exceeds the weight of its bodies; "" otherwise.
 template <int D>
 std::string jolt_text(Simulation<D>& sim, std::size_t bearing) {
   sim.refresh();
@@ -94,14 +93,14 @@ void SimulatedModel<D>::change_supports(std::function<void(Model<D>&)> what) {
   change([this, what = std::move(what)](Model<D>&) { simulation_->change_supports(what); });
 }
 
-/// What cannot be where it is put is forgotten, so that the model is as it was.
+/// Invalid additions are removed, so that the model remains unchanged.
 template <int D>
 void SimulatedModel<D>::extend() {
   caught_up_ = additions_;
   findings_.reset();
   try {
     Model<D> grown = extended_model(simulation_->model(), simulation_->state());
-    if (running_) require_laws(grown);  // else the next stage does, before which a law may still come
+    if (running_) require_laws(grown);  // otherwise the next stage does, before which a law may still be added
     simulation_->grow(std::move(grown));
   } catch (const InputError&) {
     forget_added();
@@ -110,7 +109,7 @@ void SimulatedModel<D>::extend() {
   extend_recording();
 }
 
-/// Bodies, bearings and seats that the simulation does not have.
+/// Removes bodies, bearings and seats that the simulation does not contain.
 template <int D>
 void SimulatedModel<D>::forget_added() {
   findings_.reset();
@@ -144,7 +143,7 @@ void SimulatedModel<D>::extend_recording() {
   try {
     recording_->extend(simulation_->model(), simulation_->state(), recorded_histories());
   } catch (...) {
-    recording_.reset();  // what was written lies where the message says
+    recording_.reset();  // previous records are in the file named in the message
     throw;
   }
 }
@@ -170,7 +169,7 @@ std::string SimulatedModel<D>::why_absent(int body) const {
   return removed ? fmt::format("was removed at {:.6g} s", *removed) : "";
 }
 
-/// A push asks for forces that make a body go where it is to be.
+/// Rejects bodies under a push, whose forces make them follow its displacement.
 template <int D>
 void SimulatedModel<D>::require_unpushed(const std::vector<int>& which) const {
   const Model<D>& model = simulation_->model();

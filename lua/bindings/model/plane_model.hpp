@@ -1,4 +1,4 @@
-// A model in the plane as scripts hold it. No Lua here.
+// A plane model in scripts. No Lua here.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace trilith::script {
 template <int D>
 struct BridgeBookOf;  // bridge_book.hpp
 
-/// What bodies are made as where nothing else is said.
+/// Default kind of bodies.
 struct BodyForm {
   BodyKind kind = BodyKind::rigid;
   std::array<int, 2> divisions{1, 1};
@@ -27,7 +27,7 @@ class PlaneModel final : public SimulatedModel<2> {
 
   ModelBuilder builder;
   BodyForm body_form;
-  bool says_body = false;                   ///< body_form was given, and is no preset
+  bool says_body = false;                   ///< body_form was given, and is not the default
   std::shared_ptr<BridgeBookOf<2>> bridge;  ///< supports and spans; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }

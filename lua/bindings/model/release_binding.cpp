@@ -1,5 +1,5 @@
-// What becomes of loads, pushes and supports: directions are held and freed, a load's share changes, any of them is let
-// go without a jolt.
+// Changes of loads, pushes and supports: directions are fixed and freed, a load's share changes, and any of them is
+// released without an impact.
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +41,7 @@ double read_span(Keys& keys, const char* key, double preset) {
   return span;
 }
 
-/// From the step border on.
+/// Applies a change at the step border.
 void change_share(ScriptModel& m, const std::string& name, double share, double duration) {
   const auto change = [name, share, duration, box = &m](auto& model) {
     change_loads(model, name, box->time(), share, duration);
@@ -52,7 +52,7 @@ void change_share(ScriptModel& m, const std::string& name, double share, double 
     as_plane(m)->change(change);
 }
 
-/// m:set_load{ name =, factor =, duration = }: its share from now on, reached smoothly.
+/// m:set_load{ name =, factor =, duration = }: its new share, reached smoothly.
 int set_load(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "set_load");
@@ -64,8 +64,8 @@ int set_load(lua_State* L) {
   return 0;
 }
 
-/// What x, y, z and rotation set free of a body's supports; all of it where none is given. In space `rotation` is every
-/// turn.
+/// Directions of a body's supports that x, y, z and rotation free; all if none is given. In space `rotation` means
+/// every rotation.
 template <int D>
 std::array<bool, Space<D>::dofs> read_directions(Keys& keys) {
   std::array<bool, Space<D>::dofs> on{};
@@ -87,7 +87,7 @@ std::string directions_text(const std::array<bool, dofs>& on) {
   return text;
 }
 
-/// `place`: of the script, for a message at the step border, where it is the run's line that is known.
+/// `place`: place in the script, for a message at the step border, where only the line of the run is known.
 template <int D>
 [[noreturn]] void refuse_free(const Model<D>& model, const std::vector<int>& bodies,
                               const std::array<bool, Space<D>::dofs>& on, const std::string& owner,
@@ -153,8 +153,8 @@ int release(lua_State* L) {
   return release_of<2>(L, this_plane(L));
 }
 
-/// Which degrees of freedom a text such as "xy" names; all where nothing is given. In the plane x, y and r, in space x,
-/// y, z and r, which is every turn.
+/// Degrees of freedom in a text such as "xy"; all if it is not given. In the plane x, y and r, in space x, y, z and r,
+/// which means every rotation.
 std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, int dim) {
   std::array<bool, 6> on{};
   if (lua_isnoneornil(L, index)) {
@@ -179,7 +179,7 @@ std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, in
   return on;
 }
 
-/// Whether any node of a body is held or driven along one of these directions; turns of elements are none.
+/// True if any node of a body is fixed or driven along one of these directions; elements have no rotations.
 template <int D>
 bool is_held_in(const Model<D>& model, int body, const std::array<bool, Space<D>::dofs>& on) {
   const Body& b = model.bodies[static_cast<std::size_t>(body)];
@@ -190,7 +190,8 @@ bool is_held_in(const Model<D>& model, int body, const std::array<bool, Space<D>
   return false;
 }
 
-/// `place`: as of refuse_free. What is free of all of it already is refused, as a name or a direction is wrong then.
+/// `place`: as in refuse_free. A body that is completely free already is rejected, because a name or a direction is
+/// wrong then.
 template <int D>
 void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& asked,
                      Support support, const std::string& place) {
@@ -206,7 +207,7 @@ void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const
   });
 }
 
-/// Nodes of elements do not turn, so that holding turns alone holds nothing.
+/// Nodes of elements do not rotate, so fixing only rotations has no effect.
 template <int D>
 void refuse_turns_of_elements(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on) {
   const bool turn = std::any_of(on.begin() + D, on.begin() + Space<D>::dofs, [](bool k) { return k; });

@@ -1,8 +1,7 @@
-// A model as scripts hold it, whatever its dimension: first a builder, from the first stage on a simulation. No Lua
-// here.
+// A model in scripts, in either dimension: first a builder, from the first stage on a simulation. No Lua here.
 //
-// ScriptModel is what plane and space share; SimulatedModel<D> (simulated_model.hpp) runs and records; PlaneModel and
-// SpaceModel know what their bodies are.
+// ScriptModel is the common part of plane and space; SimulatedModel<D> (simulated_model.hpp) runs and records;
+// PlaneModel and SpaceModel contain the descriptions of their bodies.
 #pragma once
 
 #include <functional>
@@ -23,7 +22,7 @@ namespace trilith::script {
 /// A quantity followed over time, kept in memory and recorded.
 struct History {
   std::string name, unit, sentence;
-  std::function<double()> sample;  ///< empty: a Lua function gives it
+  std::function<double()> sample;  ///< empty: a Lua function computes it
   std::vector<double> values;
 };
 
@@ -33,15 +32,15 @@ struct ResultsOptions {
   bool with_velocity = false, with_joints = true;
 };
 
-/// Who of the script listens to a stage, whatever its dimension; all are there.
+/// Callbacks of the script during a stage, in either dimension; all are set.
 struct ScriptListener {
   std::function<void(const Event&)> on_event;
   std::function<void(double time, double last_dt)> on_step;  ///< [s]
   std::function<void()> on_history;                          ///< before samples are taken
-  std::function<void()> at_border;                           ///< empty: nobody pauses
+  std::function<void()> at_border;                           ///< empty: no pauses
 };
 
-/// What can be read of a simulation at a glance.
+/// Numbers of a simulation that are available without evaluation.
 struct StepNumbers {
   double last_dt = 0;  ///< [s]
   std::int64_t steps = 0;
@@ -49,7 +48,7 @@ struct StepNumbers {
   double ratio = 0;  ///< unbalanced force over the largest carried one [1]
 };
 
-/// The way that loads have gone in a model of either dimension, or none.
+/// The load path of a model of either dimension, or none.
 using AnyLoadWay = std::variant<std::monostate, const LoadWay<2>*, const LoadWay<3>*>;
 
 class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
@@ -60,63 +59,64 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   virtual ~ScriptModel() = default;
 
   std::string name;
-  bool closed = false;                                   ///< for all handles, whoever still holds it
+  bool closed = false;                                   ///< for all handles
   std::vector<std::pair<std::string, ContactLaw>> laws;  ///< as given to the builder
-  std::map<std::string, int> last_unnamed_law;           ///< [kind] number in the name that a law without one got last
+  std::map<std::string, int> last_unnamed_law;           ///< [kind] number of the last generated name of an unnamed law
   std::vector<Material> materials;                       ///< as given to the builder
-  std::vector<std::string> bearings, seats;              ///< names, in order
+  std::vector<std::string> bearings, seats;              ///< names, in their order
   std::vector<History> histories;
   std::vector<double> history_times;  ///< [s]
   double history_interval = 0.01;     ///< [s], without results
-  int threads = 0;                    ///< that may share a step; 0: as the surroundings say
+  int threads = 0;                    ///< threads that may share a step; 0: from the environment
   std::optional<ResultsOptions> results;
   std::vector<std::string> motions;  ///< one line for each motion used
   std::vector<Event> events;         ///< of all stages
   std::vector<Timer> timers;
   Checkpoints checkpoints;
-  bool checkpoints_chosen = false;  ///< the script has said whether there are any; else at a console alone
-  std::optional<Branch> undone;     ///< what the last rewind() took back
-  double wake_at = unbounded;       ///< a story wants to be woken then [s]
+  bool checkpoints_chosen = false;  ///< the script has enabled or disabled checkpoints; otherwise only at a console
+  std::optional<Branch> undone;     ///< the part that the last rewind() removed
+  double wake_at = unbounded;       ///< time at which a story must be resumed [s]
   bool has_step_handler = false;
-  std::uint32_t wanted_events = 0;  ///< bit of each EventType that some handler wants
-  bool adds_later = false;          ///< what is added waits: parts of a whole that stand only together
-  std::string pause_reason;         ///< why the run is to pause at the next step border; "": it is not
+  std::uint32_t wanted_events = 0;  ///< bit of each EventType with a handler
+  bool adds_later = false;          ///< additions are deferred: parts that are stable only together
+  std::string pause_reason;         ///< reason for a pause at the next step border; "": no pause
 
   [[nodiscard]] virtual int dim() const = 0;
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
   [[nodiscard]] virtual bool built() const = 0;
   [[nodiscard]] bool running() const { return running_; }
-  /// At a step border of a running stage, where a console is open.
+  /// At a step border of a running stage with an open console.
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] virtual bool recording() const = 0;
 
-  /// Something is about to be added: see catch_up.
+  /// Called before an addition: see catch_up.
   void adding() { ++additions_; }
-  /// Brings what was added into the model where that is built: now, or at the next step border where a stage runs.
-  /// Throws InputError where it cannot stand as the model stands now; then it is forgotten.
+  /// Transfers additions into a built model: now, or at the next step border while a stage runs. Throws InputError if
+  /// they are invalid in the present state; then they are removed.
   virtual void catch_up() = 0;
-  /// Histories were added: the file of results gets columns for them.
+  /// Histories were added: the results file gets columns for them.
   virtual void follow_more() = 0;
-  /// Takes bodies and bearings away, or puts them back: now, or at the next step border where a stage runs. Throws
-  /// InputError for what is not there, or is there. `place`: of the script, for a message at the border.
+  /// Removes or reactivates bodies and bearings: now, or at the next step border while a stage runs. Throws InputError
+  /// for absent, or for present parts. `place`: place in the script, for a message at the border.
   virtual void remove(const std::vector<int>& which, const std::vector<int>& links, const std::string& place) = 0;
-  /// `from_start`: the bearings count displacements from where they were placed first, not from where they are now.
+  /// `from_start`: displacements of the bearings count from their first position instead of the present one.
   virtual void reactivate(const std::vector<int>& which, const std::vector<int>& links, bool from_start,
                           const std::string& place) = 0;
-  /// Whether a part of the model is out of the step: the body was removed or has left the bounds; the bearing was
-  /// removed, or one of its bodies is out; one of the seat's bodies is out; all bodies at the top of the storey are.
+  /// True if a part of the model is inactive. A body: removed or out of bounds. A bearing: removed, or with an inactive
+  /// body. A seat: with an inactive body. A storey: all bodies at its top are inactive.
   [[nodiscard]] virtual bool is_out(int body) const = 0;
   [[nodiscard]] virtual bool is_bearing_out(int bearing) const = 0;
   [[nodiscard]] virtual bool is_seat_out(int seat) const = 0;
   [[nodiscard]] virtual bool is_storey_out(int number) = 0;
-  /// Why the body cannot be used: "was removed at 3.2 s", "is added at the next step border"; "" where it can.
+  /// Reason for which the body cannot be used: "was removed at 3.2 s", "is added at the next step border"; "" if it
+  /// can.
   [[nodiscard]] virtual std::string why_absent(int body) const = 0;
-  /// When it was removed [s]; nothing where it was not, or is back.
+  /// Time of its removal [s]; none if it was not removed, or is reactivated.
   [[nodiscard]] virtual std::optional<double> removed_at(int body) const = 0;
-  /// InputError, begun with `owner`, where it cannot be used.
+  /// InputError, beginning with `owner`, if it cannot be used.
   void require_present(int body, const std::string& owner) const;
 
-  // What the builder knows. Those that add throw InputError as it does.
+  // Access to the builder. Functions that add throw InputError as the builder does.
   virtual void add_material(const Material& material) = 0;
   virtual void add_law(const std::string& law_name, const ContactLaw& law) = 0;
   virtual void set_contact(const std::string& a, const std::string& b, const std::string& law) = 0;
@@ -126,72 +126,72 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual const std::string& material_of(int body) const = 0;
   [[nodiscard]] virtual const std::vector<std::string>& groups_of(int body) const = 0;
   [[nodiscard]] std::vector<std::string> body_names() const;
-  /// Index of the body called `body`, or InputError with the nearest name; `owner` begins it.
+  /// Index of the body called `body`, or InputError with the nearest name; `owner` begins the message.
   [[nodiscard]] int require_body(const std::string& body, const std::string& owner) const;
-  /// What was repaired or is worth knowing; complete once the model is built.
+  /// Repairs and other notes; complete after the model is built.
   [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
   virtual void add_note(const std::string& line) = 0;
-  /// What keeps it from being built, or once it is from its first stage, a line for each.
+  /// Reasons for which it cannot be built, or after that cannot begin its first stage, one line each.
   [[nodiscard]] virtual std::vector<std::string> faults() const = 0;
 
-  /// Builds where that was not done. Throws InputError as the builder does.
+  /// Builds the model if necessary. Throws InputError as the builder does.
   virtual void build() = 0;
   [[nodiscard]] virtual double time() const = 0;  ///< [s]
-  /// Of the present instant; all 0 before the model is built.
+  /// At the present instant; all 0 before the model is built.
   [[nodiscard]] virtual StepNumbers step_numbers() = 0;
-  /// The ledger now; builds the model.
+  /// Present energy ledger; builds the model.
   [[nodiscard]] virtual Energy energy() = 0;
-  /// What the ledger has gained or lost since the first stage began that no force has done [J].
+  /// Energy error of the ledger from the begin of the first stage [J].
   [[nodiscard]] virtual double residual() = 0;
   [[nodiscard]] virtual std::uint64_t hash() = 0;
-  [[nodiscard]] virtual std::string step_text() = 0;  ///< what governs the step
+  [[nodiscard]] virtual std::string step_text() = 0;  ///< the governing part of the step
   [[nodiscard]] virtual std::string text_of(const Event& event) const = 0;
   /// Mass of a body [kg], before and after building.
   [[nodiscard]] virtual double mass_of(int body) = 0;
-  /// [body] of the first node [m]; no number for what is held, gone or not there yet. Of a model that is built.
+  /// [body] height of the first node [m]; NaN for fixed, removed or not yet added bodies. For a built model.
   [[nodiscard]] virtual std::vector<double> heights() const = 0;
-  /// True while it has been still for the model's still_time.
+  /// True after it has been at rest for the model's still_time.
   [[nodiscard]] virtual bool is_resting(int body) const = 0;
-  /// Weight grows from nothing until `end` [s].
+  /// Weight increases from zero until `end` [s].
   virtual void grow_weight(double end) = 0;
   virtual void lift_bonds() = 0;
   virtual void set_bonds() = 0;
   virtual void drop_step() = 0;
   virtual void stop() = 0;
 
-  /// Runs a stage with `listener` wrapped by recording and observing; by `statics` one that takes no time, with the
-  /// `way` that led to it.
+  /// Runs a stage with `listener` wrapped by recording and observing; with `statics` a stage without time, with the
+  /// load path `way`.
   virtual StageReport run(const StageOptions& options, const ScriptListener& listener, Host& host,
                           const EquilibriumOptions* statics = nullptr, AnyLoadWay way = {}) = 0;
   /// While the model is paused: further steps of its stage, up to `limit` or its end.
   virtual void run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) = 0;
-  /// Runs the stage that rewind() has brought back to its end. InputError where there is none.
+  /// Runs the stage that rewind() has restored to its end. InputError if there is none.
   virtual StageReport resume(const ScriptListener& listener, Host& host) = 0;
-  /// Goes back to the checkpoint nearest to `time`, between stages or paused (then within that stage). What was
-  /// recorded since stays in the part file, unfinished; what follows goes to a file of its own. Gives the time it is
-  /// now [s]. InputError where there is no such checkpoint.
+  /// Returns to the checkpoint nearest to `time`, between stages or paused (then within that stage). Later records
+  /// remain in the part file, unfinished; the following ones are written to a new file. Returns the new time [s].
+  /// InputError if there is no such checkpoint.
   virtual double rewind(double time, Host& host) = 0;
-  /// A line for the notes of the results file, where there is one.
+  /// A line for the notes of the results file, if there is one.
   virtual void note(const std::string& text) = 0;
-  /// A note that is shown at once, and kept in the results file where there is one.
+  /// A note that is displayed at once, and stored in the results file if there is one.
   void note_at_once(const std::string& text, Host& host);
-  /// Calls `ask` with the model paused: it can be read as it is now, and changed at once.
+  /// Calls `ask` with the model paused: it can be read and changed in its present state.
   void pause(const std::function<void()>& ask);
-  /// The run did not come to its end: results are left as unfinished, unless a later stage goes through.
+  /// The run was interrupted: results are left unfinished, unless a later stage succeeds.
   void break_off(const std::string& why) { broken_ = why; }
-  /// Ends the recording, if any; see Host::finish. What became of it, in words; "" where there is none.
+  /// Ends the recording, if any; see Host::finish. Returns a text on the file; "" if there is none.
   virtual std::string finish(const std::string& error) = 0;
-  /// Whether its run may be trusted so far.
+  /// Verdict on the reliability of the run so far.
   [[nodiscard]] const Verdict& verdict() const { return *verdict_; }
 
  protected:
   std::shared_ptr<Verdict> verdict_ = std::make_shared<Verdict>();
   bool running_ = false, paused_ = false, recording_begun_ = false;
-  int branches_ = 1;                      // files of results so far
+  int branches_ = 1;                      // number of results files so far
   std::vector<StageOptions> stages_run_;  // one for each event "stage.begun"
   std::size_t notes_shown_ = 0;
-  std::string broken_;         // why the last stage broke off, if it did
-  std::size_t additions_ = 0;  // so many things were to be added
+  std::string broken_;         // reason for which the last stage was interrupted, if any
+  std::size_t additions_ = 0;  // number of announced additions
 };
 
 }  // namespace trilith::script

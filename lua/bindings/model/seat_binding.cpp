@@ -13,7 +13,7 @@ Vec3 read_place(Keys& keys, std::string_view key, const SeatSpecOf<3>& /*spec*/)
   return keys.vector(key);
 }
 
-/// Level, from the edge towards the end that lies beyond it. A problem is noted where that is nowhere.
+/// Horizontal direction from the edge towards the end that lies beyond it. A problem is noted if it is zero.
 template <int D>
 Vec<D> inward_of(Keys& keys, const SeatSpecOf<D>& spec) {
   Vec<D> way = spec.end - spec.edge;
@@ -24,7 +24,7 @@ Vec<D> inward_of(Keys& keys, const SeatSpecOf<D>& spec) {
   return Vec<D>::UnitX();
 }
 
-/// A seat that is lost before anything moves has its direction or its points wrong.
+/// A seat that is lost before anything moves has a wrong direction or wrong points.
 template <int D>
 void check_length(Keys& keys, const SeatSpecOf<D>& spec) {
   const double length = spec.inward.norm() > 0 ? (spec.end - spec.edge).dot(spec.inward.normalized()) : 0;

@@ -18,7 +18,7 @@
 namespace trilith::script {
 namespace {
 
-/// What is said of faces that a law leaves unbonded for the gap between them.
+/// Note on faces that a law leaves unbonded because of the gap between them.
 template <int D>
 std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
   return fmt::format(
@@ -30,7 +30,7 @@ std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
       model.bodies[missed.body_a].name, model.bodies[missed.body_b].name, quantity_text(missed.gap, "m"));
 }
 
-/// The first bearing that waits for ever, or -1.
+/// The first bearing that waits without a predecessor, or -1.
 template <int D>
 int idle_bearing(const Model<D>& model) {
   const auto& all = model.bearings;
@@ -74,7 +74,7 @@ const Findings<D>& SimulatedModel<D>::findings() {
   return *findings_;
 }
 
-/// What bodies moved with at the start, and what was pressed then, came from nowhere and is no error.
+/// Initial kinetic energy and initial contact energy are supplied without work and are no error.
 template <int D>
 double SimulatedModel<D>::residual() {
   const double balance = energy().balance();
@@ -126,8 +126,8 @@ void SimulatedModel<D>::grow_weight(double end) {
 
 namespace {
 
-/// A script names its results as "out/run.h5" wherever it is run from. Where it cannot be made, the writer of the
-/// results says what is wrong.
+/// A script may name its results "out/run.h5" in any working directory. If the folder cannot be created, the writer of
+/// the results reports it.
 void make_folder_of(const std::filesystem::path& file) {
   std::error_code error;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
@@ -137,7 +137,7 @@ void make_folder_of(const std::filesystem::path& file) {
 
 namespace {
 
-/// As many nodes as the model has; those that came later begin where they were put.
+/// Extends a state to the nodes of the model; added nodes are in their initial position.
 template <int D>
 State<D> begun_as(const Model<D>& model, State<D> state) {
   const std::size_t known = std::min(state.position.size(), model.mass.size());
@@ -203,13 +203,13 @@ void SimulatedModel<D>::open_recording(Host& host) {
 template <int D>
 RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunObserver* observer) {
   RunListener<D> all;
-  if (recording_) {  // going back in time replaces it
+  if (recording_) {  // replaced after a rewind
     all.on_frame = [this](const Instant<D>& now) { recording_->frame(now); };
     all.on_energy = [this](const Instant<D>& now, const Energy& e) { recording_->energy(now, e); };
   }
   if (!histories.empty()) {
     all.on_history = [this, &script](const Instant<D>& now) {
-      script.on_history();  // the Lua functions' values come first
+      script.on_history();  // values of Lua functions come first
       take_histories(now.state.time);
     };
   }
@@ -229,8 +229,8 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunO
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
   if (script.at_border || checkpoints.on)
     all.at_border = [this, &script] {
-      // Where the run taken back had ended, this one is to be compared with it: that checkpoint is kept with it, in
-      // front of its own, as those of this run may be dropped.
+      // At the end of the removed run this one is compared with it: this checkpoint is stored with it, before its own,
+      // because checkpoints of this run may be dropped.
       const bool meets = undone && !undone->passed && time() >= undone->checkpoints.back().time();
       if (meets) undone->checkpoints.insert(undone->checkpoints.begin(), checkpoint()), undone->passed = true;
       if (meets || checkpoints.due(*simulation_)) checkpoints.add(checkpoint());
@@ -241,7 +241,7 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunO
 
 template <int D>
 void SimulatedModel<D>::take_histories(double time) {
-  // A row that an interrupt broke off is left out.
+  // A row that an interrupt left incomplete is omitted.
   const std::size_t rows = history_times.size();
   const bool whole =
       std::ranges::all_of(histories, [&](const History& h) { return h.sample || h.values.size() > rows; });
@@ -321,7 +321,7 @@ StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& g
     ~Scope() {
       *model.verdict_ = model.simulation_->verdict();
       model.running_ = false;
-      model.pause_reason.clear();  // of a step border that this stage did not come to
+      model.pause_reason.clear();  // of a step border that this stage did not reach
       model.changes_.clear();
     }
   } scope(*this);
@@ -355,7 +355,7 @@ void SimulatedModel<D>::run_on(const RunLimit& limit, const ScriptListener& list
 
 namespace {
 
-/// Where the energy went that did not come back: shares of what was put in, the largest first.
+/// Text: energy that was dissipated, as shares of the supplied energy, the largest first.
 std::string given_off_text(const EnergyCheck& check) {
   std::vector<std::pair<double, std::string_view>> shares;
   for (int i = 0; i < energy_terms; ++i) {

@@ -1,4 +1,4 @@
-// A model of a script in D dimensions: it runs, records and goes back in time. No Lua here.
+// A model of a script in D dimensions: runs, records and rewinds. No Lua here.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,8 @@
 
 namespace trilith::script {
 
-/// Builds without asking what stands on nothing, which the first stage will; where it cannot be built it is asked too.
+/// Builds without the check for unsupported parts, which the first stage makes. If it cannot be built, the check is
+/// made too.
 template <class Builder>
 auto built_unjudged(Builder& builder) {
   builder.judge_standing = false;
@@ -25,11 +26,11 @@ auto built_unjudged(Builder& builder) {
   }
 }
 
-/// A push whose force a load path has scaled: the load of that name holds it.
+/// A push whose force a load path has scaled; the load of that name contains it.
 template <int D>
 struct LoadPush {
   Push<D> push;            ///< its name, points and direction
-  double first_place = 0;  ///< of its points along it, as the path began [m]
+  double first_place = 0;  ///< coordinate of its points along it at the begin of the path [m]
 };
 
 template <int D>
@@ -38,29 +39,29 @@ class SimulatedModel : public ScriptModel {
   using ScriptModel::ScriptModel;
 
   std::vector<LoadPush<D>> load_pushes;          ///< in the order of their stages
-  std::function<void(const Instant<D>&)> watch;  ///< of the engine's own, after each step; empty: none
+  std::function<void(const Instant<D>&)> watch;  ///< internal callback after each step; empty: none
 
   [[nodiscard]] int dim() const override { return D; }
   [[nodiscard]] bool built() const override { return simulation_ != nullptr; }
   [[nodiscard]] bool recording() const override { return recording_ != nullptr; }
   void build() override { simulation(); }
-  /// Builds where that was not done. Throws InputError as the builder does.
+  /// Builds the model if necessary. Throws InputError as the builder does.
   Simulation<D>& simulation();
   /// The simulation with its forces up to date, for reading.
   const Simulation<D>& evaluated();
   /// Its joints, storeys and base; builds the model.
   const Findings<D>& findings();
   [[nodiscard]] const Simulation<D>* if_built() const { return simulation_.get(); }
-  /// It is built, and the body in it: what a handler adds is so from the next step border on.
+  /// True if the model is built and contains the body: additions by a handler enter it at the next step border.
   [[nodiscard]] bool has_body(int body) const {
     return simulation_ && static_cast<std::size_t>(body) < simulation_->model().bodies.size();
   }
-  /// Does `change` now, or at the next step border where a stage runs.
+  /// Makes `change` now, or at the next step border while a stage runs.
   void change(std::function<void(Model<D>&)> what);
 
-  /// Changes laws, now or at the next step border; the ledger has what that puts in. Bearings of `begun` begin anew.
+  /// Changes laws, now or at the next step border; the ledger receives the added energy. Bearings in `begun` restart.
   void modify(std::function<void(Model<D>&)> what, std::vector<int> begun);
-  /// Changes supports and drives, as `change` does; the ledger has what that puts in or takes out.
+  /// Changes supports and drives, as `change` does; the ledger receives the energy difference.
   void change_supports(std::function<void(Model<D>&)> what);
   void catch_up() override;
   void follow_more() override;
@@ -100,25 +101,26 @@ class SimulatedModel : public ScriptModel {
   StageReport resume(const ScriptListener& listener, Host& host) override;
   double rewind(double time, Host& host) override;
   void note(const std::string& text) override;
-  /// Modes that were found at once go to the results file, where there is or will be one. What is found before its
-  /// first stage waits for that, and makes a file of its own accord where none comes.
+  /// Writes modes found together to the results file, if there is or will be one. Modes found before its first stage
+  /// wait for it, and create a file themselves if no stage follows.
   void record_modes(std::vector<results::ModeRow> found, Host& host);
   std::string finish(const std::string& error) override;
 
  protected:
-  /// Of the builder. What stands on nothing is judged as the first stage begins, for a bearing may still come.
+  /// The model of the builder. Unsupported parts are checked at the begin of the first stage, because a bearing may
+  /// still be added.
   [[nodiscard]] virtual Model<D> built_model() = 0;
-  /// What stands on nothing, a line each, of a model that is built; none once that was judged.
+  /// Unsupported parts of a built model, one line each; none after that check.
   [[nodiscard]] virtual std::vector<std::string> standing_faults() const = 0;
-  /// From now on what is added is judged at once.
+  /// From now on additions are checked at once.
   virtual void judge_standing() = 0;
-  /// `model` with what was added to the builder since, beside what stands there by `state`.
+  /// `model` with the latest additions of the builder, relative to the positions in `state`.
   [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
-  /// Deepest overlap of two bodies as they are put, as a share of the smaller one's size.
+  /// Largest overlap of two bodies in their initial position, as a share of the smaller one's size.
   [[nodiscard]] virtual double overlap_allowed() const = 0;
-  /// What is not in `model` any more, or not yet, was not added.
+  /// Removes additions that are not in `model`.
   virtual void forget_beyond(const Model<D>& model) = 0;
-  /// A model of that body and nothing else.
+  /// A model of this body alone.
   [[nodiscard]] virtual Model<D> lone_body(int body) const = 0;
 
  private:
@@ -144,9 +146,9 @@ class SimulatedModel : public ScriptModel {
   std::unique_ptr<Recording<D>> recording_;
   std::vector<std::vector<results::ModeRow>> waiting_modes_;
   Host* modes_host_ = nullptr;                           // of those
-  std::optional<State<D>> recorded_from_;                // where all branches of the results begin
-  std::vector<std::function<void(Model<D>&)>> changes_;  // wait for the step border
-  std::size_t caught_up_ = 0;                            // with so many additions
+  std::optional<State<D>> recorded_from_;                // begin of all branches of the results
+  std::vector<std::function<void(Model<D>&)>> changes_;  // to be made at the step border
+  std::size_t caught_up_ = 0;                            // number of additions already in the model
 };
 
 }  // namespace trilith::script

@@ -1,4 +1,4 @@
-// Bodies of models in space: what their tables say besides their shape, and parts that become bodies.
+// Bodies of models in space: keys of their tables except shape, and parts that become bodies.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -132,14 +132,14 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
 
 namespace {
 
-/// Everything a constructor says of a solid besides name and shape.
+/// All options of a solid except name and shape.
 struct SolidOptions {
   SolidSpec spec;
   std::vector<std::string> fixed;                           ///< names or groups of the parts that are fixed
-  std::vector<std::pair<std::string, SolidSpec>> by_group;  ///< what holds instead for parts of that name or group
+  std::vector<std::pair<std::string, SolidSpec>> by_group;  ///< replacing options for parts of that name or group
 };
 
-/// by_group = { floors = { ... }, ... }, in the order of the names: a Lua table has no order of its own.
+/// by_group = { floors = { ... }, ... }, sorted by name, because a Lua table has no order.
 void read_groups(Keys& keys, SolidOptions& o) {
   lua_State* L = keys.lua();
   const int type = keys.push("by_group");
@@ -175,7 +175,8 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Of several entries of by_group that fit a part, the one of its name counts, else the one of its first group.
+/// If several entries of by_group apply to a part, the entry of its name counts, otherwise the entry of its first
+/// group.
 void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options) {
   std::vector<std::string> own{part.name};
   own.insert(own.end(), part.groups.begin(), part.groups.end());
@@ -190,7 +191,7 @@ void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options
   m.builder.add_body(std::move(spec));
 }
 
-/// Pushes what was added from body `first` on: a body where just one can be, else a set.
+/// Pushes the bodies added from body `first` on: a body if there can be only one, otherwise a set.
 void push_solids(lua_State* L, SpaceModel& m, int first, bool single) {
   m.catch_up();
   if (single) return push_body(L, 1, first);
@@ -269,7 +270,7 @@ std::optional<SpaceMesh> read_space_mesh(Keys& keys) {
   return mesh;
 }
 
-/// The parts of the plane in the list at `index`, with a depth, and what was repaired of their outlines.
+/// The plane parts in the list at `index`, extruded with a depth, and the repairs of their outlines.
 SolidParts extruded_list(lua_State* L, int index, const PartDepth& depth) {
   SolidParts made;
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
@@ -287,7 +288,7 @@ SolidParts extruded_list(lua_State* L, int index, const PartDepth& depth) {
   return made;
 }
 
-/// A body of elements; or a rigid one, whose pieces they are, where the body or the model says so.
+/// A body of elements; or a rigid body with these as pieces, if the body or the model requests it.
 void take_mesh(SpaceMesh mesh, bool says_body, SpaceModel& m, SolidSpec& spec, SolidPart& part) {
   if (!(says_body || m.says_body) || spec.form.kind != BodyKind::rigid) {
     if (says_body) m.builder.note(own_elements_note(part.name));

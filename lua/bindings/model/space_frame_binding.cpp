@@ -13,7 +13,7 @@
 namespace trilith::script {
 namespace {
 
-/// What m:beam and each member of m:frame say alike. Problems are noted in `keys`.
+/// Common keys of m:beam and each member of m:frame. Problems are noted in `keys`.
 void read_space_member(Keys& keys, SpaceMember& member) {
   const auto* section = keys.maybe_handle<SectionValue>("section");
   member.fibres = read_fibres(keys, section);
@@ -75,7 +75,7 @@ SpaceJoint space_joint_at(lua_State* L, const std::string& name) {
   return joint;
 }
 
-/// joints = { A = {x, y, z}, B = { at = ... }, ... }, in the order of their names: a Lua table has no order of its own.
+/// joints = { A = {x, y, z}, B = { at = ... }, ... }, sorted by name, because a Lua table has no order.
 void read_space_joints(Keys& keys, SpaceFrameSpec& frame) {
   lua_State* L = keys.lua();
   const char* const wanted = "a table such as { A = {0, 0, 0}, B = { at = {0, 0, 4}, support = \"fixed\" } }";
@@ -123,7 +123,7 @@ void read_space_members(Keys& keys, SpaceFrameSpec& frame) {
   });
 }
 
-/// The member that is asked for by argument 2: the only one, or the one of that name.
+/// The member in argument 2: the only one, or the one with the given name.
 int space_member_asked(lua_State* L, const Model<3>& model, int body, std::string_view what) {
   if (lua_type(L, 2) != LUA_TSTRING && !lua_isnoneornil(L, 2))
     throw InputError(fmt::format("{}: takes the name of a member; this is {}", what, what_is(L, 2)));
@@ -148,7 +148,7 @@ int space_member_asked(lua_State* L, const Model<3>& model, int body, std::strin
   return only;
 }
 
-/// ... in a model that has run.
+/// Member of a model that has run.
 struct AskedSpaceMember {
   const Simulation<3>& run;
   int member;
@@ -276,7 +276,7 @@ int push_space_hinges(lua_State* L, SpaceModel& m, int body) {
   return 1;
 }
 
-/// body:point "joint" or body:point{x, y, z}: x, y and z now of what was there at the start.
+/// body:point "joint" or body:point{x, y, z}: present x, y and z of the point that was there at the start.
 int push_space_point(lua_State* L, SpaceModel& m, int body) {
   const auto at = vector_at(L, 2);
   const bool named = lua_type(L, 2) == LUA_TSTRING;

@@ -1,4 +1,4 @@
-// Beams and frames of models in space as scripts make and read them.
+// Beams and frames of models in space: constructors and readings for scripts.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,8 +25,7 @@ int push_space_fibres(lua_State* L, SpaceModel& m, int body);
 int push_space_hinges(lua_State* L, SpaceModel& m, int body);
 int push_space_point(lua_State* L, SpaceModel& m, int body);
 
-/// Where the joint of that name was at the start, of a body in the plane or in space. Throws InputError where there is
-/// none.
+/// Initial position of a named joint, of a body in the plane or in space. Throws InputError if there is none.
 template <class Spec>
 auto joint_start(const Spec& spec, const std::string& joint) {
   std::vector<std::string> known;
@@ -40,9 +39,9 @@ auto joint_start(const Spec& spec, const std::string& joint) {
 
 /// hinge = for both ends of a member, from_hinge and to_hinge for one; in the plane and in space.
 std::array<std::optional<HingeLaw>, 2> read_hinges(Keys& keys);
-/// mass_matrix: true where it is "consistent".
+/// mass_matrix: true for "consistent".
 bool read_mass_matrix(Keys& keys);
-/// state of body:hinges.
+/// `state` in body:hinges.
 const char* hinge_state_text(HingeStatus status);
 
 }  // namespace trilith::script

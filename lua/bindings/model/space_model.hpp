@@ -1,4 +1,4 @@
-// A model in space as scripts hold it. No Lua here.
+// A model in space in scripts. No Lua here.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ class SpaceModel final : public SimulatedModel<3> {
   using SimulatedModel::SimulatedModel;
 
   SolidModelBuilder builder;
-  SpaceForm body_form;                      ///< what bodies are made as where nothing else is said
-  bool says_body = false;                   ///< body_form was given, and is no preset
+  SpaceForm body_form;                      ///< default kind of bodies
+  bool says_body = false;                   ///< body_form was given, and is not the default
   std::shared_ptr<BridgeBookOf<3>> bridge;  ///< types of bearings; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }

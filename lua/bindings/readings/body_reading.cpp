@@ -7,7 +7,7 @@
 namespace trilith::script {
 namespace {
 
-/// Densest element (osmium) [kg/m3], rounded up; 150 lbf/ft3 taken for a density would be 23563.
+/// Densest element (osmium) [kg/m3], rounded up; 150 lbf/ft3 mistaken for a density would be 23563.
 constexpr double largest_density = 23000;
 
 Support support_at(Keys& keys, std::string_view key, const std::string& text) {
@@ -26,10 +26,10 @@ void read_holds(Keys& keys, std::vector<NodeSupport>& holds) {
   });
 }
 
-/// What `keys` say of a body; `preset` where they say nothing.
+/// Options of a body from `keys`; `preset` for missing ones.
 BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   BodySpec s = preset;
-  const bool is_frame = preset.kind == BodyKind::frame;  // whose form, width and inertia are those of its members
+  const bool is_frame = preset.kind == BodyKind::frame;  // form, width and inertia of a frame belong to its members
   if (!is_frame) {
     const BodyForm form = read_body_form(keys, {preset.kind, preset.divisions});
     s.kind = form.kind, s.divisions = form.divisions;
@@ -57,7 +57,7 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   return s;
 }
 
-/// Reads the tables under by_group, in the order of their names: a Lua table has no order of its own.
+/// Reads the tables under by_group, sorted by name, because a Lua table has no order.
 void read_by_group(Keys& keys, BodyOptions& o) {
   lua_State* L = keys.lua();
   const int type = keys.push("by_group");
@@ -85,7 +85,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What the options say of this part.
+/// Options of this part.
 const BodySpec& spec_of(const Part& part, const BodyOptions& options) {
   std::vector<std::string> own{part.name};
   own.insert(own.end(), part.groups.begin(), part.groups.end());

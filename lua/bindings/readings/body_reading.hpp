@@ -1,4 +1,4 @@
-// What m:body, m:add and the bridge conveniences share: reading what a body is, but for its shape.
+// Common readers of m:body, m:add and the bridge builders: options of a body except its shape.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace trilith::script {
 
-/// Everything a constructor says of a body besides name and outline.
+/// All options of a body except name and outline.
 struct BodyOptions {
   BodySpec spec;
   std::vector<std::string> fixed;                          ///< names or groups of the parts that are fixed
-  std::vector<std::pair<std::string, BodySpec>> by_group;  ///< what holds instead for parts of that name or group
+  std::vector<std::pair<std::string, BodySpec>> by_group;  ///< replacing options for parts of that name or group
 };
 
 /// Reads material, groups, density, unit_weight, mass, weight, inertia, thickness, support, velocity, spin, load,
@@ -22,19 +22,18 @@ struct BodyOptions {
 /// Problems are noted in `keys`.
 BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset);
 
-/// Reads `body`: "rigid", "quad" or { mesh = {nx, ny} }; `preset` where it is not there.
+/// Reads `body`: "rigid", "quad" or { mesh = {nx, ny} }; `preset` if not given.
 BodyForm read_body_form(Keys& keys, const BodyForm& preset);
 
-/// Reads "fixed", "free" or { x =, y =, rotation = } under `key`; leaves `support` as it is where that is not there.
+/// Reads "fixed", "free" or { x =, y =, rotation = } under `key`; `support` remains unchanged if not given.
 void read_support(Keys& keys, std::string_view key, std::array<Support, 3>& support);
 
-/// Notes a problem where a density is so large that it must be a unit weight.
+/// Notes a problem if a density is so large that it must be a unit weight.
 void check_density(Keys& keys, double density);
-/// Notes a problem where a unit weight [N/m3] is not above 0, or beyond that density.
+/// Notes a problem if a unit weight [N/m3] is not above 0, or beyond that density.
 void check_unit_weight(Keys& keys, double weight);
 
-/// Throws InputError where `fixed` or `by_group` names a part or group that is not among `parts`.
-/// Options and parts of either dimension.
+/// Throws InputError if `fixed` or `by_group` names an unknown part or group. Options and parts of either dimension.
 template <class Options, class AnyPart>
 void check_named(const Options& options, const std::vector<AnyPart>& parts, const std::string& owner) {
   std::vector<std::string> groups, names;
@@ -55,8 +54,8 @@ void check_named(const Options& options, const std::vector<AnyPart>& parts, cons
   for (const auto& [name, spec] : options.by_group) check(name, "by_group");
 }
 
-/// Adds a part as a body; its groups are the part's and those of the options. Of several entries of by_group that fit,
-/// the one of the part's name counts, else the one of its first group.
+/// Adds a part as a body, with the groups of the part and of the options. If several entries of by_group apply, the
+/// entry of the part's name counts, otherwise the entry of its first group.
 void add_part(PlaneModel& model, const Part& part, const BodyOptions& options);
 
 }  // namespace trilith::script

@@ -1,4 +1,4 @@
-// What changed between the branch that rewind took back and the present one. For the library.
+// Differences between the branch that rewind removed and the present one. For the library.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -10,13 +10,14 @@
 namespace trilith::script {
 namespace {
 
-/// Two states at nearly one time, as late as there are.
+/// Two states at nearly the same time, the latest available.
 template <int D>
 struct Pair {
   const State<D>*before, *now;
 };
 
-/// Of the run taken back. Once the present one has passed its end, the first of all is of the present one, taken there.
+/// Checkpoints of the removed run. After the present one has passed its end, the first checkpoint is of the present run
+/// at that time.
 std::span<const Checkpoint> own_checkpoints(const Branch& branch) {
   return std::span(branch.checkpoints).subspan(branch.passed ? 1 : 0);
 }
@@ -46,7 +47,7 @@ struct Moved {
   double distance, turn;
 };
 
-/// By how much a body has turned more in one branch than in the other [rad]; in space of either sense.
+/// Difference of a body's rotation between the branches [rad]; in space without sign.
 double turn_between(const Pose& before, const Pose& now) {
   return now.rotation - before.rotation;
 }
@@ -79,7 +80,7 @@ void push_moved(lua_State* L, const std::vector<Moved>& moved) {
   }
 }
 
-/// Events after `from` and up to `to`, but those of stages.
+/// Events after `from` and up to `to`, except events of stages.
 void push_events(lua_State* L, const std::vector<Event>& events, double from, double to) {
   lua_newtable(L);
   lua_Integer count = 0;
@@ -98,7 +99,7 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
     const std::size_t common = std::min({before.size(), now.size(), branch.times.size(), m.history_times.size()});
     double most = 0, at = 0;
     for (std::size_t i = 0; i < common; ++i) {
-      if (!(std::abs(now[i] - before[i]) > most)) continue;  // no number in either: there is nothing to compare
+      if (!(std::abs(now[i] - before[i]) > most)) continue;  // NaN in either: nothing to compare
       most = std::abs(now[i] - before[i]);
       at = m.history_times[i];
     }
@@ -111,7 +112,7 @@ void push_histories(lua_State* L, const Branch& branch, const ScriptModel& m) {
   }
 }
 
-/// Leaves a table of what has changed since `branch` was taken back.
+/// Leaves a table of the differences from `branch`.
 template <int D>
 void push_changes(lua_State* L, const Branch& branch, const SimulatedModel<D>& m) {
   lua_createtable(L, 0, 10);
@@ -134,8 +135,8 @@ void push_changes(lua_State* L, const Branch& branch, const SimulatedModel<D>& m
   lua_setfield(L, -2, "histories");
 }
 
-/// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing where no run
-/// was taken back, without the times where the branches have no time in common.
+/// core.compare(model): { from, before, now, same, moved, events_before, events_now, histories }; nothing if no run was
+/// removed; without the times if the branches have no common time.
 int compare(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (!m.undone) return 0;

@@ -1,4 +1,4 @@
-// Events as handlers get them.
+// Events in handlers.
 #include <algorithm>
 
 #include "bindings/core/bindings.hpp"

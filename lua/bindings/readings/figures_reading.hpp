@@ -1,4 +1,4 @@
-// What a script, or a function of a study, gives back as its figures.
+// Figures that a script, or a function of a study, returns.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace trilith::script {
 
-/// Reads { drift = 0.01, collapsed = true, mode = "rocking", opening = { 0.002, unit = "m" } } at `index`, in the order
-/// of the names; flags become 1 and 0; nothing where it is nil or no table. Throws InputError for what is no figure.
+/// Reads { drift = 0.01, collapsed = true, mode = "rocking", opening = { 0.002, unit = "m" } } at `index`, sorted by
+/// name; flags become 1 and 0; nothing for nil or other values. Throws InputError for an invalid figure.
 std::vector<StudyFigure> figures_at(lua_State* L, int index);
 
 }  // namespace trilith::script

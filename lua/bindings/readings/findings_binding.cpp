@@ -1,4 +1,4 @@
-// Engineering results of a model as scripts read them: storeys, joints, base shear, line of thrust.
+// Engineering results of a model for scripts: storeys, joints, base shear, line of thrust.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace trilith::script {
 namespace {
 
-/// A model, evaluated where it is now, and its findings.
+/// A model, evaluated at the present instant, and its findings.
 template <int D>
 struct Present {
   const Simulation<D>& sim;
@@ -26,7 +26,7 @@ struct Present {
   [[nodiscard]] Vec<D> top_drift() const {
     return trilith::top_drift(sim.model(), sim.state(), findings.storeys, findings.base);
   }
-  /// Index of a storey, storeys.size() where there is none of that number.
+  /// Index of a storey, storeys.size() if there is no such number.
   [[nodiscard]] std::size_t storey(int number) const {
     const auto it = std::ranges::find(findings.storeys, number, &Storey::number);
     return static_cast<std::size_t>(it - findings.storeys.begin());
@@ -42,13 +42,13 @@ struct Present {
   }
 };
 
-/// What f gives of the model as it is now, in the plane or in space.
+/// f of the model at the present instant, in the plane or in space.
 template <class F>
 double of_present(ScriptModel& m, F&& f) {
   if (SpaceModel* space = as_space(m)) return f(Present<3>(*space));
   return f(Present<2>(require_plane(m, "this")));
 }
-/// The same in space alone.
+/// As above, in space only.
 template <class F>
 double of_space(ScriptModel& m, F&& f) {
   SpaceModel* space = as_space(m);
@@ -77,7 +77,7 @@ double ratio_of(const StoreyHandle& h) {
   return height_of(h) > 0 ? drift_of(h) / height_of(h) : 0;
 }
 
-/// Mean over the bonded joints that `wanted` picks by their two bodies; 0 where there are none.
+/// Mean over the bonded joints that `wanted` selects by their two bodies; 0 if there are none.
 template <class Wanted>
 double mean_damage(ScriptModel& m, Wanted&& wanted) {
   return of_present(m, [&](const auto& now) {
@@ -205,7 +205,7 @@ void push_joints(lua_State* L, const Present<D>& now) {
   }
 }
 
-/// m:joints(): all that were there at the start; `damage` only of those with a bond.
+/// m:joints(): all joints that existed at the start; `damage` only for joints with a bond.
 int joints(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (SpaceModel* space = as_space(m))
@@ -235,7 +235,7 @@ void push_line(lua_State* L, const std::vector<ThrustPoint<D>>& line) {
   }
 }
 
-/// m:thrust_line(bodies): in their order, which for a set is that in which they were made.
+/// m:thrust_line(bodies): in their order, which for a set is the order of creation.
 int thrust(lua_State* L) {
   ScriptModel& m = this_model(L);
   const std::vector<int> chain = bodies_at(L, 2, m, "thrust_line");

@@ -1,4 +1,4 @@
-// Reading a model: sets of bodies, contacts, histories; what is written to a results file.
+// Reading a model: sets of bodies, contacts, histories, and options of the results file.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@ bool any_matches(const std::vector<std::string>& patterns, const std::string& na
   return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches(p, name); });
 }
 
-/// m:bodies{ group =, material =, name = }: those that fit all that is given; '*' and '?' stand for letters.
+/// m:bodies{ group =, material =, name = }: bodies that match all given keys, with the wildcards '*' and '?'.
 int bodies(lua_State* L) {
   const ScriptModel& m = this_model(L);
   lua_settop(L, 2);
@@ -50,7 +50,7 @@ void set_vector(lua_State* L, const char* key, const V& v) {
   lua_setfield(L, -2, key);
 }
 
-/// What contacts of plane and space have in common.
+/// Common fields of contacts in the plane and in space.
 template <int D>
 void begin_contact(lua_State* L, const Simulation<D>& s, int row, int a, int b, ContactHold hold) {
   constexpr std::array holds{"bonded", "sticking", "sliding"};
@@ -86,7 +86,7 @@ void push_contact(lua_State* L, const Simulation<3>& s, const SolidResultant& c)
   set_vector(L, "force", c.force);
 }
 
-/// Pushes a list of those that `wanted` says.
+/// Pushes a list of the contacts that `wanted` selects.
 template <int D, class Wanted>
 void push_contacts(lua_State* L, const Simulation<D>& s, Wanted&& wanted) {
   lua_newtable(L);
@@ -98,7 +98,7 @@ void push_contacts(lua_State* L, const Simulation<D>& s, Wanted&& wanted) {
   }
 }
 
-/// m:contacts{ between = {a, b} }: those that carry force, with the force on b.
+/// m:contacts{ between = {a, b} }: contacts that carry force, with the force on b.
 int contacts(lua_State* L) {
   ScriptModel& m = this_model(L);
   lua_settop(L, 2);
@@ -139,7 +139,7 @@ std::vector<std::string> number_names(const H& h) {
   return names;
 }
 
-/// Whether it is out of the step, so that its numbers are of nothing.
+/// True if the body is inactive, so that its numbers are undefined.
 bool is_out(const BodyHandle& h) {
   return h.model().is_out(h.index);
 }
@@ -153,7 +153,7 @@ bool is_out(const StoreyHandle& h) {
   return h.model().is_storey_out(h.index + 1);
 }
 
-/// Follows the number `what` of a handle; no number (NaN) while that is out of the step.
+/// Records the number `what` of a handle; NaN while it is inactive.
 template <class H>
 void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   const Property<H>* p = find_property<H>(what);
@@ -172,7 +172,7 @@ void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   history.sentence = fmt::format("{} of {}", p->doc, Kind<H>::title(h));
 }
 
-/// Follows the thing under `key`, a handle or a name; false where it is not there.
+/// Records the object under `key`, a handle or a name; false if not given.
 template <class H>
 bool follow_key(Keys& keys, std::string_view key, History& history, const std::string& what, ScriptModel& m) {
   lua_State* L = keys.lua();
@@ -190,12 +190,12 @@ bool follow_key(Keys& keys, std::string_view key, History& history, const std::s
   return type != LUA_TNIL;
 }
 
-/// A number of the model itself.
+/// Records a number of the model itself.
 void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
   const Property<ModelBox>* p = find_property<ModelBox>(what);
   const ModelBox box{m.shared_from_this()};
   if (p == nullptr || p->number == nullptr || !has_property(*p, box)) {
-    if (keys.push("what") == LUA_TSTRING)  // others have been told of
+    if (keys.push("what") == LUA_TSTRING)  // other cases have been reported
       keys.problem(
           fmt::format("'what' is '{}', no number of the model (for others give body, bearing, seat or storey){}", what,
                       name_hint(what, number_names(box))));
@@ -211,7 +211,7 @@ void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& 
   h.sentence = p->doc;
 }
 
-/// Follows the storey under `storey`; false where it is not there.
+/// Records the storey under `storey`; false if not given.
 bool follow_storey(Keys& keys, History& h, const std::string& what, ScriptModel& m) {
   if (!keys.has("storey")) return false;
   const int storey = keys.count("storey", 0), storeys = storey_count(m);
@@ -231,8 +231,8 @@ void read_followed(Keys& keys, History& h, ScriptModel& m) {
   keys.know({"body", "bearing", "seat", "storey", "every"});
 }
 
-/// m:history{ name =, body = | bearing = | seat = , what = } or { name =, unit =, of = function }; without an owner
-/// `what` is a number of the model. The function, if any, is kept by the library.
+/// `m:history{ name =, body = | bearing = | seat = , what = }` or `{ name =, unit =, of = function }`; without an owner
+/// `what` is a number of the model. The library keeps the function, if any.
 int history(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (m.running() && !m.paused())
@@ -259,7 +259,7 @@ int history(lua_State* L) {
     m.history_interval = *every;
   }
   keys.finish();
-  // What was not followed from the start on has no number before.
+  // A history added later has no values before.
   h.values.assign(m.history_times.size(), std::numeric_limits<double>::quiet_NaN());
   m.histories.push_back(std::move(h));
   m.follow_more();

@@ -1,4 +1,4 @@
-// The contacts of a simulation that touch at this instant, as scripts read them.
+// The touching contacts of a simulation at this instant, for scripts.
 #pragma once
 
 #include <vector>

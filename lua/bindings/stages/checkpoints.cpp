@@ -11,7 +11,7 @@ std::size_t bytes_in(const Vectors&... vectors) {
   return (std::size_t{0} + ... + (vectors.size() * sizeof(typename Vectors::value_type)));
 }
 
-/// Memory of what the contacts remember [bytes].
+/// Memory size of contact memories [bytes].
 std::size_t bytes_of_contacts(const ContactHistory& c) {
   return bytes_in(c.key, c.memory, c.law_row, c.law_memory);
 }
@@ -19,8 +19,8 @@ std::size_t bytes_of_contacts(const SolidHistory& c) {
   return bytes_in(c.key, c.memory, c.joint_of, c.joint);
 }
 
-/// The next whole multiple of `every` [s], so that two branches have checkpoints at the same times however long their
-/// steps are.
+/// The next integer multiple of `every` [s], so that two branches have checkpoints at the same times with any step
+/// lengths.
 double due_after(double time, double every) {
   constexpr double rounding = 1e-9;
   return every * (std::floor(time / every + rounding) + 1);

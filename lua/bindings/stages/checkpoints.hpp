@@ -1,4 +1,4 @@
-// Checkpoints of a model in memory, and the branch that going back to one has undone. No Lua here.
+// Checkpoints of a model in memory, and the branch that a rewind has removed. No Lua here.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace trilith::script {
 
-/// A call that falls due again and again, counted from its start so that no rounding adds up.
+/// A periodic call, counted from its start so that rounding errors do not accumulate.
 struct Timer {
   double start = 0, interval = 0;
   std::int64_t next = 1;
@@ -20,11 +20,11 @@ struct Timer {
 
 struct CheckpointOptions {
   double every = 0.1;    ///< simulated time between them [s]
-  int count = 400;       ///< at most so many are kept
-  double bytes = 256e6;  ///< in at most so many bytes
+  int count = 400;       ///< largest number kept
+  double bytes = 256e6;  ///< largest memory [bytes]
 };
 
-/// A snapshot, and how far the script's own rows had come.
+/// A snapshot, and the number of the script's rows at that time.
 struct Checkpoint {
   std::variant<Snapshot<2>, Snapshot<3>> snapshot;
   std::size_t events = 0, samples = 0;
@@ -38,33 +38,33 @@ struct Checkpoint {
   [[nodiscard]] double time() const {
     return std::visit([](const auto& s) { return s.state.time; }, snapshot);
   }
-  /// When its stage began [s].
+  /// Begin of its stage [s].
   [[nodiscard]] double stage_begun() const {
     return std::visit([](const auto& s) { return s.stage->report.begun; }, snapshot);
   }
 };
 
-/// The latest checkpoints; the oldest goes where there are too many.
+/// The latest checkpoints; the oldest is dropped beyond the limits.
 class Checkpoints {
  public:
   CheckpointOptions options;
   bool on = false;
 
-  /// True where one is to be taken: the first of a stage, and then one each `every`.
+  /// True if a checkpoint is due: the first of a stage, and then one every `every`.
   template <int D>
   [[nodiscard]] bool due(const Simulation<D>& now) const {
     return on &&
            (list_.empty() || now.state().time >= next_ || now.stage()->report.begun != list_.back().stage_begun());
   }
   void add(Checkpoint checkpoint);
-  /// The nearest one to `time`, nullptr where there is none.
+  /// The nearest one to `time`, nullptr if there is none.
   [[nodiscard]] const Checkpoint* nearest(double time) const;
-  /// Takes out all after `time`, oldest first.
+  /// Removes and returns all after `time`, oldest first.
   std::vector<Checkpoint> take_after(double time);
-  /// Drops the oldest until options are kept to.
+  /// Drops the oldest until the limits are satisfied.
   void drop_oldest();
   [[nodiscard]] const std::deque<Checkpoint>& list() const { return list_; }
-  /// Memory they take [bytes]; a model that several share counts once.
+  /// Memory size [bytes]; a model shared by several counts once.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -72,14 +72,14 @@ class Checkpoints {
   double next_ = 0;
 };
 
-/// What a run came to before it was taken back.
+/// Results of a run before it was removed by a rewind.
 struct Branch {
-  std::vector<Checkpoint> checkpoints;       ///< after the one gone back to; the last is where it ended
+  std::vector<Checkpoint> checkpoints;       ///< after the checkpoint of the rewind; the last one is at its end
   std::vector<Event> events;                 ///< all of them
   std::vector<double> times;                 ///< of the samples [s]
   std::vector<std::vector<double>> samples;  ///< [history]
-  bool passed = false;                       ///< the present run has come to where it ended
-  double from = 0;                           ///< where the branches part [s]
+  bool passed = false;                       ///< the present run has reached its end time
+  double from = 0;                           ///< time at which the branches separate [s]
 };
 
 /// Memory of a state and of a model [bytes].

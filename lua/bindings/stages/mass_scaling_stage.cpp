@@ -12,7 +12,7 @@
 namespace trilith::script {
 namespace {
 
-/// "shake: mass scaling: ..." for the screen and the results, where a stage scaled masses.
+/// "shake: mass scaling: ..." for the screen and the results, if a stage scaled masses.
 std::string scaling_text(const StageReport& report, const ScaledMass& s, const std::string& worst) {
   std::string text = fmt::format("{}: mass scaling: steps of {:.3g} s at most, {:.3g} s without it; ", report.name,
                                  report.longest_dt, s.before);

@@ -1,4 +1,4 @@
-// Stages that scale masses: what they are asked for, and what is told of it.
+// Stages with mass scaling: options and report.
 #pragma once
 
 #include "bindings/core/handles.hpp"
@@ -9,7 +9,7 @@ namespace trilith::script {
 /// mass_scaling = { step =, most =, bodies = }
 void read_scaling(Keys& keys, const ScriptModel& m, StageOptions& o);
 
-/// Where a stage scaled masses, what that came to is said, and kept with the results.
+/// Prints the result of mass scaling of a stage, if any, and stores it with the results.
 void tell_scaling(lua_State* L, ScriptModel& m, const StageReport& report);
 
 }  // namespace trilith::script

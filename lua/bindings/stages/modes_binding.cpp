@@ -1,4 +1,4 @@
-// Natural frequencies and shapes of a model as it stands.
+// Natural frequencies and mode shapes of a model in its present state.
 #include "integrate/explicit/stable_step.hpp"
 #include "modal/mode_damping.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array axis_names{"x", "y", "z"};
 
-/// What a model in the plane or in space comes to.
+/// Applies `of` to a model in the plane or in space.
 template <class Of>
 int of_either(ScriptModel& m, Of&& of) {
   if (PlaneModel* plane = as_plane(m)) return of(*plane);
@@ -48,8 +48,8 @@ void set_turn(lua_State* L, const Vec3& turn) {
   set_number(L, "rotation_z", turn.z());
 }
 
-/// Pushes { name = {x =, y =, rotation =} }, in space { x =, y =, z =, rotation_x =, rotation_y =, rotation_z = }: of
-/// bodies, where the largest displacement of any node is 1.
+/// Pushes { name = {x =, y =, rotation =} }, in space { x =, y =, z =, rotation_x =, rotation_y =, rotation_z = } by
+/// body, scaled to a largest nodal displacement of 1.
 template <int D>
 void push_shape(lua_State* L, const Model<D>& model, const NaturalMode<D>& mode) {
   double most = 0;
@@ -84,7 +84,7 @@ int read_count(lua_State* L, const char* owner) {
   return count;
 }
 
-/// Why modes do not swing, where some do not.
+/// Reason for which some modes do not vibrate.
 template <int D>
 std::string unsteady_text(const SimulatedModel<D>& m, const std::vector<NaturalMode<D>>& found) {
   const auto still = std::count_if(found.begin(), found.end(), [](const auto& mode) { return !(mode.square > 0); });
@@ -99,7 +99,7 @@ std::string unsteady_text(const SimulatedModel<D>& m, const std::vector<NaturalM
   return fmt::format("\n{}: something is free to move as it stands (in the air, on an edge, or sliding)", which);
 }
 
-/// Pushes what m:modes gives; `records`: it goes to the results file.
+/// Pushes the result of m:modes; `records`: write it to the results file.
 template <int D>
 int push_modes(lua_State* L, SimulatedModel<D>& m, int count, bool records) {
   const Simulation<D>& sim = m.evaluated();
@@ -135,13 +135,13 @@ int find_modes(lua_State* L) {
   return of_either(m, [&](auto& model) { return push_modes(L, model, count, true); });
 }
 
-/// core.quiet_modes(model, count): the same, for no file.
+/// core.quiet_modes(model, count): as m:modes, without a file.
 int quiet_modes(lua_State* L) {
   const int count = static_cast<int>(lua_tointeger(L, 2));
   return of_either(this_model(L), [&](auto& model) { return push_modes(L, model, count, false); });
 }
 
-/// The longest stable step without damping over a band [s].
+/// The longest stable step without band damping [s].
 template <int D>
 double unbanded_length(const Simulation<D>& sim) {
   return unbanded_step(sim.model(), sim.state(), sim.work()).dt;
@@ -167,7 +167,7 @@ std::string damping_text(const Simulation<D>& sim, const std::vector<NaturalMode
   return text;
 }
 
-/// m:damping{ count = }: ratios to critical damping by frequency, and what gives them.
+/// m:damping{ count = }: damping ratios by frequency, and their sources.
 template <int D>
 int push_damping(lua_State* L, SimulatedModel<D>& m, int count) {
   const Simulation<D>& sim = m.evaluated();

@@ -1,4 +1,4 @@
-// Pushover by arcs: equilibria along a push, told as a stage.
+// Pushover by arc length: equilibria along a push, reported as a stage.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@
 namespace trilith::script {
 namespace {
 
-/// The push as loads at its points, 1 N in all; those of a rigid body at a point of it turn it too.
+/// The push as loads at its points, with a sum of 1 N; loads at points of a rigid body rotate it too.
 template <int D>
 std::vector<PointLoad<D>> unit_loads(const Model<D>& model, const std::string& name, const Push<D>& push) {
   std::vector<PointLoad<D>> out;
@@ -32,14 +32,14 @@ std::vector<PointLoad<D>> unit_loads(const Model<D>& model, const std::string& n
   return out;
 }
 
-/// Equilibria along a push, and when to end.
+/// Equilibria along a push, and its end criteria.
 template <int D>
 class ArcRecorder {
  public:
   ArcRecorder(const Push<D>& push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
       : push_(push), order_(order), drift_(std::move(drift)) {}
 
-  /// True where the path is to go on. A point that is strained beyond a limit ends it, and is none of the curve's.
+  /// True if the path continues. A point strained beyond a limit ends the path, and is not part of the curve.
   bool add(const PathPoint& point, const State<D>& state, bool overstrained) {
     way_.push_back({state, point.factor, point.length, {}});
     if (overstrained) limit_ = "strain";
@@ -58,7 +58,7 @@ class ArcRecorder {
   }
   [[nodiscard]] const PushCurve& curve() const { return curve_; }
   [[nodiscard]] const std::string& limit() const { return limit_; }
-  /// The points become those of `way`, each with what had happened by then, and the curve gets their times.
+  /// Moves the points to `way`, each with the events up to it, and sets the times of the curve.
   void finish(const LoadPath& path, LoadWay<D>& way) {
     std::size_t told = 0;
     for (std::size_t i = 0; i < way_.size(); ++i) {
@@ -90,13 +90,13 @@ std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const Pus
   return [&push](const State<D>& state) { return push_place(state, push); };
 }
 
-/// Ends of a path that its recorder did not ask for.
+/// Ends of a path that its recorder did not cause.
 std::string_view arc_limit(PathEnd end) {
   if (end == PathEnd::no_resistance) return "no resistance";
   return end == PathEnd::most_points ? "samples" : end == PathEnd::stuck ? "stuck" : "arrived";
 }
 
-/// Where a path ended early and why, and where it jumped.
+/// Notes where and why a path ended early, and where it jumped.
 template <int D>
 void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path, Host& host) {
   const PathPoint& last = path.points.back();
@@ -122,7 +122,7 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
                    host);
 }
 
-/// { {force =, displacement =, highest =}, ... }: where the force turns.
+/// { {force =, displacement =, highest =}, ... }: limit points of the force.
 void set_limits(lua_State* L, const LoadPath& path) {
   lua_createtable(L, static_cast<int>(path.limits.size()), 0);
   for (std::size_t i = 0; i < path.limits.size(); ++i) {
@@ -138,7 +138,7 @@ void set_limits(lua_State* L, const LoadPath& path) {
   lua_setfield(L, -2, "limits");
 }
 
-/// What broke and yielded on the way, in words.
+/// Failures and yielding along the path, in words.
 void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
   lua_createtable(L, static_cast<int>(path.events.size()), 0);
   for (std::size_t i = 0; i < path.events.size(); ++i) {
@@ -148,7 +148,7 @@ void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
   lua_setfield(L, -2, "happened");
 }
 
-/// The path's last equilibrium becomes the model's state, with the loads of there, so that it stands.
+/// The last equilibrium of the path becomes the model's state, with its loads, so that it is in equilibrium.
 template <int D>
 void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> loads, double factor) {
   for (PointLoad<D>& load : loads) load.force *= factor;
@@ -162,7 +162,7 @@ void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> l
   sim.restore(there);
 }
 
-/// Follows the path, and then tells it as a stage.
+/// Follows the path, and then reports it as a stage.
 template <int D>
 int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
   const Simulation<D>& sim = m.evaluated();

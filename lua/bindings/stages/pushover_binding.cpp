@@ -1,4 +1,4 @@
-// Pushover: bodies pushed steadily, as much force as it takes.
+// Pushover: bodies pushed steadily, with the force that this requires.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@
 namespace trilith::script {
 namespace {
 
-/// How far the pushed points are.
+/// Displacement of the pushed points.
 template <int D>
 std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
   return [name = o.stage.name](const Instant<D>& now) {
@@ -28,14 +28,14 @@ std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
   };
 }
 
-/// Without storeys how far the pushed points are.
+/// Drift; without storeys the displacement of the pushed points.
 template <int D>
 std::function<double(const Instant<D>&)> drift_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
   if (auto drift = storey_reading(m, o)) return [drift](const Instant<D>& now) { return drift(now.model, now.state); };
   return way_reading(o);
 }
 
-/// A push that was ended on its way comes to rest within a hundredth of the time it was meant to last.
+/// A push that was ended early stops within 1 % of its intended duration.
 template <int D>
 void stop_push(SimulatedModel<D>& m, const PushOrder<D>& o) {
   m.change([&](Model<D>& model) {
@@ -51,7 +51,7 @@ void stop_push(SimulatedModel<D>& m, const PushOrder<D>& o) {
   });
 }
 
-/// The model's watch, for as long as this lives.
+/// Sets the model's watch during its lifetime.
 template <int D>
 struct Watch {
   SimulatedModel<D>& model;
@@ -61,9 +61,9 @@ struct Watch {
   ~Watch() { model.watch = nullptr; }
 };
 
-/// Where no rate is given the push speeds up by no more than this [m/s2], and it takes so many periods of a structure
-/// as stiff along it as this one and with all of its mass, but no longer than this for that [s]. An elastic structure
-/// then swings about the force of statics by about a hundredth of the largest.
+/// Default rate: the push accelerates by at most this value [m/s2]. It takes this number of periods of a structure with
+/// the same stiffness along the push and the whole mass, but at most this time [s]. An elastic structure then
+/// oscillates about the static force by about 1 % of the largest force.
 constexpr double gentle_acceleration = 1e-3 * standard_gravity, gentle_periods = 10, longest_gentle = 100;
 
 template <int D>
@@ -78,7 +78,7 @@ GroundMotion gentle_push(const Simulation<D>& sim, const PushOrder<D>& o) {
   return gentle_motion(o.displacement, gentle_acceleration, std::min(periods, longest_gentle));
 }
 
-/// A peak that inertia and damping have a part in is no capacity.
+/// A peak with a share of inertia and damping is not a capacity.
 void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double rate, double usual,
                   const PushPeak& peak) {
   if (peak.is_static()) return;
@@ -148,7 +148,7 @@ int pushover(lua_State* L) {
   return o.by_arc ? push_by_arc<2>(L, m, o) : push_by_time(L, m, o, until);
 }
 
-/// The force that a load path has brought a push to, as it acts now; 0 where its load was taken off.
+/// Present force of a push along a load path; 0 if its load was removed.
 template <int D>
 double force_of(const Simulation<D>& sim, const LoadPush<D>& pushed) {
   double sum = 0;
@@ -174,7 +174,7 @@ template <int D>
 double latest_way(const SimulatedModel<D>& m) {
   const Simulation<D>* s = m.if_built();
   if (s == nullptr) return 0;
-  if (!s->model().pushes.empty()) {  // a load path cannot be followed beside one, so that this one is later
+  if (!s->model().pushes.empty()) {  // a load path cannot be followed with an active push, so this one is later
     const Push<D>& p = s->model().pushes.back();
     return push_place(s->state(), p) - p.origin;
   }

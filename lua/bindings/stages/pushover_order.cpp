@@ -8,7 +8,7 @@
 namespace trilith::script {
 namespace {
 
-/// What is of one control alone.
+/// Keys of one control only.
 template <int D>
 void read_control(Keys& keys, PushOrder<D>& o) {
   o.by_arc = keys.choice("control", {"time", "arc"}, 0) == 1;
@@ -24,7 +24,7 @@ void read_control(Keys& keys, PushOrder<D>& o) {
   if (!o.by_arc) o.rate = keys.maybe_number("rate", "m/s").value_or(0);
 }
 
-/// What ends it early: drift =, storey =, drop =.
+/// Early end criteria: drift =, storey =, drop =.
 template <int D>
 void read_limits(Keys& keys, PushOrder<D>& o) {
   o.limits.drift = keys.number("drift", "m", unbounded);
@@ -71,7 +71,7 @@ void read_pushed(Keys& keys, const ScriptModel& m, PushOrder<D>& o) {
   if (keys.has("at") && o.bodies.size() > 1) keys.problem("'at' is a point of one body; several are given");
 }
 
-/// `direction`: along an axis, one way or the other.
+/// `direction`: along an axis, in either sense.
 template <int D>
 Vec<D> read_direction(Keys& keys) {
   std::vector<std::string> names{"x", "-x", "y", "-y"};

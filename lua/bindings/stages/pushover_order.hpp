@@ -1,4 +1,4 @@
-// What m:pushover is asked for.
+// Options of m:pushover.
 #pragma once
 
 #include <optional>
@@ -19,16 +19,16 @@ struct PushOrder {
   std::string place;
   Vec<D> direction = Vec<D>::UnitX();
   PushPattern pattern = PushPattern::mass;
-  double rate = 0;  ///< [m/s]; 0: so slow that inertia stays small
+  double rate = 0;  ///< [m/s]; 0: chosen automatically so that inertia remains small
   double displacement = 0;
   int storey = 0, samples = 200;
   PushLimits limits;
   StageOptions stage;
-  bool by_arc = false;  ///< in no time, by equilibria; else steadily in time
-  double arc = 0;       ///< first arc [m]; 0: a hundredth of the displacement
+  bool by_arc = false;  ///< without time, by equilibria; otherwise steadily in time
+  double arc = 0;       ///< first arc [m]; 0: 1 % of the displacement
 };
 
-/// Reads all keys but says nothing of unknown ones yet; what is wrong is told by Keys::finish.
+/// Reads all keys without reporting unknown ones yet; Keys::finish reports errors.
 template <int D>
 PushOrder<D> read_order(Keys& keys, const ScriptModel& m);
 

@@ -1,4 +1,4 @@
-// What both controls of m:pushover share.
+// Common parts of both controls of m:pushover.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace trilith::script {
 namespace {
 
-/// The level part of a push's direction, of length 1; nothing where it is upright.
+/// The horizontal unit vector of a push's direction; none if it is vertical.
 template <int D>
 std::optional<Vec<D>> level_direction(Vec<D> direction) {
   direction[D - 1] = 0;

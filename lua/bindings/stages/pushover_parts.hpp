@@ -1,4 +1,4 @@
-// What both controls of m:pushover share, and the one by arcs.
+// Common parts of both controls of m:pushover, and the arc length control.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace trilith::script {
 
-/// The points and the direction of a push to be, under the stage's name.
+/// The points and the direction of a push, under the stage's name.
 template <int D>
 Push<D> order_push(const Model<D>& model, const PushOrder<D>& order);
 
-/// Drift of a storey or of the top one: along x in the plane, in space along the level part of the push. Nothing, where
-/// there are no storeys, or nothing level in the push.
+/// Drift of a storey or of the top one: along x in the plane, in space along the horizontal part of the push. None
+/// without storeys, or for a vertical push.
 template <int D>
 std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& order);
 
-/// Adds the curve and its figures to the report on top of the stack; `peak` is one of the curve's points.
+/// Adds the curve and its results to the report on top of the stack; `peak` is the index of a point of the curve.
 void add_curve(lua_State* L, const PushCurve& curve, std::size_t peak, std::string_view limit);
-/// Likewise how much of the peak the structure carries as in statics [N], and whether that is as good as all of it.
+/// Adds the part of the peak that the structure carries statically [N], and whether that is nearly all of it.
 void add_statics(lua_State* L, double carried, bool is_static);
 
 /// m:pushover{ control = "arc", ... }: by equilibria, past limit points (statics/load_path.hpp). Pushes the report.

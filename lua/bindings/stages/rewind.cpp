@@ -1,4 +1,4 @@
-// Going back in time: what of a model goes back, and what becomes of its results file.
+// Rewinding: restored parts of a model, and its results file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ const Checkpoint& require_checkpoint(const ScriptModel& model, double time) {
   return *kept.nearest(time);
 }
 
-/// Within a pause only the stage that runs can be gone back in.
+/// During a pause only the running stage can be rewound.
 void require_same_stage(double begun, const Checkpoint& checkpoint) {
   if (checkpoint.stage_begun() != begun)
     throw InputError(fmt::format(
@@ -101,7 +101,7 @@ void SimulatedModel<D>::continue_recording(Host& host, double left, const Record
                   branches_, left, now, before.part().string()));
 }
 
-/// Events, stages and samples up to now, so that causes and histories are whole.
+/// Writes events, stages and samples up to now, so that causes and histories are complete.
 template <int D>
 void SimulatedModel<D>::replay(Recording<D>& recording) {
   std::size_t stage = 0;

@@ -1,4 +1,4 @@
-// Stages, and what changes between them: drives, gravity, bounds.
+// Stages, and changes between them: drives, gravity, bounds.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@
 namespace trilith::script {
 namespace {
 
-/// rest = true | { speed =, ratio =, hold =, from = }: when a stage ends at rest. True if it is given and not false.
+/// `rest`: true or a table of the rest criterion { speed =, ratio =, hold =, from = }. True if given and not false.
 bool read_rest_table(Keys& keys, StageOptions& o) {
   lua_State* L = keys.lua();
   const int type = keys.push("rest");
@@ -38,12 +38,12 @@ bool read_rest_table(Keys& keys, StageOptions& o) {
   return wanted;
 }
 
-/// Share of the longest stable step where blows find their own, by `accuracy`, and nothing is braked to rest: what is
-/// left is stability. Room for contacts that grow half as stiff again until the step is looked at anew.
+/// Share of the longest stable step if `accuracy` limits the step at impacts and no damping brings the model to rest;
+/// then only stability matters. It leaves a margin for contacts that become 50 % stiffer before the next estimate.
 constexpr double safety_beside_accuracy = 0.8;
-/// Of explicit steps where none is given: a blow that counts keeps its energy to 1 % as it closes, and as it opens.
+/// Default of explicit steps: a relevant impact keeps its energy within 1 % during closing and opening.
 constexpr double usual_blow_accuracy = 0.02;
-/// Less than this takes steps without end: they shorten in proportion.
+/// Smaller values would need an excessive number of steps, because these shorten in proportion.
 constexpr double least_accuracy = 1e-9;
 
 void read_step(Keys& keys, StageOptions& o) {
@@ -52,14 +52,14 @@ void read_step(Keys& keys, StageOptions& o) {
   o.watched = keys.flag("watch", true);
 }
 
-/// Keys that mean nothing where the stage's integrator is not `of`.
+/// Rejects keys that have no meaning unless the stage's integrator is `of`.
 void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_view of) {
   for (const char* const key : names)
     if (keys.has(key))
       keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
 }
 
-/// Which of the given keys say how explicit steps come to rest, "'local_damping', 'grow'"; "": none.
+/// The given keys for the approach of rest in explicit steps, "'local_damping', 'grow'"; "": none.
 std::string explicit_keys(Keys& keys) {
   std::string out;
   for (const char* const key :
@@ -68,7 +68,7 @@ std::string explicit_keys(Keys& keys) {
   return out;
 }
 
-/// { integrator =, alpha =, spectral_radius =, tolerance = }: which scheme takes the steps.
+/// { integrator =, alpha =, spectral_radius =, tolerance = }: scheme of the steps.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
   o.impact_accuracy = usual_blow_accuracy;
@@ -108,7 +108,7 @@ int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const Stag
   return 1;
 }
 
-/// Where the model pauses: its stage goes on up to `limit`.
+/// Continues the stage of a paused model up to `limit`.
 int run_paused(lua_State* L, ScriptModel& m, const RunLimit& limit) {
   run_on(L, m, limit);
   return 0;
@@ -193,7 +193,7 @@ int consolidate(lua_State* L) {
         "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true goes on "
         "all the same",
         o.name, report.reason));
-  // What explicit steps bring beyond strain_limit moves, and its verdict says so; statics was asked for rest.
+  // An explicit stage beyond strain_limit still moves, and its verdict reports it; statics was requested to find rest.
   if (by_statics && report.end == StageEnd::diverged && !or_go_on)
     throw InputError(fmt::format("{} did not come to rest: {}", o.name, report.reason));
   const auto note = [&](const std::string& said) {
@@ -246,7 +246,7 @@ int drive(lua_State* L) {
   return 0;
 }
 
-/// A number that is allowed but not usual gets a note.
+/// A number that is allowed but implausible gets a note.
 void report_implausible(lua_State* L, ScriptModel& m, const std::string& owner, std::string_view name,
                         std::string_view unit, double value) {
   std::vector<std::string> plausibility_notes;
@@ -254,7 +254,7 @@ void report_implausible(lua_State* L, ScriptModel& m, const std::string& owner, 
   for (const std::string& text : plausibility_notes) tell_note(L, m, text);
 }
 
-/// Whether gravity turns now.
+/// True while gravity rotates.
 bool is_tilting(const ScriptModel& m) {
   const auto turns = [now = m.time()]<int D>(const SimulatedModel<D>& model) {
     if (model.if_built() == nullptr) return false;
@@ -265,7 +265,7 @@ bool is_tilting(const ScriptModel& m) {
   return turns(static_cast<const SpaceModel&>(m));
 }
 
-/// From now on gravity turns at `rate`, for as long as it takes to turn by `by`.
+/// From now on gravity rotates at `rate`, for the time needed to rotate by `by`.
 template <int D>
 void begin_tilt(SimulatedModel<D>& m, const Spin<D>& rate, double duration) {
   const SimulatedModel<D>* const self_model = &m;
@@ -279,8 +279,8 @@ void begin_tilt(SimulatedModel<D>& m, const Spin<D>& rate, double duration) {
   });
 }
 
-/// m:tilt{ rate =, by =, towards = }: from now on gravity turns; `by` is where it stops. In space it goes towards the
-/// azimuth `towards`, counted from x to y.
+/// m:tilt{ rate =, by =, towards = }: from now on gravity rotates, up to `by`. In space it rotates towards the azimuth
+/// `towards`, counted from x to y.
 int tilt(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "tilt");
@@ -293,7 +293,7 @@ int tilt(lua_State* L) {
   report_implausible(L, m, "tilt", "by", "rad", by);
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
   if (SpaceModel* space = as_space(m)) {
-    // About the axis across: what pointed down turns towards (cos, sin, 0).
+    // About the horizontal axis across: the downward vector rotates towards (cos, sin, 0).
     const portable::SineCosine way = portable::sine_cosine(towards);
     const Vec3 axis(way.sine, -way.cosine, 0);
     begin_tilt<3>(*space, rate * axis, duration);
@@ -323,11 +323,11 @@ Bounds<D> read_bounds(Keys& keys) {
 
 template <class M, int D>
 void choose_bounds(M& m, const Bounds<D>& chosen) {
-  m.builder.bounds = chosen;  // for what is added later too
+  m.builder.bounds = chosen;  // also for later additions
   if (m.built()) m.change([chosen](Model<D>& model) { set_bounds(model, chosen); });
 }
 
-/// m:bounds{ left =, right =, bottom =, top = }, in space front and back too: what leaves them is followed no more.
+/// m:bounds{ left =, right =, bottom =, top = }, in space front and back too: bodies outside are deactivated.
 int bounds(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "bounds");

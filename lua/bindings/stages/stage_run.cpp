@@ -15,7 +15,7 @@
 namespace trilith::script {
 namespace {
 
-/// The library's functions in the model's own table, at fixed places of the stack while the stage runs.
+/// The library's functions in the model's own table, at fixed stack positions during the stage.
 class Handlers {
  public:
   Handlers(lua_State* L, ScriptModel& model, Host& h)
@@ -34,7 +34,7 @@ class Handlers {
   ~Handlers() { lua_settop(L_, first_ - 1); }
 
   [[nodiscard]] bool interrupted() const { return watch_.pressed(); }
-  /// After the stage: an interrupt leaves the results unfinished, and goes on as the error it may have been.
+  /// After the stage: an interrupt leaves the results unfinished, and its error is raised again.
   void end() {
     if (host_.console == nullptr && interrupted()) model_.break_off("interrupted");
     if (broken_off_) std::rethrow_exception(broken_off_);
@@ -69,7 +69,7 @@ class Handlers {
     }
   }
 
-  /// Opens the console where that was asked for; in a nested run it is open already, so the run only pauses.
+  /// Opens the console if requested; in a nested run it is open already, so the run only pauses.
   void border(bool nested) {
     if (host_.console->was_interrupted()) model_.pause_reason = "interrupted";
     if (nested || model_.pause_reason.empty()) return;
@@ -80,7 +80,7 @@ class Handlers {
     });
   }
 
-  /// All of it as a listener; it refers to this object.
+  /// The handlers as a listener, which refers to this object.
   ScriptListener listener(bool nested) {
     ScriptListener l;
     l.on_event = [this](const Event& e) { event(e); };
@@ -90,7 +90,7 @@ class Handlers {
     return l;
   }
 
-  /// Whether the function at a stack index, given the model, says true.
+  /// Result of the function at a stack index, given the model.
   bool holds(int function) {
     if (leaves()) return false;
     const int top = lua_gettop(L_);
@@ -101,7 +101,7 @@ class Handlers {
     return is;
   }
 
-  /// Values of the histories that Lua functions give; an interrupt leaves some out.
+  /// Values of the histories from Lua functions; an interrupt omits some.
   void sample_functions() {
     for (std::size_t i = 0; i < model_.histories.size(); ++i) {
       History& h = model_.histories[i];
@@ -119,21 +119,22 @@ class Handlers {
   enum Function { dispatch, tick, wake, stepped, sample };
   void begin(Function f) { lua_pushvalue(L_, first_ + f); }
 
-  /// Whether an interrupt or a signal ends the stage: at its next border, as stopped, and without any more Lua code.
+  /// True if an interrupt or a signal ends the stage: at its next border, as stopped, and without further Lua code.
   bool leaves() {
     if (host_.console != nullptr || !interrupted()) return false;
     model_.stop();
     return true;
   }
 
-  /// Calls what begin() and the arguments put on the stack. False where an interrupt broke it off: it has not failed.
+  /// Calls the function that begin() and the arguments have put on the stack. False if an interrupt ended it, which is
+  /// no failure.
   bool run(int arguments, int results = 0) {
     try {
       call(L_, arguments, results);
       return true;
     } catch (const ScriptError& e) {
-      // Somebody is there to look: nothing of the run is lost, which goes on without that call. An interrupt is no
-      // failure, and ends what hangs.
+      // With a console the run is not lost: it continues without that call. An interrupt is no failure, and ends a
+      // handler that hangs.
       if (host_.console != nullptr && !interrupted()) {
         const std::string said = e.what(), first = said.substr(0, said.find('\n'));
         model_.pause_reason += fmt::format("{}a handler failed: {}", model_.pause_reason.empty() ? "" : "; ", first);
@@ -145,7 +146,7 @@ class Handlers {
     }
   }
 
-  /// The number on top of the stack, what the function of a history gave. Throws InputError for anything else.
+  /// The number on top of the stack, from the function of a history. Throws InputError for anything else.
   [[nodiscard]] double number_of(const History& h) const {
     const double value = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : unbounded;
     if (std::isfinite(value)) return value;
@@ -158,7 +159,7 @@ class Handlers {
   Host& host_;
   InterruptWatch watch_;
   int first_;
-  std::exception_ptr broken_off_;  ///< what an interrupt raised in a handler; it goes on where the stage has ended
+  std::exception_ptr broken_off_;  ///< error that an interrupt raised in a handler; raised again after the stage
 };
 
 /// Calls go(handlers, listener) with the script's handlers listening.
@@ -177,8 +178,8 @@ StageReport listen(lua_State* L, ScriptModel& model, Host& h, Go&& go) {
   return report;
 }
 
-/// A stage begins before anything has read the command line: parameters are declared later, or never. Under a stock
-/// interpreter words of another form may be the script's own.
+/// A stage begins before the command line was read: parameters are declared later, or never. Under a stock interpreter
+/// words of another form may belong to the script.
 void refuse_unread_arguments(const Host& h) {
   if (h.list_parameters && !h.script.empty()) throw InputError(parameters_listed);
   if (h.given_used) return;
@@ -189,7 +190,7 @@ void refuse_unread_arguments(const Host& h) {
           fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
 }
 
-/// Whether bodies have come down since a stage began; looked at now and then.
+/// Checks from time to time whether bodies have fallen during a stage.
 class Fallen {
  public:
   Fallen(const ScriptModel& model, const StageUntil& until) : model_(model), until_(until), start_(model.heights()) {}
@@ -205,7 +206,7 @@ class Fallen {
   static constexpr std::int64_t steps_between_looks = 20;
   const ScriptModel& model_;
   StageUntil until_;
-  std::vector<double> start_;  // [body] m; no number where it is held or not there
+  std::vector<double> start_;  // [body] [m]; NaN for a fixed or absent body
   std::int64_t steps_ = 0;
 };
 
@@ -234,7 +235,7 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
 
 namespace {
 
-/// Loads that have nothing of their course at this instant, and will have some later, each once: "'a', 'b'".
+/// Loads that are zero at this instant and non-zero later, each once: "'a', 'b'".
 template <int D>
 std::string loads_to_come(const SimulatedModel<D>& model) {
   if (model.if_built() == nullptr) return "";
@@ -250,7 +251,7 @@ std::string loads_to_come(const SimulatedModel<D>& model) {
   return names.empty() ? "" : fmt::format("'{}'", fmt::join(names, "', '"));
 }
 
-/// A course goes by time, of which statics takes none.
+/// A load curve depends on time, which does not advance in statics.
 void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& stage) {
   const PlaneModel* plane = as_plane(model);
   const std::string names = plane != nullptr ? loads_to_come(*plane) : loads_to_come(*as_space(model));
@@ -317,7 +318,7 @@ int report_text(lua_State* L) {
   return 1;
 }
 
-/// Of a report: a field that it does not have. `mass_scaling` is there only where masses were scaled.
+/// Access to an unknown field of a report. `mass_scaling` exists only if masses were scaled.
 int no_such_field(lua_State* L) {
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
   if (name == "mass_scaling") return 0;

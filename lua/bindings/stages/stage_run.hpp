@@ -6,33 +6,35 @@
 
 namespace trilith::script {
 
-/// What ends a stage besides its own time.
+/// End criteria of a stage other than its duration.
 struct StageUntil {
-  int function = 0;        ///< stack index of a function of the model, asked after each step: true ends it; 0: none
-  double drop = 0;         ///< bodies that were free as it began have come down by more than this [m]; 0: not asked
-  int bodies = 1;          ///< ... so many of them
-  std::int64_t steps = 0;  ///< it is stopped after so many; 0: it is not
+  int function = 0;        ///< stack index of a function of the model, called after each step: true ends the stage; 0:
+                           ///< none
+  double drop = 0;         ///< ends when bodies that were free at its begin have fallen by more than this [m]; 0: not
+                           ///< used
+  int bodies = 1;          ///< ... and their number
+  std::int64_t steps = 0;  ///< stopped after this number of steps; 0: not used
 };
 
-/// { until_true = function, until_collapse = true | { drop =, bodies = } }. The function stays on the stack.
+/// { until_true = function, until_collapse = true | { drop =, bodies = } }. The function remains on the stack.
 StageUntil read_until(Keys& keys, ScriptModel& m);
 
 /// Runs a stage of the model at stack index 1. Handlers are called through the model's own table: dispatch(event),
-/// tick(index), wake(), stepped(), sample(index). What they raise ends the stage and is thrown as ScriptError; at a
-/// console the run pauses there instead.
+/// tick(index), wake(), stepped(), sample(index). Their errors end the stage and are thrown as ScriptError; at a
+/// console the run pauses instead.
 StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until = {});
 
-/// The same of a stage of statics, which takes no time.
+/// Runs a static stage, which takes no time.
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
                          AnyLoadWay way = {});
 
-/// The same of a stage that rewind has brought back.
+/// Runs a stage that rewind has restored.
 StageReport resume_stage(lua_State* L, ScriptModel& model);
 
-/// While that model is paused: further steps of its stage. A pause asked for on the way ends them.
+/// Takes further steps of the stage of a paused model. A pause requested meanwhile ends them.
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit);
 
-/// Pushes what a stage came to, as scripts get it.
+/// Pushes the report of a stage for scripts.
 void push_report(lua_State* L, const StageReport& report);
 
 }  // namespace trilith::script

@@ -1,4 +1,4 @@
-// What ends a stage besides its own time, as scripts say it.
+// End criteria of a stage in scripts, other than its duration.
 #include <cmath>
 
 #include "bindings/stages/stage_run.hpp"
@@ -6,8 +6,8 @@
 namespace trilith::script {
 namespace {
 
-/// What counts as come down where nothing is said: a tenth of the height between the lowest and the highest body, or of
-/// 1 m where there is none.
+/// Default drop of a collapse: 10 % of the height between the lowest and the highest body, or of 1 m without such a
+/// height.
 double collapse_drop(ScriptModel& m) {
   m.build();
   double low = unbounded, high = -unbounded;

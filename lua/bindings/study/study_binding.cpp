@@ -1,4 +1,5 @@
-// trilith.study: a table of cases, each in a process of its own; or, where one case is asked for, that case here.
+// trilith.study: a table of cases, each run in a separate process; or, if one case is requested, that case in this
+// process.
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -15,7 +16,7 @@
 namespace trilith::script {
 namespace {
 
-/// What a script's study says but for its plan.
+/// Options of a script's study except its plan.
 struct Wanted {
   std::string file, script;
   int jobs = 0;
@@ -54,7 +55,7 @@ Wanted read_wanted(Keys& keys) {
   return w;
 }
 
-/// The parameters of a case as a table, numbers in SI where the plan names their unit.
+/// The parameters of a case as a table, numbers in SI if the plan names their unit.
 void push_parameters(lua_State* L, const StudyPlan& plan, std::size_t index) {
   lua_newtable(L);
   for (std::size_t k = 0; k < plan.names.size(); ++k) {
@@ -69,17 +70,17 @@ void push_parameters(lua_State* L, const StudyPlan& plan, std::size_t index) {
   }
 }
 
-/// Where what `before` gave waits in the registry.
+/// Registry key of the result of `before`.
 constexpr const char* state_key = "trilith.study.state";
 
-/// Calls `before` of the study and keeps what it gives.
+/// Calls `before` of the study and stores its result.
 void make_state(lua_State* L) {
   lua_getfield(L, 1, "before");
   call(L, 0, 1);
   lua_setfield(L, LUA_REGISTRYINDEX, state_key);
 }
 
-/// Calls the case's function with its parameters, and with what `before` gave; keeps its figures.
+/// Calls the case's function with its parameters and the result of `before`; stores its figures.
 void call_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index) {
   lua_getfield(L, 1, "case");
   push_parameters(L, plan, index);
@@ -90,8 +91,7 @@ void call_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index) 
   h.figures = figures_at(L, -1);
 }
 
-/// Runs a case in this process, which has parted from the one of the study: results and figures go to `folder`. Gives
-/// the exit code.
+/// Runs a case in this forked process: results and figures are written to `folder`. Returns the exit code.
 int run_parted_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index,
                     const std::filesystem::path& folder) {
   h.case_folder = folder;
@@ -109,7 +109,7 @@ int run_parted_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t in
   return h.untrusted_runs().empty() ? 0 : 3;
 }
 
-/// Runs one case here: its function, with its parameters.
+/// Runs one case in this process: its function, with its parameters.
 void run_case(lua_State* L, Host& h, const StudyPlan& plan, const Wanted& wanted) {
   const auto only = static_cast<std::size_t>(h.study.only);
   if (only > plan.cases.size())
@@ -200,7 +200,7 @@ StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   return order;
 }
 
-/// What a link in the folder of a case would lead elsewhere.
+/// Rejects links in the folder of a case that lead elsewhere.
 void require_own_folders(const Host& h, const StudyOrder& order) {
   if (!h.room.closed() || order.plan.cases.empty()) return;
   static_cast<void>(h.room.writable(case_folder(order, 0).parent_path() / "lock", "study"));
@@ -237,7 +237,7 @@ int study(lua_State* L) {
     throw InputError(script_is_done);
   }
   if (wanted.has_before) {
-    h.threads = 1;  // a process that parts from this one takes none of its threads along
+    h.threads = 1;  // a forked process does not inherit threads
     order.prepare = [L] { make_state(L); };
     order.run_here = [L, &h, &order](std::size_t i, const std::filesystem::path& folder) {
       return run_parted_case(L, h, order.plan, i, folder);
@@ -250,7 +250,9 @@ int study(lua_State* L) {
   watch.goes_on = [&interrupt] { return !interrupt.pressed(); };
   const std::vector<StudyOutcome> outcomes = run_study(order, watch);
   h.study.failed = any_failed(outcomes);
-  if (!order.only.empty()) throw InputError(script_is_done);  // what the script makes of all cases is not its task
+  if (!order.only.empty())
+    throw InputError(script_is_done);  // the rest of the script, which uses all cases, does not
+                                       // belong to a task
   push_study(L, order, outcomes);
   return 1;
 }

@@ -30,7 +30,7 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
       command.push_back(known.argument(index, k));
     if (cases.by_number) command.push_back(fmt::format("--case={}", index + 1));
     command.push_back("--folder=" + folder.string());
-    // As many cases run at a time as the machine has processors: each on one of them.
+    // The number of cases at a time equals the number of processors: each uses one.
     command.emplace_back("--threads=1");
     command.emplace_back("--quiet");
     return command;

@@ -1,4 +1,4 @@
-// How the program runs the cases of a study. No Lua here.
+// Command and options of the cases of a study. No Lua here.
 #pragma once
 
 #include "bindings/core/host.hpp"
@@ -9,18 +9,17 @@ namespace trilith::script {
 struct CasesOfScript {
   std::string program;             ///< this program
   std::filesystem::path script;    ///< that runs a case
-  std::vector<std::string> fixed;  ///< "name=value", the same in all cases
-  bool by_number = false;          ///< the script knows its cases by number; else it is given their parameters
+  std::vector<std::string> fixed;  ///< "name=value", equal in all cases
+  bool by_number = false;          ///< the script selects its cases by number; otherwise it receives their parameters
   bool trust = false;              ///< the cases run without a closed room
-  double memory = 0, seconds = 0;  ///< limits of each case as in Host; 0: the program's own
-  std::vector<std::filesystem::path> folders;  ///< that the cases may use, where the room is closed
+  double memory = 0, seconds = 0;  ///< limits of each case as in Host; 0: default
+  std::vector<std::filesystem::path> folders;  ///< that the cases may use in a closed room
 };
 
-/// An order for `plan` but for file, histories and jobs. Throws InputError where the script cannot be read.
+/// An order for `plan`, without file, histories and jobs. Throws InputError if the script cannot be read.
 StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases);
 
-/// What was chosen on the command line goes before what the script says. Throws InputError for a case that is not
-/// there.
+/// Options of the command line take precedence over the script. Throws InputError for an unknown case.
 void take_choice(const StudyChoice& choice, StudyOrder& order);
 
 /// Prints the command of each case.

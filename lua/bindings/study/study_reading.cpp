@@ -8,7 +8,7 @@
 namespace trilith::script {
 namespace {
 
-/// The names of the table on top of the stack, sorted; entries without a name are not allowed.
+/// The names of the table on top of the stack, sorted; entries without a name are rejected.
 std::vector<std::string> sorted_names(lua_State* L, const std::string& owner) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
@@ -21,7 +21,7 @@ std::vector<std::string> sorted_names(lua_State* L, const std::string& owner) {
   return names;
 }
 
-/// The table on top of the stack is `key`, and the one that says what the cases are.
+/// The value on top of the stack, from `key`, must be a table of cases.
 void require_table(lua_State* L, std::string_view key) {
   if (lua_type(L, -1) != LUA_TTABLE)
     throw InputError(fmt::format("study: '{}' is {}, must be a table", key, what_is(L, -1)));
@@ -42,7 +42,7 @@ StudyValue value_at_top(lua_State* L, const std::string& name) {
 }
 
 StudyParameter parameter_at_top(lua_State* L, const std::string& name) {
-  // It becomes a word of a command line, where it must not be taken for an option.
+  // It becomes a word of a command line, where it must not look like an option.
   if (name.empty() || name.starts_with("-") || name.find('=') != std::string::npos)
     throw InputError(fmt::format(
         "study: '{}' is no name of a parameter; it must not be empty, begin with '-' or hold '='", one_line(name)));
@@ -143,8 +143,8 @@ StudyTake take_at_top(lua_State* L, const std::string& history) {
   return static_cast<StudyTake>(it - takes.begin());
 }
 
-/// Names in a list, without a take: the largest absolute value of each, which is what a response is judged by. What has
-/// a key stays, in a table of its own in place of the one on top of the stack.
+/// Names in a list, without a reduction, use the largest absolute value, which usually characterises a response.
+/// Entries with a key remain, in a separate table that replaces the one on top of the stack.
 void take_names_out(lua_State* L, std::vector<StudyHistory>& wanted) {
   const int given = lua_gettop(L);
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, given));

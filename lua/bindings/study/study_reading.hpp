@@ -1,4 +1,4 @@
-// The plan of a study from the table that a script gives.
+// Reader of a study's plan from a table.
 #pragma once
 
 #include "bindings/core/keys.hpp"
@@ -8,7 +8,7 @@
 namespace trilith::script {
 
 /// Reads one of `parameters` (a product), `cases` (a list) and `samples` (with `count` and `seed`). Throws InputError
-/// as the makers of plans do, and for tables that are none of these.
+/// as the functions of study_plan.hpp, and for other tables.
 StudyPlan read_plan(Keys& keys);
 
 /// Reads `histories`: { ["top drift"] = "max", ["base shear"] = { "max", "min" } }. Throws InputError.

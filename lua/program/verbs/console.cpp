@@ -23,7 +23,7 @@ struct Options {
   RoomOptions room;
 };
 
-/// Runs the script before the console; what goes wrong is told, and the console opens all the same.
+/// Runs the script before the console; errors are printed, and the console opens in any case.
 void run_before(lua_State* L, script::Host& host, ConsoleSession& session) {
   ConsoleSession::push_handler(L);
   bool good = load_script(L, host, ConsoleSession::prelude(L)) == LUA_OK;

@@ -30,12 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What was looked at, whether it is as it should be, and else what to try.
+/// A checked item, its error, and advice.
 struct Finding {
-  std::string what, wrong, remedy;  ///< wrong: "" where all is well
+  std::string what, wrong, remedy;  ///< wrong: "" if it is in order
 };
 
-/// A folder of its own in the temporary one, gone at the end.
+/// A separate folder in the temporary one, removed at the end.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -49,19 +49,19 @@ class ScratchFolder {
     std::error_code error;
     if (!path_.empty()) fs::remove_all(path_, error);
   }
-  [[nodiscard]] const fs::path& path() const { return path_; }  ///< "" where it could not be made
+  [[nodiscard]] const fs::path& path() const { return path_; }  ///< "" if it could not be created
 
  private:
   fs::path path_;
 };
 
-/// What a command said and how it ended.
+/// Output of a command and its end.
 struct Answer {
   std::map<std::string, std::string> said;  ///< lines "motion 0123", by their first word
-  std::string trouble;                      ///< "" where it ended well
+  std::string trouble;                      ///< "" if it ended without error
 };
 
-/// Lets a command run and reads its lines. `name` is that of its files in `folder`.
+/// Runs a command and reads its lines. `name`: name of its files in `folder`.
 Answer ask(const fs::path& folder, const std::string& name, const std::vector<std::string>& command) {
   const std::vector<ProcessOrder> orders{{command, folder / (name + ".out"), folder / (name + ".err")}};
   Answer answer;
@@ -77,7 +77,7 @@ Answer ask(const fs::path& folder, const std::string& name, const std::vector<st
   return answer;
 }
 
-/// A program where the shell would look for it; "" where there is none.
+/// A program in the search path of the shell; "" if there is none.
 fs::path in_search_path(const std::string& name) {
   const char* const folders = std::getenv("PATH");
   const std::string all = folders == nullptr ? "" : folders;
@@ -90,7 +90,7 @@ fs::path in_search_path(const std::string& name) {
   return {};
 }
 
-/// The module beside this program: of its build tree, or installed with it; "" where there is none.
+/// The module of this program: from its build tree, or installed with it; "" if there is none.
 fs::path module_beside() {
   std::vector<fs::path> places{fs::path(program_path()).parent_path() / "module/trilith.so"};
   if (const fs::path prefix = script::installed_under(); !prefix.empty()) {
@@ -118,7 +118,7 @@ Finding libraries_finding() {
       "", ""};
 }
 
-/// Results are the same without them (docs/decisions/0011-same-bits.md); runs take longer.
+/// Results do not depend on these instructions (docs/decisions/0011-same-bits.md), but runs take longer without them.
 Finding processor_finding() {
 #if defined(__x86_64__)
   const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -142,7 +142,7 @@ Finding records_finding() {
   return {"", "the records are not at " + folders.front().string(), "installing anew, or records beside the script"};
 }
 
-/// What a run of the self-test came to, against what is known of this platform.
+/// Result of a run of the self-test, compared with the known hash of this platform.
 Finding motion_finding(const std::string& who, const Answer& answer) {
   const std::string known = TRILITH_SELF_TEST_MOTION;
   if (!answer.trouble.empty()) return {"", fmt::format("{}: the self-test {}", who, answer.trouble), "installing anew"};
@@ -170,7 +170,7 @@ Finding file_finding(const fs::path& file) {
   }
 }
 
-/// What lua5.4 runs: the module says where it lies and which one it is, then runs the self-test.
+/// Script for lua5.4: prints the path and version of the module, then runs the self-test.
 constexpr const char* module_script = R"lua(local path = package.searchpath("trilith", package.cpath)
 if not path then os.exit(4) end
 print("path " .. path)
@@ -178,7 +178,7 @@ print("version " .. require "trilith".version)
 dofile(arg[0]:gsub("[^/]*$", "self_test.lua"), nil)
 )lua";
 
-/// How a module that is there is made to be found.
+/// Advice to make an existing module available.
 std::string way_to(const fs::path& module) {
   if (module.empty()) return "./dev build in the source tree, or installing the package";
   return fmt::format("export LUA_CPATH='{}/?.so;;'", module.parent_path().string());

@@ -30,7 +30,7 @@ struct DrawOptions {
   int columns = 0;
 };
 
-/// Begin and end of what is looked at [s of the run], and what T counts from.
+/// Begin and end of the window [s of the run], and the origin of T.
 struct Window {
   double begin, end;
   results::TimeOrigin origin;
@@ -95,7 +95,7 @@ draw::SceneChoice choice_of(const DrawOptions& options, int dim) {
   return choice;
 }
 
-/// A panel for each mode asked for, of those found last, or last before the time of --at.
+/// A panel for each requested mode of the last analysis, or of the last one before the time of --at.
 std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const DrawOptions& options) {
   if (options.forces || options.ghost || options.cracks || !options.stress.empty() || !options.thrust.empty() ||
       options.colour != "group")
@@ -121,7 +121,7 @@ std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const D
   if (!options.mode.empty()) return mode_scenes(reader, options);
   draw::SceneChoice choice = choice_of(options, reader.header().dim);
   const Window window = window_of(reader, options.stage, options.since);
-  choice.origin = window.origin;  // what --at counts from, the caption does too
+  choice.origin = window.origin;  // the caption uses the same origin as --at
   std::vector<double> times;
   for (const std::string& at : comma_list(options.at)) times.push_back(time_of(reader, window, at));
   return draw::results_scenes(reader, times, choice);

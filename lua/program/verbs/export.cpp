@@ -17,7 +17,7 @@ struct ExportOptions {
   std::string result, to = "vtk", out, frames;
 };
 
-/// "10:200:5", "10:200", ":200", "::5", "7": which frames, counted from 0, both ends among them.
+/// "10:200:5", "10:200", ":200", "::5", "7": range of frames, counted from 0, both ends included.
 results::FrameRange frame_range(const std::string& text) {
   results::FrameRange range;
   const auto refuse = [&] {

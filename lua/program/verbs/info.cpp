@@ -21,7 +21,7 @@ struct InfoOptions {
   bool events = false, of_note = false;
 };
 
-/// The table of a study.
+/// Prints the table of a study.
 int show_study(const InfoOptions& options) {
   const std::vector<results::StudyColumn> columns = results::read_study_table(options.result);
   const std::string text = options.probability.empty()

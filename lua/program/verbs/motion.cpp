@@ -31,7 +31,7 @@ struct MotionOptions {
   FilterBand band;
 };
 
-/// Motion `number` (from 1) of those that a run applied.
+/// Motion `number` (from 1) of the motions that a run applied.
 GroundMotion motion_of_run(const std::string& file, int number) {
   const std::vector<results::MotionRow> rows = results::ResultsReader(file).motions();
   if (rows.empty()) throw InputError(fmt::format("results file '{}': it holds no motion", file));

@@ -39,7 +39,7 @@ void list(const results::ResultsReader& reader) {
   fmt::print("{:<{}}  {:<8} the energy ledger: {} terms\n", ledger, widest, "J", reader.header().energy_terms.size());
 }
 
-/// File stems, or whole paths where two stems are the same.
+/// File stems, or whole paths if two stems are equal.
 std::vector<std::string> short_names(const std::vector<std::string>& paths) {
   if (paths.size() == 1) return {""};
   std::vector<std::string> stems;
@@ -68,7 +68,7 @@ std::vector<draw::Chart> charts_of(const std::vector<draw::NamedResults>& result
   return charts;
 }
 
-/// The parameter of the intensity: the one given, else the only one of numbers that varies.
+/// The parameter of the intensity: the given one, otherwise the only numeric one that varies.
 std::string intensity_of(const PlotOptions& options, const std::vector<results::StudyColumn>& columns) {
   if (!options.over.empty()) return options.over;
   throw InputError(
@@ -85,7 +85,7 @@ draw::Chart chart_of_study(const PlotOptions& options, const std::vector<results
   return draw::fragility_chart(f, options.fragility);
 }
 
-/// The table of a study.
+/// Plots the table of a study.
 int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
   const std::vector<results::StudyColumn> columns = results::read_study_table(options.result);
   if (options.list) {

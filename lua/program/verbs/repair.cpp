@@ -15,7 +15,7 @@ struct RepairOptions {
   std::string result, out;
 };
 
-/// How many of the frames that were written can be read, and what is wrong with the first of the others.
+/// Number of readable frames among the written ones, and the error of the first other one.
 struct Readable {
   std::size_t count = 0, written = 0;
   std::string why;

@@ -22,7 +22,7 @@ struct ReportOptions {
   std::string result, out, since;
 };
 
-/// Where the script looked: its own folder and the project's.
+/// Folders that the script searched: its own folder and the project's.
 std::vector<std::filesystem::path> record_folders_of(const results::ResultsReader& reader) {
   std::vector<std::filesystem::path> folders = script::record_folders();
   const std::filesystem::path script = reader.header().provenance.script_path;

@@ -29,7 +29,7 @@ struct StudyOptions {
   RoomOptions room;
 };
 
-/// "0.4", "0.4 g": a number, and the unit after it.
+/// "0.4", "0.4 g": a number, and an optional unit after it.
 bool read_number(const std::string& text, double& value, std::string& unit) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc()) return false;
@@ -38,7 +38,7 @@ bool read_number(const std::string& text, double& value, std::string& unit) {
   return true;
 }
 
-/// "1..8" as whole numbers, "0.1..0.5:5" as five evenly spaced ones; false where it is something else.
+/// "1..8" as integers, "0.1..0.5:5" as five evenly spaced numbers; false for other text.
 bool read_range(const std::string& text, std::vector<StudyValue>& values) {
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) return false;
@@ -54,7 +54,7 @@ bool read_range(const std::string& text, std::vector<StudyValue>& values) {
   if (count == 1 && from == to) return values.emplace_back(from), true;
   if (!(is_whole(count) && count >= 2 && count <= 1e6))
     throw InputError(fmt::format("{}: {:g} values, must be a whole number from 2 to 1000000", what, count));
-  // Twelve digits, so that what is 0.3 in decimals is not 0.30000000000000004.
+  // 12 digits, so that the decimal 0.3 is not 0.30000000000000004.
   for (double i = 0, last = count - 1; i < count; ++i)
     values.emplace_back(number_of(fmt::format("{:.12g}", (from * (last - i) + to * i) / last), what));
   return true;
@@ -95,7 +95,7 @@ StudyOrder order_of(const StudyOptions& o) {
   return order;
 }
 
-/// This study again, for a task that is told its cases.
+/// Command of this study for a task, to which its cases are appended.
 std::vector<std::string> own_command(const StudyOptions& o) {
   std::vector<std::string> words{program_path(), "study", o.script};
   for (const std::string& w : o.room.words()) words.push_back(w);
@@ -106,7 +106,7 @@ std::vector<std::string> own_command(const StudyOptions& o) {
   return words;
 }
 
-/// The script runs a case; what is varied stands on the command line.
+/// The script runs a case; the varied parameters are on the command line.
 int run_over(const StudyOptions& o) {
   const StudyOrder order = order_of(o);
   if (o.choice.list) {
@@ -125,7 +125,7 @@ int run_over(const StudyOptions& o) {
   return any_failed(outcomes) ? wrong_input : ended_well;
 }
 
-/// The script says what the study is.
+/// The script describes the study.
 int run_own(const StudyOptions& o) {
   if (!o.out.empty()) throw InputError("study: --output goes with --over; the script's own study names its file");
   Live live(stdout, EventLines(), o.quiet);
