@@ -1,4 +1,4 @@
-// VALIDATION I11: an arch set down by statics, and one too thin to stand.
+// VALIDATION I11: equilibrium of an arch by the statics solver, and of an arch too thin to stand.
 #include <algorithm>
 
 #include "assembly/contact/contact_resultants.hpp"
@@ -11,8 +11,8 @@
 namespace trilith::testing {
 namespace {
 
-/// A semicircle of mid radius 1 m and 30 voussoirs. Joints ten times as stiff leave 1e-8 of the weight over by the last
-/// digit of where voussoirs stand.
+/// A semicircular arch of mid radius 1 m with 30 voussoirs. Joints ten times as stiff would leave an unbalanced force
+/// of 1e-8 of the weight, the rounding of the voussoirs' positions.
 Model<2> standing_arch(double thickness) {
   Arch arch;
   arch.voussoirs = 30, arch.thickness = thickness, arch.half_angle = 90 * degree, arch.sub_edges = 2;
@@ -21,10 +21,10 @@ Model<2> standing_arch(double thickness) {
   return scene.builder.build();
 }
 
-/// What joints and weight come to at a state.
+/// Forces of the joints and the weight at a state.
 struct ArchForces {
-  double weight = 0, thrust = 0;  ///< of all that is free [N]; horizontal at the crown [N]
-  double left = 0;                ///< largest force and moment left over on a voussoir, over its size [N]
+  double weight = 0, thrust = 0;  ///< of all free bodies [N]; horizontal at the crown [N]
+  double left = 0;                ///< largest unbalanced force, and moment over the voussoir's size, of a voussoir [N]
 
   ArchForces(const Model<2>& model, const State<2>& state) {
     Work<2> work;

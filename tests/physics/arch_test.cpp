@@ -1,5 +1,5 @@
-// Arches against their limits: cases A2 and A4 to A7. Rigid voussoirs without tension; joints so stiff that hinges near
-// the limit are short, as in masonry_test.cpp, which has A3.
+// Arches against their limits: cases A2 and A4 to A7. Rigid voussoirs and joints without tensile strength. The joints
+// are so stiff that hinges near the limit are short, as in masonry_test.cpp, which has A3.
 #include "build/plane/arch.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// An arch of mid radius 1 m; its straight edges are so short that its weight is that of the curved one to 1e-3.
+/// An arch of mid radius 1 m; its straight edges are so short that its weight equals the weight of the curved arch to
+/// 1e-3.
 Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
   Arch arch;
   arch.voussoirs = voussoirs, arch.thickness = thickness, arch.half_angle = half_angle;
@@ -24,7 +25,7 @@ Arch arch_of(int voussoirs, double thickness, double half_angle = 90 * degree) {
   return arch;
 }
 
-/// With joints that carry friction `mu`, of `stiffness` [Pa/m] and damped by a `share` of what is critical.
+/// The arch with joints of friction coefficient `mu` and `stiffness` [Pa/m], damped by a `share` of critical damping.
 std::unique_ptr<Simulation<2>> built(const Arch& arch, double mu = 10, double stiffness = 4e12, double share = 0.2) {
   const double length = 2 * arch.half_angle * arch.radius / arch.voussoirs;
   Scene scene(stiff_joint(mu, length, stiffness, share));
@@ -32,7 +33,7 @@ std::unique_ptr<Simulation<2>> built(const Arch& arch, double mu = 10, double st
   return std::make_unique<Simulation<2>>(scene.builder.build());
 }
 
-/// Joints that can slide may flutter from where the arch lies at first; see let_go.
+/// An arch whose joints can slide may flutter at first; see let_go.
 Fate fate_of(const Arch& arch, double mu = 10, double stiffness = 4e12, double share = 0.2) {
   LettingGo how;
   if (mu < 1) how.times = 3;
@@ -40,7 +41,7 @@ Fate fate_of(const Arch& arch, double mu = 10, double stiffness = 4e12, double s
   return let_go(*built(arch, mu, stiffness, share), how);
 }
 
-/// Horizontal force between two neighbours over the weight of all that is free.
+/// Horizontal force between two neighbours over the weight of all free bodies [1].
 double thrust(const Simulation<2>& sim, const std::string& left, const std::string& right) {
   const Model<2>& model = sim.model();
   std::vector<TouchingContact> contacts;
@@ -58,7 +59,7 @@ double thrust(const Simulation<2>& sim, const std::string& left, const std::stri
 
 TEST_CASE("A2: a semicircular arch of many voussoirs has the least thickness of the continuous one" *
           doctest::test_suite("long")) {
-  const double least = .107478;  // Milankovitch 1907; 40 voussoirs need .10746
+  const double least = .107478;  // Milankovitch 1907; 40 voussoirs need 0.10746
   CHECK(fate_of(arch_of(40, 1.03 * least)) == Fate::rests);
   CHECK(fate_of(arch_of(40, 0.97 * least)) == Fate::comes_down);
 }
@@ -81,7 +82,7 @@ TEST_CASE("A4: an arch of smooth joints must be thicker" * doctest::test_suite("
 
 TEST_CASE("A4: where hinges give way to sliding the arch feels the least softness of its joints" *
           doctest::test_suite("long")) {
-  const double least = .1122, stiffness = 4e13;  // with a tenth of that it needs .125
+  const double least = .1122, stiffness = 4e13;  // with a tenth of this stiffness the arch needs 0.125
   CHECK(fate_of(arch_of(100, 1.05 * least), .39, stiffness) == Fate::rests);
   CHECK(fate_of(arch_of(100, 0.95 * least), .39, stiffness) == Fate::comes_down);
 }

@@ -12,7 +12,7 @@ Polygon bar(double x) {
   return rectangle({x, 0}, {x + length, deep});
 }
 
-/// Mean stress sxx of the elements between two x at the start.
+/// Mean stress sxx of the elements between two start positions x [m].
 double stress_between(const Model<2>& model, const State<2>& state, double from, double to) {
   double sum = 0;
   int count = 0;
@@ -30,7 +30,7 @@ TEST_CASE("B7: a wave runs along a bar at sqrt(E/rho) with the stress rho c v, a
   const double c = std::sqrt(young / density), speed = 1;
   const Model<2> made = alone(elastic("m", density, young, 0), grid_body("bar", bar(0), "", 200, 1));
   Model<2> model = made;
-  // The hit end moves at 1 m/s from the start on.
+  // The struck end moves at 1 m/s from the start on.
   const auto moving = std::make_shared<GroundMotion>(std::vector<double>(2000, 0.0), 1e-5, MotionStart{speed, 0});
   for (const double y : {0.0, deep}) {
     const int n = node_at(model, {0, y});
@@ -46,7 +46,7 @@ TEST_CASE("B7: a wave runs along a bar at sqrt(E/rho) with the stress rho c v, a
   double arrival = -1, back = -1, stress = 0;
   RunListener<2> listener = each_step([&](const Instant<2>& now) {
     if (arrival < 0 && now.state.velocity[free_end].x() > speed) arrival = now.state.time;
-    // Behind the front all is pressed; the reflected front takes the stress away from the free end on.
+    // Behind the front the whole bar is compressed; the front reflected at the free end unloads it.
     if (now.state.time > 0.4 * length / c && stress == 0)
       stress = stress_between(now.model, now.state, 0.1 * length, 0.3 * length);
     if (back < 0 && now.state.time > 1.2 * length / c &&
@@ -73,7 +73,7 @@ TEST_CASE("B8: two equal bars touch for 2 L/c under rho c v/2, and swap their sp
   const double c = std::sqrt(young / density), speed = 1;
   Scene scene(Frictional{1e14, 0, 0, 0});
   scene.set_gravity(Vec2::Zero());
-  scene.builder.apart_time = 0;  // the end of contact is told at once
+  scene.builder.apart_time = 0;  // the end of contact is reported at once
   scene.builder.add_material(elastic("concrete", density, young, 0));
   BodySpec left = grid_body("left", bar(-length - 1e-6), "concrete", 100, 1);
   left.velocity = {speed, 0};
@@ -107,7 +107,7 @@ TEST_CASE("B2: a spinning bar keeps its stretch, its energy and its angular mome
   spec.spin = spin;
   const Model<2> model = alone(elastic("m", light, soft, 0), spec);
   State<2> state = initial_state(model);
-  // Started with its stretch u(x) = rho w^2 (L^2/4 x - x^3/3)/(2 E).
+  // The bar starts with its stretch u(x) = rho w^2 (L^2/4 x - x^3/3)/(2 E).
   for (int n = 0; n < model.nodes(); ++n) {
     const double x = model.start_position[n].x();
     state.position[n].x() += light * spin * spin * (long_ * long_ / 4 * x - x * x * x / 3) / (2 * soft);

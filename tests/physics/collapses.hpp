@@ -1,4 +1,4 @@
-// Models that come down in different ways: for tests of what must hold whatever happens.
+// Models that collapse in different ways, for tests of invariants of every run.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 namespace trilith::testing {
 
-/// Adds parts of a builder: the one called "base" held, the others free, of the scene's material.
+/// Adds the parts of a builder with the scene's material: the part called "base" is fixed, the others are free.
 inline void add_parts(Scene& scene, const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     BodySpec spec;
@@ -36,10 +36,10 @@ inline GroundMotion sine(double peak, double frequency, double duration) {
 struct Collapse {
   std::string name;
   std::function<Model<2>()> model;
-  double duration;  ///< in which things happen [s]
+  double duration;  ///< time range with contact events [s]
 };
 
-/// A stack of six blocks, each a little out of place, dropped by a hair.
+/// A stack of six blocks, each slightly offset, dropped from a small height.
 inline Model<2> leaning_stack() {
   Scene scene(Frictional{1e8, 5e7, 0.6, 2e-4});
   scene.fixed("base", box(-2, -0.4, 2, 0));
@@ -50,7 +50,7 @@ inline Model<2> leaning_stack() {
   return scene.builder.build();
 }
 
-/// A dry wall on a base that shakes it to pieces: general contacts, many rows, faces that choose.
+/// A dry wall on a base that shakes it to pieces: general contacts, many courses, faces that change partners.
 inline Model<2> shaken_wall() {
   Scene scene(Frictional{2e8, 8e7, 0.6, 1e-4});
   add_parts(scene, build_running_bond({.columns = 4, .courses = 7, .base_height = 0.3, .base_margin = 2}));
@@ -71,7 +71,7 @@ inline Model<2> falling_polygons(int count = 25, std::uint64_t seed = 12) {
     wanted.smallest = 0.4, wanted.largest = 0.9, wanted.slenderest = 2.5;
     const Vec2 at(-2 + 1.0 * (i % 5), 1.2 + 1.0 * (i / 5));
     BodySpec spec;
-    // Drawn one after the other: compilers take arguments in the order they like.
+    // Drawn in separate statements: the order of evaluation of arguments is unspecified.
     const Vec2 direction = random_direction(bits);
     spec.name = fmt::format("p{}", i), spec.outline = placed(random_convex(bits, wanted), direction, at);
     spec.velocity = {random_between(bits, -1, 1), random_between(bits, -3, 0)};
@@ -81,7 +81,7 @@ inline Model<2> falling_polygons(int count = 25, std::uint64_t seed = 12) {
   return scene.builder.build();
 }
 
-/// Drums of many corners that roll down a slope: at any time several pairs of their faces may be the one in touch.
+/// Drums of many corners that roll down a slope: at any time several pairs of their faces are candidates for contact.
 inline Model<2> rolling_drums() {
   Scene scene(Frictional{5e7, 2e7, 0.3, 2e-4});
   scene.fixed("slope", {{-4, 0}, {6, -2}, {6, -1.8}, {-4, 0.2}});
@@ -98,8 +98,8 @@ inline Model<2> rolling_drums() {
   return scene.builder.build();
 }
 
-/// Concave stones of two pieces each and squares of two elements, which fall onto each other: ridges and corners that
-/// pieces share strike and slide.
+/// Concave stones of two pieces each and squares of two elements, which fall onto each other: ridges and corners shared
+/// by two pieces strike and slide.
 inline Model<2> falling_chevrons() {
   Scene scene(Frictional{5e7, 2e7, 0.4, 1e-3});
   scene.builder.add_material({"soft", 2000, Solid{LinearElastic{5e8, 0.2}}});
@@ -125,7 +125,7 @@ inline Model<2> falling_chevrons() {
   return scene.builder.build();
 }
 
-/// A wall with mortar that loses its bonds. `by_point`: a half face at a time.
+/// A wall whose mortar bonds break. `by_point`: bonds break by half faces.
 inline Model<2> bonded_wall(bool by_point = false) {
   Scene scene(Bonded{2e8, 8e7, 0.7, 1e-4, 12e3, 16e3, by_point ? 1.0 : 0.0});
   add_parts(scene, build_running_bond({.columns = 4, .courses = 6, .base_height = 0.3, .base_margin = 2}));
@@ -143,8 +143,8 @@ inline Model<2> softening_wall() {
   return model;
 }
 
-/// A span on two piers, one of them driven away: the bearing of its left end fails and becomes friction, its right end
-/// loses its seat, and it falls onto the ground.
+/// A span on two piers, one of which is driven away. The bearing of the left end fails and becomes a frictional
+/// contact, the right end loses its seat, and the span falls onto the ground.
 inline Model<2> pulled_span() {
   Scene scene(Frictional{1e8, 5e7, 0.3, 3e-4});
   scene.fixed("ground", box(-4, -1, 16, 0));
@@ -175,7 +175,7 @@ inline Model<2> pulled_span() {
   end.end = {-0.3, soffit}, end.edge = {0.5, seat}, end.inward = {-1, 0};
   scene.builder.add_seat(end);
   Model<2> model = scene.builder.build();
-  // The right pier goes 1.5 m away in 3 s, smoothly.
+  // The right pier moves away by 1.5 m in 3 s, smoothly.
   const double way = 1.5, w = 2 * M_PI / 3;
   const auto away = motion_of(3, 1e-3, [&](double t) { return way * w * w / (2 * M_PI) * portable::sin(w * t); });
   const int pier = model.find_body("right pier");

@@ -1,4 +1,4 @@
-// Elastic and frictionless collisions of random polygons: what is kept, and that nothing passes through.
+// Elastic frictionless collisions of random polygons: conserved quantities, and no body passes through another.
 #include <algorithm>
 
 #include "geometry/plane/overlap.hpp"
@@ -10,14 +10,14 @@ using namespace trilith::testing;
 
 namespace {
 
-// Fewer of the same where every memory access is watched.
+// Fewer collisions under sanitizers, which are slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int slower = 10;
 #else
 constexpr int slower = 1;
 #endif
 
-/// Two bodies that fly at each other.
+/// Two bodies that fly towards each other.
 struct Pair {
   Polygon a, b;  // about their centroids
   Vec2 place_b = Vec2::Zero(), velocity_a = Vec2::Zero(), velocity_b = Vec2::Zero();
@@ -26,9 +26,9 @@ struct Pair {
 
 struct Outcome {
   bool hit = false;
-  double energy = 0, momentum = 0, turning = 0;  // relative errors once they have parted
-  double deepest = 0;                            // overlap over the smaller body's size
-  bool unfelt = false;                           // overlapped deeply without a contact force
+  double energy = 0, momentum = 0, turning = 0;  // relative errors after separation
+  double deepest = 0;                            // largest penetration over the smaller body's size
+  bool unfelt = false;                           // a deep penetration without a contact force
   bool parted = true;
 };
 
@@ -52,7 +52,7 @@ Motion motion_of_all(const Model<2>& model, const State<2>& s) {
   return m;
 }
 
-/// Deepest overlap of the convex pieces of two bodies [m].
+/// Deepest penetration of the convex pieces of two bodies [m].
 double depth_now(const Model<2>& model, const State<2>& s) {
   const auto outline = [&](int piece) {
     Polygon p;
@@ -68,7 +68,7 @@ double depth_now(const Model<2>& model, const State<2>& s) {
   return deepest;
 }
 
-/// Lets the two meet and part under an elastic frictionless contact. `time`: how long to follow [s].
+/// Follows an elastic frictionless collision for `time` [s].
 Outcome collide(const Pair& pair, double kn, double safety, double time) {
   Scene scene(Frictional{kn, 0, 0, 0});
   scene.set_gravity(Vec2::Zero());
@@ -94,7 +94,7 @@ Outcome collide(const Pair& pair, double kn, double safety, double time) {
     if (now.state.step % 16 != 0 && !felt) return;
     const double depth = depth_now(now.model, now.state) / size;
     out.deepest = std::max(out.deepest, depth);
-    // A step may enter by its own length before the next evaluation feels it.
+    // A body may penetrate by the length of one step before the next evaluation finds the contact.
     if (!felt && depth * size > 2 * now.state.last_dt * now.speed) out.unfelt = true;
   });
   out.parted = false;
@@ -154,7 +154,7 @@ Polygon random_star(std::mt19937_64& bits) {
   return placed(about_centroid(outline), random_direction(bits), Vec2::Zero());
 }
 
-/// What a series of collisions came to; prints it and checks what every collision must keep.
+/// Results of a series of collisions; prints them and checks the invariants of every collision.
 struct Series {
   std::string name;
   int hits = 0, unfelt = 0, together = 0;
@@ -179,12 +179,12 @@ struct Series {
     CHECK(energy < 0.01);
     CHECK(momentum < 1e-9);
     CHECK(turning < 1e-9);
-    CHECK(unfelt == 0);    // nothing inside another body without a force that drives it out
-    CHECK(together == 0);  // nothing sticks
+    CHECK(unfelt == 0);    // no penetration without a repulsive force
+    CHECK(together == 0);  // no bodies stick together
   }
 };
 
-/// `count` collisions of the pairs that `make` gives.
+/// `count` collisions of the pairs that `make` returns.
 template <class F>
 Series run_series(const std::string& name, int count, double kn, F&& make) {
   std::mt19937_64 bits(20240229);
@@ -267,6 +267,6 @@ TEST_CASE("a deep fast impact drives the bodies a quarter into each other and ou
     pair.velocity_b *= 8;
     return pair;
   });
-  series.check(80);  // all hundred under sanitizers too: the deepest one is asked for
+  series.check(80);  // all hundred under sanitizers too: the check needs the deepest one
   CHECK(series.deepest > 0.2);
 }

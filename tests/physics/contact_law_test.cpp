@@ -1,4 +1,4 @@
-// VALIDATION C1 to C6: how contact carries load and how blocks bounce.
+// VALIDATION C1 to C6: load transfer through contacts, and bounces of blocks.
 #include <algorithm>
 
 #include "near.hpp"
@@ -14,7 +14,7 @@ double depth_of(const Scene& scene, const Simulation<2>& sim, const std::string&
   return -scene.to_scene(corner_of(sim, body, corner)).y();
 }
 
-/// A base `width` wide with its top on the scene's x axis.
+/// A base from x = `from` to `to` [m] with its top on the scene's x axis.
 Polygon base_under(double from, double to) {
   return rectangle({from, -1}, {to, 0});
 }
@@ -23,7 +23,7 @@ struct Bounce {
   double restitution, duration, deepest;  // speed share, w t, w d / v0
 };
 
-/// A body `m1` hits, flat and at `speed`, a fixed base (m2 = 0) or a free body of mass m2.
+/// A body of mass `m1` hits a fixed base (m2 = 0) or a free body of mass m2, flat and at `speed`.
 Bounce bounce(double m1, double m2, double kn, double speed, double zeta, double turn) {
   const double m = m2 > 0 ? m1 * m2 / (m1 + m2) : m1;
   const double w = std::sqrt(kn / m);
@@ -76,7 +76,7 @@ TEST_CASE("C2, C3: a flat bounce with damping that may not pull has the restitut
   const double depth[] = {0.96945, 0.92669, 0.86260, 0.75613, 0.67155, 0.54629};
   for (int i = 0; i < 6; ++i) {
     const double zeta = zetas[i], s = std::sqrt(1 - zeta * zeta);
-    // The printed figures are those of the formulas.
+    // The published figures agree with the formulas.
     CHECK(near(std::exp(-zeta / s * (M_PI - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta))), restitution[i], 1e-4));
     CHECK(near(std::exp(-zeta / s * std::atan2(s, zeta)), depth[i], 1e-4));
     const Bounce fixed = bounce(1000, 0, 1e8, 1, zeta, 0), two = bounce(300, 700, 5e8, 0.2, zeta, 17 * degree);
@@ -103,7 +103,8 @@ struct Joint {
   double left, right, rotation;  // stress [Pa] at the ends of the joint, turn of the block
 };
 
-/// A block of weight N on a joint of width B, its centroid `e` right of the joint's middle: a leaning block.
+/// A block of weight N on a joint of width B, its centroid at the eccentricity `e` to the right of the joint's middle:
+/// a leaning block.
 Joint eccentric(double n, double b, double e, double kn, double turn) {
   Scene scene(Frictional{kn, 0.5 * kn, 0.8, 1e-3}, turn);
   scene.fixed("base", base_under(-2 * b, 3 * b));
@@ -154,7 +155,7 @@ TEST_CASE("C5: faces that overlap in part carry W/(1 - s) where they overlap") {
     const double kn = 1e8, weight = 2e4;
     Scene scene(Frictional{kn, 0.5 * kn, 0.6, 1e-3});
     scene.fixed("lower", rectangle({0, -0.5}, {1, 0}));
-    BodySpec spec;  // leans back, so that its weight acts through the middle of the overlap
+    BodySpec spec;  // leans back, so that its weight acts through the middle of the contact
     spec.name = "upper", spec.weight = weight;
     spec.outline = {{s, 0}, {1 + s, 0}, {1, 0.5}, {0, 0.5}};
     scene.add(spec);

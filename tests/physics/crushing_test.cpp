@@ -1,4 +1,4 @@
-// Mortar that crushes under moving blocks: stopping distance, toes, the ledger.
+// Mortar that crushes under moving blocks: stopping distance, compressed toes, energy ledger.
 #include <algorithm>
 
 #include "law/contact/cohesive.hpp"
@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kn = 1e10;  // [Pa/m]
 
-/// Nearly no bond, so that what is seen is crushing alone.
+/// Mortar with almost no bond strength, so that crushing alone acts.
 Cohesive mortar(double compression, double depth, double beta = 0) {
   Cohesive law{kn, 0.5 * kn, 0.7, beta, 1e3, 1e3, 1e-2, 1e-2, 0, 0};
   law.compression = compression, law.crushing_depth = depth;
   return law;
 }
 
-/// A run with its ledger, and how many joints began to crush in it.
+/// A run with its energy ledger and the number of joints that began to crush.
 struct Watched {
   EnergyCheck check;
   Energy first, last;
@@ -58,7 +58,7 @@ TEST_CASE("a block that falls on mortar too weak to stop it sinks in by its ener
     Watched watched;
     watched.run(sim, 0.2, 1e-5);
     const double resist = strength - mass * standard_gravity, elastic = strength / kn;
-    // The elastic overlap is given back and bounces the block; the depth is what is crushed.
+    // The elastic penetration recovers and bounces the block; the crushed depth remains.
     const double v2 = speed * speed + 2 * standard_gravity * 1e-3;
     const double depth = (0.5 * mass * v2 + mass * standard_gravity * elastic - 0.5 * strength * elastic) / resist;
     CHECK(near(watched.of(EnergyTerm::contact_fracture), strength * depth, 2e-3));
@@ -112,7 +112,7 @@ TEST_CASE("a block that tumbles over mortar it crushes makes no energy, whatever
     scene.add(spec);
     Simulation<2> sim = scene.start();
     Watched watched;
-    watched.run(sim, 1.5, 2e-5);  // the impacts are resolved
+    watched.run(sim, 1.5, 2e-5);  // steps short enough for the impacts
     MESSAGE("tilted by ", angle, ": residual ", 100 * watched.check.share(), " %, crushing took ",
             watched.of(EnergyTerm::contact_fracture), " J of ", watched.check.input());
     CHECK(watched.crushed >= 1);
@@ -133,6 +133,6 @@ TEST_CASE("mortar stays crushed while the block that crushed it bounces") {
                        [](const ContactMemory& m) { return (m.state & contact_kept) != 0; });
   };
   REQUIRE(crushed());
-  run_for(sim, 0.2);  // it has bounced off: the faces are apart and the depth is kept
+  run_for(sim, 0.2);  // after the bounce the faces are apart and the crushed depth is kept
   CHECK(crushed());
 }

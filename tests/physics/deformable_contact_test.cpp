@@ -1,4 +1,5 @@
-// Deformable bodies in contact with each other and with rigid ones, driven, tied to bearings; and their bits.
+// Deformable bodies in contact with each other and with rigid bodies, driven, and tied to bearings; the same bits for
+// the same run.
 #include <unistd.h>
 
 #include <cstdio>
@@ -21,7 +22,7 @@ std::string word(const std::array<int, 2>& kind) {
   return kind[0] == 0 ? "rigid" : kind[0] == 1 ? "quad" : "mesh";
 }
 
-/// A body of one of the kinds.
+/// A body of one of the `kinds`.
 BodySpec made(const std::string& name, const Polygon& corners, const std::array<int, 2>& kind) {
   BodySpec spec = grid_body(name, corners, "soft", std::max(1, kind[0]), std::max(1, kind[1]));
   if (kind[0] == 0) spec.kind = BodyKind::rigid;
@@ -62,7 +63,7 @@ TEST_CASE("C6: uniform pressure goes through faces that do not match whatever ki
         const double from = std::max(x(p.a1), x(p.b0)), to = std::min(x(p.a0), x(p.b1));
         const double from2 = std::max(x(p.a0), x(p.b1)), to2 = std::min(x(p.a1), x(p.b0));
         const double length = std::max(to - from, to2 - from2);
-        if (length < 0.01) continue;  // the neighbours' rims
+        if (length < 0.01) continue;  // edges of the neighbours
         lowest = std::min(lowest, c.resultant.normal / length),
         highest = std::max(highest, c.resultant.normal / length);
       }
@@ -128,7 +129,7 @@ TEST_CASE("a tied point and a force at it are transposes of each other") {
   double power = 0;
   for (std::size_t n = 0; n < on.size(); ++n) power += on[n].dot(state.velocity[n]);
   CHECK(near(power, force.dot(pose.velocity) + moment * pose.spin, 1e-12));
-  // And its spin is the rate of its rotation.
+  // The body's spin is the rate of its rotation.
   const double h = 1e-7;
   State<2> later = state;
   for (std::size_t n = 0; n < on.size(); ++n) later.position[n] += h * state.velocity[n];
@@ -152,7 +153,7 @@ TEST_CASE("a deformable column on a bearing hangs at its weight over the spring"
   CHECK(near(sim.work().bearing_force[0].y(), weight, 1e-4));
 }
 
-/// A small stack of the kinds on a shaken base, turned by an angle.
+/// A small stack of bodies of each kind on a shaken base, turned by an angle.
 struct Shaken {
   Scene scene;
   explicit Shaken(double turn) : scene(soft_scene(Frictional{1e9, 4e8, 0.5, 1e-5}, 2e8, 0.2, turn, 1e-5)) {
@@ -278,7 +279,8 @@ TEST_CASE("what makes no sense for a deformable body is refused") {
 }
 
 TEST_CASE("bodies that strike each other corner on face, with friction and damping, keep the ledger as rigid ones do") {
-  // So soft that a corner's velocity is far from that of a rigid piece: the power of contact forces must be by corners.
+  // The bodies are so soft that a corner's velocity differs much from the velocity of a rigid piece: the power of
+  // contact forces must be computed with the velocities of corners.
   for (const auto& kind : kinds) {
     Scene scene = soft_scene(Frictional{1e9, 5e8, 0.5, 5e-4}, 1e8, 0.2);
     scene.set_gravity(Vec2::Zero());

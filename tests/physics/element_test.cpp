@@ -1,4 +1,4 @@
-// Elements by themselves: rigid turns, patches, bending, rates of convergence.
+// Single elements: rigid rotation, patch tests, bending, convergence rates.
 #include "near.hpp"
 #include "physics/space/solids.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 const Polygon distorted{{0.1, -0.05}, {1.0, 0.1}, {1.2, 0.9}, {-0.1, 0.7}};
 
-/// Turns every node about `about` by `angle`, from the start.
+/// Rotates every node about `about` by `angle` [rad], from the start positions.
 void turn_all(const Model<2>& model, State<2>& state, const Vec2& about, double angle) {
   const Turn turn(angle);
   for (int n = 0; n < model.nodes(); ++n) state.position[n] = about + turn.apply(Vec2(model.start_position[n] - about));
@@ -102,11 +102,11 @@ TEST_CASE("B3: the patch of distorted elements carries a constant stress") {
   }
 }
 
-/// How the upright edges of a row are tilted: not at all, all alike (parallelograms), in turn (trapezoids).
+/// Tilt of the upright edges of a row: none, the same for all (parallelograms), alternating (trapezoids).
 enum class Skew { none, alike, in_turn };
 
-/// Tip deflection over that of the beam (Timoshenko's, shear included) of a cantilever of one row of `count` elements
-/// of length over height `aspect`, under a tip moment or load.
+/// Tip deflection of a cantilever of one row of `count` elements of length over height `aspect`, under a tip moment or
+/// load, over the deflection of a Timoshenko beam [1].
 double row_deflection(int count, double aspect, Skew skew, bool moment, ElementForm form, int rows = 1) {
   const double height = 1, young = 1e6, length = count * aspect * height;
   Mesh mesh = grid_mesh({Vec2(0, 0), Vec2(length, 0), Vec2(length, height), Vec2(0, height)}, count, rows);
@@ -119,7 +119,7 @@ double row_deflection(int count, double aspect, Skew skew, bool moment, ElementF
   }
   BodySpec spec;
   spec.name = "beam", spec.kind = BodyKind::mesh, spec.mesh = mesh;
-  // Held so that the root's section may change its shape: x all along, y in one place.
+  // The root's section may change its shape: all its nodes are fixed in x, one is fixed in y.
   spec.supports = {{{0, 0}, {0, height}, {Support::fixed, Support::free}},
                    {{0, 0}, {0, 0}, {Support::fixed, Support::fixed}}};
   const Model<2> model = alone(elastic("m", 1, young, 0, Plane::stress, form), spec);
@@ -150,18 +150,18 @@ TEST_CASE("one row of elements bends as a beam within 5 %, and the plain form do
                                                         : "trapezoids";
         MESSAGE(std::string(moment ? "moment" : "load"), ", aspect ", aspect, ", ", shape, ": assumed ", assumed,
                 ", plain ", plain);
-        // Trapezoids that pass the patch test lock whatever is done inside them (MacNeal, "A theorem regarding the
-        // locking of tapered four-noded membrane elements", Int. J. Numer. Meth. Engng 24, 1987): told, not asked for.
-        // Between the parallelograms and the upright ends two elements of a row are such.
+        // Trapezoids that pass the patch test lock whatever their interpolation (MacNeal, "A theorem regarding the
+        // locking of tapered four-noded membrane elements", Int. J. Numer. Meth. Engng 24, 1987): reported, not
+        // checked. With parallelograms, the two elements at the upright ends of a row are trapezoids.
         if (skew == Skew::none) CHECK(near(assumed, 1, 0.05));
         if (skew == Skew::alike) CHECK(near(assumed, 1, 0.05));
         CHECK(plain < 0.75);
       }
 }
 
-/// Half of a beam of 8 by 1 under an even load, with meshes of 4 n by n elements: symmetry in the middle, the load's
-/// sum as a parabolic shear at the end, so that the stress is nowhere singular. How far the end goes, and the work
-/// done.
+/// Half of a beam of 8 m by 1 m under a uniform load, with meshes of 4 n by n elements. Symmetry at the middle and the
+/// load's resultant as a parabolic shear at the end keep the stress free of singularities. Deflection of the end, and
+/// work.
 struct Solved {
   double tip, energy;
 };
@@ -183,13 +183,13 @@ Solved half_beam(int n, bool triangles) {
   const double h = height / n;
   for (int e = 0; e < 4 * n; ++e)
     for (const double x : {e * h, (e + 1) * h}) load[node_at(model, {x, height})].y() -= 0.5 * h;
-  for (int e = 0; e < n; ++e)  // consistent with 6 y (1 - y), two Gauss points an edge
+  for (int e = 0; e < n; ++e)  // consistent with 6 y (1 - y), two Gauss points per edge
     for (const double s : {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)}) {
       const double y = (e + s) * h, q = 0.5 * h * 6 * y * (1 - y) * length;
       load[node_at(model, {length, e * h})].y() += (1 - s) * q;
       load[node_at(model, {length, (e + 1) * h})].y() += s * q;
     }
-  // The two sums cancel, so that the one node held in y takes nothing.
+  // The two resultants cancel, so the node fixed in y carries no force.
   double sum = 0;
   for (const Vec2& f : load) sum += f.y();
   CHECK(std::abs(sum) < 1e-9);
@@ -203,7 +203,7 @@ TEST_CASE("displacement and energy of a mesh converge with about the square of i
   for (const bool triangles : {false, true}) {
     std::vector<Solved> s;
     for (const int n : {1, 2, 4, 8}) s.push_back(half_beam(n, triangles));
-    // Richardson's rate from three meshes; with triangles these are still far from their limit.
+    // Richardson's convergence rate from three meshes; triangle meshes are still far from their limit.
     const double least = triangles ? 1.1 : 1.6;
     for (std::size_t i = 0; i + 2 < s.size(); ++i) {
       const double tip = std::log2((s[i + 1].tip - s[i].tip) / (s[i + 2].tip - s[i + 1].tip));

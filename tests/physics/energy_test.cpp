@@ -1,4 +1,4 @@
-// The energy ledger: every term found from its own law, and nothing left over but what the step leaves.
+// The energy ledger: every term follows from its own law, and the residual is the error of the time integration alone.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -17,18 +17,18 @@ using testing::near;
 using testing::Scene;
 using Term = EnergyTerm;
 
-/// Terms that are only ever given off: they may not fall by more than a trace of what went round. (The dish of a
-/// pendulum under a changing load, and a bearing that hands on to a stiffer one, may also give back.)
+/// Terms that only dissipate: they may not fall by more than a trace of the energy input. (The dish of a pendulum under
+/// a changing load, and a bearing that passes load to a stiffer one, may also return energy.)
 constexpr std::array rising{Term::contact_friction, Term::contact_fracture, Term::mass_damping, Term::rest_damping};
 
-/// What the ledger showed over a run.
+/// Ledger figures of a run.
 struct Books {
   Energy first, last;
   double residual = 0;  ///< largest change of the balance [J]
   double input =
-      0;  ///< largest sum of what was there or put in: motion at the start, weight let down, supports, loads [J]
-  double fallen = 0;  ///< largest fall of a term that may only rise [J]
-  double least = 0;   ///< least value of kinetic and elastic terms [J]
+      0;  ///< largest sum of initial and added energy: motion at the start, lowered weight, supports, loads [J]
+  double fallen = 0;  ///< largest decrease of a term that may only rise [J]
+  double least = 0;   ///< least value of the kinetic and elastic terms [J]
   int samples = 0;
 
   [[nodiscard]] double share() const { return residual / input; }
@@ -63,7 +63,7 @@ StageOptions stage(double duration, double safety, double samples = 400) {
   return options;
 }
 
-/// Closed: to 0.1 % of the input.
+/// The ledger closes to 0.1 % of the input.
 void check_closed(const std::string& name, const Books& b) {
   std::string terms;
   for (std::size_t i = 0; i < energy_terms; ++i)
@@ -247,7 +247,7 @@ TEST_CASE("dampings, loads and a tilting table are booked with the sign declared
 }
 
 TEST_CASE("the residual of a smooth motion falls with the square of the step") {
-  // Two masses on springs, no damping, no contact.
+  // Two masses on springs, without damping and contact.
   const auto residual = [](double dt) {
     Scene scene(Frictional{1e6, 1e6, 0.5, 0});
     scene.fixed("base", box(-1, -1, 1, 0));

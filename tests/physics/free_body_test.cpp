@@ -1,4 +1,4 @@
-// VALIDATION T4: a rigid body that spins freely in space, and what goes with it: weight, supports, checkpoints.
+// VALIDATION T4: a rigid body that spins freely in space, with weight, supports and checkpoints.
 #include "physics/free_bodies.hpp"
 
 #include <unistd.h>
@@ -19,7 +19,7 @@ namespace {
 const Vec3 t4_inertia(1, 2, 3), t4_spin(0.1, 2, 0.1);
 const UnitQuaternion askew = rotation_by({0.3, -1.2, 2.1});
 
-/// The times at which the spin about the middle axis changes its sign [s].
+/// Times of the sign changes of the spin about the middle axis [s].
 std::vector<double> tumbles(FreeRun& run, double dt, double until) {
   std::vector<double> out;
   double before = run.own_spin()[1];
@@ -61,7 +61,7 @@ TEST_CASE("T4: energy and angular momentum last for 40 s") {
   for (int i = 0; i < 4000; ++i) {
     run.step();
     REQUIRE(near(run.energy()[EnergyTerm::kinetic], 4.02, 1e-3));
-    REQUIRE((run.momentum() - momentum).norm() < 1e-11 * momentum.norm());  // rounding of 4000 steps
+    REQUIRE((run.momentum() - momentum).norm() < 1e-11 * momentum.norm());  // rounding over 4000 steps
   }
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a body tumbles alike in a world turned by any angle") {
   plain.steps(500), turned.steps(500);
   const UnitQuaternion expected = askew * plain.state().rotation[0], found = turned.state().rotation[0];
   const UnitQuaternion between = inverse(expected) * found;
-  CHECK(angle_of(between).norm() < 1e-9);  // a tumbling body spreads rounding a thousandfold in 5 s
+  CHECK(angle_of(between).norm() < 1e-9);  // a tumbling body amplifies rounding a thousandfold in 5 s
 }
 
 TEST_CASE("half the step gives a quarter of the error of a tumbling body") {
@@ -106,7 +106,7 @@ TEST_CASE("a spinning body that is thrown up falls along its parabola and its le
   FreeRun run(model, 1e-3);
   const double before = run.energy().balance();
   run.steps(1000);
-  // The first step is half a step longer than its velocity is old, which leapfrog sums to g dt t / 2.
+  // The first step is half a step longer than the age of its velocity; leapfrog sums this to g dt t / 2.
   const Vec3 x = run.state().position[0];
   CHECK(near(x.x(), 1, 1e-12));
   CHECK(near(x.y(), -2, 1e-12));

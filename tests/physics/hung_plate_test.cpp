@@ -1,4 +1,5 @@
-// A plate on four cables (VALIDATION T34): links without bending stiffness of their own, which carry by their weight.
+// A plate on four cables (VALIDATION T34): links without bending stiffness, which carry load by the geometric stiffness
+// of the weight.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -16,9 +17,9 @@ namespace {
 constexpr double drop = 2, plate_length = 1, width = 0.6;
 const Vec3 sides(plate_length, width, 0.02);
 
-/// A plate of 1 x 0.6 m at z = 0 on four rods of 2 m at its corners, each on a pin above and below: light, so that they
-/// are cables but for their own swing, which alters a period by 1e-4 of it. `motion`: the velocity of a point of the
-/// plate; those of the cables are in proportion to the height above it.
+/// A plate of 1 m x 0.6 m at z = 0 on four rods of 2 m at its corners, each pinned at both ends. The rods are light, so
+/// that they act as cables; their own swing changes a period by a share of 1e-4. `motion`: velocity of a point of the
+/// plate; velocities of the cables decrease in proportion to the height above the plate.
 class HungPlate {
  public:
   explicit HungPlate(const Vec3& velocity, double twist) {
@@ -45,7 +46,7 @@ class HungPlate {
     const std::string name = "cable " + std::to_string(++cables_);
     const Vec3 head = foot + drop * Vec3::UnitZ(), at_foot = velocity + cross(Vec3(0, 0, twist), foot);
     SolidSpec cable = body(name, box_at({0.01, 0.01, drop}, 0.5 * (foot + head)), 1e-3);
-    // Its head stands: v_foot = spin x (foot - head).
+    // The cable's head is fixed: v_foot = spin x (foot - head).
     cable.velocity = 0.5 * at_foot, cable.spin = Vec3(at_foot.y(), -at_foot.x(), 0) / drop;
     builder_.add_body(cable);
     pin(name + " head", "ceiling", name, head);
@@ -62,10 +63,10 @@ class HungPlate {
 };
 
 struct Swing {
-  double period, widest;  ///< [s]; of the measure that was asked for
+  double period, widest;  ///< [s]; amplitude in the unit of the measure
 };
 
-/// The mean period of `of` over three swings, by where it rises through 0, and how far it goes.
+/// Mean period of `of` over three swings, by its upward passages through 0, and its amplitude.
 Swing swing_of(const Vec3& velocity, double twist, const std::function<double(const State<3>&, std::size_t)>& of) {
   Simulation<3> sim(HungPlate(velocity, twist).model());
   const std::size_t plate = node_called(sim.model(), "plate");

@@ -1,4 +1,4 @@
-// What no run may depend on: that it is run again, that Work is dropped, that State goes through a file.
+// Invariants of every run: repetition, dropping the Work, writing and reading the State give the same bits.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 using testing::Collapse;
 using testing::collapses;
 
-/// Digests along a run, what happened in it, and where it ended.
+/// Digests along a run, its events, and its last state.
 struct Trace {
   std::vector<std::uint64_t> digest;
   std::vector<std::string> events;
@@ -35,7 +35,7 @@ std::string line_of(const Event& e) {
                      name_of(e.mode), e.time, e.value, e.x, e.y);
 }
 
-/// Where a step of another integrator might have tried to go: everything moved a little, each node in its own way.
+/// A trial state of an implicit integrator: every node displaced slightly, each in its own direction.
 State<2> tried(State<2> state) {
   for (std::size_t n = 0; n < state.position.size(); ++n) {
     const double phase = static_cast<double>(n) + static_cast<double>(state.step);
@@ -45,8 +45,8 @@ State<2> tried(State<2> state) {
   return state;
 }
 
-/// Goes on from `state` for `duration` [s]; with a fresh Work every `drop_every` steps, 0: never. `trials`: before each
-/// step's forces are taken, others are found elsewhere, and then twice where it stands.
+/// Continues from `state` for `duration` [s], with a fresh Work every `drop_every` steps (0: never). `trials`: before
+/// each step's force evaluation the forces are evaluated at a trial state, then twice at the current state.
 Trace follow(const Model<2>& model, State<2> state, double duration, int drop_every, bool trials = false) {
   Trace trace;
   Work<2> work;
@@ -73,7 +73,7 @@ Trace follow(const Model<2>& model, State<2> state, double duration, int drop_ev
   return trace;
 }
 
-/// Index of the first digest that differs, or -1.
+/// Index of the first digest that differs; -1 if all are equal.
 int first_difference(const Trace& a, const Trace& b) {
   for (std::size_t i = 0; i < std::min(a.digest.size(), b.digest.size()); ++i)
     if (a.digest[i] != b.digest[i]) return static_cast<int>(i);

@@ -1,4 +1,5 @@
-// Loads, prescribed displacements, quiet release and pushover against closed forms, the ledger and their own bits.
+// Loads, prescribed displacements, quiet release and pushover against closed forms and the energy ledger; the same bits
+// for the same run.
 #include <unistd.h>
 
 #include <filesystem>
@@ -27,7 +28,7 @@ PointLoad<2> force_on_body(const Model<2>& model, const std::string& body, const
   return make_point_load(model, model.find_body(body), spec).front();
 }
 
-/// A block 1 m wide, 0.5 m high on a fixed base, on springs of `kn` [Pa/m].
+/// A block 1 m wide and 0.5 m high on a fixed base, on springs of `kn` [Pa/m].
 Scene block_on_base(double kn, double mu = 0.6, double beta = 1e-5) {
   Scene scene(Frictional{kn, kn, mu, beta});
   scene.fixed("base", rectangle({-3, -1}, {3, 0}));
@@ -55,7 +56,7 @@ TEST_CASE("a point load beside the middle of a block on springs sinks and tilts 
         force_on_body(model, "block", Vec2(e, 0.5), {0, -force}, ramp_curve(now, 0, 1, 0.05, true)));
     run_for(sim, 0.06);
     settle(sim);
-    // The block's own weight leans with it: its moment is 1e-6 of the springs'.
+    // The weight of the tilted block adds a moment of 1e-6 of the springs' moment.
     const double settled = force / kn, tilt = -force * e / (kn / 12);
     MESSAGE("settlement ", before - sim.state().position[n].y(), " m (", settled, "), tilt ", sim.state().rotation[n],
             " (", tilt, ")");
@@ -70,7 +71,7 @@ TEST_CASE("the ledger has the work of a load as force times displacement of its 
   settle(sim);
   StageOptions options;
   options.duration = 0.01, options.safety = 0.1;
-  sim.run(options);  // the step is then as long before the load jumps as after it
+  sim.run(options);  // the step then has the same length before and after the load jumps
   sim.refresh();
   const Energy before = ledger(sim);
   const Vec2 at(0.15, 0.5), force(3e3, -2e4);
@@ -142,7 +143,7 @@ TEST_CASE("pressure on deformable bodies gives even stress") {
     const double sides = stresses(rectangle({0, 0}, {1, 0.5}), divisions, false, 1);
     const double round = stresses(crooked, divisions, true, 0.3);
     MESSAGE(divisions, " by ", divisions, ": off by ", sides, " between two sides, ", round, " all round, of the size");
-    CHECK(sides < 1e-6);  // strains are 1e-6, and the faces are as long as they now are
+    CHECK(sides < 1e-6);  // strains are 1e-6, and the load follows the current lengths of the faces
     CHECK(round < 1e-6);
   }
 }
@@ -204,7 +205,7 @@ TEST_CASE("a pushed block on friction takes mu W either way, and the base feels 
       const Pushed p = push_block(scene, way, 2e-3);
       const double friction = mu * 1000 * g, elastic = friction / 1e9;
       double least = 1e300, most = 0;
-      for (std::size_t i = 20; i < 190; ++i)  // at even speed
+      for (std::size_t i = 20; i < 190; ++i)  // at constant speed
         least = std::min(least, p.curve.force[i]), most = std::max(most, p.curve.force[i]);
       MESSAGE("mu ", mu, " way ", way, ": force ", least, " to ", most, " N (", friction, "), peak ",
               p.curve.force[p.curve.peak()]);
@@ -218,8 +219,8 @@ TEST_CASE("a pushed block on friction takes mu W either way, and the base feels 
 }
 
 TEST_CASE("a slender block pushed aside takes the force that lifts it off its toe of springs") {
-  // Rocking on springs: the toe's pressure is a triangle of length c = sqrt(2 W / (kn theta)), so that
-  // F h = W (b/2 - c/3 - theta h), which nears W b / (2 h) for stiff springs.
+  // Rocking on springs: the toe's pressure is a triangle of length c = sqrt(2 W / (kn theta)), so F h = W (b/2 - c/3 -
+  // theta h), which approaches W b / (2 h) for stiff springs.
   const double b = 0.25, h = 0.5, weight = 1000 * g;
   for (const double kn : {1e9, 1e10})
     for (const double sign : {1.0, -1.0}) {
@@ -280,13 +281,13 @@ TEST_CASE("a push on a set prescribes the weighed mean of its bodies, each free 
             if (now.state.time < 0.5 * motion->duration() || now.state.time > 0.9 * motion->duration()) return;
             force += now.dt * now.work.push_force[0], time += now.dt;
           }));
-  // Half of the force each: the light one slides at 2 mu m g in all, the heavy one stays.
+  // Each body takes half of the force: the light body slides at 2 mu m g in total, the heavy one stays.
   CHECK(near(sim.state().position[2].x() - light, 0.02, 1e-3));
   CHECK(std::abs(sim.state().position[1].x() - heavy) < 1e-5);
   CHECK(near(force / time, 2 * 0.5 * 1000 * g, 2e-3));
 }
 
-/// Largest way below the place of rest, as a share of the static deflection, after a fixed block is freed.
+/// Largest displacement below the equilibrium after a fixed block is released, as a share of the static deflection.
 double overshoot(double fade, double* energy_off = nullptr) {
   const double kn = 1e7, deflection = 1000 * g / kn;
   Scene scene = block_on_base(kn, 0.6, 1e-6);
@@ -305,7 +306,7 @@ double overshoot(double fade, double* energy_off = nullptr) {
           }));
   sim.refresh();
   if (energy_off != nullptr) *energy_off = std::abs(ledger(sim).balance() - before) / (0.5 * 1000 * g * deflection);
-  const double swing = rubbed / std::sqrt(kn / 1000);  // amplitude of what goes on
+  const double swing = rubbed / std::sqrt(kn / 1000);  // amplitude of the remaining vibration
   return std::max(-lowest / deflection - 1, swing / deflection);
 }
 
@@ -350,7 +351,8 @@ TEST_CASE("a released push leaves its force as a load that fades, and the block 
   options.duration = 1.5;
   sim.run(options, each_step([&](const Instant<2>& now) { fastest = std::max(fastest, now.speed); }));
   CHECK(std::abs(sim.state().position[1].x()) < 0.01 * way);
-  CHECK(fastest < 4 * way / 1);  // the quintic's fastest is 1.9 times its mean; a sudden release swings at 0.01 m/s
+  CHECK(fastest < 4 * way / 1);  // the quintic's peak speed is 1.9 times its mean; a sudden release would swing at 0.01
+                                 // m/s
 }
 
 TEST_CASE("a checkpoint goes on to the same bits while a load curve, a ramp and a push run") {

@@ -1,4 +1,4 @@
-// Scenes of masonry made by the builders, for tests against limit loads.
+// Masonry scenes made by the builders, for tests against limit loads.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace trilith::testing {
 
-/// Adds parts; those of the group `fixed` are held.
+/// Adds parts; the parts of the group `fixed` are fixed.
 inline void add_parts(Scene& scene, const std::vector<Part>& parts, const std::string& fixed) {
   for (const Part& part : parts) {
     BodySpec spec;
@@ -21,32 +21,32 @@ inline void add_parts(Scene& scene, const std::vector<Part>& parts, const std::s
   }
 }
 
-/// Largest way any body has gone from its start [m].
+/// Largest displacement of a body from its start [m].
 inline double farthest(const Model<2>& model, const State<2>& state) {
   double most = 0;
   for (int n = 0; n < model.nodes(); ++n) most = std::max(most, (state.position[n] - model.start_position[n]).norm());
   return most;
 }
 
-/// Near its limit a hinge is millimetres long: joints so stiff that it still turns by less than 1e-3. They are damped
-/// by a `share` of what is critical for a stone of `length` [m] that moves between its two joints. A fifth lets knocks
-/// die out within a few periods and costs the step a quarter; with less than a thousandth an arch rattles and walks for
-/// ever.
+/// Contact law of joints so stiff that a hinge near the limit, millimetres long, still turns by less than 1e-3 rad. The
+/// joints are damped by a `share` of the critical damping of a stone of `length` [m] that moves between its two joints.
+/// A share of 0.2 damps impacts within a few periods and shortens the step by a quarter; with less than 0.001 an arch
+/// chatters and drifts without end.
 inline Frictional stiff_joint(double mu, double length, double stiffness = 4e12, double share = 0.2) {
-  constexpr double density = 2000;                                         // of the stone of a Scene
+  constexpr double density = 2000;                                         // density of the stone of a Scene
   const double frequency = std::sqrt(2 * stiffness / (density * length));  // [rad/s]
   return {stiffness, 0.5 * stiffness, mu, 2 * share / frequency};
 }
 
-/// How a structure is let go.
+/// Options of a release (see let_go).
 struct LettingGo {
-  int times = 1;        ///< so many times, see let_go
-  double ratio = 1e-5;  ///< laid down until this unbalanced ratio, above what rounding leaves: 2e-6 with joints of
-                        ///< 4e12 Pa/m, 2e-5 with 4e13
+  int times = 1;        ///< largest number of releases, see let_go
+  double ratio = 1e-5;  ///< settled until this unbalanced ratio, which exceeds the rounding: 2e-6 with joints of 4e12
+                        ///< Pa/m, 2e-5 with 4e13 Pa/m
 };
 
-/// Lays a structure down on its joints under the damping of consolidation (dropped at once, the weight would tip what
-/// stands by a few percent): until it rests, for 1.5 s at most.
+/// Settles a structure on its joints under the damping of consolidation, until it rests, for 1.5 s at most. (Weight
+/// applied at once would tip standing parts by a few percent.)
 inline StageEnd lay_down(Simulation<2>& sim, double ratio, const RunListener<2>& listener) {
   StageOptions options;
   options.name = "lay down";
@@ -56,14 +56,16 @@ inline StageEnd lay_down(Simulation<2>& sim, double ratio, const RunListener<2>&
   return sim.run(options, listener).end;
 }
 
-/// What becomes of a structure that is let go.
+/// Outcome of the release of a structure.
 enum class Fate { rests, comes_down, neither };
 
-/// Lays a structure down, then lets it go. It rests where, within 0.5 s, all is slower than 1e-5 m/s and out of balance
-/// by less than 1e-4 for a tenth of a second; it comes down where anything has gone 10 mm, then or before. Where joints
-/// are at the limit of their friction, equilibrium can be unstable: the least motion grows (flutter) until, some tenths
-/// of a millimetre on, other joints stick. For such, what does neither is laid down as it then stands and let go again,
-/// up to so many `times`; elsewhere that would hide joints that are damped too little.
+/// Settles a structure, then releases it.
+///
+/// The structure rests if, within 0.5 s, all velocities are below 1e-5 m/s and the unbalanced ratio is below 1e-4 for
+/// 0.1 s. It collapses if a displacement reaches 10 mm before. If joints are at their friction limit, the equilibrium
+/// can be unstable: the least motion grows (flutter) until, after some tenths of a millimetre, other joints stick. In
+/// this case a structure that neither rests nor collapses is settled in its current position and released again, up to
+/// `times` releases. In all other cases this would hide joints with too little damping.
 inline Fate let_go(Simulation<2>& sim, const LettingGo& how = {}) {
   RunListener<2> listener;
   listener.on_history = [&](const Instant<2>& now) {
@@ -82,8 +84,8 @@ inline Fate let_go(Simulation<2>& sim, const LettingGo& how = {}) {
   return Fate::neither;
 }
 
-/// Turns gravity from tilt `from` on at `rate` [rad/s], up to tilt `to`: the tilt at which some unit runs away, at
-/// more than 20 mm/s [rad], or `to`.
+/// Tilts gravity from `from` to `to` [rad] at `rate` [rad/s]. Returns the tilt at which the velocity of a unit exceeds
+/// 20 mm/s [rad], or `to`.
 inline double tilt_on(Simulation<2>& sim, double from, double to, double rate) {
   const double start = sim.state().time;
   Gravity<2>& gravity = sim.edit_model().gravity;

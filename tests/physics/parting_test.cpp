@@ -1,4 +1,4 @@
-// Weight that grows, and contacts that part for a moment only.
+// Growing weight, and contacts that separate only for a moment.
 #include <doctest/doctest.h>
 
 #include "near.hpp"
@@ -9,7 +9,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A block of 1000 kg let go `height` [m] above a fixed base.
+/// A block of 1000 kg released `height` [m] above a fixed base.
 Scene falling_block(double height) {
   Scene scene(Frictional{1e8, 5e7, 0.5, 0});
   scene.fixed("base", {{-1, -1}, {1, -1}, {1, 0}, {-1, 0}});
@@ -39,7 +39,7 @@ Count contacts_of(Scene& scene, double duration) {
 }  // namespace
 
 TEST_CASE("bounces shorter than the model's apart_time are one contact, longer ones are lost and made again") {
-  // Dropped by 0.1 mm a block of undamped contact is off the base for 2 sqrt(2 h / g) = 9 ms after each bounce.
+  // Dropped by 0.1 mm, a block with undamped contact is off the base for 2 sqrt(2 h / g) = 9 ms after each bounce.
   for (const double apart : {0.0, 0.005, 0.02}) {
     CAPTURE(apart);
     Scene scene = falling_block(1e-4);

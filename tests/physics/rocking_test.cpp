@@ -9,14 +9,14 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A rigid block of half width b and half height h [m], as Housner sees it.
+/// A rigid block of half width b and half height h [m] by Housner's theory.
 struct Housner {
   double b, h;
   [[nodiscard]] double radius() const { return std::hypot(b, h); }
   [[nodiscard]] double angle() const { return std::atan2(b, h); }
   [[nodiscard]] double p() const { return std::sqrt(3 * standard_gravity / (4 * radius())); }
   [[nodiscard]] double restitution() const { return 1 - 1.5 * std::pow(std::sin(angle()), 2); }
-  /// Time from rest at tilt q angle() to the tilt 0, of the exact pendulum equation.
+  /// Time from rest at tilt q angle() to tilt 0 by the exact pendulum equation [s].
   [[nodiscard]] double quarter_period(double q) const {
     const double dt = 1e-6;
     double tilt = q * angle(), rate = 0, t = 0;
@@ -36,7 +36,7 @@ struct Rocking {
   Simulation<2> sim;
   int block;
 
-  /// `foot`: width of the two feet it stands on, as a share of its own; 0: it stands on all of its base.
+  /// `foot`: width of each of its two feet, as a share of its width; 0: full base.
   Rocking(const Housner& shape, double tilt, const Frictional& law, double turn = 0, double foot = 0)
       : scene(law, turn), sim(make(scene, shape, tilt, foot)), block(node_of(sim.model(), "block")) {}
 
@@ -58,13 +58,13 @@ struct Rocking {
   [[nodiscard]] double tilt() const { return -sim.state().rotation[block]; }
 };
 
-/// Stiff enough that the peak overlap stays below 1e-4 of the block; `zeta` of one corner.
+/// Contact law so stiff that the peak penetration stays below 1e-4 of the block; `zeta`: damping ratio of one corner.
 Frictional stiff(double zeta = 0.1) {
   const double kn = 1e12;
   return {kn, 0.5 * kn, 2.0, 2 * zeta / 3e4};
 }
 
-/// When the tilt first falls to zero [s].
+/// Time of the first zero of the tilt [s].
 double first_impact(const Housner& shape, double q, double turn) {
   Rocking r(shape, q * shape.angle(), stiff(), turn);
   double before = q * shape.angle(), at = 0;
@@ -125,7 +125,7 @@ TEST_CASE("K2: a block lifts where the base acceleration passes g b/h" * doctest
 
 namespace {
 
-/// Angle of a slowly turning gravity at which a scene's body "watched" has turned or slid [deg].
+/// Angle of a slowly tilting gravity at which the body "watched" has rotated or slid [deg].
 struct Tilted {
   double topples, slides;
 };
@@ -153,7 +153,7 @@ Tilted tilt_slowly(Scene& scene, double from, double to, const std::string& watc
   return out;
 }
 
-/// Gravity leaning by `angle` [deg]; it turns on counter-clockwise, towards +x.
+/// Gravity tilted by `angle` [deg], counter-clockwise from straight down, towards +x.
 void lean_gravity(Scene& scene, double angle) {
   scene.set_gravity({standard_gravity * std::sin(angle * degree), -standard_gravity * std::cos(angle * degree)});
 }
@@ -218,10 +218,11 @@ TEST_CASE("K4, K5: from a tilt to the first impact a block takes the time of the
 namespace {
 
 struct Impact {
-  double e, next_peak;  // square root of the energy kept, tilt over the block's angle
+  double e, next_peak;  // square root of the remaining energy share, tilt over the block's angle
 };
 
-/// First impact of a block released at tilt q: the peak that follows on the other side, and the restitution it tells.
+/// First impact of a block released at tilt q: the following peak on the other side, and the coefficient of restitution
+/// from it.
 Impact first_bounce(const Housner& shape, double q, double beta, double foot) {
   const double kn = 1e12, al = shape.angle();
   Rocking r(shape, q * al, Frictional{kn, 0.5 * kn, 2.0, beta}, 0, foot);
@@ -232,7 +233,7 @@ Impact first_bounce(const Housner& shape, double q, double beta, double foot) {
   return {std::sqrt(kept), peak / al};
 }
 
-/// Base acceleration of a sine of frequency 1 Hz: `halves` half waves, then 0. Does the block overturn?
+/// Base acceleration of `halves` half waves of a 1 Hz sine, then 0. True if the block overturns.
 bool overturns(const Housner& shape, double peak, int halves, double beta, double foot) {
   const double kn = 1e12;
   Rocking r(shape, 0, Frictional{kn, 0.5 * kn, 2.0, beta}, 0, foot);
@@ -267,7 +268,8 @@ TEST_CASE("K6: on two narrow feet a block that lands without bouncing keeps Hous
 }
 
 TEST_CASE("K6: on its whole base a block makes its own restitution, between Housner's and 1, lower with more damping") {
-  // The stress of the landing is spread over the base, so its resultant is not at the far corner as Housner has it.
+  // The stress of the landing is distributed over the base, so its resultant is not at the far corner as in Housner's
+  // theory.
   const Housner shape{0.2, 0.6};
   double before = 1;
   for (const double beta : {0.0, 3e-6, 1e-5, 3e-5}) {

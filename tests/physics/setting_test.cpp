@@ -1,4 +1,4 @@
-// Mortar that sets in joints as they stand: no stress changes by it, and from there on the bond holds what it can.
+// Mortar that sets in loaded joints: setting changes no stress, and the bond acts from this moment on.
 #include <array>
 
 #include "assembly/evaluate.hpp"
@@ -16,8 +16,8 @@ constexpr double kn = 1e8, ft = 20e3, cohesion = 30e3, pressing = 10e3;
 const ContactLaw brittle = Bonded{kn, 0.5 * kn, 0.7, 1e-4, cohesion, ft, 0};
 const ContactLaw softening = Cohesive{kn, 0.5 * kn, 0.7, 1e-4, cohesion, ft, 50, 100};
 
-/// A block 1 m wide and 4 m high on a fixed base, pressed by 10 kN and pushed by `push` [N] at mid-height, so that the
-/// force acts 2 push / 10 kN off the middle of the joint. It has come to rest on a joint whose mortar is fresh.
+/// A block 1 m wide and 4 m high on a fixed base with a joint of fresh mortar, under 10 kN and a push of `push` [N] at
+/// mid-height. The resultant acts 2 push / 10 kN [m] off the middle of the joint. The block is at rest.
 struct PressedBlock {
   Scene scene;
   Simulation<2> sim;
@@ -40,7 +40,7 @@ struct PressedBlock {
   [[nodiscard]] std::uint32_t bonds() const {
     return sim.state().contacts.memory.empty() ? 0 : sim.state().contacts.memory[0].bonds;
   }
-  /// Force and moment on the block [N], [N m], and the ledger's residual [J].
+  /// Force [N] and moment [N m] on the block, and the ledger's residual [J].
   std::array<double, 4> answer() {
     sim.drop_work();
     sim.refresh();
@@ -53,7 +53,7 @@ struct PressedBlock {
 
 TEST_CASE(
     "mortar sets without a jolt: forces, moments and the ledger stay as they are, however far the joint is open") {
-  // Beyond a sixth of the width off the middle the joint is open in part; at 1750 N less than half of it is closed.
+  // Beyond a sixth of the width off the middle the joint is partly open; at 1750 N less than half of it is closed.
   for (const ContactLaw& law : {brittle, softening})
     for (const double push : {0.0, 500.0, 1250.0, 1750.0, -1250.0}) {
       CAPTURE(push);
@@ -72,8 +72,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a joint that set half open holds moments of the other sign and stands where a dry one falls") {
-  // Set at .35 m off the middle, then pushed to .6: a dry block topples beyond .5, the bond takes ft / kn at the far
-  // end.
+  // The mortar sets at 0.35 m off the middle, then the push moves the resultant to 0.6 m: a dry block topples beyond
+  // 0.5 m, a bond opens by ft / kn at the far edge.
   for (const bool sets : {true, false}) {
     PressedBlock block(Bonded{kn, 0.5 * kn, 0.7, 1e-4, cohesion, 2 * ft, 0}, 1750, 0);
     if (sets) block.sim.set_bonds();

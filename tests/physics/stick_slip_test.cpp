@@ -1,4 +1,4 @@
-// VALIDATION I7, I8: friction by implicit steps, where sticking and sliding take turns.
+// VALIDATION I7, I8: friction by implicit steps with alternating stick and slip.
 #include <algorithm>
 
 #include "assembly/contact/contact_resultants.hpp"
@@ -10,16 +10,16 @@ namespace {
 
 constexpr double loop_reach = 5e-3, loop_normal = 10e3, loop_friction = 5e3, loop_stiffness = 1e7;  // [m], [N], [N/m]
 
-/// What friction gives off in a way to one side [J]: by the forces at the ends of steps, as force times what of the
-/// way is not elastic, and by the ledger.
+/// Friction dissipation of a displacement to one side [J]: by the forces at the ends of steps times the plastic
+/// displacement, and by the ledger.
 struct GivenOff {
   double by_force = 0, booked = 0;
 };
 
-/// A slider of 10 kN on a base of mu .5, with an elastic shear stiffness of 1e7 N/m, moved by X = 5 mm to either side
-/// at a steady speed: first by X, then by 2 X to and fro, four times.
+/// A slider of 10 kN on a base with mu = 0.5 and an elastic shear stiffness of 1e7 N/m. It moves by X = 5 mm to either
+/// side at constant speed: first by X, then by 2 X back and forth, four times.
 struct MovedSlider {
-  double worst = 0;  ///< friction at the ends of steps beside that of the law, as a share of its limit
+  double worst = 0;  ///< difference of the friction at the ends of steps to the law, as a share of its limit
   std::vector<GivenOff> ways;
 
   explicit MovedSlider(int steps) {
@@ -40,7 +40,7 @@ struct MovedSlider {
   }
 
  private:
-  /// By `way` times X, in a second for each X.
+  /// Displacement by `way` times X, one second per X.
   GivenOff go(Simulation<2>& sim, int way, int steps) {
     const double length = std::abs(way), speed = way / length * loop_reach;
     set_drive(sim.edit_model(), sim.model().find_body("slider"), 0,
@@ -80,13 +80,13 @@ TEST_CASE("I7: a slider moved to and fro has the friction of its law at any step
     CHECK(s.worst < 1e-3);
     CHECK(near(s.ways[0].by_force, 22.5, 1e-3));
     CHECK(near(by_force, 90, 1e-3));
-    // Where slip begins within a step the ledger books less, by up to 5.6 % of the first quarter.
+    // If slip begins within a step, the ledger records less, by up to 5.6 % of the first quarter.
     if (steps % 5 == 0) CHECK(near(booked, 90, 1e-3));
     if (steps % 10 == 0) CHECK(near(s.ways[0].booked, 22.5, 1e-3));
   }
 }
 
-/// A block of 1 kg on a base of mu .3, pulled through a spring of 100 N/m by an end that goes at .1 m/s.
+/// A block of 1 kg on a base with mu = 0.3, pulled through a spring of 100 N/m whose end moves at 0.1 m/s.
 struct PulledBlock {
   static constexpr double speed = 0.1, spring = 100, force = 0.3 * standard_gravity;
   Scene scene{Frictional{1e8, 1e7, 0.3, 0}};
@@ -128,7 +128,7 @@ TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and go
   listener.on_energy = [&](const Instant<2>& now, const Energy& e) {
     const double x = now.state.position[n].x() - from, t = now.state.time, v = now.state.velocity[n].x();
     all.push_back({t, x, v, e[EnergyTerm::contact_friction]});
-    // The friction is what the spring pulls less what the block's mass takes.
+    // The friction is the spring force minus the inertia force of the block.
     const double friction = PulledBlock::spring * (PulledBlock::speed * t - x) - now.state.acceleration[n].x();
     if (t > slips + 0.1 * period && t < slips + 0.9 * period)
       off = std::max(off, std::abs(friction - PulledBlock::force)), peak = std::max(peak, v);
@@ -150,7 +150,7 @@ TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and go
                   "(.105440), {:.6f} J (.184851), friction off by {:.1e} N, at most {:.5f} N",
                   begins, peak, low, low_at - slips, way, work, off, most));
   CHECK(begins >= slips);
-  CHECK(begins - 2e-3 < slips);  // in that very step
+  CHECK(begins - 2e-3 < slips);  // in this step
   CHECK(near(most, PulledBlock::force, 0.005));
   CHECK(near(peak, 0.2, 0.005));
   CHECK(std::abs(low) < 0.005 * 0.2);

@@ -1,4 +1,4 @@
-// Damping that is the same over a band: its ratio from free vibration, what it costs, its place in the ledger.
+// Damping that is constant over a frequency band: its ratio from free vibration, its cost, its ledger term.
 #include "element/band_damping.hpp"
 
 #include "assembly/start.hpp"
@@ -14,8 +14,8 @@
 namespace trilith::testing {
 namespace {
 
-/// A cantilever with a mass at its tip, some hundred times its own, that makes its frequency about `hertz`, kicked
-/// across at .1 m/s.
+/// A cantilever with a tip mass of about a hundred times its own mass, which sets its frequency to about `hertz`;
+/// initial velocity 0.1 m/s across at the tip.
 Model<2> mast(double hertz, const std::optional<BandDamping>& band) {
   BodySpec spec = beam_body("mast", {0, 0}, {0, 3}, rectangle_section(0.1, 0.1), "steel", 2);
   const double bending = 2.1e11 * 1e-4 / 12, w = 2 * M_PI * hertz;
@@ -30,12 +30,12 @@ Model<2> mast(double hertz, const std::optional<BandDamping>& band) {
 }
 
 struct Swing {
-  double ratio = 0;     ///< by the logarithm of amplitudes, cycles apart
-  double given = 0;     ///< by the ledger, over what it began with
-  double residual = 0;  ///< largest, over the same
+  double ratio = 0;     ///< by the logarithmic decrement over several cycles
+  double given = 0;     ///< dissipation by the ledger, over the initial energy
+  double residual = 0;  ///< largest, over the initial energy
 };
 
-/// Ratio from the peaks of the tip's sway, the first ones left out.
+/// Damping ratio from the peaks of the tip's sway without the first ones.
 Swing swing(Model<2> model, double hertz, std::optional<AlphaScheme> scheme) {
   Simulation<2> sim(std::move(model));
   StageOptions o;
@@ -83,7 +83,7 @@ TEST_CASE("damping over a band: implicit steps swing down as explicit ones do, a
     const Swing by_implicit = swing(mast(hertz, band), hertz, AlphaScheme::hht(0));
     CHECK(near(by_implicit.ratio, by_explicit.ratio, 0.01));
     CHECK(near(by_implicit.given, by_explicit.given, 0.02));
-    // exp(-2 zeta w t) of the energy is left after 12 cycles.
+    // A share of exp(-2 zeta w t) of the energy remains after 12 cycles.
     CHECK(near(by_explicit.given, 1 - std::exp(-4 * M_PI * 12 * by_explicit.ratio), 0.05));
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("damping over a band costs the square root of its stiffening of the lo
     CHECK(near(step(damped).first, without / std::sqrt(stiffening), 1e-12));
     CHECK(step(damped).second == without);
     MESSAGE("ratio " << ratio << ": stable step " << step(damped).first << " s, without " << without << " s");
-    // Damping in proportion to stiffness that gives as much at the middle of the band leaves far less.
+    // Stiffness-proportional damping of the same ratio at the middle of the band allows a far shorter step.
     const double beta = 2 * ratio / (2 * M_PI * std::sqrt(20.0)), highest = 2 / without;
     CHECK(step_for(highest * highest, beta * highest * highest) < 0.3 * step(damped).first);
   }

@@ -21,8 +21,8 @@ void check_lowest(const std::string& what, const std::vector<Mode>& found, const
   MESSAGE(line << " Hz");
 }
 
-/// Masses of 10 kg in a grid of up to three ways, with springs between neighbours and to walls all round. Each moves
-/// along x alone, so where it is drawn does not count, and layers stand beside each other.
+/// Masses of 10 kg in a grid of up to three directions, with springs between neighbours and to walls on all sides. Each
+/// mass moves along x alone, so its drawn position has no influence, and layers are drawn next to each other.
 Model<2> sprung_grid(const std::array<int, 3>& count, const std::array<double, 3>& stiffness) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});
@@ -71,7 +71,7 @@ TEST_CASE("M7: a grid of masses on springs has the frequencies of its sines") {
   check_lowest("M7", found, expected, 1e-4);
   check_lowest("M7", found, {118.949, 133.159, 145.991, 155.824}, 1e-4);
   CHECK(near(found.back().frequency(), 215.972, 1e-4));
-  // In one layer, by itself, of many masses.
+  // A single layer of many masses.
   const Model<2> flat = sprung_grid({7, 5, 1}, {1e6, 2e6, 0});
   check_lowest("M7, 7 by 5", modes(flat, initial_state(flat), 35), grid_frequencies({7, 5, 1}, {1e6, 2e6, 0}), 1e-4);
 }
@@ -100,14 +100,14 @@ TEST_CASE("M8: a slab on four unlike columns, seen in plan, sways and twists") {
   check_lowest("M8", found, {2.25079, 2.57587, 4.62851}, 1e-4);
 }
 
-/// At rest under the weight, then the lowest `count`.
+/// The lowest `count` modes at rest under the weight.
 std::vector<Mode> hanging_modes(const Model<2>& model, int count) {
   State<2> state = initial_state(model);
   REQUIRE(find_equilibrium(model, state).converged);
   return modes(model, state, count);
 }
 
-/// Point masses of 5 kg on bars of next to no weight, `links` of them, hung up at the top.
+/// Point masses of 5 kg on `links` bars of negligible mass, hung at the top.
 Model<2> chain_of_masses(int links, double link) {
   BodySpec spec;
   spec.name = "chain", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
@@ -129,7 +129,7 @@ Model<2> chain_of_masses(int links, double link) {
   return model;
 }
 
-/// Slender rods that hang on each other by hinges, each a rigid body.
+/// Slender rods, each a rigid body, connected by hinges.
 Model<2> chain_of_rods(int rods, double length) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.builder.set_contact("*", "*", "none");

@@ -1,4 +1,4 @@
-// Consistent mass of beams: known frequencies of few elements, forces of inertia, what is kept, supports that move.
+// Consistent mass of beams: frequencies of a few elements, inertia forces, conserved quantities, moving supports.
 #include "assembly/element/consistent_mass.hpp"
 #include "element/beam/beam_inertia.hpp"
 #include "integrate/implicit/implicit_step.hpp"
@@ -12,7 +12,7 @@
 namespace trilith::testing {
 namespace {
 
-/// So thin that the turning inertia of its sections is not seen: 10 m of a bar of 10 mm.
+/// A bar 10 m long and 10 mm thick, so thin that the rotary inertia of its sections is negligible.
 BodySpec thin_bar(int divisions, bool consistent) {
   BodySpec spec = beam_body("bar", {0, 0}, {10, 0}, rectangle_section(1, 0.01), "steel", divisions);
   spec.frame->consistent = consistent;
@@ -22,7 +22,7 @@ Material thin_steel() {
   return elastic_material("steel", 7850, 2e11);
 }
 
-/// (beta L)^2 of the first modes of a cantilever: frequencies over sqrt(EI / mu L^4).
+/// (beta L)^2 of the first modes of a cantilever, which are its frequencies over sqrt(EI / mu L^4).
 std::vector<double> numbers_of_cantilever(int divisions, bool consistent, int count) {
   BodySpec spec = thin_bar(divisions, consistent);
   spec.frame->joints[0].support = held;
@@ -49,7 +49,7 @@ TEST_CASE("a cantilever of 1, 2 and 4 beams with consistent mass has the frequen
     for (const int k : {0, 1}) CHECK(high[i][k] > exact[k]);
     CHECK(low[i][0] < exact[0]);
   }
-  // Order 4, and 2.
+  // Convergence order 4 (consistent) and 2 (lumped).
   CHECK(near((high[1][0] - exact[0]) / (high[2][0] - exact[0]), 16, 0.08));
   CHECK(near((exact[0] - low[1][0]) / (exact[0] - low[2][0]), 4, 0.15));
 }
@@ -98,7 +98,7 @@ TEST_CASE("a bar of one beam with consistent mass has the kinetic energy of a ba
   }
 }
 
-/// Of the masses that implicit steps take, M v summed over the nodes [kg m/s].
+/// M v summed over the nodes, with the mass matrix of implicit steps [kg m/s].
 Vec2 momentum_of(const Model<2>& model, const State<2>& state) {
   Vec2 sum = Vec2::Zero();
   for (int n = 0; n < model.nodes(); ++n) sum += model.mass[n] * state.velocity[n];
@@ -111,7 +111,7 @@ Vec2 momentum_of(const Model<2>& model, const State<2>& state) {
   return sum;
 }
 
-/// 4 m of steel that fly and turn, along y 0.4 times as fast as along x.
+/// A steel bar of 4 m that flies and rotates, along y 0.4 times as fast as along x.
 Model<2> flying_bar(int divisions, double speed, double spin, double mass_damping = 0) {
   BodySpec spec = beam_body("bar", {0, 0}, {4, 0}, rectangle_section(0.2, 0.4), "steel", divisions);
   spec.frame->consistent = true, spec.velocity = {speed, 0.4 * speed}, spec.spin = spin;
@@ -145,8 +145,9 @@ TEST_CASE("a free bar with consistent mass turns on and keeps energy, and its mo
   }
 }
 
-// The turn of a beam's own bow is no part of its velocities (docs/theory/frames.md), so that flying bends what turns,
-// and the mean of its ends is not where its mass is: by the square of the beams' length, whatever the step.
+// The rotation of a beam's own deflected shape is no part of its velocities (docs/theory/frames.md). So flight bends a
+// rotating beam, and the mean of its ends is not its centre of mass. Both errors are of second order in the length of
+// the beams, whatever the step.
 TEST_CASE("the middle of a bar that flies and turns is astray by the square of its beams' length, at rest not at all") {
   std::array<double, 3> astray{};
   for (const int i : {0, 1, 2})
@@ -171,7 +172,7 @@ TEST_CASE("damping by mass brakes a bar with consistent mass in flight and turn 
     const double kinetic = implicit_kinetic(sim.model(), sim.state());
     sim.run(implicit_stage(AlphaScheme::hht(0), 0.5, 5e-4));
     const Energy e = sim.energy();
-    // Velocities fall as exp(-c t), energies twice as fast: half a second of 2 1/s.
+    // Velocities fall as exp(-c t), energies twice as fast: 0.5 s at 2 1/s.
     CHECK(near(momentum_of(sim.model(), sim.state()).norm(), begun.norm() * std::exp(-1), 1e-4));
     CHECK(near(e[EnergyTerm::kinetic], kinetic * std::exp(-2), 1e-3));
     CHECK(near(e[EnergyTerm::mass_damping], kinetic * (1 - std::exp(-2)), 1e-3));
@@ -193,7 +194,8 @@ TEST_CASE("effective masses of all modes are the mass that is free to move, lump
     const double whole = 7850 * 0.01 * 10;
     MESSAGE(fmt::format("free {:.6g} and {:.6g} of {:.6g} kg", free[0], free[1], whole));
     for (const int k : {0, 1}) CHECK(near(sum[k], free[k], 1e-9));
-    // A beam of a fourth of the bar is held at its foot: there lies half of it, or 2/3 along and 229/420 across.
+    // One beam, a quarter of the bar, is fixed at its foot: the foot carries 1/2 of the beam's mass (lumped), or 2/3
+    // along and 229/420 across (consistent).
     CHECK(near(free[0], whole * (1 - (consistent ? 2.0 / 3 : 0.5) / 4), 1e-9));
     CHECK(near(free[1], whole * (1 - (consistent ? 264.0 / 420 : 0.5) / 4), 1e-5));
   }
@@ -231,10 +233,10 @@ TEST_CASE("a state in the midst of implicit steps with consistent mass goes on w
 TEST_CASE("a cantilever with consistent mass swings in implicit steps as its modes say, on a base that moves too") {
   BodySpec spec = beam_body("post", {0, 0}, {0, 3}, rectangle_section(0.2, 0.2), "steel", 3);
   spec.frame->consistent = true, spec.frame->joints[0].support = held;
-  spec.frame->joints[1].mass = 5e4;  // so heavy that one mode is all there is
+  spec.frame->joints[1].mass = 5e4;  // so heavy that the post has a single mode
   Model<2> model = of_frames(thin_steel(), {spec});
   const double frequency = modes(model, initial_state(model), 1)[0].frequency();
-  // Pulled all at once, the head is farthest after half a period.
+  // Under a sudden load, the largest displacement of the head is after half a period.
   add_load(model, "post", {0, 3}, {2e3, 0});
   Simulation<2> sim(model);
   double most = 0, at = 0;
@@ -258,8 +260,8 @@ TEST_CASE("a support that moves does its work on consistent mass, whatever the f
     for (int i = 0; i <= 200; ++i) samples.push_back(3 * std::sin(2 * M_PI * i / 200.0));
     set_drive(model, 0, 0, std::make_shared<GroundMotion>(samples, 0.005, MotionStart{-3 / (2 * M_PI), 0}), 0, 0);
     Simulation<2> sim(model);
-    // The ground moves as the scheme begins: its node then has the consistent mass of a beam of 1 m, of which 13/35 and
-    // 6/5 I/A lie there, for the lumped half.
+    // The ground moves as the scheme begins. Its node then has the consistent mass of a beam of 1 m instead of the
+    // lumped half: 13/35 of the mass and 6/5 I/A.
     const double speed = 3 / (2 * M_PI), mass = 7850 * 0.04;
     const double begun = 0.5 * speed * speed * mass * (0.5 - 13.0 / 35 - 1.2 * 0.04 / 12);
     sim.run(implicit_stage(AlphaScheme::hht(0), 1, 5e-4));

@@ -1,4 +1,4 @@
-// Frames that touch: a beam on a bed, on piers, against another one; followed supports, and what is kept.
+// Frames in contact: a beam on a bed, on piers, against another beam; moving supports; conserved quantities.
 #include "model/check/energy_check.hpp"
 #include "model/contact/skin_places.hpp"
 #include "model/pose.hpp"
@@ -8,7 +8,7 @@
 namespace trilith::testing {
 namespace {
 
-/// A scene without weight.
+/// A scene without gravity.
 Scene weightless(const ContactLaw& law) {
   Scene scene(law);
   scene.set_gravity({0, 0});
@@ -36,7 +36,7 @@ TEST_CASE("F13: a loaded beam lifts off its bed where a beam on a bed without te
     double deepest = 0, touching = 0, largest = 0;
     for (int n = beam.first_node; n < beam.first_node + beam.nodes; ++n)
       deepest = std::max(deepest, model.start_position[n].y() - sim.state().position[n].y());
-    std::vector<Vec2> underside;  // of the right half, from the middle on
+    std::vector<Vec2> underside;  // of the right half, starting at the middle
     for (int s = beam.first_skin; s < beam.first_skin + beam.skins; ++s)
       if (const Vec2 start = skin_start(model, s); start.y() < 0.01 && start.x() >= 0)
         underside.push_back(skin_now(model, sim.state(), s));
@@ -78,7 +78,7 @@ TEST_CASE(
   CHECK(near(mean("long"), 0.5, 0.03));
 }
 
-/// A beam lies on the inner edges of two blocks: `sag` of its middle against its ends [m].
+/// A beam lies on the inner edges of two blocks: deflection of its middle relative to its ends [m].
 double sag_on_piers(int divisions) {
   Scene scene(Frictional{1e12, 4e11, 0, 0});
   scene.builder.add_material(elastic_material("concrete", 2400, 30e9));
@@ -96,8 +96,8 @@ double sag_on_piers(int divisions) {
 }
 
 TEST_CASE("a beam on two piers sags as one on two supports at their edges, its ends overhanging") {
-  // Weight w per length, clear span L, overhangs a: 5 w L^4 / (384 EI) less what the overhangs' moments lift,
-  // w a^2 / 2 L^2 / (8 EI).
+  // Weight w per length, clear span L, overhangs a: 5 w L^4 / (384 EI) minus the uplift by the moments of the
+  // overhangs, w a^2 / 2 L^2 / (8 EI).
   const double w = 2400 * 0.15 * standard_gravity, bending = 30e9 * 0.3 * 0.125 / 12, span = 8, over = 0.25;
   const double exact = 5 * w * std::pow(span, 4) / (384 * bending) - w * over * over / 2 * span * span / (8 * bending);
   CHECK(near(sag_on_piers(16), exact, 0.02));
@@ -130,8 +130,8 @@ TEST_CASE("a falling girder and what it lands on exchange momentum, and the ledg
 }
 
 TEST_CASE("a column follows the ground that its foot is driven with, and swings as one mass on a spring") {
-  // D1's structure as a cantilever: mass 1 t on a column of negligible mass, T = 0.5 s, no damping; half a sine of the
-  // ground's velocity. Exact by Duhamel's integral.
+  // The structure of D1 as a cantilever: mass 1 t on a column of negligible mass, T = 0.5 s, no damping; the ground's
+  // velocity is a half sine. Exact solution by Duhamel's integral.
   const double period = 0.5, omega = 2 * M_PI / period, mass = 1000, length = 3;
   const double bending = mass * omega * omega * length * length * length / 3, area = 0.005;
   Scene scene = weightless(Frictional{1e9, 4e8, 0.4, 0});
@@ -218,7 +218,7 @@ TEST_CASE("what no frame can be is refused, with what to do") {
   CHECK(says(refusal([](BodySpec& b) { b.thickness = 3; }), "body_thickness"));
 }
 
-/// Members of a frame that meet at joint b, (0, 1), by their joints and depths.
+/// Members of a frame that meet at joint b at (0, 1), by their joints and depths.
 struct MemberOf {
   int from, to;
   double depth;
@@ -242,7 +242,7 @@ BodySpec meeting_at_b(const std::vector<MemberOf>& members, const Polygon& block
   return spec;
 }
 
-/// Of the two members that meet there: whether the end of the first and the begin of the second are faces.
+/// Of the two members that meet at b: whether the end of the first and the start of the second are faces.
 std::array<bool, 2> faces_at_b(const BodySpec& spec) {
   const Model<2> model = of_frames(elastic_material("concrete", 2400, 30e9), {spec});
   const auto is_face = [&](int piece, int edge) { return model.edge_is_face[model.piece_first[piece] + edge] != 0; };
@@ -254,9 +254,10 @@ TEST_CASE("an end of a member is a face unless what meets it covers it whole") {
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 2, 0.2}})) == Faces{true, false});
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.2}, {1, 2, 0.6}})) == Faces{false, true});
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.4}, {1, 2, 0.4}})) == Faces{false, false});
-  // A beam across: it covers no more than its side of the column's head, and the column the lower half of its end.
+  // A beam across: the beam covers no more than its side of the column's head, and the column covers the lower half of
+  // the beam's end.
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}})) == Faces{true, true});
-  // A block of a joint does as a member does: as wide as the column, wider than the beam.
+  // A block of a joint covers faces as a member does: as wide as the column, wider than the beam.
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}}, box(-0.3, 0.7, 0.3, 1.3))) == Faces{false, false});
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}}, box(-0.2, 0.7, 0.2, 1.3))) == Faces{true, false});
 }
@@ -281,7 +282,7 @@ TEST_CASE("a block stands on the ledge of a column and on its head beside a beam
       const StageReport report = settle(sim, 20, 1e-6);
       CHECK(report.end == StageEnd::rest);
       CHECK(sim.verdict().sound());
-      // The head turns under the block, which presses beside its middle: the block's own middle goes with it.
+      // The head turns under the block, which presses off the head's middle: the block's middle follows the rotation.
       const double sinks = 100 * standard_gravity / (stiffness * ledge.width),
                    head = sim.state().position[1].y() - column + ledge.x * sim.state().rotation[1];
       const double came = start - body_pose(sim.model(), sim.state(), 1).place.y() - drop;

@@ -1,4 +1,4 @@
-// Limit and critical loads of frames by themselves: snap-through, Lee's frame, columns and portals.
+// Limit loads and critical loads of frames: snap-through, Lee's frame, columns and portals.
 #include "model/pose.hpp"
 #include "near.hpp"
 #include "physics/members/frames.hpp"
@@ -33,8 +33,8 @@ TEST_CASE("F14: a truss of two pinned bars snaps through at its limit load") {
   CHECK(near(at, .211445, 1e-3));
 }
 
-/// The force that holds the apex of half a toggle at a drop, clamped at its foot and guided at its apex: twice that of
-/// the half.
+/// Force that holds the apex of half a toggle at `drop` [m], clamped at its foot and guided at its apex: twice the
+/// force of the half [N].
 double toggle_force(const Model<2>& model, State<2>& state, double rise, double drop) {
   state.position[1].y() = rise - drop;
   state = balance(model, state, no_load(model));
@@ -68,7 +68,8 @@ TEST_CASE("F2, F3: toggles snap through at their limit loads") {
 }
 
 TEST_CASE("F4: Lee's frame reaches its first limit load") {
-  // Under displacement control, so up to where the place of the load turns back; the rest asks for arc length.
+  // Displacement control follows the path up to the point where the displacement turns back; beyond it arc length is
+  // needed.
   BodySpec spec;
   spec.name = "lee", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
   FrameSpec frame;
@@ -96,8 +97,9 @@ TEST_CASE("F4: Lee's frame reaches its first limit load") {
 }
 
 TEST_CASE("F6, F7: columns and portals lose their stiffness at their critical loads") {
-  // The tangent, geometric part included, turns singular: its lowest eigenvalue changes sign between 0.995 and 1.005 of
-  // the load. The columns are compressed first, so the load is taken by the state and not by a formula.
+  // The tangent stiffness, with its geometric part, becomes singular: its lowest eigenvalue changes sign between 0.995
+  // and 1.005 of the critical load. The columns shorten first, so the load is read from the state and not from a
+  // formula.
   const auto lowest = [](const Model<2>& model, const std::vector<NodeDofs>& load) {
     const State<2> state = balance(model, initial_state(model), load);
     const Eigen::MatrixXd k = stiffness_at(model, state).matrix;

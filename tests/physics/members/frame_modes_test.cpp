@@ -6,8 +6,7 @@
 namespace trilith::testing {
 namespace {
 
-/// Leaves a beam's mass without the inertia of its sections' turn, as Euler's beam has it, but for a share too small
-/// to be seen.
+/// Reduces the rotary inertia of the sections to a negligible share: an Euler-Bernoulli beam.
 void without_turning_inertia(Model<2>& model) {
   for (double& inertia : model.inertia) inertia *= 1e-3;
 }
@@ -29,14 +28,14 @@ void check_all(const std::string& what, const std::vector<double>& found, const 
   MESSAGE(line << " Hz");
 }
 
-/// A beam of 2 m of aluminium, free at both ends, of 40 beam elements.
+/// A beam of aluminium of 2 m, free at both ends, of 40 elements.
 Model<2> free_beam(double width, double depth, bool shear) {
   BodySpec spec = beam_body("beam", {0, 0}, {2, 0}, rectangle_section(width, depth), "aluminium", 40);
   spec.frame->members[0].shear = shear;
   return of_frames(elastic_material("aluminium", 2700, 70e9, 0.25), {spec});
 }
 
-/// Those that bend, after the three rigid motions.
+/// The frequencies of bending modes, which follow the three rigid-body modes.
 std::vector<double> beyond_rigid(const Model<2>& model, int count) {
   std::vector<double> all = frequencies_of(model, count + 3);
   all.erase(all.begin(), all.begin() + 3);
@@ -70,8 +69,8 @@ TEST_CASE("M1: a free beam stretches as a free bar does") {
   CHECK(near(axial, 1272.94, 0.005));
 }
 
-/// Height 3 m and width 4 m, 8 beams a member. `stiffer`: so many times the area and the axial stiffness of its
-/// sections, at the same mass.
+/// A portal of height 3 m and width 4 m, 8 elements per member. `stiffer`: factor on the area and axial stiffness of
+/// its sections, at the same mass.
 Model<2> portal_on(const std::array<Support, 3>& foot, double stiffer) {
   BodySpec spec;
   spec.name = "portal", spec.kind = BodyKind::frame, spec.material = "concrete", spec.floating = true;

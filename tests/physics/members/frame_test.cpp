@@ -1,4 +1,4 @@
-// Beams and frames by themselves: their forces, known deflections, vibrations and flight.
+// Beams and frames: internal forces, known deflections, vibrations and flight.
 #include "integrate/explicit/stable_step.hpp"
 #include "model/pose.hpp"
 #include "near.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double frame_young = 1e9;
 
-/// Three members with rigid ends and a pin, bent out of their shape.
+/// Three members with rigid ends and a pin, with a deformed initial shape.
 BodySpec odd_frame() {
   BodySpec spec;
   spec.name = "odd", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
@@ -143,14 +143,14 @@ TEST_CASE("B5: an end moment of 2 pi EI / L bends a cantilever to a circle") {
   CHECK(near(state.rotation[1], 2 * M_PI, 1e-6));
 }
 
-/// Shape of the mode of a cantilever with the root `b` of cos b cosh b = -1, at x from 0 to 1, and its slope.
+/// Mode shape of a cantilever for the root `b` of cos b cosh b = -1, at x from 0 to 1, and its slope.
 std::pair<double, double> cantilever_mode(double b, double x) {
   const double s = (std::cosh(b) + std::cos(b)) / (std::sinh(b) + std::sin(b));
   return {std::cosh(b * x) - std::cos(b * x) - s * (std::sinh(b * x) - std::sin(b * x)),
           b * (std::sinh(b * x) + std::sin(b * x) - s * (std::cosh(b * x) - std::cos(b * x)))};
 }
 
-/// Frequency of a cantilever that starts with the velocities of a mode, from `cycles` of the tip's crossings [Hz].
+/// Frequency of a cantilever that starts with the velocities of a mode, from `cycles` zero crossings of the tip [Hz].
 double counted_frequency(double root, int divisions, int cycles) {
   BodySpec spec = beam_body("beam", {0, 0}, {3, 0}, rectangle_section(0.1, 0.2), "m", divisions);
   spec.frame->joints[0].support = held;
@@ -177,8 +177,8 @@ double counted_frequency(double root, int divisions, int cycles) {
 TEST_CASE("B6: a steel cantilever swings at its frequencies") {
   const double first = counted_frequency(1.87510, 10, 10);
   CHECK(near(first, 18.567, 0.01));
-  // Higher ones are a little lower than the slender beam's: sections have an inertia of their own, which takes half of
-  // (wave number times radius of gyration)^2 off, as Rayleigh found.
+  // Higher frequencies are slightly below the values of the slender beam: the rotary inertia of the sections lowers
+  // them by half of (wave number times radius of gyration)^2 (Rayleigh).
   const double radius = 0.2 / std::sqrt(12);
   for (const auto& [root, divisions, ratio] : {std::tuple(4.69409, 20, 6.2669), std::tuple(7.85476, 30, 17.547)}) {
     const double slender = ratio * 18.567, rayleigh = 1 - 0.5 * std::pow(root / 3 * radius, 2);
@@ -196,7 +196,7 @@ TEST_CASE("F10: a deep cantilever deflects by bending and, where it is asked for
     load[1][1] = -1e3;  // a hundredth, so that the deflection stays small
     const State<2> state = balance(model, initial_state(model), load);
     CHECK(near(-100e3 * state.position[1].y(), shear ? .55886 : .51429, 1e-3));
-    // What the member carries: the shear force all along, and a moment that falls from P L to nothing.
+    // Internal forces of the member: constant shear force, and a moment that falls from P L to zero.
     const std::vector<SectionForces> forces = member_forces(model, state, 0);
     CHECK(near(forces.front().moment, -1e3 * 1.2, 1e-3));
     CHECK(near_zero(forces.back().moment, 1));
@@ -238,7 +238,7 @@ TEST_CASE("a frame in free flight keeps momentum, angular momentum and energy, b
 
 TEST_CASE("the stable step of a frame is stable just below it and not just above") {
   const Model<2> model = of_frames(elastic_material("m", 2400, frame_young, 0.2), {odd_frame()});
-  State<2> start = bent_state(model, 0);  // its velocities alone, and so slow that strains stay small
+  State<2> start = bent_state(model, 0);  // velocities only, and so small that strains stay small
   start.position = model.start_position, start.rotation = model.start_rotation;
   for (int n = 0; n < model.nodes(); ++n) start.velocity[n] *= 1e-3, start.spin[n] *= 1e-3;
   Work<2> work;
@@ -254,7 +254,7 @@ TEST_CASE("the stable step of a frame is stable just below it and not just above
     return w.element_stored;
   };
   CHECK(energy_after(0.99 * longest) < 100 * energy_after(0.1 * longest));
-  CHECK(!(energy_after(1.5 * longest) < 1e6 * energy_after(0.1 * longest)));  // the bound is not far from the truth
+  CHECK(!(energy_after(1.5 * longest) < 1e6 * energy_after(0.1 * longest)));  // the bound is close to the true limit
 }
 
 TEST_CASE("F11: a force that moves over a simple beam deflects it more than one that stands") {
@@ -268,7 +268,7 @@ TEST_CASE("F11: a force that moves over a simple beam deflects it more than one 
     spec.frame->joints[0].support = hinged;
     spec.frame->joints[1].support = {Support::free, Support::fixed, Support::free};
     Model<2> model = of_frames(elastic_material("m", 2500, 5e10), {spec});
-    // Each node carries its share while the force is on the beams beside it.
+    // Each node carries its share while the force is on the beams next to it.
     const double step = length / divisions / row.speed;
     for (int i = 1; i < divisions; ++i)
       add_load(model, "beam", {i * length / divisions, 0}, {0, -force}, 0,

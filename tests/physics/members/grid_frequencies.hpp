@@ -1,4 +1,4 @@
-// Closed form of VALIDATION M7: the frequencies of masses on springs in a grid of up to three ways.
+// Closed form of VALIDATION M7: frequencies of masses on springs in a grid of up to three directions.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace trilith::testing {
 
-/// Of masses of 10 kg in a grid of `count`, each with one way to move, and springs of `stiffness` [N/m] along each line
-/// to its neighbours and to walls all round: w^2 = (4/m) sum k_i sin^2(pi n_i / (2 (N_i + 1))), by rising frequency
-/// [Hz].
+/// Rising frequencies of masses of 10 kg with one degree of freedom each in a grid of `count` [Hz]. Springs of
+/// `stiffness` [N/m] connect each mass to its neighbours and to walls on all sides:
+///     w^2 = (4/m) sum k_i sin^2(pi n_i / (2 (N_i + 1)))
 inline std::vector<double> grid_frequencies(const std::array<int, 3>& count, const std::array<double, 3>& stiffness) {
   std::vector<double> out;
   std::array<int, 3> n{};

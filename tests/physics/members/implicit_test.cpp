@@ -1,4 +1,4 @@
-// Implicit steps: the schemes' own arithmetic, laws with a memory, blows, bodies in contact.
+// Implicit steps: the schemes' own arithmetic, history-dependent laws, impacts, bodies in contact.
 #include "physics/members/implicit.hpp"
 
 #include "near.hpp"
@@ -23,7 +23,7 @@ struct Vibration {
   }
 };
 
-/// `from`: steps until what the start has set off beside the vibration is gone.
+/// `from`: number of first steps left out, in which start effects decay.
 Vibration vibration(const AlphaScheme& scheme, double step, double duration = 20, std::size_t from = 10) {
   return Vibration(history_of({Linear{unit_stiffness, 0}, 1, 1}, implicit_stage(scheme, duration, step)), from);
 }
@@ -109,8 +109,8 @@ TEST_CASE("I6: an elastic-plastic mass after a blow: peak, rest, energy") {
   CHECK(std::abs(energy.balance() - 320) < 0.005 * 320);
 }
 
-/// A block on a base whose stiffness is `k` [N/m], let fall from `height` [m]. It cannot turn: a flat blow of a free
-/// one is not stable, and rounding sets it spinning within some ten bounces.
+/// A block on a base of stiffness `k` [N/m], dropped from `height` [m]. It cannot rotate: the flat impact of a free
+/// block is unstable, and rounding would set it spinning within about ten bounces.
 Simulation<2> falling_block(double k, double mass, double height) {
   Scene scene(Frictional{k, k / 2, 0, 0});
   scene.fixed("base", box(-2, -1, 2, 0));
@@ -210,7 +210,7 @@ TEST_CASE("the state in the midst of an implicit stage goes on with the same bit
 }
 
 TEST_CASE("a step that cannot converge changes no state and says where it fails") {
-  // A law so steep about 0 that the digits of a place are too few for its force.
+  // A law so steep about 0 that the floating-point resolution of a position cannot represent its force.
   Table steep;
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
   Simulation<2> sim(MassOnLaw{steep, 1e-3, 0.1}.model());

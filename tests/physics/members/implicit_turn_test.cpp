@@ -1,5 +1,5 @@
-// How bodies turn in space by implicit steps: what a free body keeps, order, tops and pendulums (VALIDATION T31 to T33,
-// T35), and that a motion in a plane is the plane's.
+// Rotation in space by implicit steps: invariants of a free body, convergence order, tops and pendulums (VALIDATION T31
+// to T33, T35). A motion in a plane equals the plane model's motion.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -28,8 +28,7 @@ Model<3> free_body(const Vec3& sides, const Vec3& spin) {
   return builder.build();
 }
 
-/// A body of `shape` hung or stood by `point` of it on a spherical bearing of stiff springs, in the place it is turned
-/// to about that point.
+/// A body of `shape` on a spherical bearing of stiff springs at its `point`, initially rotated about this point.
 struct OnBearing {
   Vec3 sides, from_pivot;  ///< of the box, and of its centre, upright
   double mass;
@@ -58,7 +57,7 @@ struct OnBearing {
   }
 };
 
-/// How long a turn of `angle_of_now` by `turns` whole turns takes [s]; of an angle that is wrapped.
+/// Duration of `turns` full turns of the wrapped angle `angle_of_now` [s].
 class TurnClock {
  public:
   explicit TurnClock(double angle) : last_(angle) {}
@@ -81,7 +80,7 @@ class TurnClock {
   int count_ = 0;
 };
 
-/// The axis of a body that was upright at the start of its specification.
+/// Current axis of a body whose axis was upright in its specification.
 Vec3 axis_of(const State<3>& state, std::size_t n, const Vec3& own) {
   return turn_of(state.rotation[n]).apply(own);
 }
@@ -173,7 +172,7 @@ TEST_CASE("T32: a heavy top that was started with its steady precession keeps to
   for (const double precession : {1.26360, 41.0099}) {
     const UnitQuaternion turn = rotation_by({lean, 0, 0});
     const Vec3 axis = turn_of(turn).z();
-    // The axial spin is that of the whole motion along the axis.
+    // The axial spin is the component of the total angular velocity along the axis.
     const Vec3 round = precession * Vec3::UnitZ(), spin = round + (own - round.dot(axis)) * axis;
     const OnBearing top{{0.3, 0.3, 0.05}, {0, 0, 0.15}, mass, turn, spin, 1e8};
     Simulation<3> sim(top.model());
@@ -205,9 +204,9 @@ TEST_CASE("T35: a spherical pendulum comes back to its far point in time, having
     const OnBearing ball{{0.1, 0.1, 2}, {0, 0, -1}, 10, rotation_by({0, -angle, 0}), {}, 1e7};
     Model<3> model = ball.model();
     const std::size_t n = node_called(model, "body");
-    model.inertia[n] = Vec3::Constant(1e-4);  // next to a point, at the end of its link
+    model.inertia[n] = Vec3::Constant(1e-4);  // almost a point mass, at the end of its link
     model.start_velocity[n] = Vec3(0, 1, 0);
-    // With the link, about the pivot: across it by the speed at its end.
+    // Spin of the link about the pivot: across the link by the velocity of its end.
     const Vec3 arm = model.start_position[n];
     model.start_spin[n] = cross(arm, model.start_velocity[n]) / arm.squaredNorm();
     Simulation<3> sim(model);
@@ -231,13 +230,13 @@ TEST_CASE("T35: a spherical pendulum comes back to its far point in time, having
     CHECK(report.end == StageEnd::time);
     CHECK(near(at, 1.03891, 2e-3));
     CHECK(near(far, 0.64279, 2e-3));
-    // It goes round by more than half a turn: 164.842 degrees is how far the two points are apart, the shorter way.
+    // The body turns by more than half a turn: the shorter angle between the two points is 164.842 degrees.
     CHECK(near(turned_there, 2 * M_PI - radians(164.842), 2e-3));
   }
 }
 
 TEST_CASE("a pendulum that swings in a plane of space by implicit steps is that of the plane") {
-  // A rod about a fixed axis, of which the unknown is one turn.
+  // A rod about a fixed axis, with one rotation as the unknown.
   const double dt = 0.01;
   SolidModelBuilder builder;
   builder.gravity = Vec3::Zero();

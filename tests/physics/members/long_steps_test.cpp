@@ -1,4 +1,4 @@
-// Implicit steps twenty times as long as explicit ones, beside those, where bodies rock and slide.
+// Implicit steps twenty times as long as explicit steps, compared with them, for rocking and sliding bodies.
 #include <algorithm>
 
 #include "near.hpp"
@@ -7,7 +7,7 @@
 namespace trilith::testing {
 namespace {
 
-/// Values at every `every` [s] of a stage, between steps by the straight line.
+/// Values at intervals of `every` [s] of a stage, linearly interpolated between steps.
 struct Sampled {
   std::vector<double> value;
   std::int64_t steps = 0;
@@ -35,7 +35,7 @@ StageOptions explicit_stage(double duration) {
   return stage;
 }
 
-/// How far the second is from the first at most, as a share of the first's largest size.
+/// Largest difference of the second series from the first, as a share of the largest value of the first.
 double apart_at_most(const std::string& what, const Sampled& fine, const Sampled& coarse) {
   CHECK(coarse.end == StageEnd::time);
   REQUIRE(fine.value.size() == coarse.value.size());
@@ -51,7 +51,7 @@ double apart_at_most(const std::string& what, const Sampled& fine, const Sampled
   return off / size;
 }
 
-/// A block of 0.4 by 1.2 m that is let go tilted by half of the angle it could stand at.
+/// A block of 0.4 m by 1.2 m released at a tilt of half of its critical angle.
 Simulation<2> rocking_block() {
   Scene scene(Frictional{1e11, 5e10, 2, 2e-5});
   scene.fixed("base", box(-4, -1, 4, 0));
@@ -66,16 +66,16 @@ TEST_CASE("a block rocks by implicit steps as by explicit ones a twentieth as lo
   const int n = node_of(a.model(), "block");
   const auto tilt = [&](const State<2>& s) { return s.rotation[n]; };
   const Sampled fine(a, explicit_stage(2), 0.01, tilt);
-  // Steps are held closer to their energies than is usual: at the usual 1e-3 the two are 2.02 % apart.
+  // The energy tolerance of steps is tighter than usual: with the default of 1e-3 the two differ by 2.02 %.
   StageOptions implicitly = adaptive_stage(AlphaScheme::hht(-0.05), 2, 20 * fine.longest);
   implicitly.accuracy = 3e-4;
   CHECK(apart_at_most("rocking", fine, Sampled(b, implicitly, 0.01, tilt)) < 0.02);
 }
 
-/// A block on a base that is shaken along x, which turns its friction about a dozen times.
+/// A block on a base that is shaken along x; its friction changes direction about a dozen times.
 struct ShakenSlider {
   double kn = 1e11, mu = 0.3, beta = 2e-5, frequency = 1.5;
-  bool pointed = false;  ///< stands on a corner, and cannot turn
+  bool pointed = false;  ///< stands on a corner, and cannot rotate
 
   [[nodiscard]] Simulation<2> start() const {
     Scene scene(Frictional{kn, kn / 2, mu, beta});
@@ -123,7 +123,7 @@ TEST_CASE("how far a block slides does not hang on the longest implicit step") {
     }
 }
 
-/// A mass on a bearing that yields at .3 of its weight, without hardening, on a base that is shaken along x.
+/// A mass on a bearing that yields at 0.3 of the weight, without hardening, on a base that is shaken along x.
 Simulation<2> shaken_bearing(double stiffness) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});

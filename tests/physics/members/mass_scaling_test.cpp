@@ -1,4 +1,4 @@
-// Bodies of elements that are slowed in what deforms them, so that steps are longer.
+// Mass scaling of deformable bodies: added mass acts against deformation only, so that steps are longer.
 #include "integrate/explicit/mass_scaling.hpp"
 
 #include <doctest/doctest.h>
@@ -21,12 +21,12 @@ Model<2> lone_bar(bool is_held) {
   if (is_held)
     for (int n = 0; n < model.nodes(); ++n)
       if (model.start_position[n].x() < 1e-9) model.support[n][0] = Support::fixed;
-  // Along the bar alone.
+  // Motion along the bar alone.
   for (int n = 0; n < model.nodes(); ++n) model.support[n][1] = Support::fixed;
   return model;
 }
 
-/// A stage with steps of `times` the one that `model` has by itself.
+/// A stage with steps of `times` the stable step of `model`.
 StageOptions scaled_stage(const Model<2>& model, double times, double duration) {
   Work<2> work;
   const State<2> state = initial_state(model);
@@ -39,7 +39,7 @@ StageOptions scaled_stage(const Model<2>& model, double times, double duration) 
   return options;
 }
 
-/// Time between two passages of the right end's velocity through 0 in the same sense, twice half of that [s].
+/// Twice the time between two passages of the right end's velocity through 0 [s].
 double swing_period(Simulation<2>& sim, const StageOptions& options, StageReport& report) {
   const int end = node_at(sim.model(), {bar_length, 0});
   double first = -1, last = -1, before = 0;
@@ -73,12 +73,12 @@ TEST_CASE("mass scaling: a held bar swings slower by the root of its mass and th
   REQUIRE(report.scaled);
   const double share = report.scaled->most;
   MESSAGE("added ", share, " times the mass, period ", found / period, " of the plain one");
-  CHECK(near(share, 15, 0.01));  // the step goes with the root of the mass
+  CHECK(near(share, 15, 0.01));  // the step is proportional to the square root of the mass
   CHECK(near(found, period * std::sqrt(1 + share), 1e-3));
-  CHECK(near(report.scaled->share, share, 1e-12));  // all of the model is this bar
+  CHECK(near(report.scaled->share, share, 1e-12));  // this bar is the whole model
   CHECK(near(report.scaled->energy, share * report.scaled->kinetic, 1e-9));
   CHECK(near(report.longest_dt, options.mass_scaling->step, 1e-12));
-  CHECK(near(report.scaled->before, report.longest_dt / 4, 0.09));  // a rung of the ladder below it at most
+  CHECK(near(report.scaled->before, report.longest_dt / 4, 0.09));  // at most one rung of the step ladder below
 }
 
 TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight and turns are those of before") {
@@ -93,7 +93,7 @@ TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight an
   const double found = swing_period(sim, options, report);
   CHECK(near(found, period * std::sqrt(1 + report.scaled->most), 2e-3));
 
-  // Thrown and spinning: the same place and angle as without it, the same momenta.
+  // Thrown and spinning: the same position, angle and momenta as without scaling.
   std::array<Pose, 2> pose;
   std::array<double, 2> angular{};
   for (const bool scaled : {false, true}) {
@@ -111,7 +111,7 @@ TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight an
                                                 Vec2(s.state().velocity[n] - pose[scaled].velocity));
   }
   MESSAGE("place ", pose[1].place.x(), " ", pose[1].place.y(), ", angle ", pose[1].rotation, " and ", pose[0].rotation);
-  CHECK((pose[1].place - pose[0].place).norm() < 1e-4);  // the leapfrog begins by half of its step
+  CHECK((pose[1].place - pose[0].place).norm() < 1e-4);  // leapfrog starts half a step off
   CHECK(near(pose[1].rotation, pose[0].rotation, 1e-3));
   CHECK(near(angular[1], angular[0], 1e-6));
 }
@@ -209,7 +209,7 @@ TEST_CASE("mass scaling: what cannot be is refused with the step that can") {
   StageOptions none = shaking_stage(3e-5);
   none.mass_scaling->step = -1;
   CHECK(stack_refusal(none).find("mass_scaling: step") != std::string::npos);
-  // Of chosen bodies the others are as they were.
+  // With scaling of chosen bodies the others keep their masses.
   StageOptions one = shaking_stage(3e-5);
   one.mass_scaling->bodies = {1};
   CHECK(stack_refusal(one).find("whose masses are not scaled") != std::string::npos);

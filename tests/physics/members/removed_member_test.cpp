@@ -1,4 +1,5 @@
-// A beam whose hinge has lost its moment is removed: what it held is given off, its mass stays, the rest carries on.
+// A beam whose hinge has lost its moment is removed: its stored energy is dissipated, its mass stays, the rest carries
+// on.
 #include "assembly/start.hpp"
 #include "base/error.hpp"
 #include "near.hpp"
@@ -12,8 +13,8 @@ namespace {
 constexpr double young = 2.1e11, height = 4, side = 1.2e5;
 constexpr double bending = young * 0.1 * 0.2 * 0.2 * 0.2 / 12;
 
-/// Two columns under a cap that is pinned to the left one: each is a cantilever, the left one with a hinge at its foot
-/// that is lost at .004 rad. A force at the right one's head, steady or grown over 2 s.
+/// Two columns under a cap that is pinned to the left one. Each is a cantilever; the left one has a hinge at its foot
+/// with an ultimate rotation of 0.004 rad. A force acts at the head of the right one, constant or growing over 2 s.
 Model<2> two_columns(bool removes, bool grows) {
   HingeLaw law = plain_hinge();
   law.ultimate = 0.004, law.removes = removes;
@@ -87,7 +88,7 @@ Ended run(bool removes, const std::optional<AlphaScheme>& scheme) {
 }  // namespace
 
 TEST_CASE("a removed member: the other column carries all, by statics, implicit and explicit steps alike") {
-  const double alone = side * height * height * height / (3 * bending);  // of a cantilever
+  const double alone = side * height * height * height / (3 * bending);  // of a single cantilever
   Model<2> model = two_columns(true, false);
   State<2> state = start_state(model);
   EquilibriumOptions options;
@@ -108,13 +109,13 @@ TEST_CASE("a removed member: the other column carries all, by statics, implicit 
     CHECK(near(e->drift, alone, 0.01));
     CHECK(near(e->drift, by_statics.drift, 1e-3));
     CHECK(near(e->mass, by_statics.mass, 1e-15));
-    // What it lets go of is the bending by its yield moment: M^2 h / (6 EI).
+    // The released energy is the bending energy at the yield moment: M^2 h / (6 EI).
     CHECK(near(e->events[2].value, yield_moment * yield_moment * height / (6 * bending), 0.02));
   }
   CHECK(by_explicit.residual < 2e-3);
   CHECK(by_implicit.residual < 5e-3);
   CHECK(near(by_implicit.plastic, by_explicit.plastic, 0.02));
-  // Yielding to .004 rad and what was held.
+  // Plastic work up to 0.004 rad plus the stored elastic energy.
   CHECK(near(by_explicit.plastic, yield_moment * 0.004 + yield_moment * yield_moment * height / (6 * bending), 0.03));
   MESSAGE("drift " << by_statics.drift << " " << by_explicit.drift << " " << by_implicit.drift << ", alone " << alone
                    << "; let go " << by_explicit.events[2].value << " J, plastic " << by_explicit.plastic << " "

@@ -12,7 +12,7 @@ TEST_CASE("F12: a bar that hits one of twice its length stops dead, and half of 
   const double young = 30e9, density = 2400, deep = 0.1, speed = 1;
   Scene scene(Frictional{1e14, 0, 0, 0});
   scene.set_gravity(Vec2::Zero());
-  scene.builder.apart_time = 0;  // the end of contact is told at once
+  scene.builder.apart_time = 0;  // the end of contact is reported at once
   scene.builder.add_material(elastic("concrete", density, young, 0));
   BodySpec brief = grid_body("short", rectangle({-5 - 1e-6, 0}, {-1e-6, deep}), "concrete", 100, 1);
   brief.velocity = {speed, 0};
@@ -31,7 +31,7 @@ TEST_CASE("F12: a bar that hits one of twice its length stops dead, and half of 
           }));
   sim.refresh();
   const Pose a = body_pose(model, sim.state(), 0), b = body_pose(model, sim.state(), 1);
-  // What moves and what is strained in the short bar.
+  // Kinetic and strain energy of the short bar.
   double moving = 0, strained = 0;
   const Body& bar = model.bodies[0];
   for (int n = bar.first_node; n < bar.first_node + bar.nodes; ++n)

@@ -7,13 +7,13 @@
 namespace trilith::testing {
 namespace {
 
-/// A block of half width b and half height h [m], of mass and inertia about its centre per mass [m2].
+/// A block of half width b and half height h [m]; `inertia` about its centre per mass [m2].
 struct TiltedBlock {
   double b, h, inertia;
   [[nodiscard]] double radius() const { return std::hypot(b, h); }
   [[nodiscard]] double angle() const { return std::atan2(b, h); }
   [[nodiscard]] double p() const { return std::sqrt(standard_gravity * radius() / (inertia + radius() * radius())); }
-  /// Rate at which it lands, from rest at tilt q angle() [rad/s].
+  /// Angular velocity at the landing, from rest at tilt q angle() [rad/s].
   [[nodiscard]] double landing(double q) const {
     return p() * std::sqrt(2 * (std::cos(angle() * (1 - q)) - std::cos(angle())));
   }
@@ -23,11 +23,12 @@ TiltedBlock plane_block(double width, double height) {
   return {width / 2, height / 2, (width * width + height * height) / 12};
 }
 
-/// What rocking from rest at a tilt comes to.
+/// Results of rocking from rest at a tilt.
 struct RockingRun {
-  double lands = 0, rate = 0;  ///< first landing: when [s], how fast before [rad/s]
+  double lands = 0, rate = 0;  ///< first landing: time [s], angular velocity before it [rad/s]
   double other_peak = 0;       ///< largest tilt to the other side before the second landing [rad]
-  double highest = -1e300;     ///< energy above that of the start, at most, as a share of what it swings with
+  double highest = -1e300;     ///< largest excess of the energy over its start value, as a share of the energy of the
+                               ///< swing
   int landings = 0;
   std::int64_t steps = 0;
   StageEnd end = StageEnd::time;
@@ -43,7 +44,7 @@ struct RockingRun {
     scene.add(spec);
     Simulation<2> sim = scene.start();
     const int n = node_of(sim.model(), "block");
-    // From the tilt of the start to flat.
+    // Potential energy from the start tilt to the flat position.
     const double swings =
         mass * standard_gravity * shape.radius() * (std::cos(shape.angle() - start) - std::cos(shape.angle()));
     double before = start, spin = 0;
@@ -56,7 +57,7 @@ struct RockingRun {
       }
       if (landings == 1) other_peak = std::max(other_peak, -tilt);
       if (tilt != 0) before = tilt;
-      if (tilt > 2e-4) spin = now.state.spin[n];  // no more than its corner touches
+      if (tilt > 2e-4) spin = now.state.spin[n];  // only the corner is in contact
     });
     double first = 0;
     bool begun = false;
@@ -68,7 +69,7 @@ struct RockingRun {
     const StageReport report = sim.run(told, listener);
     end = report.end, steps = report.steps;
   }
-  /// Square root of the share of energy kept by the first landing.
+  /// Square root of the share of energy that remains after the first landing.
   [[nodiscard]] double restitution(const TiltedBlock& shape, double q) const {
     const double al = shape.angle();
     return std::sqrt((std::cos(al - other_peak) - std::cos(al)) / (std::cos(al - q * al) - std::cos(al)));
@@ -82,8 +83,8 @@ TEST_CASE("I12: by implicit steps of 1 ms a block lands as the pendulum equation
     double q, expected;
   };
   const TiltedBlock k4 = plane_block(0.4, 1.2), k5 = plane_block(0.5, 2.0);
-  // A block that falls about a corner stays in the plane of its diagonal, where it is a plane one of that width and of
-  // its own inertia.
+  // A block that falls about a corner stays in the plane of its diagonal, where it equals a plane block of this width
+  // and its own inertia.
   const TiltedBlock t30{std::sqrt(0.08), 0.6, (0.04 + 0.36) / 3};
   CHECK(near(t30.landing(0.25), .96906, 1e-5));
   CHECK(near(t30.landing(0.5), 1.27205, 1e-5));

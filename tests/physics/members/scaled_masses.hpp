@@ -1,4 +1,4 @@
-// What holds of runs with scaled masses in the plane and in space alike.
+// Invariants of runs with scaled masses, in the plane and in space.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,9 +12,9 @@
 
 namespace trilith::testing {
 
-/// A stage until `end` [s] gives the same bits with three threads; with work dropped at every 50th step and taken back,
-/// at `back_at`, to what was kept at `kept_at`; and from there on by a state that was written and read. `start`: makes
-/// the simulation.
+/// A stage until `end` [s] gives the same bits with three threads. It also does when the Work is dropped at every 50th
+/// step and the run is restored at `back_at` to the state kept at `kept_at`. From this point a state that was written
+/// and read gives the same bits too. `start` makes the simulation.
 template <int D, class Start>
 void check_scaled_bits(Start&& start, const StageOptions& options, double kept_at, double back_at, double end) {
   Simulation<D> plain = start();
@@ -53,7 +53,7 @@ void check_scaled_bits(Start&& start, const StageOptions& options, double kept_a
   CHECK(state_hash(sim.state()) == hash);
 }
 
-/// The message with which a stage is refused that scales masses, none of which is scaled then; "" where it is not.
+/// Error message of a stage that requests mass scaling but scales no mass; empty if the stage is accepted.
 template <int D>
 std::string scaling_refusal(Simulation<D> sim, const StageOptions& options) {
   try {

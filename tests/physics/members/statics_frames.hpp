@@ -10,7 +10,7 @@
 
 namespace trilith::testing {
 
-/// Two pinned bars, of half span 10 m, rise .5 m and EA 1e6 N, with 1 N down at the apex.
+/// Two pinned bars of half span 10 m, rise 0.5 m and EA = 1e6 N, with 1 N down at the apex.
 inline Model<2> shallow_truss() {
   BodySpec spec;
   spec.name = "truss", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
@@ -19,7 +19,7 @@ inline Model<2> shallow_truss() {
                   {.name = "b", .place = {0, 0.5}, .support = {Support::free, Support::free, Support::fixed}},
                   {.name = "c", .place = {10, 0}, .support = held}};
   FrameMember bar;
-  // So stiff against bending that the bars stay straight.
+  // The bending stiffness is so high that the bars stay straight.
   bar.section = given_section(1e-3, 0.1, 0.01), bar.divisions = 2, bar.pinned = {true, true};
   bar.from = 0, bar.to = 1, frame.members.push_back(bar);
   bar.from = 1, bar.to = 2, frame.members.push_back(bar);
@@ -29,7 +29,7 @@ inline Model<2> shallow_truss() {
   return model;
 }
 
-/// A toggle clamped at both feet, 10 beams a half, with 1 N down at the apex.
+/// A toggle clamped at both feet, 10 elements per half, with 1 N down at the apex.
 inline Model<2> toggle(double half_span, double rise, double width, double depth, double young) {
   BodySpec spec;
   spec.name = "toggle", spec.kind = BodyKind::frame, spec.material = "m", spec.floating = true;
@@ -46,7 +46,7 @@ inline Model<2> toggle(double half_span, double rise, double width, double depth
   return model;
 }
 
-/// Lee's frame with 1 N down on its beam, 0.24 m from the corner, and the node that is loaded.
+/// Lee's frame with 1 N down on its beam, 0.24 m from the corner, and the loaded node.
 struct LeeFrame {
   Model<2> model;
   int loaded;
@@ -68,7 +68,7 @@ struct LeeFrame {
   }
 };
 
-/// A clamped beam of length 1 m with EI 1/12 * 10 N m2, and a load at its end of load number P L^2/(EI) = 1, or an end
+/// A clamped beam of length 1 m with EI = 1/12 * 10 N m2, under an end load of load number P L^2/(EI) = 1 or an end
 /// moment of EI/L.
 inline Model<2> cantilever_under(double force, double moment, int divisions) {
   BodySpec spec = beam_body("beam", {0, 0}, {1, 0}, rectangle_section(0.01, 0.01), "m", divisions);
@@ -79,7 +79,7 @@ inline Model<2> cantilever_under(double force, double moment, int divisions) {
   return model;
 }
 
-/// The point of a path where the displacement has a value, by the straight line between its two neighbours.
+/// Load factor of a path at a displacement, linearly interpolated.
 inline double factor_at(const LoadPath& path, double displacement) {
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const PathPoint &a = path.points[i - 1], &b = path.points[i];

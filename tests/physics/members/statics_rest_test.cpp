@@ -1,4 +1,4 @@
-// Rest found by statics: beside consolidation by explicit steps, and where there is none.
+// Equilibrium by statics: compared with consolidation by explicit steps, and where no equilibrium exists.
 #include <algorithm>
 #include <chrono>
 
@@ -27,7 +27,7 @@ std::vector<TouchingContact> joint_forces(const Model<2>& model, const State<2>&
   return out;
 }
 
-/// The joint between two bodies; no force where they do not touch.
+/// Force of the joint between two bodies [N]; zero if they do not touch.
 Vec2 joint_force(const std::vector<TouchingContact>& joints, int a, int b) {
   Vec2 sum = Vec2::Zero();
   for (const TouchingContact& c : joints) {
@@ -37,7 +37,7 @@ Vec2 joint_force(const std::vector<TouchingContact>& joints, int a, int b) {
   return sum;
 }
 
-/// How far the joint forces of two states are apart at most, as a share of the largest one.
+/// Largest difference of the joint forces of two states, as a share of the largest force.
 double apart(const std::vector<TouchingContact>& one, const std::vector<TouchingContact>& other) {
   double most = 0, off = 0;
   for (const auto* joints : {&one, &other})
@@ -55,7 +55,7 @@ const std::string& body_with(const Model<2>& model, int node) {
   return none;
 }
 
-/// Statics of a scene, told beside its consolidation.
+/// Equilibrium of a scene by statics, printed next to its consolidation.
 Equilibrium rest_of(const std::string& what, const Model<2>& model, State<2>& state,
                     const EquilibriumOptions& options = {}) {
   const double begun = clock_now();
@@ -80,7 +80,7 @@ void lean(Scene& scene, double tilt) {
   scene.set_gravity({standard_gravity * std::sin(tilt), -standard_gravity * std::cos(tilt)});
 }
 
-/// Five blocks of 100 kg, each set 20 mm beside the one below, with a gap under each.
+/// Five blocks of 100 kg, each offset by 20 mm from the block below, with a gap under each.
 Model<2> leaning_stack(double gap) {
   Scene scene(Frictional{1e10, 5e9, 0.6, 1e-4});
   scene.fixed("base", box(-2, -1, 2, 0));
@@ -94,7 +94,7 @@ Model<2> leaning_stack(double gap) {
   return scene.builder.build();
 }
 
-/// A wall in running bond, square, with an opening under a lintel in its middle; head joints open by `gap` [m].
+/// A square wall in running bond with an opening under a lintel in its middle; head joints open by `gap` [m].
 Scene wall_with_opening(int courses, double gap) {
   Scene scene(Frictional{1e11, 5e10, 0.6, 1e-5});
   const double length = 0.4 * courses, left = 0.5 * length - 0.4, right = 0.5 * length + 0.4;  // of the opening
@@ -105,7 +105,7 @@ Scene wall_with_opening(int courses, double gap) {
       scene.block(name, box(x0 + gap / 2, 0.2 * course, x1 - gap / 2, 0.2 * course + 0.2), 400 * (x1 - x0));
   };
   for (int course = 0; course < courses; ++course) {
-    const double beyond = course < courses / 2 ? 0 : course == courses / 2 ? 0.3 : -1;  // of the opening that is cut
+    const double beyond = course < courses / 2 ? 0 : course == courses / 2 ? 0.3 : -1;  // cut at the opening
     if (beyond > 0) add(course, left - beyond, right + beyond);
     for (double x = course % 2 == 0 ? 0 : -0.2; x < length - 1e-9; x += 0.4) {
       const double x0 = std::max(x, 0.0), x1 = std::min(x + 0.4, length);
@@ -196,7 +196,7 @@ TEST_CASE(
     CHECK(apart(joint_forces(model, state), joint_forces(model, from_start)) < 1e-6);
     Simulation<2> on(model, state);
     on.refresh();
-    // The kinetic energy of leapfrog is m (a dt)^2 / 8 less than that of the instant.
+    // The kinetic energy of leapfrog is m (a dt)^2 / 8 below its value at the instant.
     const double off = std::abs(on.energy().balance() - before.balance());
     CHECK(off < (implicitly ? 1e-9 : 1e-5) * before[EnergyTerm::kinetic]);
     CHECK(on.energy()[EnergyTerm::kinetic] == 0);
@@ -205,8 +205,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a wall with an opening set down by statics has the joint forces of its consolidation") {
-  // Where units slide, joint forces depend on how the weight came on: at once, it makes the wall of 252 bodies
-  // overshoot and leaves its joint forces by 1 % of the largest beside those of weight that grows.
+  // If units slide, joint forces depend on the loading path. Weight applied at once makes the wall of 252 bodies
+  // overshoot, and its joint forces then differ from those under slowly growing weight by 1 % of the largest.
   for (const int courses : {6, 16}) {
     Scene scene = wall_with_opening(courses, 0.01);
     const Model<2> model = scene.builder.build();
@@ -221,7 +221,7 @@ TEST_CASE("a wall with an opening set down by statics has the joint forces of it
   }
 }
 
-/// A semicircular arch of 30 voussoirs, under a tilted weight.
+/// A semicircular arch of 30 voussoirs under tilted gravity.
 Scene tilted_arch(double thickness, double tilt) {
   Arch arch;
   arch.voussoirs = 30, arch.thickness = thickness, arch.half_angle = 90 * degree, arch.sub_edges = 2;
@@ -231,8 +231,8 @@ Scene tilted_arch(double thickness, double tilt) {
   return scene;
 }
 
-/// The greatest horizontal load that an arch of 40 voussoirs carries beside its weight, as a factor of that, with
-/// joints of `stiffness` [Pa/m]. Each voussoir is pushed; the crown's way is controlled.
+/// Largest horizontal load of an arch of 40 voussoirs under its weight, as a factor of the weight, with joints of
+/// `stiffness` [Pa/m]. The load acts on each voussoir; the crown's displacement is controlled.
 double pushed_arch(double thickness, double stiffness) {
   Arch arch;
   arch.voussoirs = 40, arch.thickness = thickness, arch.half_angle = 90 * degree, arch.sub_edges = 2;
@@ -264,8 +264,8 @@ double pushed_arch(double thickness, double stiffness) {
 }
 
 TEST_CASE("A6: an arch pushed past its greatest load comes the nearer to its limit factor the stiffer its joints are") {
-  // A hinge that has turned by t is (1/(K t))^(1/2) long, and what its length and its turn take off the factor is least
-  // where both are as K^(-1/3). So two stiffnesses give the factor of rigid joints.
+  // A hinge that has turned by t is (1/(K t))^(1/2) long. Its length and its rotation reduce the factor least if both
+  // are proportional to K^(-1/3), so two stiffnesses give the factor of rigid joints by extrapolation.
   for (const auto& [thickness, factor] : {std::pair(.12, .0468), std::pair(.15, .1445), std::pair(.20, .2843)}) {
     const double soft = pushed_arch(thickness, 4e12), stiff = pushed_arch(thickness, 4e13), part = std::cbrt(10.0);
     const double rigid = (part * stiff - soft) / (part - 1);
@@ -306,7 +306,7 @@ TEST_CASE("A5: the thrust of an arch set down by statics is that of its consolid
 }
 
 TEST_CASE("A6: an arch is at rest below its limit tilt, and beyond it statics finds no rest") {
-  const double limit = std::atan(.1445);  // t/R .15
+  const double limit = std::atan(.1445);  // t/R = 0.15
   const Model<2> below = tilted_arch(.15, 0.96 * limit).builder.build();
   State<2> state = initial_state(below);
   CHECK(rest_of("arch at .96 of its limit", below, state).converged);

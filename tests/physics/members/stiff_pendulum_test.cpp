@@ -8,8 +8,8 @@ namespace {
 
 constexpr double pendulum_mass = 10, pendulum_length = 3.0443, pendulum_speed = 7.72;  // [kg], [m], [m/s]
 
-/// The mass at the end of a bar of EA 1e10 N without weight, hinged at the origin, and how fast it starts across. The
-/// mass has an inertia of its own of next to nothing, and turns with the bar, of bending stiffness EI.
+/// A mass at the end of a massless bar of EA = 1e10 N, hinged at the origin, with an initial velocity across the bar.
+/// The mass has a negligible rotary inertia and rotates with the bar, which has the bending stiffness EI.
 struct StiffPendulum {
   Model<2> model;
   State<2> state;
@@ -31,7 +31,7 @@ struct StiffPendulum {
   }
 };
 
-/// What ten seconds of turning leave.
+/// Results after ten seconds of rotation.
 struct Turning {
   double least = 1e300, most = 0;  ///< kinetic and elastic energy [J]
   double period = 0;               ///< mean of the whole turns [s]
@@ -72,7 +72,7 @@ struct Turning {
   }
 };
 
-/// Steps of length `h` [s] as they are, of HHT.
+/// Fixed HHT steps of length `h` [s].
 StageOptions implicit_stage_of(double alpha, double h) {
   StageOptions stage = implicit_stage(AlphaScheme::hht(alpha), 10, h);
   stage.tolerance = 1e-8;

@@ -13,8 +13,8 @@ inline HingeLaw plain_hinge(double sagging = yield_moment) {
   return law;
 }
 
-/// A portal of 4 by 6 m on two fixed feet (or pinned ones), .1 x .2 m, with a hinge at either end of its columns and
-/// one at mid-span; so stiff that it keeps its shape until it is a mechanism.
+/// A portal of 4 m by 6 m on two fixed or pinned feet, sections of 0.1 m x 0.2 m, with plastic hinges at both ends of
+/// its columns and at mid-span. It is so stiff that it keeps its shape until it is a mechanism.
 struct YieldingPortal {
   double down = 0, side = 0;  ///< full loads at mid-span and at beam level [N]
   bool fixed = true;
@@ -44,7 +44,7 @@ struct YieldingPortal {
     spec.frame = frame;
     return spec;
   }
-  /// The loads grow over 2 s to `share` of the full ones.
+  /// The loads grow over 2 s to `share` of their full values.
   [[nodiscard]] Model<2> model(double share) const {
     Model<2> made = of_frames(elastic_material("steel", 7850, young), {body()});
     const LoadCurve ramp{{0, 2}, {0, share}};

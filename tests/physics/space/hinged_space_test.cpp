@@ -1,5 +1,5 @@
-// Members in space with hinges at their ends, run by the engine: plastic collapse about either axis, columns thrown
-// askew with their energy books, the plane's column, a member that is removed, what is remembered.
+// Members in space with hinges at their ends: plastic collapse about either axis, the energy ledger of columns thrown
+// obliquely, the plane's column, a removed member, saved history.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -29,8 +29,8 @@ HingeLaw portal_hinge(double about_z, double about_y) {
   return law;
 }
 
-/// F8's portal of 4 by 6 m, so stiff that it keeps its shape until it is a mechanism. `across`: its members bend about
-/// y of their sections, which lie flat; the other moment is three times as large.
+/// The portal of F8 of 4 m by 6 m, so stiff that it keeps its shape until it is a mechanism. `across`: the members bend
+/// about y of their sections, which lie flat; the other plastic moment is three times as large.
 struct SpacePortal {
   double down = 0, side = 0;  ///< full loads at mid-span and at beam level [N]
   bool fixed = true, across = false;
@@ -42,7 +42,7 @@ struct SpacePortal {
     SolidSpec spec;
     spec.name = "portal", spec.material = "steel", spec.floating = true;
     SpaceFrameSpec frame;
-    // Held across the portal's plane: it is the case of the plane, in whatever world.
+    // Fixed across the portal's plane: the plane case in any world orientation.
     frame.joints = {{"a", at(0, 0)}, {"b", at(0, 4)}, {"m", at(3, 4)}, {"c", at(6, 4)}, {"d", at(6, 0)}};
     const HingeLaw law =
         across ? portal_hinge(3 * plastic_moment, plastic_moment) : portal_hinge(plastic_moment, 3 * plastic_moment);
@@ -50,7 +50,7 @@ struct SpacePortal {
       SpaceMember member;
       member.name = name, member.from = from, member.to = to, member.divisions = 1;
       member.section = plain_section(0.15, 0.2);
-      // The section's top in the portal's plane, or out of it.
+      // The section's top lies in the portal's plane, or across it.
       const Vec3 way =
           frame.joints[static_cast<std::size_t>(to)].place - frame.joints[static_cast<std::size_t>(from)].place;
       const Vec3 out = turn.apply(Vec3(0, 1, 0));
@@ -98,7 +98,7 @@ HingeLaw post_hinge() {
   return law;
 }
 
-/// A post of .4 x .3 m with 10 t on its top and a hinge at its foot, in a turned world.
+/// A post of 0.4 m x 0.3 m with 10 t on its top and a hinge at its foot, in a rotated world.
 Model<3> post_in(const UnitQuaternion& world, const HingeLaw& law, double damping) {
   const Turn3 turn = turn_of(world);
   SolidSpec spec = chain_body("post", {Vec3::Zero(), turn.apply(Vec3(0, 0, post_height))}, plain_section(0.3, 0.4), 3);
@@ -176,7 +176,7 @@ TEST_CASE("a post pushed askew yields where both moments reach the surface") {
   HingeLaw law = post_hinge();
   law.hardening = 0, law.tension = law.compression = 0;
   for (const double angle : {0.0, 0.4, 0.9, M_PI / 2}) {
-    // Along x bends about z. On the surface: (H cos h / W_z)^a + (H sin h / W_y)^a = 1.
+    // A force along x bends about z. On the yield surface: (H cos h / W_z)^a + (H sin h / W_y)^a = 1.
     const double c = std::cos(angle) / law.sagging, s = std::sin(angle) / law.across;
     const double yields =
         1 / (post_height * std::pow(std::pow(c, law.contour) + std::pow(s, law.contour), 1 / law.contour));
@@ -193,7 +193,7 @@ TEST_CASE("a post pushed askew yields where both moments reach the surface") {
       const Equilibrium found = find_equilibrium(model, state, how);
       return std::pair(found.converged, member_hinges(model, state, 0).at(0).status);
     };
-    // The axis of the post goes with it, so that the arm is shorter by less than 1e-4.
+    // The post's axis tilts under the load, which shortens the arm by less than 1e-4.
     CHECK(status_at(0.995) == std::pair(true, HingeStatus::elastic));
     CHECK_FALSE(status_at(1.01) == std::pair(true, HingeStatus::elastic));
   }

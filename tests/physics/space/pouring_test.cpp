@@ -9,7 +9,7 @@ using namespace trilith::testing;
 
 namespace {
 
-// Fewer of the same where every memory access is watched.
+// Fewer stones under sanitizers, which are slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int stones = 40;
 #else
@@ -17,7 +17,7 @@ constexpr int stones = 200;
 #endif
 constexpr double box_width = 6, wall_height = 12;
 
-/// Random polygons in rows above the floor of a box of three fixed walls, no two of them touching.
+/// Random polygons in rows above the floor of a box of three fixed walls, without initial contacts.
 Simulation<2> pour(int count) {
   Scene scene(Frictional{5e7, 2.5e7, 0.5, 1e-3});
   scene.fixed("floor", rectangle({-1, -1}, {box_width + 1, 0}));
@@ -45,7 +45,7 @@ Simulation<2> pour(int count) {
 
 TEST_CASE("200 random polygons poured into a box come to rest in it") {
   Simulation<2> sim = pour(stones);
-  // Pour; then calm what still rocks: stiffness damping takes a decade off a slow rocking in some six seconds only.
+  // Pour; then damp the remaining rocking: stiffness damping reduces a slow rocking tenfold in about six seconds only.
   StageOptions fall, calm;
   fall.name = "fall";
   fall.duration = 2.5;

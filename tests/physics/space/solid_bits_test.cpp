@@ -1,4 +1,5 @@
-// Piles of solids: they come to rest, and whatever is found anew, saved or turned, they do so alike.
+// Piles of solids: they come to rest, with the same bits after Work is dropped, State is saved, or the world is
+// rotated.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -14,7 +15,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Stones by chance that fall into a tray.
+/// Random stones that fall into a tray.
 Model<3> poured(int count) {
   std::mt19937_64 bits(7);
   SpaceBuilder builder;
@@ -36,7 +37,7 @@ Model<3> poured(int count) {
 
 constexpr double pour_step = 1e-4;
 
-/// Bricks in a row on a plate, with joints of a twentieth of a millimetre between them.
+/// Bricks in a row on a plate, with gaps of 0.05 mm between them.
 Model<3> row_of_bricks(int count) {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
@@ -86,7 +87,7 @@ TEST_CASE("bricks whose joints open and close have the same bits on any number o
       advance(model, state, work, options);
     }
     CHECK((runs > 1) == (threads > 1));
-    CHECK((later > 0) == (threads > 1));  // forces on bricks that two runs have to do with
+    CHECK((later > 0) == (threads > 1));  // forces on bricks shared by two runs
     hashes.push_back(state_hash(state));
   }
   CHECK(hashes[0] == hashes[1]);
@@ -103,8 +104,7 @@ TEST_CASE("a pile of solids has the same bits where its Work is dropped") {
   CHECK(state_hash(plain.state()) == state_hash(dropped.state()));
 }
 
-// Joints that open and close: faces that lie flat, rows asleep and rows that are apart but awake go over into each
-// other.
+// Joints that open and close: pairs change between flat face contacts, sleeping pairs, and separated but awake pairs.
 TEST_CASE("bricks whose joints open and close have the same bits where their Work is dropped") {
   const int count = 5;
   SolidRun plain(row_of_bricks(count), 5e-5), dropped(row_of_bricks(count), 5e-5);

@@ -1,4 +1,4 @@
-// Rigid solids in space that touch: models by few words, and runs of them.
+// Rigid solids in space in contact: short model builders, and runs.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace trilith::testing {
 
-/// A box of given sides about `centre`, turned.
+/// A box of sides `sides` [m] about `centre`, rotated by `turn`.
 inline Polyhedron box_at(const Vec3& sides, const Vec3& centre, const UnitQuaternion& turn = {}) {
   return placed(box_solid(-0.5 * sides, 0.5 * sides), turn, centre);
 }
@@ -34,7 +34,7 @@ inline SolidBody fixed_stone(const std::string& name, const Polyhedron& shape) {
   return body;
 }
 
-/// A run of solids by steps of one length.
+/// A run of solids with a fixed step.
 class SolidRun {
  public:
   SolidRun(const Model<3>& model, double dt) : SolidRun(model, initial_state(model), dt) {}
@@ -42,7 +42,7 @@ class SolidRun {
     options_.dt = dt;
     look();
   }
-  /// Forces are those of the state before and after.
+  /// Forces are up to date before and after.
   void step() {
     commit(model_, state_, work_);
     advance(model_, state_, work_, options_);
@@ -58,7 +58,7 @@ class SolidRun {
     run(seconds);
     options_.rest.share = 0;
   }
-  /// Until `done` or the time is over; true where it was done.
+  /// Steps until `done` returns true, for `most` [s] at most. Returns whether it did.
   bool run_until(double most, const std::function<bool()>& done) {
     for (const double end = state_.time + most; state_.time < end;) {
       step();
@@ -79,18 +79,18 @@ class SolidRun {
   [[nodiscard]] Vec3 place(int body) const { return state_.position[static_cast<std::size_t>(body)]; }
   [[nodiscard]] Vec3 velocity(int body) const { return state_.velocity[static_cast<std::size_t>(body)]; }
   [[nodiscard]] Vec3 spin(int body) const { return state_.spin[static_cast<std::size_t>(body)]; }
-  /// How far a body has turned since the start [rad].
+  /// Rotation vector of a body since the start [rad].
   [[nodiscard]] Vec3 turned(int body) const {
     const auto b = static_cast<std::size_t>(body);
     return angle_of(state_.rotation[b] * inverse(model_.start_rotation[b]));
   }
-  /// The sum over all bodies [kg m/s].
+  /// Momentum of all bodies [kg m/s].
   [[nodiscard]] Vec3 momentum() const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t n = 0; n < state_.velocity.size(); ++n) sum += model_.mass[n] * state_.velocity[n];
     return sum;
   }
-  /// Shared by any two of the pieces that are near each other [m3].
+  /// Overlap volume of all pairs of adjacent pieces [m3].
   [[nodiscard]] double shared_volume() const {
     SolidOverlapBuffer room;
     double sum = 0;
@@ -100,8 +100,8 @@ class SolidRun {
                  .volume;
     return sum;
   }
-  /// About the origin [kg m2/s], with places half a step after the velocities, as leapfrog has them: the moment of
-  /// m v about a place that moves along v is the same.
+  /// Angular momentum about the origin [kg m2/s]. Positions are half a step after the velocities, as leapfrog has them;
+  /// the moment of m v does not change along v.
   [[nodiscard]] Vec3 angular_momentum() const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t n = 0; n < state_.velocity.size(); ++n)
@@ -111,7 +111,7 @@ class SolidRun {
   }
 
  private:
-  /// All forces that the step to come goes by, as Simulation finds them.
+  /// Evaluates all forces of the next step, as Simulation does.
   void look() {
     evaluate(model_, state_, work_, state_.last_dt);
     add_inertia(model_, state_, work_, options_);
@@ -132,7 +132,7 @@ inline double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-/// Downhill on a plane tilted by `angle` [rad] towards an azimuth [rad]: instead of the plane, gravity is tilted.
+/// Gravity of a plane tilted by `angle` [rad] towards an azimuth [rad]: gravity is tilted instead of the plane.
 inline Vec3 tilted_gravity(double angle, double azimuth) {
   return standard_gravity *
          Vec3(std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), -std::cos(angle));

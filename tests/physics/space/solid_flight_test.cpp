@@ -1,4 +1,4 @@
-// VALIDATION T27 to T30, T36, and solids by chance that fly at each other: impacts keep energy and momenta.
+// VALIDATION T27 to T30, T36, and random colliding solids: impacts conserve energy and momenta.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Two solids that fly at each other without weight, friction or damping.
+/// Two solids that fly towards each other without weight, friction or damping.
 SolidRun collision(std::mt19937_64& bits, double dt) {
   SpaceBuilder builder;
   const auto shape = [&] {
@@ -29,7 +29,7 @@ SolidRun collision(std::mt19937_64& bits, double dt) {
   return {builder.build(), dt};
 }
 
-/// Pairs by chance until `count` have struck each other; returns the deepest overlap [m].
+/// Random pairs until `count` have collided; returns the deepest penetration [m].
 double strike_by_chance(int count, unsigned seed) {
   std::mt19937_64 bits(seed);
   int struck = 0;
@@ -50,13 +50,13 @@ double strike_by_chance(int count, unsigned seed) {
     CHECK(near(run.moving_energy(), energy, 1e-2));
     CHECK((run.momentum() - momentum).norm() < 1e-9 * run.model().mass[0]);
     CHECK((run.angular_momentum() - turning).norm() < 1e-9 * run.model().mass[0]);
-    // Of two that have passed through each other one would be where the other came from.
+    // If two bodies passed through each other, their positions would be exchanged.
     CHECK(run.shared_volume() == 0);
   }
   return deepest;
 }
 
-/// T36: the 27 stones of the list, which fly at each other.
+/// T36: the 27 stones of the list, which fly towards each other.
 SolidRun flying_stones(const Frictional& law) {
   SpaceBuilder builder;
   builder.gravity(Vec3::Zero());
@@ -70,7 +70,7 @@ SolidRun flying_stones(const Frictional& law) {
   return {builder.build(), 2e-5};
 }
 
-/// Until all have met and are apart; the deepest overlap [m].
+/// Runs until all bodies have met and separated; returns the deepest penetration [m].
 double fly_apart(SolidRun& run) {
   double deepest = 0;
   run.run_until(4, [&] {
@@ -195,13 +195,14 @@ TEST_CASE("T30: a block let go on one corner falls flat in time, in the plane of
     builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
     const Vec3 across = Vec3(-1, 1, 0).normalized(), pivot(0.2, 0.2, 0);
     const UnitQuaternion lean = rotation_by(share * alpha * across);
-    // The corner that carries it stands on a pyramid: it is put down as deep as its weight takes it.
+    // The supporting corner stands on a pyramid: the block starts with the penetration that carries its weight.
     const Vec3 centre = pivot + Turn3(lean).apply(Vec3(0, 0, 0.6) - pivot) - Vec3(0, 0, 1e-4);
     builder.add(stone("block", box_at(Vec3(0.4, 0.4, 1.2), centre, lean)));
     builder.contact(0, 0, frictional(1e14, 1e14, 2, 1e-5), "corner");
     SolidRun run(builder.build(), 1e-6);
     const auto left = [&] { return share * alpha + across.dot(run.turned(1)); };
-    // Looked at just before the other corners come down; from there on its angle grows by p^2 sin(alpha), p 3.36837/s.
+    // Evaluated just before the other corners land; from this point on the angular velocity grows by p^2 sin(alpha),
+    // with p = 3.36837/s.
     REQUIRE(run.run_until(1, [&] { return left() < 0.002; }));
     const double spin = -across.dot(run.spin(1)), gains = 2 * 3.36837 * 3.36837 * std::sin(alpha) * left();
     CHECK(near(run.time() + left() / rate, time, 1e-2));
@@ -225,7 +226,7 @@ TEST_CASE("T36: 27 stones of a list have its mass and momenta, and keep them and
     }
     CHECK(near(mass, 916.930629, 1e-9));
     const auto same_momenta = [&] {
-      // The list rounds momenta to 1e-6; how much they drift is held to rounding below.
+      // The list rounds momenta to 1e-6; their drift is checked against rounding below.
       CHECK((run.momentum() - momentum).norm() < 1e-6);
       CHECK((run.angular_momentum() - turning).norm() < 1e-4 * turning.norm());
     };

@@ -1,5 +1,5 @@
-// Rigid solids that touch, by implicit steps: they slide, rock, stand and fall as by explicit ones with steps that are
-// far longer; and what every implicit stage has to keep (VALIDATION I12 with T30, T1).
+// Rigid solids in contact by implicit steps: sliding, rocking, standing and toppling agree with explicit steps although
+// the steps are far longer. Invariants of every implicit stage (VALIDATION I12 with T30, T1).
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ Polyhedron floor_of_solids() {
   return box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0));
 }
 
-/// One block on the floor, or several on each other, under gravity tilted by an angle [rad] towards an azimuth.
+/// One block on the floor, or a stack, under gravity tilted by an angle [rad] towards an azimuth [rad].
 Model<3> stacked(const Vec3& sides, int count, double angle, double azimuth, const Frictional& law,
                  const Vec3& velocity = Vec3::Zero()) {
   SpaceBuilder builder;
@@ -82,7 +82,7 @@ TEST_CASE(
       const Vec3 turned = angle_of(now.state.rotation[1] * inverse(now.model.start_rotation[1]));
       const double left = share * alpha + across.dot(turned);
       if (lands == 0 && left <= 0) lands = last_time + (now.state.time - last_time) * last_angle / (last_angle - left);
-      // At the landing, which lies up to a step ahead: by the pendulum's energy.
+      // At the landing, up to one step ahead: by the pendulum's energy.
       if (lands == 0 && left > 2e-4)
         speed = std::sqrt(now.state.spin[1].squaredNorm() +
                           2 * left * standard_gravity * radius * std::sin(alpha - 0.5 * left) / about_pivot);
@@ -110,7 +110,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a stack that was kicked slides by implicit steps as by explicit ones") {
-  // Three blocks on each other, each turned against the last.
+  // A stack of three blocks, each rotated relative to the one below.
   const auto model = [] {
     SpaceBuilder builder;
     builder.gravity(Vec3(0, 0, -standard_gravity));
@@ -198,7 +198,7 @@ TEST_CASE("the state in the midst of an implicit stage in space goes on with the
 }
 
 TEST_CASE("a step in space that cannot converge changes no state and says where it fails") {
-  // A law so steep about 0 that the digits of a place are too few for its force.
+  // A law so steep about 0 that the floating-point resolution of a position cannot represent its force.
   Table steep;
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
   SolidModelBuilder builder;
@@ -241,7 +241,7 @@ TEST_CASE("explicit, implicit, explicit again in space: the ledger goes on") {
 
 TEST_CASE("a stage that chooses its integrator in space goes by implicit steps while it is slow") {
   Simulation<3> sim(stacked(Vec3(0.5, 0.5, 0.3), 2, 0, 0, frictional(1e9, 5e8, 0.6, 2e-4)));
-  // Twenty times the explicit step, less than which would not pay.
+  // Twenty times the explicit step, the least for which implicit steps are cheaper.
   StageOptions stage = careful_steps(0.5, 0.02), rest = stage;
   rest.implicit.reset();
   REQUIRE(sim.settle(rest, {}).end == StageEnd::rest);

@@ -1,4 +1,4 @@
-// Bodies in space that mortar holds together: what breaks, what it gives off, and that nothing else matters.
+// Mortar joints between bodies in space: bond failure, dissipated energy, and independence of all other options.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -23,8 +23,8 @@ Cohesive lime(double beta = 1e-5) {
   return law;
 }
 
-/// A wall of `courses` of three bricks, every other course a third of a brick aside, on a floor; turned with its world.
-/// A stone flies at it where `speed` is above 0.
+/// A wall of `courses` of three bricks on a floor, every other course offset by a third of a brick; rotated with its
+/// world. A stone flies at it if `speed` is above 0.
 Model<3> wall(const ContactLaw& law, int courses, double speed, const UnitQuaternion& world = {}) {
   SpaceBuilder builder;
   const Turn3 turn(world);
@@ -66,7 +66,7 @@ SolidRun struck(const ContactLaw& law, const UnitQuaternion& world = {}) {
 TEST_CASE("bonds are set between all bricks of a wall that touch") {
   const Model<3> model = wall(lime(), 4, 0);
   const State<3> state = start_state(model);
-  // Beds: 3 on the floor, 5 between courses; heads: 2 in each course.
+  // Bed joints: 3 on the floor, 5 between courses; head joints: 2 in each course.
   CHECK(state.contacts.joint.size() == 3 + 3 * 5 + 4 * 2);
   CHECK(bonds_of(state) == 16 * static_cast<int>(state.contacts.joint.size()));
 }
@@ -194,7 +194,7 @@ TEST_CASE("a column of bricks hung from its top holds, or tears where it carries
       CHECK(near(-run.place(1).z() - 0.5 * height, weight / 1e9, 1e-3));
       continue;
     }
-    // What is torn off falls freely, all of it at one speed, a little later than from the start.
+    // The detached part falls freely with a single velocity, slightly later than from the start.
     CHECK(near(run.velocity(1).z(), -standard_gravity * run.time(), 2e-2));
     for (const int n : {2, 3, 4}) CHECK(near(run.velocity(n).z(), run.velocity(1).z(), 1e-3));
   }

@@ -1,4 +1,4 @@
-// VALIDATION T1, T3, T9, T12 to T14, T16, T22: solids that rest, slide from rest and tip over.
+// VALIDATION T1, T3, T9, T12 to T14, T16, T22: solids that rest, start to slide, and tip over.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,12 +15,12 @@ Polyhedron floor_slab() {
   return box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0));
 }
 
-/// A block on the floor, in a world turned by `world`, under gravity tilted by `angle` towards `azimuth` [rad].
+/// A block on the floor, in a world rotated by `world`, under gravity tilted by `angle` towards `azimuth` [rad].
 struct Slope {
   Vec3 sides;
   double mu, angle, azimuth = 0, kn = 1e9, beta = 2e-4;
   UnitQuaternion world = {};
-  double grown_at = 0;  // weight comes on until then [s]
+  double grown_at = 0;  // the weight grows until this time [s]
 
   [[nodiscard]] SolidRun run(double dt) const {
     SpaceBuilder builder;
@@ -36,7 +36,7 @@ struct Slope {
   [[nodiscard]] Vec3 downhill() const { return Turn3(world).apply(Vec3(std::cos(azimuth), std::sin(azimuth), 0)); }
 };
 
-/// A regular prism lying on one of its sides, its axis along y, low side at z = 0.
+/// A regular prism lying on one of its sides, its axis along y, its lowest side at z = 0.
 Polyhedron lying_prism(int corners, double radius, double length) {
   std::vector<Vec3> polygon;
   const double step = 2 * std::numbers::pi / corners;
@@ -95,13 +95,13 @@ TEST_CASE("a cube at rest stays at rest: no rattle, no lean, no turn") {
 }
 
 TEST_CASE("T9: a table of four feet spreads its load as a rigid plate does") {
-  // A slab with four legs, one body; its weight is off the middle by a block that is part of it.
+  // A slab with four legs, one body; a block that belongs to it moves its weight off the middle.
   const auto feet = [](double ex, double ey) {
     SpaceBuilder builder;
     builder.gravity(Vec3(0, 0, -standard_gravity));
     builder.add(fixed_stone("floor", floor_slab()));
     SolidBody table;
-    table.name = "table", table.density = 1e-3;  // next to nothing: the load is the weight
+    table.name = "table", table.density = 1e-3;  // negligible: the load is the weight
     table.pieces.push_back(box_solid(Vec3(-0.6, -0.5, 0.5), Vec3(0.6, 0.5, 0.6)));
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.4, 0.4})
@@ -109,7 +109,7 @@ TEST_CASE("T9: a table of four feet spreads its load as a rigid plate does") {
     builder.add(table);
     builder.contact(0, 0, frictional(1e11, 1e11, 0.5, 1e-3), "joint");
     Model<3> model = builder.build();
-    // A mass of 10 kN / g at (ex, ey, .55) with some inertia: the body's centroid is moved there.
+    // A mass of 10 kN / g at (ex, ey, 0.55) with some inertia: the body's centroid is moved to it.
     const Vec3 shift = Vec3(ex, ey, 0.55) - model.start_position[1];
     const Vec3 own = Turn3(model.start_rotation[1]).undo(shift);
     model.start_position[1] += shift;
@@ -146,7 +146,7 @@ TEST_CASE("T12: friction is a circle") {
       if (off < 0)
         CHECK(run.velocity(1).norm() < 1e-4);
       else
-        CHECK(run.velocity(1).dot(slope.downhill()) > 0.003);  // g (sin - mu cos) .6 s is .011 m/s
+        CHECK(run.velocity(1).dot(slope.downhill()) > 0.003);  // g (sin - mu cos) 0.6 s is 0.011 m/s
     }
   }
 }
@@ -155,7 +155,7 @@ TEST_CASE("T13: a tall block tips over its edge or its corner" * doctest::test_s
   for (const auto& [azimuth, limit] :
        {std::pair(0.0, 18.435), std::pair(15.0, 19.04), std::pair(30.0, 21.05), std::pair(45.0, 25.24)}) {
     for (const double off : {-0.3, 0.05}) {
-      // The corner carries all on a small triangle: it must be the stiffer.
+      // The corner carries the full load on a small triangle, so its contact must be stiffer.
       const bool corner = azimuth == 45;
       const Slope slope{Vec3(0.4, 0.4, 1.2),
                         0.9,

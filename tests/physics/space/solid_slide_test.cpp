@@ -1,4 +1,4 @@
-// VALIDATION T23 to T26: friction in a plane, its direction free; where the pressure is.
+// VALIDATION T23 to T26: friction in a plane with free direction; the position of the pressure resultant.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ SolidRun block_on_floor(const Vec3& sides, double mu, const Vec3& gravity, const
 
 const Vec3 down(0, 0, -standard_gravity);
 
-/// Follows the block on a base that is accelerated: in the base's own frame weight leans the other way.
+/// Follows the block on an accelerated base: in the frame of the base, gravity is tilted against the acceleration.
 void shake(SolidRun& run, double dt, double seconds, const std::function<Vec3(double)>& base,
            const std::function<void()>& each) {
   const auto steps = static_cast<int>(std::lround(seconds / dt));
@@ -64,7 +64,7 @@ TEST_CASE("T24: on a base that goes round, the block slides round in a smaller c
   const double period = 1, w = 2 * std::numbers::pi / period;
   for (const Row& r : {Row{0.5, 0.3, 0.099362, 0.62431}, Row{0.6, 0.5, 0.082387, 0}}) {
     const double dt = 5e-5;
-    // The base begins with (0, -A g / w): beside it the block moves by the opposite.
+    // The base starts with the velocity (0, -A g / w): relative to it the block moves with the opposite velocity.
     SolidRun run = block_on_floor(Vec3(0.1, 0.1, 0.01), r.mu, down, Vec3(0, r.share * standard_gravity / w, 0), 0, dt);
     const auto base = [&](double t) {
       return Vec3(r.share * standard_gravity * Vec3(std::cos(w * t), std::sin(w * t), 0));
@@ -114,7 +114,7 @@ TEST_CASE("T26: a plate that slides and spins stops both at once") {
   REQUIRE(run.run_until(1, [&] { return run.velocity(1).norm() < 1e-3 && run.spin(1).norm() < 1e-2; }));
   CHECK(near(run.time(), 0.4808, 2e-2));
   CHECK(near(run.place(1).x(), 0.2301, 2e-2));
-  CHECK(run.place(1).x() > 0.1700 * 1.2);  // it goes farther than one that does not spin
+  CHECK(run.place(1).x() > 0.1700 * 1.2);  // it slides farther than a block that does not spin
 }
 
 TEST_CASE("a body that is heavier on one side slides straight and stops where friction stops it") {
@@ -134,7 +134,7 @@ TEST_CASE("a body that is heavier on one side slides straight and stops where fr
   CHECK(near(run.time(), 1 / (mu * standard_gravity), 5e-3));
   const Vec3 way = run.place(1) - start;
   CHECK(near(way.x(), 0.5 / (mu * standard_gravity), 5e-3));
-  // Friction in the middle of the area would turn it by .18 rad.
+  // Friction at the middle of the area would rotate the block by 0.18 rad.
   CHECK(std::abs(run.turned(1).z()) < 1e-3);
   CHECK(std::abs(way.y()) < 1e-4);
 }

@@ -1,5 +1,4 @@
-// Solids that must stand still for long, and a heap that must come to rest. VALIDATION T15, and what T36 asks, of
-// stones by chance.
+// Solids that must stand still for long, and a heap of random stones that must come to rest (VALIDATION T15, T36).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A dry wall in running bond on a fixed base, of units .4 x .2 x .2 m.
+/// A dry wall in running bond on a fixed base, of units of 0.4 m x 0.2 m x 0.2 m.
 Model<3> dry_wall(int courses, int columns) {
   constexpr double l = 0.4, h = 0.2;
   SpaceBuilder builder;
@@ -34,7 +33,7 @@ Model<3> dry_wall(int courses, int columns) {
   return builder.build();
 }
 
-/// The largest of f(node) over all nodes but the first.
+/// The largest f(node) over all nodes except the first.
 template <class F>
 double largest_of(const SolidRun& run, F&& f) {
   double most = 0;
@@ -42,7 +41,7 @@ double largest_of(const SolidRun& run, F&& f) {
   return most;
 }
 
-/// T15: planes that dip by these angles towards these azimuths carry a wedge; x to the east, y to the north.
+/// T15: planes with these dips and dip directions carry a wedge; x to the east, y to the north.
 struct WedgePlanes {
   Vec3 first, second, along;  // upward normals; down along the line in which the planes meet
 
@@ -54,14 +53,14 @@ struct WedgePlanes {
     along = cross(first, second).normalized();
     if (along.z() > 0) along = -along;
   }
-  /// Out of the line and up in one plane, at right angles to the line.
+  /// Unit vector in one plane at a right angle to the line, upwards and away from it.
   [[nodiscard]] Vec3 up(const Vec3& normal, const Vec3& other) const {
     const Vec3 way = cross(normal, along);
     return way.dot(other) > 0 ? way : Vec3(-way);
   }
 };
 
-/// How fast the wedge gains speed down its line [m/s2], with both tangents of friction over `safety`.
+/// Acceleration of the wedge down its line [m/s2], with both friction coefficients divided by `safety`.
 double wedge_acceleration(double safety) {
   const WedgePlanes planes;
   const Vec3 a = planes.up(planes.first, planes.second), b = planes.up(planes.second, planes.first);
@@ -178,7 +177,8 @@ TEST_CASE("500 stones poured into a box come to rest" * doctest::test_suite("lon
   const auto fastest_now = [&] {
     return largest_of(run, [&](std::size_t n) { return run.state().velocity[n].norm(); });
   };
-  // When the last stone stops rocking hangs on single bits of the fall: some seconds more are given it.
+  // The moment at which the last stone stops rocking depends on single bits of the fall: the run gets some seconds
+  // more.
   for (int more = 0; more < 8 && fastest_now() >= 0.02; ++more) run.run(0.5);
   const Energy energy = run.energy();
   const double fastest = fastest_now();

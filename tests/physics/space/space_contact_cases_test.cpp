@@ -1,4 +1,4 @@
-// VALIDATION C1 to C6, S1, K4, K5 in space, with the whole model turned about axes by chance.
+// VALIDATION C1 to C6, S1, K4, K5 in space, with the whole model rotated about random axes.
 #include <array>
 #include <cmath>
 #include <string>
@@ -16,7 +16,7 @@ SolidBody base_below(double size = 3) {
   return fixed_stone("base", box_solid(Vec3(-size, -size, -1), Vec3(size, size, 0)));
 }
 
-/// What leans in its plane of x and z, 1 m deep, by its outline; `weight` [N].
+/// A leaning body of outline `outline` in the plane x-z, 1 m deep, of weight `weight` [N].
 SolidBody leaning(const std::string& name, const std::array<Vec2, 4>& outline, double weight) {
   std::vector<Vec3> face;
   for (const Vec2& p : outline) face.emplace_back(p.x(), 0, p.y());
@@ -50,7 +50,7 @@ TEST_CASE("C1 in space: a block rests at the overlap m g / (kn A) under a unifor
 
 namespace {
 
-/// How two solids part that met flatly.
+/// Rebound of two solids after a flat impact.
 struct FlatBounce {
   double restitution, duration, deepest;  // speed share, w t, w d / v0
 };
@@ -58,7 +58,7 @@ struct FlatBounce {
 /// A cube of mass `m1` hits, flat and at `speed`, a fixed base (m2 = 0) or a free cube of mass m2.
 FlatBounce flat_bounce(double m1, double m2, double kn, double speed, double zeta, const UnitQuaternion& world) {
   const double m = m2 > 0 ? m1 * m2 / (m1 + m2) : m1, w = std::sqrt(kn / m), dt = 5e-4 / w;
-  // They start between two steps of their meeting, so that rounding does not decide in which of them it is.
+  // They start between two steps of their impact, so that rounding does not decide its step.
   const double gap = 1.5 * dt * speed;
   SolidScene scene(world);
   const Polyhedron below = box_solid(Vec3(0, 0, -1), Vec3(1, 1, 0));
@@ -86,7 +86,7 @@ constexpr std::array bounce_rows{BounceRow{0.02, 0.93984, 3.1022, 0.96945}, Boun
                                  BounceRow{0.1, 0.74408, 2.9561, 0.86260},  BounceRow{0.2, 0.57174, 2.7954, 0.75613},
                                  BounceRow{0.3, 0.45098, 2.6545, 0.67155},  BounceRow{0.5, 0.29844, 2.4184, 0.54629}};
 
-/// On a fixed base, and of two free cubes.
+/// Bounces on a fixed base and of two free cubes.
 std::array<FlatBounce, 2> both_bounces(double zeta, const UnitQuaternion& world) {
   return {flat_bounce(1000, 0, 1e8, 1, zeta, world), flat_bounce(300, 700, 5e8, 0.2, zeta, world)};
 }
@@ -153,7 +153,7 @@ TEST_CASE("C5 in space: faces that overlap in part carry W/(1 - s) where they ov
       SolidScene scene(world);
       scene.gravity(downwards);
       scene.add(fixed_stone("lower", box_solid(Vec3(0, 0, -0.5), Vec3(1, 1, 0))));
-      // It leans back, so that its weight acts through the middle of the overlap.
+      // The block leans back, so that its weight acts through the middle of the contact.
       scene.add(leaning("upper", {Vec2(s, 0), Vec2(1 + s, 0), Vec2(1, 0.5), Vec2(0, 0.5)}, weight));
       scene.contact(frictional(kn, 0.5 * kn, 0.6, 1e-3));
       SolidRun run(scene.build(), 1e-4);
@@ -192,14 +192,15 @@ TEST_CASE("C6 in space: three blocks on one pass a uniform pressure on and do no
     for (const int body : {1, 2, 3, 4}) all.push_back({run.turned(body).norm(), 0, 1e-8});
     return all;
   };
-  // Sides of the narrow blocks that touch by rounding alone press and rub each other by it, more as time goes on:
-  // figures came to differ by up to 6e-10 in 40 worlds, and with .2 um between those sides by 1e-11.
+  // The sides of the narrow blocks touch by rounding only. They press and rub each other, more with time: figures
+  // differed by up to 6e-10 in 40 worlds, and by 1e-11 with gaps of 0.2 um between these sides.
   check_in_turned_worlds(figures, 2e-9);
 }
 
 namespace {
 
-/// A slab on an incline, as gravity leaning over a flat base towards `azimuth` [rad]; it starts in its overlap.
+/// A slab on an incline, modelled by gravity tilted towards `azimuth` [rad] over a flat base; it starts with its static
+/// penetration.
 struct SlopedSlab {
   SolidScene scene;
   Vec3 downhill;
@@ -222,7 +223,7 @@ struct SlopedSlab {
 
 TEST_CASE("S1 in space: a block slides down an incline at g (sin - mu cos)") {
   struct Slide {
-    double degrees, mu, gains, way;  // [deg], [1], [m/s2], in the first second [m]
+    double degrees, mu, gains, way;  // [deg], [1], [m/s2], displacement in the first second [m]
   };
   check_in_turned_worlds([](const UnitQuaternion& world) {
     std::vector<Published> all;
@@ -256,8 +257,8 @@ TEST_CASE("S1 in space: below the friction angle a block stays and creeps less t
 
 namespace {
 
-/// Seconds from rest at a tilt of `q` times its angle about a base edge until a block of those sides stands upright,
-/// and how far it has turned about other axes by then [rad].
+/// Time from rest at a tilt of `q` times its critical angle about a base edge until the block stands upright [s], and
+/// its rotation about other axes at this time [rad].
 struct Uprighting {
   double time = 0, aside = 0;
 

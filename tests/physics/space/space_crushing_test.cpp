@@ -1,5 +1,5 @@
-// Mortar in space that crushes under moving blocks, in joints and in contacts of any shape: stopping distance, toes,
-// the ledger, what is remembered.
+// Mortar in space that crushes under moving blocks, in joints and in contacts of any shape: stopping distance,
+// compressed toes, energy ledger, saved history.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double bed_stiffness = 1e10;  // [Pa/m]
 
-/// Nearly no bond, so that what is seen is crushing alone.
+/// Mortar with almost no bond strength, so that crushing alone acts.
 Cohesive weak_mortar(double compression, double depth, double beta = 0) {
   Cohesive law;
   law.kn = bed_stiffness, law.ks = 0.5 * bed_stiffness, law.mu = 0.7, law.beta = beta;
@@ -29,7 +29,7 @@ Cohesive weak_mortar(double compression, double depth, double beta = 0) {
   return law;
 }
 
-/// A block of 1 m by 1 m by .5 m and 1000 kg that comes down on a floor, all of the world turned.
+/// A block of 1 m by 1 m by 0.5 m and 1000 kg that lands on a floor, all in a rotated world.
 Model<3> falling_block(const Cohesive& law, double gap, double speed, const UnitQuaternion& world) {
   SpaceBuilder builder;
   const Turn3 turn(world);
@@ -50,7 +50,7 @@ double depth_of(const State<3>& state) {
   return most;
 }
 
-/// A block that turns as it comes down and slides over mortar it crushes.
+/// A block that rotates while it lands and slides over mortar that it crushes.
 Model<3> tumbling_block(const Vec3& turn) {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
@@ -65,7 +65,8 @@ Model<3> tumbling_block(const Vec3& turn) {
 }  // namespace
 
 TEST_CASE("a solid that falls on mortar too weak to stop it sinks in by its energy over the strength") {
-  // Not so deep that the border of the block, nearer to its sides than that, matters (some .1 % of the area).
+  // The depth is so small that the border strip of the block, which is closer to its sides than the depth, is
+  // negligible (about 0.1 % of the area).
   const double strength = 2e5, mass = 1000, speed = 0.5, gap = 1e-3;
   for (const UnitQuaternion& world : {UnitQuaternion{}, rotation_by({0.4, -1.2, 0.7})}) {
     const Model<3> model = falling_block(weak_mortar(strength, 0.05), gap, speed, world);
@@ -80,13 +81,13 @@ TEST_CASE("a solid that falls on mortar too weak to stop it sinks in by its ener
     CHECK(near_zero(run.energy().balance() - begun, 1e-3 * 0.5 * mass * v2));
     const double low = Turn3(world).undo(run.place(1)).z() - 0.25;
     CHECK(low > -depth - 2 * elastic);
-    const double rebound = 0.5 * strength * elastic / (mass * standard_gravity);  // what the overlap gives back
+    const double rebound = 0.5 * strength * elastic / (mass * standard_gravity);  // rebound by the elastic penetration
     CHECK(low < -depth + rebound);
   }
 }
 
 TEST_CASE("laid in mortar that crushes, a solid that is pressed sinks as far as one that falls on it") {
-  // Bonded from the start; the blow is the block's own speed.
+  // Bonded from the start; the impact is the block's own velocity.
   const double strength = 2e5, mass = 1000, speed = 2;
   const Model<3> model = falling_block(weak_mortar(strength, 0.05), 0, speed, {});
   SolidRun run(model, start_state(model), 1e-5);
@@ -111,7 +112,7 @@ TEST_CASE("a toe that crushes lets a tilted solid topple earlier, by a third of 
       SolidRun run(builder.build(), 2e-5);
       run.run(0.1);
       const double rate = radians(2), from = 0.75 * upright, begun = run.time();
-      const double settling = 0.3;  // brought to the first tilt before it grows
+      const double settling = 0.3;  // time to reach the first tilt before it grows [s]
       double tilt = 0;
       const bool topples = run.run_until(settling + 0.4 * upright / rate, [&] {
         const double t = run.time() - begun;

@@ -1,4 +1,4 @@
-// Elements in space by themselves: patches, turns, bending, mass, what is refused.
+// Single elements in space: patch tests, rotation, bending, mass, rejected meshes.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST_CASE("patch test: distorted bricks and tetrahedra carry a linear field exac
   for (const ElementShape shape : all_shapes) {
     CAPTURE(name_of_shape(shape));
     SolidSpec spec = mesh_spec("patch", "m", distorted_box(Vec3(2, 1.5, 1), {3, 3, 3}, shape, 0.08));
-    // The skin is moved by the field and held there, the inner nodes find their own way.
+    // The skin is displaced by the field and fixed; the inner nodes are free.
     spec.supports = {{Vec3(0, 0, 0), Vec3(0, 1.5, 1), {Support::fixed, Support::fixed, Support::fixed}},
                      {Vec3(2, 0, 0), Vec3(2, 1.5, 1), {Support::fixed, Support::fixed, Support::fixed}},
                      {Vec3(0, 0, 0), Vec3(2, 0, 1), {Support::fixed, Support::fixed, Support::fixed}},
@@ -36,7 +36,7 @@ TEST_CASE("patch test: distorted bricks and tetrahedra carry a linear field exac
     Work<3> work;
     for (int n = 0; n < model.nodes(); ++n) state.position[n] += gradient * model.start_position[n];
     internal_forces(model, state, work);
-    // The field itself is in balance: no force on any inner node.
+    // The field is in equilibrium: no force on any inner node.
     double left = 0, held = 0;
     for (int n = 0; n < model.nodes(); ++n)
       (model.moves(n) ? left : held) = std::max(model.moves(n) ? left : held, work.element_force[n].norm());
@@ -46,7 +46,7 @@ TEST_CASE("patch test: distorted bricks and tetrahedra carry a linear field exac
   }
 }
 
-/// A box of bricks of which those at its low end along x are parted into wedges, inner nodes moved.
+/// A box of bricks; the bricks at its low end along x are split into wedges, inner nodes are displaced.
 SpaceMesh bricks_and_wedges() {
   const SpaceMesh bricks = distorted_box(Vec3(2, 1.5, 1), {3, 3, 3}, ElementShape::brick, 0.08);
   SpaceMesh mixed{bricks.node, {}};
@@ -154,11 +154,12 @@ TEST_CASE("forces of elements in space are the gradient of the stored energy, wi
   }
 }
 
-/// Deflection at the tip of a cantilever of 10 x 1 x 1 m under a force across it, over that of beam theory with shear.
+/// Tip deflection of a cantilever of 10 m x 1 m x 1 m under a force across it, over the deflection by beam theory with
+/// shear [1].
 double tip_ratio(double poisson, ElementForm form, ElementShape shape, const std::array<int, 3>& divisions) {
   const double young = 1e7, length = 10, force = 1;
   SolidSpec spec = box_of("beam", box_solid(Vec3(0, 0, 0), Vec3(length, 1, 1)), "m", divisions, shape);
-  // Held at its root so that it may widen there: along x all nodes, across at the middle lines.
+  // The root is fixed so that it may widen: all nodes along x, the middle lines across.
   const Support f = Support::fixed, r = Support::free;
   spec.supports = {{Vec3(0, 0, 0), Vec3(0, 1, 1), {f, r, r}},
                    {Vec3(0, 0, 0), Vec3(0, 0, 0), {f, f, f}},
@@ -216,7 +217,8 @@ TEST_CASE("elements in space give a body its mass, centre and moments of inertia
     double about = 0;
     for (int n = 0; n < model.nodes(); ++n)
       about += model.mass[n] * (model.start_position[n] - centre).head<2>().squaredNorm();
-    // Lumped masses stand farther out than what they stand for: by the square of a division.
+    // Lumped masses lie farther out than the mass of their elements, which raises the inertia: error of second order in
+    // the division.
     CHECK(near(about, mass / 12 * sides.head<2>().squaredNorm(), 0.051));
   }
 }

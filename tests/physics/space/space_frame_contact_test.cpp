@@ -1,4 +1,4 @@
-// Beams in space that touch solids and hang on bearings: their skin goes with their nodes.
+// Beams in space in contact with solids and on bearings: the skin follows the nodes.
 #include <doctest/doctest.h>
 
 #include "model/pose.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 const Frictional touch{5e8, 2e8, 0.5, 2e-4};
 
-/// A model with gravity of frames and boxes of one material, which touch.
+/// A model with gravity, of frames and boxes of one material with contact.
 SolidModelBuilder scene(const Material& material, const Frictional& law = touch) {
   SolidModelBuilder builder;
   builder.add_material(material);
@@ -37,7 +37,7 @@ double step_for_all(const Model<3>& model, double share = 0.5) {
   return share * stable_step(model, state, work).dt;
 }
 
-/// What contacts do to a body [N].
+/// Sum of the contact forces on a body [N].
 Vec3 force_on(SolidRun& run, int body) {
   const Body& b = run.model().bodies[static_cast<std::size_t>(body)];
   Vec3 sum = Vec3::Zero();
@@ -65,7 +65,7 @@ TEST_CASE("a girder of beams lies on two piers, which carry its weight by halves
   CHECK(near(force_on(run, 0).z(), -weight / 2, 1e-2));
   CHECK(near(force_on(run, 1).z(), -weight / 2, 1e-2));
   CHECK(near(force_on(run, 2).z(), weight, 5e-3));
-  // It turns over the inner edges of the piers, where nearly all of the force passes.
+  // The beam rotates over the inner edges of the piers, where nearly all of the force acts.
   const double span = length - 0.4, line = 2000 * section.area * standard_gravity;
   const double sag = 5 * line * std::pow(span, 4) / (384 * young * section.second_moment[1]);
   const std::size_t middle = 2 + 2 + 7;
@@ -145,7 +145,7 @@ TEST_CASE("a bearing between a joint of a frame and a solid carries what hangs o
 TEST_CASE("a plane frame in space moves as the frame in the plane does") {
   const double young = 3e9, length = 3;
   const RectangleSection shape{0.2, 0.3};
-  // In the plane: a cantilever along x that is let go; in space the same in a vertical plane askew.
+  // In the plane: a released cantilever along x; in space the same in an oblique vertical plane.
   BodySpec flat = beam_body("bar", Vec2(0, 0), Vec2(length, 0), shape.numbers(), "steel", 6);
   flat.frame->joints[0].support = {Support::fixed, Support::fixed, Support::fixed};
   ModelBuilder plane;

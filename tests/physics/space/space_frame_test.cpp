@@ -1,5 +1,5 @@
-// Beams and frames in space: closed forms at rest, frequencies counted in free vibration, what is kept in flight, and
-// the same in a world that is turned.
+// Beams and frames in space: closed forms at rest, frequencies counted in free vibration, conserved quantities in
+// flight, and the same results in a rotated world.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ Section3 bar_section() {
   return plain_section(0.05, 0.1);
 }
 
-/// A cantilever along `along`, held at its start; `last`: its tip's node.
+/// A cantilever along `along`, fixed at its start; `last`: the node of its tip.
 Model<3> cantilever(double length, const UnitQuaternion& turn, int divisions, const Section3& section, bool shear,
                     const Material& material = member_material(steel_density, steel_young, steel_poisson)) {
   SolidSpec spec = chain_body("bar", {Vec3::Zero(), turn_of(turn).apply(Vec3(length, 0, 0))}, section, divisions);
@@ -36,7 +36,7 @@ Vec3 turned_by(const Model<3>& model, const State<3>& state, std::size_t node) {
   return angle_of(state.rotation[node] * inverse(model.start_rotation[node]));
 }
 
-/// Whole periods of `of` until `end`, by its upward passages through 0: their mean length [s].
+/// Mean length of the full periods of `of` until `end`, by its upward passages through 0 [s].
 double counted_period(SolidRun& run, double end, const std::function<double()>& of) {
   double before = of(), first = -1, last = -1;
   int count = 0;
@@ -100,7 +100,7 @@ TEST_CASE("forces in the members of a frame in space balance what loads it") {
   REQUIRE(rows.size() == 8);
   CHECK(near(rows.front().normal, 7, 1e-3));
   CHECK(near(rows.front().torque, 5, 1e-3));
-  // The load at the end is what holds the part before up: it pushes the part behind against its way.
+  // The load at the end acts on the part before it; the part behind it has the opposite shear.
   CHECK(near(rows.front().shear[0], -11, 1e-3));
   CHECK(near(rows.front().shear[1], -13, 1e-3));
   CHECK(near(rows.front().moment[1], 2 * 11, 1e-3));
@@ -118,13 +118,14 @@ TEST_CASE("a cantilever that an end moment about any axis rolls up becomes a cir
     Section3 s = plain_section(0.1, 0.1);
     const int divisions = 10;
     const Model<3> model = cantilever(length, turn, divisions, s, false, member_material(steel_density, steel_young));
-    // About any axis square to the bar, as its section is as stiff about all of them.
+    // About any axis perpendicular to the bar: its section has the same stiffness about all of them.
     const Vec3 axis = axes.apply(Vec3(0, std::cos(i * 1.0), std::sin(i * 1.0)));
     SpaceEquilibrium rest(model);
     rest.moment[tip] = 2 * M_PI * steel_young * s.second_moment[1] / length * axis;
     CHECK(rest.solve(40, 1e-3) < 1e-3);
     CHECK((rest.state().position[tip] - model.start_position[0]).norm() < 2e-3 * length);
-    // Half way along it stands across the circle, at its diameter; its first and last beams are chords of it.
+    // At half of the length the bar is across the circle, at its diameter; the first and last elements are chords of
+    // the circle.
     const Vec3 middle = rest.state().position[2 + divisions / 2 - 1] - model.start_position[0];
     CHECK(near(middle.norm(), length / M_PI, 0.02));
     CHECK(near_zero(middle.dot(axis), 1e-6));
@@ -139,7 +140,7 @@ TEST_CASE("the bend of 45 degrees under a force out of its plane comes to where 
     const double angle = M_PI / 4 * i / chords;
     places.emplace_back(radius * std::sin(angle), radius * (1 - std::cos(angle)), 0);
   }
-  // The published runs take 1/6 for the torsion constant of the square.
+  // The published runs use 1/6 for the torsion constant of the square.
   GivenSection square{1, 1.0 / 12, 1, 0, 0, 1.0 / 12, 1.0 / 6, 1, 0};
   SolidSpec spec = chain_body("bend", places, section_in_space(square), 1);
   for (SpaceMember& member : spec.frame->members) member.shear = true;
@@ -150,7 +151,7 @@ TEST_CASE("the bend of 45 degrees under a force out of its plane comes to where 
   CHECK(rest.solve(12, 1e-6) < 1e-6);
   const Vec3 at = rest.state().position[chords];
   MESSAGE("tip at " << at.x() << " " << at.y() << " " << at.z());
-  // Simo and Vu-Quoc 1986: (15.79, 47.23, 53.37), there with the first two the other way round.
+  // Simo and Vu-Quoc 1986: (15.79, 47.23, 53.37), with the first two exchanged.
   CHECK(near(at.x(), 47.23, 3e-3));
   CHECK(near(at.y(), 15.79, 3e-3));
   CHECK(near(at.z(), 53.37, 3e-3));
@@ -173,7 +174,7 @@ TEST_CASE("a free cantilever in space swings about both axes and twists at the f
                across = 2 * M_PI / (root * std::sqrt(steel_young * s.second_moment[0] / mass));
   CHECK(near(period_along(1, up), up, 5e-3));
   CHECK(near(period_along(2, across), across, 5e-3));
-  // A shaft held at one end twists in a quarter of a wave.
+  // A shaft fixed at one end twists in a quarter wave.
   const double polar = steel_density * (s.second_moment[0] + s.second_moment[1]),
                twist = 4 * length / std::sqrt(g * s.torsion / polar);
   SolidRun run(model, step_of(model));
@@ -184,7 +185,7 @@ TEST_CASE("a free cantilever in space swings about both axes and twists at the f
 
 namespace {
 
-/// An angle frame, two legs at a right angle, soft, that tumbles with swinging legs.
+/// A soft angle frame of two legs at a right angle, which tumbles while its legs swing.
 Model<3> tumbling(const UnitQuaternion& turn, double damping = 0) {
   const Turn3 axes = turn_of(turn);
   SolidSpec spec = chain_body("angle", {axes.apply(Vec3(2, 0, 0)), Vec3::Zero(), axes.apply(Vec3(0, 2, 0.5))},

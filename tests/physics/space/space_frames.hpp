@@ -1,4 +1,4 @@
-// Frames in space for the physics tests: models by few words, and their equilibrium by Newton's method.
+// Frames in space for the physics tests: short model builders, and equilibrium by Newton's method.
 #pragma once
 
 #include <Eigen/Dense>
@@ -24,7 +24,7 @@ inline Material member_material(double density, double young, double poisson = 0
 constexpr std::array<Support, 6> clamped{Support::fixed, Support::fixed, Support::fixed,
                                          Support::fixed, Support::fixed, Support::fixed};
 
-/// A body whose members lead from each joint to the next, named by their number, the first "0".
+/// A body whose members connect each joint to the next; both are named by their number, starting at "0".
 inline SolidSpec chain_body(const std::string& name, const std::vector<Vec3>& places, const Section3& section,
                             int divisions) {
   SolidSpec spec;
@@ -57,8 +57,8 @@ inline UnitQuaternion random_turn(std::mt19937_64& bits) {
   return rotation_by(3 * random_in_ball(bits));
 }
 
-/// What holds a model still under dead forces and moments on its nodes, by Newton's method with a tangent of
-/// differences: the turns of a step are rotation vectors in the axes of the world.
+/// Equilibrium of a model under dead forces and moments on its nodes, by Newton's method with a tangent stiffness by
+/// finite differences. Rotation increments are rotation vectors in world axes.
 class SpaceEquilibrium {
  public:
   explicit SpaceEquilibrium(const Model<3>& model) : model_(model), state_(initial_state(model)) {
@@ -69,7 +69,7 @@ class SpaceEquilibrium {
   }
   std::vector<Vec3> force, moment;  ///< [node] N, N m
 
-  /// Loads grow in `steps` equal parts. Returns the largest force left over.
+  /// Loads grow in `steps` equal increments. Returns the largest residual.
   double solve(int steps, double tolerance) {
     double left = 0;
     for (int i = 1; i <= steps; ++i)

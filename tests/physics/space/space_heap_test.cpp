@@ -1,4 +1,4 @@
-// Heaps of deformable and rigid stones in space: bits, the ledger.
+// Heaps of deformable and rigid stones in space: bits, energy ledger.
 #include <fmt/format.h>
 
 #include <doctest/doctest.h>
@@ -67,7 +67,7 @@ TEST_CASE("the ledger of a heap of deformable stones that fall closes" * doctest
   const double begun = run.energy().balance();
   run.run(1.5);
   CHECK(near_zero(run.energy().balance() - begun, 1e-2 * fall));
-  // What has rolled over the edge of the ground falls beside it.
+  // Stones that have rolled over the edge of the ground fall next to it.
   for (int n = 1; n < model.nodes(); ++n)
     if (const Vec3& at = run.state().position[n]; at.head<2>().cwiseAbs().maxCoeff() < 2) CHECK(at.z() > -0.2);
 }

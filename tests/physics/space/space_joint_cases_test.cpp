@@ -1,4 +1,4 @@
-// VALIDATION C7, C8 in space: a bonded joint pulled and sheared, with the whole model turned about axes by chance.
+// VALIDATION C7, C8 in space: a bonded joint in tension and shear, with the whole model rotated about random axes.
 #include <algorithm>
 #include <bit>
 #include <vector>
@@ -15,7 +15,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// What a joint does against the way its block is led, and how far that has come, at one instant.
+/// Force of a joint against the prescribed displacement of its block, and this displacement, at one instant.
 struct LedReading {
   double moved, force;  // [m], [N]
 };
@@ -26,7 +26,8 @@ LedReading strongest(const std::vector<LedReading>& readings) {
                            [](const LedReading& a, const LedReading& b) { return a.force < b.force; });
 }
 
-/// A joint of 1 m2 between a fixed base and a block that is pressed, led along one way and does not turn.
+/// A joint of 1 m2 between a fixed base and a pressed block with a prescribed displacement along one direction and no
+/// rotation.
 class LedJoint {
  public:
   /// The mortar sets without stress, then the block comes to rest under `pressure` [Pa].
@@ -41,7 +42,8 @@ class LedJoint {
     sim_.run(stage);
   }
 
-  /// Moves the block along `way` of the scene by u(t) = size sin(2 pi t / period), for `cycles`; across it is free.
+  /// Moves the block along the scene direction `way` by u(t) = size sin(2 pi t / period) for `cycles`; across it the
+  /// block is free.
   std::vector<LedReading> lead(const Vec3& way, double size, double period, double cycles) {
     const double w = 2 * M_PI / period, end = cycles * period, begun = sim_.state().time;
     const auto motion = motion_of(
@@ -68,7 +70,7 @@ class LedJoint {
     return sum;
   }
 
-  std::vector<Event> broken;  ///< bonds, while led; times count from there
+  std::vector<Event> broken;  ///< bonds broken during the prescribed motion; times count from its start
 
  private:
   static Model<3> make(SolidScene& scene, const ContactLaw& law) {
@@ -92,11 +94,11 @@ constexpr double joint_kn = 1e8, joint_ks = 5e7, joint_tension = 19150, joint_co
 }  // namespace
 
 TEST_CASE("C7 in space: a cohesive joint carries its tensile strength and then nothing until it closes again") {
-  // The work of the softening law is gone where it is open by 2.5e-4 m.
+  // The work of the softening law is fully dissipated at an opening of 2.5e-4 m.
   const double work = 0.5 * joint_tension * 2.5e-4;
   struct Pulled {
     ContactLaw law;
-    double gone;  // where nothing pulls any more [m]
+    double gone;  // opening at which the traction is zero [m]
   };
   const double reached = joint_tension / joint_kn;
   for (const Pulled& p : {Pulled{brittle_mortar(joint_kn, joint_ks, 0.7, 1e5, joint_tension), 1.005 * reached},
@@ -141,7 +143,7 @@ TEST_CASE("C8 in space: direct shear reaches c + s tan(phi) and then s tan(phi) 
       CHECK(joint.bonds() == 0);
       const auto turning = std::max_element(all.begin(), all.end(),
                                             [](const LedReading& a, const LedReading& b) { return a.moved < b.moved; });
-      // Back by half of what is elastic.
+      // Reversed by half of the elastic displacement.
       const auto half = std::find_if(
           turning, all.end(), [&](const LedReading& r) { return r.moved < turning->moved - 0.5 * slides / joint_ks; });
       const LedReading most = strongest(all);
@@ -173,7 +175,7 @@ TEST_CASE("C7 and C8 in space: what breaks is told with its mode and the force i
                                {slipped.time, 4 * std::asin(0.25) / (2 * M_PI), 5e-3}};
     for (const Event* e : {&torn, &slipped}) {
       const Vec3 at = SolidScene(world).to_scene(Vec3(e->x, e->y, e->z));
-      all.push_back({(at - Vec3(0.5, 0.5, 0)).norm(), 0, 1e-3});  // the block has come that far
+      all.push_back({(at - Vec3(0.5, 0.5, 0)).norm(), 0, 1e-3});  // the block has reached this displacement
     }
     return all;
   });

@@ -1,4 +1,4 @@
-// Bodies of elements in space that are slowed in what deforms them, so that steps are longer.
+// Mass scaling of deformable bodies in space: added mass acts against deformation only, so that steps are longer.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ double plain_step(const Model<3>& model) {
   return stable_step(model, state, work).dt;
 }
 
-/// A stage with steps of `times` the one that `model` has by itself.
+/// A stage with steps of `times` the stable step of `model`.
 StageOptions longer_steps(const Model<3>& model, double times, double duration) {
   StageOptions options;
   options.duration = duration;
@@ -36,7 +36,7 @@ StageOptions longer_steps(const Model<3>& model, double times, double duration) 
   return options;
 }
 
-/// Steps of one length with one share for all bodies.
+/// Fixed steps with one mass share for all bodies.
 class SharedRun {
  public:
   SharedRun(const Model<3>& model, double share, double dt) : model_(model), state_(initial_state(model)) {
@@ -88,7 +88,7 @@ class SharedRun {
   StepOptions options_;
 };
 
-/// Time of a swing along x of what stands farthest along it [s].
+/// Period of the oscillation along x of the node farthest along x [s].
 double swing_time(const Model<3>& model, const StageOptions& options, StageReport& report) {
   Simulation<3> sim(model);
   int end = 0;
@@ -118,7 +118,7 @@ TEST_CASE("mass scaling in space: a held rod swings slower by the root of its ma
     Model<3> model = alone_in_space(elastic_in("m", rod_density, rod_young, 0), rod_spec(20, shape));
     for (int n = 0; n < model.nodes(); ++n) {
       const double x = model.start_position[n].x();
-      model.support[n][1] = model.support[n][2] = Support::fixed;  // along the rod alone
+      model.support[n][1] = model.support[n][2] = Support::fixed;  // motion along the rod alone
       if (x < 1e-9) model.support[n][0] = Support::fixed;
       model.start_velocity[n].x() = 0.01 * std::sin(0.5 * M_PI * x / rod_length);
     }
@@ -131,12 +131,12 @@ TEST_CASE("mass scaling in space: a held rod swings slower by the root of its ma
     const double share = report.scaled->most;
     MESSAGE("added ", share, " times the mass, period ", slowed / found, " of the plain one");
     CHECK(near(found, period, 5e-3));
-    CHECK(near(share, 15, 0.01));  // the step goes with the root of the mass
+    CHECK(near(share, 15, 0.01));  // the step is proportional to the square root of the mass
     CHECK(near(slowed, found * std::sqrt(1 + share), 1e-3));
-    CHECK(near(report.scaled->share, share, 1e-12));  // all of the model is this rod
+    CHECK(near(report.scaled->share, share, 1e-12));  // this rod is the whole model
     CHECK(near(report.scaled->energy, share * report.scaled->kinetic, 1e-9));
     CHECK(near(report.longest_dt, options.mass_scaling->step, 1e-12));
-    CHECK(near(report.scaled->before, report.longest_dt / 4, 0.09));  // a rung of the ladder below it at most
+    CHECK(near(report.scaled->before, report.longest_dt / 4, 0.09));  // at most one rung of the step ladder below
     CHECK_FALSE(plainly.scaled);
   }
 }
@@ -161,7 +161,7 @@ TEST_CASE("mass scaling in space: the step asked for is stable, and without it t
       std::mt19937_64 bits(3);
       for (Vec3& v : run.state().velocity) v = 1e-3 * random_in_ball(bits);
       run.run(3000 * dt);
-      double sum = 0;  // no number where it has grown beyond all
+      double sum = 0;  // not a number after overflow
       for (const Vec3& v : run.state().velocity) sum += v.norm();
       return sum / model.nodes() / 1e-3;
     };
@@ -197,8 +197,8 @@ TEST_CASE("mass scaling in space: free flight and turning are those of the same 
     double apart = 0;
     for (std::size_t n = 0; n < model.mass.size(); ++n)
       apart = std::max(apart, (scaled.state().position[n] - plain.state().position[n]).norm());
-    // Both ring about their stretch, of the order of rho w^2 l^3 / 3E; were the added mass to feel the turn, the
-    // stretch and with it the moments of inertia would be `share` times as much off, and 2.6 rad of turn with them.
+    // Both oscillate about their stretch, of the order of rho w^2 l^3 / 3E. If the added mass acted on the rotation,
+    // the stretch and the moments of inertia would be off by `share` times as much, and so would 2.6 rad of rotation.
     const double stretch = 2000 * 77 * std::pow(0.5, 3) / 3e9;
     MESSAGE("nodes are ", apart / stretch, " stretches apart");
     CHECK(apart < 4 * stretch);
@@ -214,7 +214,7 @@ TEST_CASE("mass scaling in space: a rod that spins is stretched by rho w^2 l^3 /
     model.start_velocity[n] = cross(Vec3(0, 0, spin), arm);
   }
   SharedRun run(model, 15, 0.5 * plain_step(model));
-  // As it will be, so that it does not ring.
+  // Starts with its equilibrium stretch, so that it does not oscillate.
   for (int n = 0; n < model.nodes(); ++n) {
     const Vec3 arm = model.start_position[n] - middle;
     run.state().position[n].x() += 0.5 * load * (half * half - arm.x() * arm.x() / 3) * arm.x();
@@ -262,7 +262,7 @@ TEST_CASE("mass scaling in space: the energy of a body that tumbles and rings st
   CHECK(most < 2e-3 * moving);
 }
 
-/// A meshed cube of a metre between a wall and nothing, on a spring along one axis at the middle of a face.
+/// A meshed cube of 1 m between a wall and a free side, on a spring along one axis at the middle of a face.
 Model<3> cube_on_spring(std::size_t axis, double stiffness) {
   SolidModelBuilder builder;
   builder.gravity = Vec3::Zero();
@@ -318,7 +318,7 @@ TEST_CASE("mass scaling in space: a cantilever of bricks bends by its weight as 
     for (int n = 0; n < model.nodes(); ++n)
       bent[scaled] = std::min(bent[scaled], sim.state().position[n].z() - model.start_position[n].z());
   }
-  // q L^4 / 8 E I of a slender one
+  // q L^4 / 8 E I of a slender beam
   MESSAGE("bent by ", bent[0], " and ", bent[1]);
   CHECK(near(-bent[1], 12 * 2000 * standard_gravity / (8 * 1e9 * 0.04), 0.15));
   CHECK(near(bent[1], bent[0], 1e-6));

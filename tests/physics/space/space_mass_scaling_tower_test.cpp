@@ -1,4 +1,4 @@
-// Mass scaling in space of what touches: the ledger, the bounds of contact, bits, what is refused.
+// Mass scaling in space of bodies in contact: energy ledger, bounds of contact stiffness, bits, rejected options.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -91,7 +91,7 @@ TEST_CASE("mass scaling in space: contact bounds a rigid body of elements by no 
   const std::vector<BodyRates> rates = body_rates(sim.model(), state, work, true);
   const double mass = 2000 * 0.4 * 0.3 * 0.2, bounce = 1e10 * 0.4 * 0.3 / mass;
   MESSAGE("rigid bound ", rates[1].rigid.stiffness / bounce, " of kn A / m");
-  CHECK(rates[1].rigid.stiffness > 2.8 * bounce);  // on a base that stands, under a body that moves as well
+  CHECK(rates[1].rigid.stiffness > 2.8 * bounce);  // on a fixed base, under a body that moves as well
   CHECK(rates[1].rigid.stiffness < 12 * bounce);
   CHECK(rates[0].rigid.stiffness == 0);
   CHECK(rates[4].rigid.stiffness == 0);
@@ -107,7 +107,7 @@ TEST_CASE("mass scaling in space: what cannot be is refused with the step that c
   StageOptions little = tower_stage(3e-5);
   little.mass_scaling->most = 0.5;
   CHECK(tower_refusal(little).find("must be at most 0.5 times") != std::string::npos);
-  // Of chosen bodies the others are as they were.
+  // With scaling of chosen bodies the others keep their masses.
   StageOptions one = tower_stage(3e-5);
   one.mass_scaling->bodies = {1};
   CHECK(tower_refusal(one).find("whose masses are not scaled") != std::string::npos);

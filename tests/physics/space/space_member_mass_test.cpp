@@ -1,5 +1,5 @@
-// Members in space with consistent mass and with damping over a band: frequencies of few elements, Lagrange's forces,
-// what is kept, the plane's own, ratios of free vibration.
+// Members in space with consistent mass and with band damping: frequencies of a few elements, Lagrange's forces,
+// conserved quantities, agreement with the plane, damping ratios of free vibration.
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace trilith::testing {
 namespace {
 
-/// 10 m of a thin bar of steel in a turned world, 10 mm deep and `width` wide, clamped at its start.
+/// A thin steel bar of 10 m in a rotated world, 10 mm deep and `width` wide, clamped at its start.
 Model<3> thin_cantilever(int divisions, bool consistent, double width, const UnitQuaternion& world) {
   const Turn3 turn = turn_of(world);
   SolidSpec spec = chain_body("bar", {Vec3::Zero(), turn.apply(Vec3(10, 0, 0))}, plain_section(width, 0.01), divisions);
@@ -38,7 +38,7 @@ TEST_CASE("a cantilever in space of 1, 2 and 4 beams with consistent mass has th
   std::array<std::vector<double>, 3> found;
   for (const int i : {0, 1, 2}) {
     const Model<3> model = thin_cantilever(1 << i, true, 0.04, world);
-    // About both axes: 40 mm wide is four times as stiff across.
+    // About both axes: at 40 mm width the bar is four times as stiff across.
     const double unit = std::sqrt(2e11 * 1e-4 / 12 / (7850.0 * 1e4));
     std::vector<double> all;
     for (const NaturalMode<3>& mode : modes(model, initial_state(model), 6 << i))
@@ -91,7 +91,7 @@ TEST_CASE("forces of inertia of a beam in space are Lagrange's") {
     const Vec3 chord = chord_at(0);
     const BeamVector3 found = inertia_forces(inertia, {chord.normalized(), chord.norm(), v, a});
     for (int i = 0; i < 12; ++i) CHECK(near_zero(found[i] - expected[i], 1e-5 * expected.norm()));
-    // Force and moment of all of it are the rates of its momenta: none by itself.
+    // The resultant force and moment of inertia are the rates of the momenta: zero without external forces.
     BeamVector3 still = BeamVector3::Zero();
     const BeamVector3 own = inertia_forces(inertia, {chord.normalized(), chord.norm(), v, still});
     const Vec3 sum = own.segment<3>(0) + own.segment<3>(6);
@@ -103,7 +103,8 @@ TEST_CASE("forces of inertia of a beam in space are Lagrange's") {
 }
 
 TEST_CASE("a beam in space with consistent mass that moves in a plane has the mass of the plane's, but its sections'") {
-  const Section section = rectangle_section(1e-3, 1e-3);  // so thin that its sections' turn is nothing
+  const Section section = rectangle_section(1e-3, 1e-3);  // so thin that the rotary inertia of its sections is
+                                                          // negligible
   for (const std::array<bool, 2> pinned : {std::array{false, false}, {true, false}, {true, true}}) {
     const BeamMatrix flat = turned(beam_inertia(1200, 2, section, pinned).consistent, Vec2(0.6, 0.8));
     const BeamMatrix3 deep = mass_in_space(beam_inertia_in_space(1200, 2, pinned), Vec3(0.6, 0.8, 0));
@@ -113,7 +114,7 @@ TEST_CASE("a beam in space with consistent mass that moves in a plane has the ma
   }
 }
 
-/// 4 m of steel that fly, turn and tumble.
+/// A steel bar of 4 m that flies, rotates and tumbles.
 Model<3> tumbling_bar(int divisions, double mass_damping = 0) {
   SolidSpec spec = chain_body("bar", {Vec3(0, 0, 0), Vec3(4, 0, 0)}, plain_section(0.2, 0.4), divisions);
   spec.frame->consistent = true, spec.velocity = Vec3(0.5, 0.2, -0.1), spec.spin = Vec3(0, 1, 3);
@@ -144,7 +145,7 @@ TEST_CASE(
       const double before = implicit_kinetic(model, sim.state());
       const Vec3 begun = momentum_in_space(model, sim.state());
       StageOptions stage = steps_in_space(AlphaScheme::hht(0), 0.2, 1e-3 / (1 << finer));
-      stage.tolerance = 1e-9;  // with less, rounding halves some steps
+      stage.tolerance = 1e-9;  // with a tighter tolerance, rounding halves some steps
       sim.run(stage, after_each_step([&](const Instant<3>& now) {
                 astray[static_cast<std::size_t>(finer)] =
                     std::max(astray[static_cast<std::size_t>(finer)],
@@ -212,7 +213,8 @@ TEST_CASE(
   CHECK(state_hash(on.state()) == state_hash(sim.state()));
 }
 
-/// The plane's mast (band_damping_test.cpp) in a turned world, its section's sides .1 m, kicked askew at .1 m/s.
+/// The plane's mast (band_damping_test.cpp) in a rotated world, with section sides of 0.1 m and an oblique initial
+/// velocity of 0.1 m/s.
 Model<3> mast_in_space(double hertz, const std::optional<BandDamping>& band, const UnitQuaternion& world = {}) {
   const Turn3 turn = turn_of(world);
   SolidSpec spec = chain_body("mast", {Vec3::Zero(), turn.apply(Vec3(0, 0, 3))}, plain_section(0.1, 0.1), 2);

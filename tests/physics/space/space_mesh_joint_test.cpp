@@ -1,4 +1,4 @@
-// Meshed bodies in space that lie flat on each other: what they press does not depend on how their elements meet.
+// Meshed bodies in space in flat contact: the contact pressure does not depend on how their elements meet.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double stiffness = 1e9, side = 0.4;
 
-/// A meshed block of 0.4 m on a meshed slab of 1.2 m, whose elements are of other sizes.
+/// A meshed block of 0.4 m on a meshed slab of 1.2 m with elements of different sizes.
 Model<3> block_on_slab(ElementShape shape, const std::array<int, 3>& divisions) {
   SolidModelBuilder builder;
   builder.gravity = Vec3::Zero();
@@ -32,7 +32,7 @@ struct Pressed {
   std::size_t rows = 0;
 };
 
-/// The block moved by `by`, all of its nodes alike.
+/// The block displaced by `by`, all nodes alike.
 struct Moved {
   State<3> state;
   Work<3> work;
@@ -44,7 +44,7 @@ struct Moved {
   }
 };
 
-/// What the slab then presses it with.
+/// Force and moment by the slab on the displaced block.
 Pressed pressed_at(const Model<3>& model, const Vec3& by) {
   const Moved moved(model, by);
   Pressed out;
@@ -57,7 +57,8 @@ Pressed pressed_at(const Model<3>& model, const Vec3& by) {
 }
 
 TEST_CASE("meshed faces in space press by area times depth however their elements lie on each other") {
-  // Elements are at least .1 m long. Tetrahedra that end at the joint by an edge share wedges as wide as it is deep.
+  // Elements are at least 0.1 m long. Tetrahedra that end at the joint by an edge overlap in wedges as wide as the
+  // penetration.
   constexpr double depth = 1e-5, wedges = depth / 0.1;
   for (const ElementShape shape : {ElementShape::brick, ElementShape::tetrahedron})
     for (const std::array<int, 3>& divisions : {std::array{2, 2, 1}, std::array{3, 2, 1}, std::array{4, 4, 1}}) {
@@ -65,7 +66,7 @@ TEST_CASE("meshed faces in space press by area times depth however their element
       const double within = shape == ElementShape::brick ? 1e-9 : wedges;
       CAPTURE(std::string(info_of(shape).name));
       CAPTURE(divisions[0]);
-      // Slivers of no width, of less than the depth, of as much, and of many times that.
+      // Slivers of zero width, narrower than the penetration, as wide as it, and many times as wide.
       for (const double off : {0.0, 1e-12, 1e-8, 1e-6, depth, 1e-4, 1e-3, 0.0123}) {
         CAPTURE(off);
         const Pressed found = pressed_at(model, Vec3(off - 0.3, 0.7 * off - 0.2, -depth));
@@ -82,8 +83,8 @@ TEST_CASE("what meshed faces in space store changes by their force, flat or deep
   for (const ElementShape shape : {ElementShape::brick, ElementShape::tetrahedron}) {
     const Model<3> model = block_on_slab(shape, {3, 2, 1});
     CAPTURE(std::string(info_of(shape).name));
-    // Lying flat by less than .005 of the width, and of general shape beyond. Of tetrahedra that have no face on the
-    // skin and end at the joint by an edge, wedges are left out.
+    // Flat contact at a penetration below 0.005 of the width, and general contact beyond. The wedges of tetrahedra that
+    // have no face on the skin and end at the joint by an edge are left out.
     for (const double depth : {1e-4, 4e-3}) {
       const double within = shape == ElementShape::brick ? 1e-6 : depth / 0.1;
       CAPTURE(depth);
@@ -131,7 +132,7 @@ TEST_CASE("a meshed block slides on a meshed slab until friction has taken its m
 TEST_CASE("a meshed block over the edge of a slab presses by the area that is left") {
   constexpr double depth = 1e-5;
   const Model<3> model = block_on_slab(ElementShape::brick, {4, 4, 1});
-  // Over one edge, by a sliver of its last elements too, and over a corner.
+  // Over one edge, also by a sliver of its last elements, and over a corner.
   for (const double over : {1e-7, 1e-5, 0.0999, 0.1, 0.1001, 0.37}) {
     CAPTURE(over);
     const double left = side - over;

@@ -1,5 +1,5 @@
 // Natural frequencies in space (VALIDATION M1, M4, M5, M7 to M10, F6, F7): blocks on joints, a slab on columns, a grid
-// of masses, hanging chains, beams and frames by themselves and under load.
+// of masses, hanging chains, beams and frames, with and without load.
 #include "modal/modes.hpp"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ struct Standing {
   State<3> state;
 };
 
-/// Blocks on each other on a fixed base, at rest under gravity [m/s2], in a world turned by `world`.
+/// A stack of blocks on a fixed base, at rest under gravity [m/s2], in a world rotated by `world`.
 Standing standing_blocks(const Vec3& sides, int count, double gravity, double beta = 0,
                          const UnitQuaternion& world = {}) {
   SpaceBuilder builder;
@@ -57,7 +57,7 @@ TEST_CASE("M4: a block on a joint in space sways and rocks both ways, twists and
     const Standing now = standing_blocks({0.4, 0.4, 1.2}, 1, standard_gravity, 0, world);
     const std::vector<NaturalMode<3>> found = modes(now.model, now.state, 10);
     CHECK(found.size() == 6);
-    // With the weight in the stiffness, as the block stands under it.
+    // With the geometric stiffness of the weight, as the block stands under it.
     check_frequencies_in_space(found, {15.0359, 15.0359, 59.3135, 93.7829, 116.916, 116.916}, 5e-4);
     const double mass = 0.4 * 0.4 * 1.2 * 2400;
     Vec3 sum = Vec3::Zero();
@@ -84,7 +84,7 @@ TEST_CASE("the damping of a block on a joint in space is that of its law") {
   const Standing now = standing_blocks({0.4, 0.4, 1.2}, 1, 1, beta);
   const std::vector<NaturalMode<3>> found = modes(now.model, now.state, 6);
   const std::vector<ModeDamping> damping = mode_damping(now.model, now.state, found);
-  // Stiffness times beta: beta w / 2 of all modes.
+  // Stiffness-proportional damping: ratio beta w / 2 of all modes.
   for (std::size_t i = 0; i < found.size(); ++i) {
     CHECK(near(damping[i].contacts, beta * M_PI * found[i].frequency(), 1e-3));
     CHECK(near(damping[i].total(), damping[i].contacts, 1e-9));
@@ -109,12 +109,12 @@ TEST_CASE("M8: a storey of a slab on four columns sways both ways and twists") {
       builder.add_bearing(column);
     }
   const Model<3> model = builder.build();
-  // The slab as a plate: 20 t (6^2 + 4^2) / 12 about its axis, as its box has it.
+  // The slab as a plate: 20 t (6^2 + 4^2) / 12 about its axis, equal to the inertia of its box.
   check_frequencies_in_space(modes(model, initial_state(model), 3), {2.25079, 2.57587, 4.62851}, 1e-4);
 }
 
-/// Masses of 10 kg in a grid, 1 m apart, that move along x alone; between neighbours, and to walls all round, bearings
-/// that resist by their displacement along x.
+/// Masses of 10 kg in a grid, 1 m apart, that move along x alone. Bearings between neighbours and to walls on all sides
+/// act along x.
 Model<3> sprung_grid_in_space(const std::array<int, 3>& count, const std::array<double, 3>& stiffness) {
   SolidModelBuilder builder;
   builder.gravity = Vec3::Zero();
@@ -162,8 +162,8 @@ TEST_CASE("M7: a grid of masses in space has the frequencies of its sines") {
   CHECK(near(found.back().frequency(), 215.972, 1e-4));
 }
 
-/// Links of 3 kg/m that hang on each other by spherical hinges at their ends: slender rods, or the mass of each as a
-/// small ball at its lower end. They do not turn about the vertical, which nothing resists.
+/// Links of 3 kg/m connected by spherical hinges at their ends: slender rods, or the mass of each as a small ball at
+/// its lower end. Their rotation about the vertical is fixed, because it has no stiffness.
 Model<3> hanging_chain(int links, double length, bool rods) {
   SolidModelBuilder builder;
   builder.gravity = Vec3(0, 0, -standard_gravity);
@@ -185,14 +185,14 @@ Model<3> hanging_chain(int links, double length, bool rods) {
     BearingSpecOf<3> hinge;
     hinge.name = fmt::format("hinge {}", i), hinge.body_a = fmt::format("link {}", i - 1), hinge.body_b = link.name;
     hinge.point_a = hinge.point_b = {0, 0, upper};
-    hinge.arm = length;  // a ball hangs on an arm without mass
+    hinge.arm = length;  // a ball hangs on a massless arm
     for (std::size_t k = 0; k < 3; ++k) hinge.law[k] = Linear{1e8, 0};
     builder.add_bearing(hinge);
   }
   return builder.build();
 }
 
-/// At rest under its weight a chain swings by each of these frequencies [Hz] twice, along x and along y.
+/// A chain at rest under its weight has each of these frequencies [Hz] twice, along x and along y.
 void check_hanging(const Model<3>& model, const std::vector<double>& expected) {
   State<3> state = initial_state(model);
   REQUIRE(find_equilibrium(model, state).converged);
@@ -208,14 +208,14 @@ TEST_CASE("M9: hanging chains in space swing both ways by their weight alone") {
   check_hanging(hanging_chain(80, 2.0 / 80, true), {.42376, .97270, 1.52489});
 }
 
-/// Frequencies of modes that move nodes mostly along one axis, by axis.
+/// Frequencies of modes with nodal displacements mostly along one axis, by axis.
 std::array<std::vector<double>, 3> frequencies_by_axis(const std::vector<NaturalMode<3>>& found) {
   std::array<std::vector<double>, 3> out;
   for (const NaturalMode<3>& mode : found) {
     Vec3 along = Vec3::Zero();
     for (const Vec3& v : mode.displacement) along += v.cwiseAbs();
     Eigen::Index most = 0;
-    // A twist moves no node, a rigid motion does not swing.
+    // A torsion mode displaces no node; a rigid-body mode has zero frequency.
     if (along.maxCoeff(&most) > 1e-2 && mode.frequency() > 1)
       out[static_cast<std::size_t>(most)].push_back(mode.frequency());
   }
@@ -223,8 +223,8 @@ std::array<std::vector<double>, 3> frequencies_by_axis(const std::vector<Natural
 }
 
 TEST_CASE("M1: a free beam in space has six rigid modes and swings about both axes and along as Timoshenko's beam") {
-  // Lumped at the nodes; the free ends carry half an element each, which costs the frequencies of 40 elements .3 to .9
-  // %.
+  // Lumped masses: the free ends carry half an element each, which lowers the frequencies of 40 elements by 0.3 % to
+  // 0.9 %.
   SolidSpec spec = chain_body("beam", {Vec3::Zero(), Vec3(2, 0, 0)}, plain_section(0.05, 0.1), 80);
   spec.frame->members[0].shear = true;
   const Model<3> model = of_space_frames(member_material(2700, 7e10, 0.25), {spec});
@@ -273,8 +273,8 @@ TEST_CASE("M10: a beam on two supports in space swings slower under a push and f
   }
 }
 
-/// The load at which the lowest mode of a column or frame has no stiffness left: where w^2, which falls evenly with it
-/// near there, comes to 0, by two loads next to it.
+/// Load at which the stiffness of the lowest mode of a column or frame vanishes: the zero of w^2, which is nearly
+/// linear in the load, by two loads close to it.
 double buckling_load(const std::function<Model<3>(double)>& loaded, double guess) {
   const auto square = [&](double load) {
     const Model<3> model = loaded(load);
@@ -318,7 +318,7 @@ TEST_CASE("F7: a portal in space that is held in its plane sways at the loads of
       SolidSpec spec =
           chain_body("portal", {Vec3::Zero(), Vec3(0, 0, 4), Vec3(4, 0, 4), Vec3(4, 0, 0)}, plain_section(0.1, 0.1), 8);
       spec.frame->joints[0].support = spec.frame->joints[3].support = of_foot;
-      // Out of its plane the corners are held, or the columns would go that way first.
+      // The corners are fixed out of the plane; otherwise the columns would buckle that way first.
       for (const std::size_t j : {1, 2}) spec.frame->joints[j].support = {free, fixed, free, fixed, free, fixed};
       Model<3> model = of_space_frames(member_material(7850, 2.1e11, 0.3), {spec});
       model.load[1] = model.load[2] = Vec3(0, 0, -load);

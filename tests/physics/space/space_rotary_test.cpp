@@ -1,4 +1,4 @@
-// Bodies of one element in space turn by their own inertia: Euler's equations, pivots, the ledger.
+// Bodies of one element in space rotate by their own inertia: Euler's equations, pivots, energy ledger.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double stiff = 2e10;
 
-/// A brick whose upper face is smaller by `taper` along x and by half of that along y.
+/// A brick whose upper face is smaller by `taper` along x and by half of `taper` along y.
 SpaceMesh tapered_brick(const Vec3& sides, double taper) {
   SpaceMesh mesh = mesh_of(box_solid(Vec3::Zero(), sides), {BodyKind::mesh, {1, 1, 1}, ElementShape::brick}, "box");
   for (Vec3& x : mesh.node)
@@ -46,7 +46,7 @@ void set_spin(SolidRun& run, const Vec3& about, const Vec3& spin) {
     if (run.model().moves(n)) run.state().velocity[n] = cross(spin, Vec3(run.state().position[n] - about));
 }
 
-/// Euler's equations of a rigid body of inertia `own` by the method of Runge and Kutta: its turn at the end.
+/// Rotation of a rigid body of inertia `own` at the end, from Euler's equations by the Runge-Kutta method.
 UnitQuaternion turn_of_rigid(const Eigen::Matrix3d& own, const Vec3& spin, double time) {
   const Vec3 momentum = own * spin;
   UnitQuaternion q;
@@ -64,7 +64,8 @@ UnitQuaternion turn_of_rigid(const Eigen::Matrix3d& own, const Vec3& spin, doubl
 }
 
 struct Spun {
-  double residual, momentum, turned;  ///< shares of the kinetic energy and of J w; angle off that of the rigid body
+  double residual, momentum, turned;  ///< shares of the kinetic energy and of J w; angle to the rotation of the rigid
+                                      ///< body
 };
 
 Spun spin_freely(const Model<3>& model, const Vec3& spin, double time, double dt) {
@@ -91,7 +92,7 @@ Spun spin_freely(const Model<3>& model, const Vec3& spin, double time, double dt
 
 TEST_CASE("a free body of one element turns in space as Euler's equations have it") {
   const Vec3 sides(1, 2, 0.5);
-  // What it deforms by, strains of density (spin size)^2 / E = 1.5e-5, changes its inertia by as much.
+  // Deformation by strains of the order (density spin^2 size^2) / E = 1.5e-5 changes the inertia by as much.
   for (const SpaceMesh& mesh : {tapered_brick(sides, 0), tapered_brick(sides, 0.4), lone_tetrahedron()}) {
     CAPTURE(mesh.node.size());
     for (const double damping : {0.0, 1e-5}) {

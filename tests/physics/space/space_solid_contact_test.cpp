@@ -1,4 +1,4 @@
-// Deformable bodies in space: free flight, contact with each other and with rigid ones, waves, bearings.
+// Deformable bodies in space: free flight, contact with each other and with rigid bodies, waves, bearings.
 #include <fmt/format.h>
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@
 namespace trilith::testing {
 namespace {
 
-/// A step as long as is stable, times `safety`.
+/// Stable step times `safety` [s].
 double stable_dt(const Model<3>& model, double safety = 0.8) {
   const State<3> state = initial_state(model);
   Work<3> work;
@@ -53,7 +53,7 @@ TEST_CASE("a step as long as is found stable is so, and half as long again is no
     std::mt19937_64 bits(3);
     for (Vec3& v : run.state().velocity) v = 1e-3 * random_in_ball(bits);
     run.run(4000 * stable_dt(model, safety));
-    double sum = 0;  // no number where it has grown beyond all
+    double sum = 0;  // not a number after overflow
     for (const Vec3& v : run.state().velocity) sum += v.norm();
     return sum / static_cast<double>(model.nodes()) / 1e-3;
   };
@@ -61,12 +61,12 @@ TEST_CASE("a step as long as is found stable is so, and half as long again is no
   CHECK_FALSE(grown(1.5) < 1e3);
 }
 
-/// A stack of two layers of blocks that do not match under a rigid cap, pressed by the cap's load; mean stress of each
-/// deformable body.
+/// A stack of two layers of blocks with non-matching meshes under a rigid cap, under the cap's load; mean stress of
+/// each deformable body [Pa].
 void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, const std::array<int, 3>& upper,
                  ElementShape upper_shape) {
   const double kn = 1e9, young = 1e8, pressure = 1e4;
-  // Without friction, which would keep what the first shake of the load has slid.
+  // Without friction, which would lock in the slip of the first load oscillation.
   SolidModelBuilder builder = soft_world(frictional(kn, kn, 0, 1e-4), young, 0, 2e-4);
   builder.gravity = Vec3::Zero();
   builder.add_body(fixed_box("ground", box_solid(Vec3(-1, -1, -0.5), Vec3(2, 2, 0))));
@@ -76,7 +76,7 @@ void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, cons
                                        : box_of(name, box_solid(low, high), "soft", divisions, shape);
     builder.add_body(std::move(spec));
   };
-  // Below two, above three: their faces do not match.
+  // Two blocks below, three above: their faces do not match.
   add("a", Vec3(0, 0, 0), Vec3(0.5, 1, 0.4), lower, lower_shape);
   add("b", Vec3(0.5, 0, 0), Vec3(1, 1, 0.4), lower, lower_shape);
   add("c", Vec3(0, 0, 0.4), Vec3(0.3, 1, 0.8), upper, upper_shape);
@@ -114,7 +114,7 @@ TEST_CASE("a brick resting on the ground carries its weight, sinks by it, and st
   run.model().mass_damping = 30;
   run.run(2);
   const double weight = density * standard_gravity;
-  // Its lower half of the mass stands on the overlap, the upper half squeezes it.
+  // The lower half of the mass stands on the contact, the upper half compresses the block.
   double low = 0;
   for (int n = 1; n < 9; ++n)
     if (model.start_position[n].z() < 0.5) low += 0.25 * run.state().position[n].z();
@@ -165,7 +165,7 @@ TEST_CASE("the frequency of a cantilever of bricks is that of beam theory with s
     const double x = model.start_position[n].x() / length;
     if (model.moves(n)) run.state().velocity[n] = Vec3(0, 0, 1e-3 * x * x * (3 - x) / 2);
   }
-  // From one rise through 0 to a later one.
+  // From one upward passage through 0 to a later one.
   std::vector<double> rises;
   double before = -1;
   while (run.time() < 1.5 && rises.size() < 4) {
@@ -197,7 +197,7 @@ TEST_CASE("mortar between bricks that deform carries tension and bending, and ho
   SolidRun run(model, start_state(model), stable_dt(model));
   run.model().mass_damping = 20;
   run.run(1.5);
-  // A brick has one curvature, that of its middle, and one shear; each joint is a spring of kn I and kn A.
+  // A brick has one curvature, taken at its middle, and one shear strain; each joint is a spring of kn I and kn A.
   const double inertia = std::pow(0.2, 4) / 12, area = 0.04, shear = 1e9 / 2.4;
   double expected = 0;
   for (const double arm : {1.0, 0.6, 0.2}) expected += load * 0.4 * (arm * arm / (1e9 * inertia) + 1 / (shear * area));
@@ -257,13 +257,13 @@ TEST_CASE("the ledger of a wall of bricks in mortar, one element for each, close
   run.run(0.5);
   const Energy e = run.energy();
   CHECK(near(run.state().position[0].y() - model.start_position[0].y(), 0.05, 1e-6));
-  CHECK(run.moving_energy() > 1);  // it sways, or parts
+  CHECK(run.moving_energy() > 1);  // it sways, or separates
   CHECK(near_zero(e.balance() - begun, 1e-2 * std::abs(e[EnergyTerm::support])));
 }
 
 TEST_CASE("T2 with an elastic block: it rocks over an edge with the period of the rigid one" *
           doctest::test_suite("long")) {
-  // Half the angle at which it balances about the lower edge at x = 0.2, and let go.
+  // Released at half of its critical angle about the lower edge at x = 0.2.
   const double turned = 0.5 * std::atan2(0.4, 1.2), kn = 1e10;
   SolidModelBuilder builder = soft_world(frictional(kn, kn, 5), 5e9, 0.2, 0, 2000);
   builder.overlap_allowed = 1e-3;
@@ -272,7 +272,7 @@ TEST_CASE("T2 with an elastic block: it rocks over an edge with the period of th
   const Polyhedron box = placed(placed(upright, rotation_by(Vec3(0, turned, 0)), Vec3::Zero()), {}, Vec3(0.2, 0, 0));
   builder.add_body(box_of("block", box, "soft", {4, 1, 10}));
   const Model<3> model = builder.build();
-  // Its masses lie at the nodes, which gives it a little more inertia about the edge than 4/3 m R^2.
+  // Its masses lie at the nodes, which makes its inertia about the edge slightly larger than 4/3 m R^2.
   double mass = 0, inertia = 0;
   for (int n = model.bodies[1].first_node; n < model.nodes(); ++n) {
     const Vec3 arm = model.start_position[n] - Vec3(0.2, 0, 0);
@@ -306,7 +306,7 @@ TEST_CASE("T5 with elastic bars: one on edge across two others on edge presses e
     builder.add_body(rail);
   }
   SolidSpec across = box_of("across", bar(Vec3::UnitX(), 1.6, Vec3(0, 0, 2 * reach)), "soft", {8, 1, 1});
-  // Held against rolling: the nodes at its ends stay in the plane of its axis.
+  // The rolling rotation is fixed: the nodes at its ends stay in the plane of its axis.
   across.supports = {{Vec3(-0.9, -1, 0), Vec3(0.9, 1, 1), {Support::free, Support::fixed, Support::free}}};
   builder.add_body(across);
   const Model<3> model = builder.build();

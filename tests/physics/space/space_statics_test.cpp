@@ -1,5 +1,5 @@
-// Rest in space without time, and long motions of frames by implicit steps: blocks under their weight, the bend of 45
-// degrees (VALIDATION F1), the right-angle cantilever (F5), a path past its limit.
+// Equilibrium in space by statics, and large motions of frames by implicit steps: blocks under their weight, the 45
+// degree bend (VALIDATION F1), the right-angle cantilever (F5), a load path past its limit.
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ TEST_CASE("statics in space rest a stack where consolidation does, at the overla
     const double area = 0.5 * 0.4, weight = sim.model().mass[1] * standard_gravity;
     const double sunk = -turn.undo(Vec3(sim.state().position[1] - sim.model().start_position[1])).z();
     CHECK(near(sunk, 3 * weight / (kn * area), 1e-2));
-    // Left to itself it stays there.
+    // Released, the structure stays in equilibrium.
     StageOptions still = explicit_steps(0.2);
     const Vec3 before = sim.state().position[3];
     sim.run(still);
@@ -61,7 +61,7 @@ TEST_CASE("statics in space say which body nothing holds and leave it where it i
   CHECK(state_hash(sim.state()) == before);
 }
 
-/// The bend of 45 degrees in `chords` straight elements.
+/// The 45 degree bend of `chords` straight elements.
 Model<3> bend_of_45(int chords) {
   const double radius = 100;
   std::vector<Vec3> places;
@@ -69,7 +69,7 @@ Model<3> bend_of_45(int chords) {
     const double angle = M_PI / 4 * i / chords;
     places.emplace_back(radius * std::sin(angle), radius * (1 - std::cos(angle)), 0);
   }
-  // The published runs take 1/6 for the torsion constant of the square.
+  // The published runs use 1/6 for the torsion constant of the square.
   const GivenSection square{1, 1.0 / 12, 1, 0, 0, 1.0 / 12, 1.0 / 6, 1, 0};
   SolidSpec spec = chain_body("bend", places, section_in_space(square), 1);
   for (SpaceMember& member : spec.frame->members) member.shear = true;
@@ -88,7 +88,7 @@ TEST_CASE("F1: the bend of 45 degrees in 16 elements comes to where it is publis
     model.load[16] = Vec3(0, 0, row.load);
     State<3> state = initial_state(model);
     EquilibriumOptions how;
-    how.farthest = 2;  // its tip goes by more than half of its length
+    how.farthest = 2;  // the tip moves by more than half of the length
     const Equilibrium found = find_equilibrium(model, state, how);
     INFO(std::string(name_of(found.end)) << ", left " << found.left << " at node " << found.worst << ", " << found.steps
                                          << " steps");
@@ -127,7 +127,7 @@ TEST_CASE("a path in space controlled by its load leads to the equilibrium that 
   }
 }
 
-/// F5: legs of 10, with inertia of sections that are much thicker than their stiffness says.
+/// F5: legs of 10 m, with a section inertia much larger than their stiffness implies.
 Model<3> right_angle(int divisions) {
   const GivenSection section{1, 1e-3, 1, 0, 1, 1e-3, 1e-3, 1, 1};
   SolidSpec spec =
@@ -135,7 +135,7 @@ Model<3> right_angle(int divisions) {
   for (SpaceMember& member : spec.frame->members) member.shear = true;
   spec.frame->joints[0].support = clamped;
   Model<3> model = of_space_frames(member_material(1, 1e6, -0.5), {spec});
-  // Rotary inertia of a length: 20 about the axis, 10 and 10 across.
+  // Rotary inertia per length: 20 about the axis, 10 and 10 across.
   std::vector<Vec3> tensor(model.mass.size(), Vec3::Zero());
   for (const Beam3& beam : model.beams_3d)
     for (const int n : beam.node) {
@@ -222,10 +222,11 @@ TEST_CASE("a soft frame that tumbles freely keeps energy, momentum and angular m
   const auto [along, about] = momenta();
   CHECK(sim.run(steps_in_space(AlphaScheme::hht(0), 2, 2e-3)).end == StageEnd::time);
   sim.refresh();
-  // Strain energy against the work of forces at both ends: to the order of the scheme.
+  // Strain energy against the work of forces at both ends of steps: to the order of the scheme.
   CHECK(near(sim.energy().balance(), energy, 1e-4));
   CHECK((momenta().first - along).norm() < 1e-9 * along.norm());
-  // The scheme takes forces at both ends of a step, not in its middle: what turns is kept to its order.
+  // The scheme evaluates forces at both ends of a step, not at its middle: the angular momentum is conserved to the
+  // order of the scheme.
   CHECK((momenta().second - about).norm() < 1e-3 * about.norm());
 }
 

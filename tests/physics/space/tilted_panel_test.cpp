@@ -1,7 +1,8 @@
-// Dry wall panels on a table that is slowly tilted, against their limit loads: cases W1 to W3.
+// Dry wall panels on a slowly tilted table, against their limit loads: cases W1 to W3.
 //
-// The limit with dilating joints (associative) is never passed. Coulomb joints that do not dilate have no single limit:
-// docs/theory/panels.md tells why W3 with rough joints comes down below the values of a search by linear programs.
+// The limit with dilating joints (associative flow) is never exceeded. Coulomb joints without dilation have no single
+// limit: docs/theory/panels.md explains why W3 with rough joints collapses below the values of a search by linear
+// programming.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,14 +15,14 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Toes near the limit are millimetres long, so joints are very stiff; damped near their critical damping, or their
-/// chatter walks units out of their place.
+/// Compressed toes near the limit are millimetres long, so joints are very stiff. The joints are damped close to
+/// critical damping, because chatter would make units drift.
 constexpr Frictional panel_joint(double mu) {
   return {4e11, 2e11, mu, 5e-6};
 }
 
-/// Horizontal factor at which a panel, settled upright, comes down: tilted fast to 0.9 of `least`, then by 0.5
-/// degrees a second.
+/// Horizontal load factor at which a settled panel collapses: tilted fast to 0.9 of `least`, then by 0.5 degrees per
+/// second.
 double factor_at_collapse(const RunningBond& bond, double mu, double least) {
   Scene scene(panel_joint(mu));
   add_parts(scene, build_running_bond(bond), "base");
@@ -58,7 +59,7 @@ TEST_CASE("W1 to W3: a tilted dry wall panel comes down between the limits witho
   for (const Case& c : cases) {
     const double factor = factor_at_collapse(c.bond, c.mu, c.least);
     MESSAGE(std::string(c.name), ": comes down at a factor of ", factor, ", limits ", c.least, " to ", c.most);
-    CHECK(factor <= 1.001 * c.most);  // running away takes a moment
+    CHECK(factor <= 1.001 * c.most);  // a run-away is detected with some delay
     CHECK(factor >= 0.98 * c.least);
     CHECK(factor >= 0.96 * c.most);
   }
@@ -66,7 +67,8 @@ TEST_CASE("W1 to W3: a tilted dry wall panel comes down between the limits witho
 
 TEST_CASE("W3: a panel with rough joints comes down below its associative limit and above that of one column" *
           doctest::test_suite("long")) {
-  // Expected between .537 - 2 % and .5383 (mu .65), .570 - 2 % and .5886 (mu .77): not met, see the head of this file.
+  // Expected between 0.537 - 2 % and 0.5383 (mu 0.65), 0.570 - 2 % and 0.5886 (mu 0.77): not met, see the head of this
+  // file.
   for (const double mu : {0.65, 0.77}) {
     const double most = mu == 0.65 ? 0.5383 : 0.5886;
     const double factor = factor_at_collapse(panel(10, 0.2, HalfCourses::even), mu, 0.5);

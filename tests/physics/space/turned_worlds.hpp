@@ -1,4 +1,4 @@
-// Models of solids in worlds that are turned as a whole: what comes out must not depend on it.
+// Models of solids in rotated worlds: results must not depend on the world's orientation.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,8 +13,8 @@
 
 namespace trilith::testing {
 
-/// A model of solids in the making. Everything is given in the axes of the scene, which `world` turns to those of the
-/// world: shapes, velocities, gravity.
+/// Builder of a model of solids. All input is given in scene axes, which `world` rotates to world axes: shapes,
+/// velocities, gravity.
 class SolidScene {
  public:
   explicit SolidScene(const UnitQuaternion& world) : world_(world), turn_(world) {}
@@ -29,7 +29,7 @@ class SolidScene {
   }
   [[nodiscard]] Model<3> build() const { return builder_.build(); }
 
-  /// Where a point of a rigid body is that stood at `at` at the start [m].
+  /// Current position of a point of a rigid body whose start position is `at` [m].
   [[nodiscard]] Vec3 now_at(const Model<3>& model, const State<3>& state, int body, const Vec3& at) const {
     const auto b = static_cast<std::size_t>(body);
     const Turn3 turned(state.rotation[b] * inverse(model.start_rotation[b]));
@@ -45,17 +45,18 @@ class SolidScene {
   SpaceBuilder builder_;
 };
 
-/// A figure that a run came to, and what is published for it: within a share of that, of 0 within that much.
+/// A computed figure and its published value: tolerance as a share of the value, or absolute if the value is 0.
 struct Published {
   double figure, expected, within;
 };
 
-/// What rounding may make of a figure where a world is turned. Places are rounded to some 1e-16 m, which is up to 1e-12
-/// of overlaps of .1 mm; over 1e4 to 1e5 steps figures came to differ by up to 7e-11 in 40 worlds.
+/// Allowed influence of rounding on a figure in a rotated world. Positions are rounded to about 1e-16 m, which is up to
+/// 1e-12 of penetrations of 0.1 mm. Over 1e4 to 1e5 steps figures differed by up to 7e-11 in 40 worlds.
 inline constexpr double rounding_of_figures = 2e-10;
 
-/// Runs a case in the world as it is and in worlds turned about axes by chance, the same every time: its figures are
-/// the published ones in each, and those of turned worlds the first's within `alike` of their size.
+/// Runs a case in the given world and in worlds rotated about random axes, the same in every run. In each world the
+/// figures must equal the published values, and in rotated worlds also the figures of the first world within `alike` of
+/// their size.
 inline void check_in_turned_worlds(const std::function<std::vector<Published>(const UnitQuaternion&)>& figures,
                                    double alike = rounding_of_figures) {
   std::mt19937_64 bits(1906);

@@ -1,5 +1,5 @@
-// What steps and modes of whole structures must show: energy over a thousand periods, a wall that swings at its
-// frequency, an arch near its limit by long implicit steps.
+// Steps and modes of whole structures: energy over a thousand periods, a wall that vibrates at its frequency, an arch
+// near its limit by long implicit steps.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ TEST_CASE("undamped average acceleration keeps the energy of an elastic frame ov
   spec.frame = frame;
   Model<2> model = of_frames(elastic_material("steel", 7850, 2.1e11), {spec});
   const double period = 1 / modes(model, initial_state(model), 1)[0].frequency();
-  // A sway of some hundredths of a millimetre: the scheme keeps the energy of what is linear.
+  // A sway of some hundredths of a millimetre: the scheme conserves the energy of linear motion.
   for (int n = 0; n < model.nodes(); ++n)
     if (model.moves(n)) model.start_velocity[n] = {1e-4, 0};
   Simulation<2> sim(model);
@@ -45,7 +45,7 @@ TEST_CASE("undamped average acceleration keeps the energy of an elastic frame ov
 }
 
 TEST_CASE("a bonded wall swings at the frequency of its first mode") {
-  // Eight courses of four bricks in running bond, whose joints stay closed under what little it swings.
+  // Eight courses of four bricks in running bond, whose joints stay closed during the small vibration.
   Scene scene(Bonded{.kn = 1e9, .ks = 4e8, .mu = 0.6, .beta = 0, .cohesion = 1e9, .tension = 1e9});
   scene.set_gravity({0, 0});
   scene.fixed("base", box(-1, -1, 3, 0));
@@ -84,7 +84,7 @@ TEST_CASE("a bonded wall swings at the frequency of its first mode") {
   CHECK(near(counted, first.frequency(), 0.002));
 }
 
-/// A semicircular arch, t/R .15, under a weight tilted to `share` of its limit (A6).
+/// A semicircular arch with t/R = 0.15 under gravity tilted to `share` of its limit (A6).
 Model<2> leaning_arch(double share) {
   Arch arch;
   arch.voussoirs = 20, arch.thickness = .15, arch.half_angle = 90 * degree, arch.sub_edges = 2;

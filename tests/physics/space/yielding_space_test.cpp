@@ -1,5 +1,5 @@
-// Members in space of fibres, run by the engine: plastic loads in any direction, the frame of the plane, implicit
-// steps, energy books, what is remembered.
+// Fibre members in space: plastic loads in any direction, the plane's frame, implicit steps, energy ledger, saved
+// history.
 #include <unistd.h>
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ MemberFibres fibres_of(double hardening, std::array<int, 2> cells) {
   return fibres;
 }
 
-/// A column on a clamped foot, its section's depth along x, all of it turned with its world; a mass on its top.
+/// A column on a clamped foot, its section's depth along x, rotated with its world; a mass on its top.
 Model<3> column_in(const UnitQuaternion& world, double damping, int divisions = 4, std::array<int, 2> cells = {4, 4}) {
   const Turn3 turn = turn_of(world);
   SolidSpec spec = chain_body("column", {Vec3::Zero(), turn.apply(Vec3(0, 0, column_height))},
@@ -48,7 +48,7 @@ Model<3> column_in(const UnitQuaternion& world, double damping, int divisions = 
 }
 constexpr std::size_t column_top = 1;
 
-/// Pushed at its top by a force that grows over a second to `force` [N] and stays.
+/// A force at the top that grows to `force` [N] within a second and stays.
 void push_top(Model<3>& model, const Vec3& force) {
   SolidLoadSpec load;
   load.name = "push", load.at = model.start_position[column_top], load.force = force;
@@ -57,7 +57,7 @@ void push_top(Model<3>& model, const Vec3& force) {
   model.mass_damping = 4;
 }
 
-/// How far the top goes under a push, a second after all of it is there [m].
+/// Displacement of the top under a push, one second after its full value [m].
 double gone_under_push(double angle, double force, const UnitQuaternion& world = {}) {
   Model<3> model = column_in(world, 0);
   push_top(model, turn_of(world).apply(force * Vec3(std::cos(angle), std::sin(angle), 0)));
@@ -74,7 +74,7 @@ struct ShakenColumn {
   std::vector<Event> yielded;
 };
 
-/// Thrown by its top's first velocity along x and y, free to swing.
+/// Free vibration from an initial velocity of the top along x and y.
 ShakenColumn swing(const UnitQuaternion& world, double damping, const StageOptions& stage) {
   Model<3> model = column_in(world, damping);
   const Turn3 turn = turn_of(world);
@@ -111,7 +111,8 @@ StageOptions explicit_swing() {
 }  // namespace
 
 TEST_CASE("a column of fibres stands below its plastic load and goes beyond it along either axis and askew") {
-  // About z bends what is pushed along x. Askew by 45 degrees the neutral axis of a rectangle is its diagonal's.
+  // A force along x bends the section about z. Under an oblique force at 45 degrees the neutral axis of a rectangle is
+  // its diagonal.
   const double about_z = steel_yield * 0.2 * 0.09 / 4, about_y = steel_yield * 0.3 * 0.04 / 4;
   for (const auto& [angle, moment] : {std::pair(0.0, about_z), {M_PI / 2, about_y}}) {
     const double below = gone_under_push(angle, 0.9 * moment / column_height),
@@ -123,7 +124,7 @@ TEST_CASE("a column of fibres stands below its plastic load and goes beyond it a
     CHECK(below < 1.5 * elastic);
     CHECK(above > 4 * elastic);
   }
-  // Neither axis alone would yield; both together do: (M_y/Mp_y)^a + (M_z/Mp_z)^a with a between 1 and 2.
+  // Neither moment alone would yield; together they do: (M_y/Mp_y)^a + (M_z/Mp_z)^a with a between 1 and 2.
   const double angle = std::atan2(about_y, about_z), share = 0.95;
   const double force = share * std::hypot(about_z, about_y) / column_height;
   const double half = gone_under_push(angle, 0.5 * force);
