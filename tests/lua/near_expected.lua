@@ -1,4 +1,4 @@
--- Whether a number is as it should be, within a share of it; with TRILITH_SHOW in the environment it is printed.
+-- Checks that a number is within a share of its expected value; with TRILITH_SHOW in the environment it is printed.
 local show = os.getenv "TRILITH_SHOW"
 
 return function(what, value, expected, share)

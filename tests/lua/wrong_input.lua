@@ -1,4 +1,4 @@
--- What scripts on wrong input share: models that it is given to, and the look at what is said of it.
+-- Shared by the scripts on wrong input: their models, and the check of messages.
 local trilith = require "trilith"
 
 local given = {
@@ -32,8 +32,8 @@ function given.late()
   return w
 end
 
--- Each case is a function of one line of script and the one line of message that it must give, at its own line. A
--- message in a table is a pattern: it holds a path of this machine.
+-- Each case is a function of one line of script and the expected one-line message with its line number. A message in a
+-- table is a pattern: it contains a path of this machine.
 function given.check(cases)
   local wrong = 0
   for _, case in ipairs(cases) do

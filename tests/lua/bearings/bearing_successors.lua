@@ -1,12 +1,13 @@
--- A bearing that becomes another one which counts from where it takes over, by `becomes_from`: in the plane and in
--- space, under explicit and implicit steps and statics, as it is changed, taken back and told of.
+-- A bearing with a successor law that counts displacements from the switch (`becomes_from`): in the plane and in space,
+-- by explicit and implicit steps and statics, when changed, after a rewind, and in readings.
 local trilith = require "trilith"
 
 local function near(value, expected, allowed)
   assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
 end
 
--- A block of 2,000 kg with 100 J, which goes from a spring of 10 kN/m with 50 J at its limit to one of 1 MN/m.
+-- A block of 2,000 kg with 100 J on a spring of 10 kN/m, which stores 50 J at its limit; its successor is a spring of 1
+-- MN/m.
 local function handed_on(dim, from, speed)
   local m = trilith.model { name = "handed on", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 1000 }
@@ -40,7 +41,7 @@ for _, dim in ipairs { 2, 3 } do
         if second.status == "intact" then most = math.max(most, second.share) end
       end)
       if from == "start" then
-        -- Beyond the limit of the second one from its first instant on.
+        -- The successor's limit is exceeded from its first instant on.
         m:run { duration = 0.4, dt = 5e-4, integrator = integrator }
         assert(first.status == "changed" and second.status == "failed", second.status)
         assert(math.abs(m.energy.residual) < 1e-9*5000, m.energy.residual)
@@ -51,7 +52,8 @@ for _, dim in ipairs { 2, 3 } do
         near(energy.bearing_failure, 50, 5e-3)
         assert(math.abs(energy.residual) < 1e-9*100, energy.residual)
         near(farthest, 0.11, 2e-3)
-        -- Its limit counts from there as well; displacement is told from where the bearing was placed.
+        -- The successor's limit counts from the switch as well; the displacement reading counts from the bearing's
+        -- placement.
         near(most, 0.01/0.05, 1e-2)
       end
       m:close()
@@ -59,7 +61,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Gone back to the middle of the second one, and to the first one, it takes the same way again.
+-- After a rewind into the time of the successor, and of the first law, the run gives the same displacements.
 for _, dim in ipairs { 2, 3 } do
   local m, first, second = handed_on(dim, "here")
   m:checkpoints { every = 0.05 }
@@ -74,8 +76,8 @@ for _, dim in ipairs { 2, 3 } do
   m:close()
 end
 
--- Under a load of 2 kN, which the first one could carry at 0.2 m, statics find rest where the second one, from where it
--- took over, carries it.
+-- Under a load of 2 kN, which the first law could carry at 0.2 m, statics finds the equilibrium of the successor, which
+-- counts from the switch.
 for _, dim in ipairs { 2, 3 } do
   local m, first, second, block = handed_on(dim, "here", 0)
   m:fix(block, dim == 2 and "yr" or "yz")
@@ -89,7 +91,7 @@ for _, dim in ipairs { 2, 3 } do
   m:close()
 end
 
--- Said later on, for one direction or for all, and undone with what it becomes.
+-- The successor is set later, for one direction or for all, and removed together with its origin.
 do
   local m, first = handed_on(2, nil)
   m:run { duration = 0.01, dt = 5e-4 }

@@ -1,4 +1,4 @@
--- Bearings, seats, and what becomes of them; the events and their causes.
+-- Bearings, seats and their failures; events and causes.
 local trilith = require "trilith"
 local m = trilith.model { name = "span" }
 m:material { name = "concrete", unit_weight = 24e3 }
@@ -43,7 +43,7 @@ assert(seen.failed and seen.changed and seen.changed.id > seen.failed.id and see
 assert(seen[1] == "stage.begun" and seen[#seen] == "stage.ended")
 assert(share.max > 0.9)
 
--- A seat whose `inward` is left out begins at the edge and goes towards the body's end, on either side, in space too.
+-- A seat without `inward` starts at the edge and points to the body's end, on either side, also in space.
 for _, side in ipairs { -1, 1 } do
   local w = trilith.model { name = "seats" }
   w:material { name = "s", density = 2500 }
@@ -63,8 +63,8 @@ for _, side in ipairs { -1, 1 } do
   assert(math.abs(own.length - 0.3) < 1e-5 and not own.lost, own.length)
 end
 
--- What follows a bearing must be able to begin: not itself, none that carries already, none that leads back to it. In
--- the plane, in space, and where it comes to a model that has run.
+-- The successor of a bearing must be able to act: not the bearing itself, no bearing that already acts, no cycle.
+-- Checked in the plane, in space, and for bearings added to a model that has run.
 local function rejects(text, f, ...)
   local ok, message = pcall(f, ...)
   assert(not ok and tostring(message):find(text, 1, true), tostring(message) .. " does not say: " .. text)
@@ -111,7 +111,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- What stands for the flat contact of its bodies has to carry in its place: without a law that does, a note says so.
+-- A bearing that replaces the flat contact of its bodies must carry load instead of it; a note reports a missing law.
 for _, axial in ipairs { false, true } do
   local b = trilith.model { name = "stood for" }
   b:material { name = "stone", density = 2000 }

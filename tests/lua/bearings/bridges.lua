@@ -1,4 +1,4 @@
--- Spans between supports: where they lie follows from the supports; whole bridges from tables; what is refused.
+-- Spans between supports: positions follow from the supports; complete bridges from tables; rejected input.
 local trilith = require "trilith"
 local linear = trilith.linear { stiffness = 5e7, damping = 1e5 }
 local slide = trilith.frictional { name = "slide", kn = 1e9, ks = 5e8, mu = 0.05, beta = 1e-3 }
@@ -54,7 +54,7 @@ local contact = m:contacts { between = { S2, "A2" } }[1]
 assert(contact.law == "slide", contact.law)
 assert(S1.bearings.left.limited and not pcall(function() S1.bearings = {} end))
 
--- a bearing without height stands for the flat contact it sits in
+-- a bearing without height replaces the flat contact around it
 local f = new()
 for i = 0, 1 do
   f:pier { name = "P" .. i, station = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
@@ -65,7 +65,7 @@ near(flush.seats.left.length, 0.45, "seat that is what the joint leaves of the t
 assert(flush.name == "span" and f:consolidate { duration = 20 }.rests)
 assert(#f:contacts { between = { flush, "P0" } } == 0)
 
--- a dowel holds along and leaves the weight to the contact
+-- a dowel acts along the span and leaves the weight to the contact
 local d = new()
 for i = 0, 1 do
   d:pier { name = "P" .. i, station = 20*i, stem_width = 1, ground_level = -6, height = 6, material = "concrete" }
@@ -98,7 +98,7 @@ near(bridge.supports.A0.outline[4][2], 1.5, "back wall of A0")
 near(bridge.spans.S2.seats.right.length, 0.4, "seat on A2")
 assert(t:consolidate { duration = 20 }.rests)
 
--- what is refused, each in one line
+-- rejected input, one line each
 local function bridge_with(change)
   local e, given = new(), tables()
   change(given)
@@ -127,7 +127,7 @@ refused("abutment 'A0': 'seat' is missing; give a number in m, there or for the 
   bridge_with(function(b) b.seat, b.supports[2].seat = nil, 0.5 end))
 refused("pier 'P1': unknown key 'footing'", bridge_with(function(b) b.supports[2].footing = 3 end))
 
--- A bridge that is refused at its last span leaves nothing behind: the right one is made then as if nothing had been.
+-- A bridge rejected at its last span leaves nothing behind: the correct bridge is then built as in a new model.
 local again, wrong = new(), tables()
 wrong.spans[2].depth = -1
 refused("span 'S2': depth is -1", again.bridge, again, wrong)
@@ -135,12 +135,12 @@ assert(#again:bodies {} == 1 and #again.bearings + #again.seats == 0) -- the gro
 local bare, slides = new(), tables()
 slides.span.left, slides.span.right, slides.spans[2].depth = "expansion", "expansion", -1
 refused("span 'S2': depth is -1", bare.bridge, bare, slides)
-bare:run { duration = 0.01 } -- no contact law of a span that is not there
+bare:run { duration = 0.01 } -- needs no contact law of a missing span
 local made = again:bridge(tables())
 assert(again:consolidate { duration = 20 }.rests)
 assert(#again.bearings == #t.bearings and made.spans.S2.y == bridge.spans.S2.y)
 
--- and of single spans, bearing types and supports
+-- and single spans, bearing types and supports
 local function span_with(change)
   local n = new()
   n:pier { name = "P1", station = 0, seat = 0.5, gap = 0.1, ground_level = -6, height = 6, material = "concrete" }

@@ -1,6 +1,5 @@
--- A pendulum bearing with rise = 1 stands on a dish: what slides rises by R - sqrt(R^2 - u^2), and its weight brings it
--- back by N
--- tan(angle). In the plane and in space, by explicit and implicit steps.
+-- A pendulum bearing with rise = 1 stands on a dish: the slider rises by R - sqrt(R^2 - u^2), and its weight gives the
+-- restoring force N tan(angle). In the plane and in space, by explicit and implicit steps.
 local trilith = require "trilith"
 
 local g, radius = 9.80665, 1
@@ -9,7 +8,7 @@ local function near(a, b, share, what)
   assert(math.abs(a - b) <= share*math.abs(b), ("%s: %.9g for %.9g"):format(what or "", a, b))
 end
 
--- A slab on one dish in the plane, on four in space; its feet do not turn it.
+-- A slab on one dish in the plane, on four in space; its feet do not rotate it.
 local function slab(dim, mu, damping, coupled, speed)
   local m = trilith.model { name = "slab", dim = dim }
   m:material { name = "c", density = 2400 }
@@ -47,8 +46,8 @@ for _, case in ipairs { { 2 }, { 3, true }, { 3, false } } do
   near(math.abs(s.reaction_x), weight*(0.25/math.sqrt(1 - 0.25^2) + 0.02), 1e-2, "force")
 end
 
--- Let go without friction it is a mass on a circle: a pendulum, whose period grows with its swing, and which keeps its
--- energy. `swing`: the largest angle [rad].
+-- Released without friction the slab is a pendulum: its period grows with the amplitude, and its energy is conserved.
+-- `swing`: the largest angle [rad].
 local function period_of(swing)
   local sum, k = 0, math.sin(swing/2)
   for i = 0, 199 do -- 4 sqrt(R/g) K(k), by the middle rule
@@ -60,7 +59,7 @@ end
 for _, case in ipairs { { 2, nil, "explicit" }, { 3, true, "explicit" }, { 2, nil, "implicit" } } do
   local dim, coupled, integrator = table.unpack(case)
   for _, swing in ipairs { 0.02, 0.6 } do
-    -- thrown from the middle with the speed that carries it so high
+    -- started at the middle with the speed that reaches this angle
     local speed = math.sqrt(2*g*radius*(1 - math.cos(swing)))
     local m, s = slab(dim, 0, 0, coupled, speed)
     local start = s.x

@@ -1,5 +1,5 @@
--- A device between two held bodies is led to and fro: an elastic one gives back all that it takes, so that next to
--- nothing is put in by the end of a cycle, and what the steps miss of that is no reason to doubt the run.
+-- A device between two bodies with prescribed cyclic motion: an elastic device returns all energy it takes, so the net
+-- input over a cycle is almost zero. The step error relative to this small number does not make the verdict unsound.
 local trilith = require "trilith"
 
 local reach, period, stiffness, slack = 0.04, 0.8, 4e6, 0.01
@@ -11,7 +11,7 @@ local function to_and_fro(cycles)
   return trilith.motion { acceleration = acceleration, dt = period/400, v0 = reach*w, allow_drift = true }
 end
 
--- Energies put in and held as the device is led so for `cycles`, in the plane or along an azimuth in space.
+-- Energy put in and stored after `cycles` of this motion, in the plane or along an azimuth in space.
 local function led(dim, azimuth, integrator, cycles)
   local m = trilith.model { name = "device", dim = dim, gravity = 0 }
   m:material { name = "steel", density = 7850 }

@@ -1,4 +1,5 @@
--- Bearings and seats of models in space: by direction and both horizontal ones at once; how they end; what they tell.
+-- Bearings and seats of models in space: by single direction and for both horizontal directions at once; failures;
+-- readings.
 local trilith = require "trilith"
 
 local function near(value, expected, relative)
@@ -22,7 +23,7 @@ local function isolated(bearing, contact)
 end
 local stiff = trilith.linear { stiffness = 1e7, damping = 1e4 }
 
--- Names, numbers, histories. What it carries at rest is the weight; its axes may be turned.
+-- Names, numbers, histories. At rest it carries the weight; its axes may be rotated.
 do
   local m, b, top = isolated { along = trilith.linear { stiffness = 2e5 }, across = trilith.linear { stiffness = 1e5 },
     axial = stiff, angle = math.pi/2, limit = { along = 0.3, horizontal = 0.4 } }
@@ -37,7 +38,7 @@ do
   near(m.seats.edge.length, 2, 1e-9)
   m:drive { body = top, x = trilith.ramp { by = 0.02, duration = 1 }, y = trilith.ramp { by = 0.01, duration = 1 } }
   m:run { duration = 1 }
-  -- Turned by 90 degrees along is y and across is against x.
+  -- Rotated by 90 degrees: along is y and across is -x.
   near(b.displacement_along, 0.01, 1e-3)
   near(b.displacement_across, -0.02, 1e-3)
   near(b.force_along, 2e5*0.01, 1e-3)
@@ -52,7 +53,7 @@ do
   assert(not pcall(function() return b.turning end) and not pcall(function() return b.moment end))
 end
 
--- A circle of friction: pulled at 45 degrees the slider carries mu N, and so does each component its share.
+-- A friction circle: pulled at 45 degrees the slider carries mu N, and each component its share.
 do
   local m, b, top = isolated { horizontal = trilith.friction { mu = 0.1, stiffness = 1e7 }, axial = stiff }
   local yielded
@@ -65,7 +66,7 @@ do
   assert(yielded and b.status == "yielded")
 end
 
--- A bearing without a limit is asked about, one with a limit of the resultant is not.
+-- A bearing without a limit gets a note, one with a limit of the resultant does not.
 do
   local endless = isolated { horizontal = trilith.linear { stiffness = 1e5 }, axial = stiff }
   assert(endless:lint().text:find "bearing 'b' has no limit, so it never fails", endless:lint().text)
@@ -73,7 +74,7 @@ do
   assert(not ended:lint().text:find "has no limit", ended:lint().text)
 end
 
--- Past the limit of the resultant it fails; the block drops on the base and slides on by the law that follows.
+-- Past the limit of the resultant it fails; the block drops onto the base and slides on by the successor law.
 do
   local slide = trilith.frictional { name = "slide", kn = 1e8, ks = 5e7, mu = 0.1, beta = 1e-3 }
   local m, b, top = isolated({ horizontal = trilith.linear { stiffness = 1e5 }, axial = stiff,
@@ -94,7 +95,7 @@ do
   near(top.uz, -0.1, 1e-2)
 end
 
--- What an event tells is the displacement in the direction that yielded, whichever that is.
+-- An event reports the displacement in the direction that yielded, for each direction.
 for _, case in ipairs {
   { "horizontal", 0 }, { "horizontal", 30 }, { "horizontal", 90 }, { "across", 90 }, { "axial" },
 } do
@@ -119,8 +120,8 @@ for _, case in ipairs {
   s:close()
 end
 
--- A bearing may be changed between stages: a spring of twice the stiffness gives half, one in all directions of the
--- horizon as well, and a limit ends it.
+-- A bearing may be changed between stages: twice the stiffness gives half the displacement, also for the horizontal
+-- directions together, and a limit ends it.
 for _, direction in ipairs { "along", "horizontal" } do
   local s = trilith.model { name = "hung", dim = 3, gravity = 0 }
   s:material { name = "stone", density = 1000 }

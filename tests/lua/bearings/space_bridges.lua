@@ -1,5 +1,5 @@
--- Bridges in space from tables: what bearings carry, where seats lie, how a skewed deck turns, what a script finds of
--- them; what is refused, each in one line.
+-- Bridges in space from tables: bearing forces, positions of seats, rotation of a skewed deck, handles for scripts;
+-- rejected input, one line each.
 local trilith = require "trilith"
 local g = 9.80665
 local stiff = trilith.linear { stiffness = 2e9, damping = 4e6 }
@@ -46,7 +46,7 @@ local function loads(bridge, span)
   return all, sum
 end
 
--- A straight bridge: each bearing carries its share of the weight. What a script finds of it.
+-- A straight bridge: each bearing carries its share of the weight. Handles of a bridge for a script.
 do
   local m = new()
   local bridge = m:bridge(tables(function(b) b.skew = 0 end))
@@ -71,7 +71,8 @@ do
   near(bridge.axes.A2, 50, 1e-12, "axis")
 end
 
--- With a skew the weight is the same, and obtuse corners carry more than acute ones where supports give way to turns.
+-- With a skew the weight is the same, and obtuse corners carry more than acute ones if supports are flexible in
+-- rotation.
 do
   local m = new()
   local bridge = m:bridge(tables(function(b)
@@ -83,16 +84,16 @@ do
   assert(all[3] > 1.1*all[1] and all[4] > 1.1*all[6],
     "the obtuse corners: left at the left end, right at the right one")
   near(bridge.seats.S1.right.g2.length, 0.6*math.cos(0.4), 1e-2, "a seat is measured square to its edge")
-  -- A rigid disc on a half space: the stiffnesses, of a footing of 4 x 9 m.
+  -- A rigid disc on a half space: the stiffnesses of a footing of 4 m x 9 m.
   local r = math.sqrt(4*9/math.pi)
   local carried = -bridge.foundations.middle[1].force_axial
   near(carried/bridge.foundations.middle[1].displacement_axial, -4*60e6*r/0.65, 1e-3, "the ground's stiffness")
   near(carried, bridge.supports.middle.mass*g + 1.5e5*24.9, 1e-4, "what the pier's ground carries")
 end
 
--- Shaken along its axis, a skewed deck that strikes its abutments turns against the skew (Maragakis and Jennings 1987),
--- as long as sin(2 skew) > 2 breadth/length, which is when a blow at the obtuse corner turns it so (Dimitrakopoulos
--- 2011). Its mirror image turns the other way as much, and a straight deck not at all.
+-- Shaken along its axis, a skewed deck that strikes its abutments rotates against the skew (Maragakis and Jennings
+-- 1987). An impact at the obtuse corner causes this rotation if sin(2 skew) > 2 breadth/length (Dimitrakopoulos 2011).
+-- Its mirror image rotates the other way by as much, and a straight deck not at all.
 local function struck(skew, length, breadth, way)
   local m = trilith.model { name = "one span", dim = 3 }
   m:material { name = "concrete", density = 2400 }
@@ -121,7 +122,7 @@ do
   assert(math.abs(wide) < 0.05*math.abs(turned), wide)
 end
 
--- Shaken across: without keys the deck leaves its bearings and slides aside; solid keys and breakable ones hold it.
+-- Shaken across: without keys the deck leaves its bearings and slides sideways; solid keys and breakable ones hold it.
 local function shaken_across(change, threads)
   local m = new(threads)
   local bridge = m:bridge(tables(function(b)
@@ -154,7 +155,7 @@ do
   assert(bridge.keys.S1.left.status ~= "intact", bridge.keys.S1.left.status)
 end
 
--- Columns and girders that are members: the weight arrives at the feet, and members tell their forces.
+-- Columns and girders as members: the weight arrives at the feet, and members report their forces.
 do
   local m = new()
   local column = trilith.rectangle_section { width = 1, depth = 1 }
@@ -171,14 +172,15 @@ do
   m:consolidate { integrator = "static" }
   local carried = 0
   for _, foot in ipairs(bridge.foundations.middle) do carried = carried - foot.force_axial end
-  -- S2 is set back by its corners: its weight is that of the deck from end to end all the same.
+  -- The deck's ends on S2 are set back: its weight is still computed from end to end.
   near(carried, bridge.supports.middle.mass*g + 1.5e5*24.9, 2e-3, "what both feet carry")
   local forces = bridge.supports.middle:forces "column1"
   assert(forces[1].normal < -1e5, forces[1].normal)
   assert(bridge.spans.S2:forces("diaphragm1.1") and bridge.spans.S2:forces("g2.1"))
 end
 
--- Motions: one for all, one for each, late by a list or as a wave passes; where nothing can be moved, that is said.
+-- Motions: one for all supports, one for each, delayed by a list or by a passing wave; motions of bridges without
+-- movable supports are rejected.
 local function refused(pattern, f, ...)
   local good, message = pcall(f, ...)
   message = tostring(message)
@@ -203,7 +205,7 @@ do
   refused("motions: 'delay' lists 1 delays for 3 supports", bridge.motions, bridge, { x = a, delay = { 1 } })
 end
 
--- What is refused.
+-- Rejected input.
 local function bridge_with(change)
   local m = new()
   return m.bridge, m, tables(change)
@@ -304,7 +306,7 @@ refused("pier 'middle': ground: there is no body 'nowhere'", bridge_with(functio
   b.supports[2].ground = "nowhere"
 end))
 
--- What carries a deck and slides without an end is told of; a limit along ends it, as does a law that holds.
+-- A bearing that carries a deck and slides without limit gets a note; a limit along, or a law that holds, avoids it.
 do
   local function notes(type)
     local m = trilith.model { dim = 3 }
@@ -319,7 +321,7 @@ do
   assert(#notes { along = soft } == 0 and #notes { horizontal = soft } == 0)
 end
 
--- A bridge may come into a model that has run: as a whole, or not at all.
+-- A bridge may be added to a model that has run: completely, or not at all.
 do
   local m = new()
   m:bridge(tables(function() end))
@@ -345,7 +347,7 @@ do
   m:close()
 end
 
--- Nothing of a bridge that is refused stays: the model then takes the right one, and that comes to rest.
+-- A rejected bridge leaves nothing behind: the model then accepts the correct one, which comes to rest.
 do
   local m = new()
   local function count() return #m:bodies {} + #m.bearings + #m.seats end

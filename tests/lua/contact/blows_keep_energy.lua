@@ -1,10 +1,11 @@
--- Steps that are found by themselves keep the energy of an undamped blow to 2 % either way, beside what is fixed and
--- what moves, in the plane and in space, rigid and of one element, under weight and without it, and through a gap.
--- With an accuracy the first touch keeps it too, as the step looks ahead with what weight adds to the speed.
+-- Automatic steps keep the energy of an undamped impact to 2 % either way. Cases: fixed and moving bodies, in the plane
+-- and in space, rigid and of one element, with and without weight, and a gap. With an accuracy the first contact keeps
+-- it too, because the step's prediction includes the speed gained by the weight.
 local trilith = require "trilith"
 local g = 9.80665
 
---- A block that flies at another, or falls on it, and back: its energy of motion at the same height, over that before.
+--- A block that hits another one, or falls on it, and rebounds: kinetic energy at the same height after the impact over
+--- before.
 local function blow(c)
   local m = trilith.model { name = "blow", dim = c.dim, gravity = c.weight and g or 0, overlap_allowed = 1e-3 }
   m:material { name = "stone", density = c.density or 2000, E = c.body and 3e10, nu = c.body and 0.2 }
@@ -26,9 +27,10 @@ local function blow(c)
   local start = 0.5*upper.mass*speed*speed
   local before = c.weight and upper.mass*g*c.height or start
   local fall = c.weight and math.sqrt(2*c.height/g) or c.height/speed
-  -- Long after the blow, on the way back.
+  -- Long after the impact, on the way back.
   m:run { duration = 1.6*fall + 0.02, accuracy = c.accuracy, safety = c.safety }
-  -- The energy of motion of a leapfrog step under weight is m (g dt)^2 / 8 less: by a short one it shows what is there.
+  -- The kinetic energy of a leapfrog step under weight is m (g dt)^2 / 8 too small: a short step makes this error
+  -- negligible.
   m:run { duration = 1e-4 }
   local e = m.energy
   local after = e.kinetic + e.strain
@@ -65,7 +67,7 @@ for _, dim in ipairs { 2, 3 } do
 end
 for _, kn in ipairs { 1e8, 1e9 } do check { dim = 2, kn = kn, height = 0.2, body = "quad", weight = true } end
 
--- Through a gap that weight closes: the look ahead has what weight adds.
+-- Through a gap that closes by the weight: the prediction includes the speed gained.
 for _, dim in ipairs { 2, 3 } do
   for _, keys in ipairs { {}, { accuracy = 1e-3 } } do
     local m = trilith.model { name = "gap", dim = dim }
@@ -94,7 +96,7 @@ for _, dim in ipairs { 2, 3 } do
 end
 if os.getenv "TRILITH_SHOW" then print("worst of the usual steps", worst) end
 
--- What a given step gains or loses beyond a twentieth of what was put in is noted; a fine one is not.
+-- A given step whose energy error exceeds a twentieth of the input gets a note; a fine step does not.
 for dt, notes in pairs { [1e-3] = 1, [5e-5] = 0 } do
   local m = trilith.model { name = "told" }
   m:material { name = "stone", density = 400 }

@@ -1,7 +1,7 @@
--- A post on a joint that gives, under weight that is turned towards a corner of its foot. Leaning by th it stands on a
--- triangle with legs l at that corner, pressed by kn l^3 sin(th)/(6 sqrt 2) in sum, at sqrt(2) l/4 from the corner; so
--- the weight may be turned by atan(r/(h/2)) - th at most, r = b/sqrt(2) - sqrt(2) l/4, whatever th is best. That falls
--- short of the rigid post by a share that goes with the cube root of 1/kn.
+-- A post on an elastic joint, under gravity tilted towards a corner of its foot. Leaning by th it stands on a triangle
+-- with legs l at this corner, with the force kn l^3 sin(th)/(6 sqrt 2) at sqrt(2) l/4 from the corner. So gravity may
+-- be tilted by at most atan(r/(h/2)) - th, r = b/sqrt(2) - sqrt(2) l/4, maximised over th. This is below the limit of
+-- the rigid post by a share proportional to the cube root of 1/kn.
 local trilith = require "trilith"
 
 local g, b, h, density = 9.80665, 0.3, 0.8, 2300
@@ -17,7 +17,7 @@ local function most(kn)
   return best
 end
 
--- Whether the post stands, turned about the upright by `turn`, its weight turned by `tilt` towards its corner.
+-- Whether the post stands, rotated about the vertical by `turn`, with gravity tilted by `tilt` towards its corner.
 local function stands(kn, tilt, turn, integrator)
   local azimuth = math.pi/4 + turn
   local level = g*math.sin(tilt)

@@ -1,4 +1,4 @@
--- A body of one element turns with the inertia of the body, and not with that of masses at its corners.
+-- A body of one element rotates with the inertia of the body, not with the inertia of masses at its corners.
 local trilith = require "trilith"
 
 local g = 9.80665
@@ -12,7 +12,7 @@ local function free(dim, gravity)
   return m
 end
 
--- Energy of a spin, and of a couple's work: shapes in the plane, by their second moments about the centroid.
+-- Energy of a spin, and the work of a couple: shapes in the plane, by their second moments about the centroid.
 local shapes = {
   rectangle = { { 0, 0 }, { 2, 0 }, { 2, 0.5 }, { 0, 0.5 } },
   trapezium = { { 0, 0 }, { 2, 0 }, { 1.5, 1 }, { 0.7, 1 } },
@@ -71,14 +71,14 @@ for axis = 1, 3 do
   assert(math.abs(m.energy.residual) < 1e-3*m.energy.kinetic, m.energy.residual)
 end
 
--- Pinned at one corner it swings as a compound pendulum: only some of its nodes are held.
+-- Pinned at one corner it swings as a compound pendulum: only some of its nodes are fixed.
 do
   local w, h = 1, 2
   for _, integrator in ipairs { "explicit", "implicit" } do
     local m = free(2, g)
 
     local diagonal = math.atan(w/h)
-    local function turned(x, y) -- hangs by its corner, its diagonal 0.05 rad from the plumb line
+    local function turned(x, y) -- hangs by its corner, its diagonal 0.05 rad from the vertical
       local a = 0.05 - diagonal
       return { math.cos(a)*x - math.sin(a)*y, math.sin(a)*x + math.cos(a)*y }
     end
@@ -100,7 +100,7 @@ do
   end
 end
 
--- A slender block set leaning falls back on its other foot as a rigid one does (Housner).
+-- A slender tilted block falls back on its other foot as a rigid block does (Housner).
 local function first_blow(body)
   local bw, hh = 0.5, 2
   local alpha, far = math.atan(bw/hh), math.sqrt(bw^2 + hh^2)/2

@@ -1,5 +1,5 @@
--- A ridge or a corner that several pieces of one body share slides as that of one convex piece does: nothing brakes it
--- where nothing rubs, and friction is Coulomb's (docs/decisions/0038-shared-edges.md).
+-- A ridge or corner shared by several pieces of one body slides as on one convex piece: no braking without friction,
+-- and Coulomb friction otherwise (docs/decisions/0038-shared-edges.md).
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
@@ -12,7 +12,7 @@ local function model_of(dim, mu, beta)
   return m
 end
 
--- Fixed ridges 2 m apart, of a kind: one polygon, a chevron of two pieces, two triangles of a mesh.
+-- Fixed ridges 2 m apart, of one kind: one polygon, a chevron of two pieces, two triangles of a mesh.
 local function add_ridge(m, dim, kind, name, x)
   local solid = { { x - 0.3, -0.3 }, { x + 0.3, -0.3 }, { x, 0 } }
   if kind == "chevron" then solid = { { x - 0.3, -0.3 }, { x, -0.15 }, { x + 0.3, -0.3 }, { x, 0 } } end
@@ -36,7 +36,7 @@ local function slab(m, dim, height, speed)
                    velocity = { speed, 0, 0 } }
 end
 
--- What the slab's speed is after .3 s. It leans a little as it goes, so that its weight drives it.
+-- Speed of the slab after 0.3 s. It leans slightly, so that its weight drives it.
 local function speed_after(dim, kind, beta, integrator)
   local m = model_of(dim, 0, beta)
   for i, x in ipairs { -1, 1 } do add_ridge(m, dim, kind, "ridge" .. i, x) end
@@ -57,7 +57,7 @@ for _, case in ipairs {
     speed_after(dim, kind, 1e-3, integrator), speed_after(dim, "convex", 1e-3, integrator), 1e-5)
 end
 
--- Pushed beyond what friction holds, and let go: it slows by mu g.
+-- Pushed beyond the friction limit, and released: the deceleration is mu g.
 for _, dim in ipairs { 2, 3 } do
   for _, mu in ipairs { 0.1, 0.6 } do
     local m = model_of(dim, mu, 0)
@@ -77,7 +77,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- A slab on corners of cubes that stand on a corner each: rigid ones, and such of six tetrahedra, of which several
+-- A slab on corners of cubes that stand on a corner each: rigid cubes, and cubes of six tetrahedra, several of which
 -- share the corner.
 local function speed_on_corners(body)
   local m = model_of(3, 0, 1e-3)

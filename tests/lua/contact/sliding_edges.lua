@@ -1,5 +1,6 @@
--- What slides on an edge or a corner without friction is not braked, and what strikes on one gives back what the
--- damping leaves: contacts of any shape are damped along the resultant of their springs alone (docs/theory/contact.md).
+-- A body that slides on an edge or a corner without friction is not braked, and the rebound of an edge impact follows
+-- the damping. Contacts of general shape are damped along the resultant of their springs alone
+-- (docs/theory/contact.md).
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
@@ -17,7 +18,7 @@ local function model_of(case)
   return m
 end
 
--- A body that may not turn slides on one edge of it along a level floor.
+-- A body with fixed rotation slides on one of its edges along a level floor.
 local function slides(case)
   local m, tilt, v = model_of(case), case.tilt or 0.3, case.speed or 2
   local height = 0.25*math.sin(tilt) + 0.15*math.cos(tilt)
@@ -69,10 +70,10 @@ slides { "... stiff, strongly damped", dim = 3, kn = 1e10, beta = 1e-3 }
 slides { "... in implicit steps", dim = 3, kn = 1e9, beta = 1e-4, integrator = "implicit" }
 slides { "... under a power law", dim = 3, kn = 1e9, beta = 1e-4, power = true }
 
--- A square stands on a corner, or a cube on an edge, and is thrown against a floor that it leaves again. At the depth d
--- the flanks are d sqrt 2 long each, the base is 2 d long and d / sqrt 2 deep at the most, and of a stress that rises
--- from 0 to s over a length, damped by c, (s + c)^2 / 2 s is left of s / 2 where it is above 0. The equation of motion
--- is taken by Runge and Kutta's method.
+-- A square on a corner, or a cube on an edge, is thrown against a floor and rebounds. At the penetration d the flanks
+-- are d sqrt 2 long each, and the base is 2 d long and at most d / sqrt 2 deep. A stress that rises linearly from 0 to
+-- s, damped by c, has the resultant (s + c)^2 / 2 s instead of s / 2 if s + c is above 0. The equation of motion is
+-- integrated by the Runge-Kutta method.
 local function rebound(kn, beta, mass, speed)
   local function force(d, rate)
     if d <= 0 then return 0 end

@@ -1,10 +1,10 @@
--- Friction of a rectangle that slides and turns at once, against the integral of Coulomb friction over its area: for
--- several ratios of its sides, and centres about which it turns on a fixed floor.
+-- Friction of a rectangle that slides and rotates, against the integral of Coulomb friction over its area, for several
+-- side ratios and centres of rotation on a fixed floor.
 local trilith = require "trilith"
 
 local mu, density, thick = 0.5, 2000, 0.2
 
--- Shares of mu N: force along x and y, and couple over the mean distance, of an area that turns about (cx, cy) [m].
+-- Shares of mu N: force along x and y, and couple over the mean distance, of an area that rotates about (cx, cy) [m].
 local function integral(length, cx, cy)
   local n, fx, fy, couple, distance = 120, 0, 0, 0, 0
   for i = 1, n do
@@ -19,7 +19,7 @@ local function integral(length, cx, cy)
   return fx/n^2, fy/n^2, couple/distance, distance/n^2
 end
 
--- The same of a block, driven slowly about the centre until friction is steady.
+-- The same shares measured on a block, driven slowly about the centre until friction is constant.
 local function measured(length, cx, cy, distance)
   local m = trilith.model { name = "rectangle", dim = 3 }
   m:material { name = "s", density = density }
@@ -49,11 +49,11 @@ for _, length in ipairs { 1, 1.5, 2, 3, 5 } do
     local x, y, t, distance = integral(length, cx, cy)
     local fx, fy, couple = measured(length, cx, cy, distance)
     local what = ("%g : 1 about (%g, %g)"):format(length, centre[1], centre[2])
-    -- Power of friction, of a motion that turns by 1 about the centre: the limit along its rays, as both are convex.
+    -- Friction power of a unit rotation about the centre: the limit along its rays, as both surfaces are convex.
     local power, expected = cy*fx - cx*fy + distance*couple, cy*x - cx*y + distance*t
     is(what .. ": power", power/expected, 1, 0.02)
     if cx == 0 and cy == 0 then is(what .. ": torsion", couple, 1, 0.012) end
-    -- The surface, and up to 1 % of the mean distance.
+    -- Error of the limit surface, and up to 1 % of the mean distance.
     local off = (cx == 0 or cy == 0) and 0.025 or 0.045
     is(what .. ": force across", fy, y, off)
     is(what .. ": force along", fx, x, off)

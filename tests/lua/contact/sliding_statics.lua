@@ -1,8 +1,8 @@
--- Rest by statics where friction slides on the way and holds by its limit at the end.
+-- Equilibrium by statics with friction that slides under the growing load and sticks at its limit at the end.
 local trilith = require "trilith"
 
--- A block of 20 kN is pushed at its foot and held by a spring: at rest that carries the push less mu times the weight,
--- in however many shares that comes on.
+-- A block of 20 kN is pushed at its foot and held by a spring: at rest the spring carries the push minus mu times the
+-- weight, for any number of load increments.
 local function spring_at_rest(dim, push, shares, turn)
   local m = trilith.model { name = "slide", dim = dim, gravity = 10 }
   m:material { name = "stone", density = 2000 }
@@ -35,7 +35,8 @@ for _, case in ipairs { { 3, 10100, 1, 0 }, { 3, 10100, 1, 0.3 }, { 3, 11000, 1,
   assert(math.abs(force - (push - 10000)) < 1e-4*10000, ("%g N in %d shares: %g N"):format(push, shares, force))
 end
 
--- Dry stones that stand free lean on each other and slide before they rest; nothing moves then where time goes on.
+-- Dry free-standing stones lean on each other and slide before they rest; they do not move in a following dynamic
+-- stage.
 do
   local m = trilith.model { dim = 3, name = "rubble" }
   m:material { name = "stone", density = 2400 }
@@ -48,7 +49,7 @@ do
   m:close()
 end
 
--- What finds no rest leaves all as it was, and a run that goes on from there is sound.
+-- A failed search leaves the model unchanged, and a continued run is sound.
 do
   local m = trilith.model { name = "pushed off", dim = 3 }
   m:material { name = "stone", density = 2400 }

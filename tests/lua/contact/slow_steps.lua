@@ -1,5 +1,5 @@
--- Steps of slow soft models are as long as what acts asks for, and no constant cuts them: springs swing with their
--- period, motions and load curves are followed while they act, and long steps come back once they are over.
+-- Steps of slow soft models are as long as the active forces allow, without a constant limit. Springs oscillate with
+-- their period, motions and load curves are resolved while they act, and long steps return after them.
 local trilith = require "trilith"
 
 local function built(dim, period)
@@ -25,11 +25,11 @@ local function built(dim, period)
 end
 
 for _, dim in ipairs { 2, 3 } do
-  -- Alone: nothing asks for short steps.
+  -- Alone: no reason for short steps.
   local m = built(dim)
   assert(m:run { duration = 10 }.steps <= 250)
   m:close()
-  -- On a spring: the period of many swings is right within half a percent, by far fewer steps than of 5 ms.
+  -- On a spring: the mean period of many oscillations is right to 0.5 %, with far fewer steps than at 5 ms.
   for _, period in ipairs { 0.5, 2, 8 } do
     local mass
     m, mass = built(dim, period)
@@ -45,7 +45,7 @@ for _, dim in ipairs { 2, 3 } do
     assert(report.steps < 10.5*period/0.005/1.3, report.steps)
     m:close()
   end
-  -- A motion of 10 ms samples is followed for as long as it acts.
+  -- A motion of 10 ms samples is resolved for as long as it acts.
   local base
   m, _, base = built(dim, 8)
   local acceleration = {}

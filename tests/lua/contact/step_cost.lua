@@ -1,4 +1,4 @@
--- What a step callback costs: the same run without one, with an empty one, and with one that reads two properties.
+-- Cost of a step callback: the same run without one, with an empty one, and with one that reads two properties.
 local trilith = require "trilith"
 local function run(handler)
   local m = trilith.model {}

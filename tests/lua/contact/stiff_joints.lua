@@ -1,10 +1,10 @@
--- Natural frequencies on joints from soft to so stiff that they are pressed by a nanometre: sqrt(kn A/m)/2 pi of the
--- joint, for single blocks, tilted ones and a wall of two, as implicit steps and statics have their stiffness too.
+-- Natural frequencies on joints from soft to so stiff that the penetration is a nanometre: sqrt(kn A/m)/2 pi. Cases:
+-- single blocks, tilted ones and a wall of two. Implicit steps and statics use the same stiffness.
 local trilith = require "trilith"
 
 local density, height, g = 2000, 0.8, 9.80665
 
--- One block, or two on each other, on a fixed one; all of it and gravity tilted by an angle about y.
+-- One block, or a stack of two, on a fixed one; the model and gravity are tilted by an angle about y.
 local function frequency(dim, kn, blocks, tilt)
   local s, c = math.sin(tilt), math.cos(tilt)
   local m = trilith.model { name = "joint", dim = dim, gravity = dim == 2 and { -g*s, -g*c } or { -g*s, 0, -g*c } }

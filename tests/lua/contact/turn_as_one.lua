@@ -1,9 +1,10 @@
--- Bodies that turn as one do not slide against each other: a block that friction holds on a turning table, and blocks
--- in mortar that fly and spin, in the plane and in space. Leapfrog steps made them slide by W^2 r dt / 2 a second.
+-- Bodies that rotate together do not slide against each other: a block held by friction on a rotating table, and blocks
+-- in mortar that fly and spin, in the plane and in space. Plain leapfrog steps would make them slide by W^2 r dt / 2
+-- per second.
 local trilith = require "trilith"
 local rate, r = 1.3, 1.5
 
---- A body on a table that turns about z, at a part of its friction limit: how far its radius changes.
+--- A body on a table that rotates about z, at a share of its friction limit: change of its radius [m].
 local function on_table(safety)
   local m = trilith.model { name = "table", dim = 3, overlap_allowed = 1e-2 }
   m:material { name = "stone", density = 2000 }
@@ -29,15 +30,15 @@ for _, safety in ipairs { 0.5, 0.25 } do
     out, crept))
 end
 
---- Two blocks in mortar, one beside and above the other, that fly and spin about their common centre: the shear force
---- between them is what goes round with the second needs, and no more; it does not grow with time.
+--- Two blocks in mortar, offset sideways and upwards, that fly and spin about their common centre: the shear force
+--- between them is the centripetal force of the second block, and does not grow with time.
 local function flying(dim, W)
   local m = trilith.model { name = "flying", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 2000 }
   m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 1e9, ks = 1e9, mu = 0.6, beta = 1e-5,
     tension = 1e6, cohesion = 1e6 } }
   local function block(name, x, y)
-    local v = { -W*(y + 0.25), W*(x + 0.5) } -- of the middle, about the origin
+    local v = { -W*(y + 0.25), W*(x + 0.5) } -- velocity of the middle, about the origin
     if dim == 3 then
       return m:block { name = name, size = { 1, 0.5, 0.5 }, at = { x, y, 0 }, material = "stone", floating = true,
                        velocity = { v[1], v[2], 0 }, spin = { 0, 0, W } }

@@ -1,7 +1,8 @@
--- Frames and meshes of triangles of the plane taken into space by m:extruded, and bearings that turn one way alone.
+-- Frames and triangle meshes of the plane converted to space by m:extruded, and bearings that act in one sense of
+-- rotation only.
 local trilith = require "trilith"
 
---- Whether `value` is within `share` of `size` of what it should be.
+--- Whether `value` is within `share` of `size` of the expected value.
 local function near(value, expected, share, size)
   local off = math.abs(value - expected)
   if off ~= off or off > share*(size or math.abs(expected)) then
@@ -17,7 +18,7 @@ local function model(options)
   m:contact { between = { "*", "*" }, law = friction }
   return m
 end
---- What `go` tells of both; `up` gives the height, `turn` the turn of a body.
+--- Results of `go` for both models; `up` returns the height, `turn` the rotation of a body.
 local function both(m, go)
   local space = m:extruded()
   return go(m, function(b) return b.y end, function(b) return b.rotation end),
@@ -27,10 +28,10 @@ local function compare(flat, space, share)
   for i, v in ipairs(flat) do near(space[i], v, share) end
 end
 
--- A portal whose feet are fixed and pinned, a beam with a point mass, shaken: elastic, with hinges, of fibres, with
--- shear, with a joint that is a block and members that end beside another.
+-- A shaken portal with fixed and pinned feet and a beam with a point mass: elastic, with hinges, with fibres, with
+-- shear, with a joint block and members whose ends are offset from another member.
 local rectangle = trilith.rectangle_section { width = 0.1, depth = 0.2 }
-local given = trilith.section { area = 0.02, inertia = 6e-5, depth = 0.2 } -- says nothing of bending across
+local given = trilith.section { area = 0.02, inertia = 6e-5, depth = 0.2 } -- has no bending stiffness across
 local fibres = trilith.fibre_section { shape = rectangle, law = trilith.bilinear_steel { E = 2e11, yield = 2.4e8,
   hardening = 0.01 }, layers = 10 }
 local cases = {
@@ -61,7 +62,7 @@ for _, case in ipairs(cases) do
   compare(flat, space, case.section == fibres and 2e-3 or 1e-6)
 end
 
--- A block falls onto a beam that lies on two others: it touches over the thickness, whatever the section.
+-- A block falls onto a beam that lies on two others: contact over the thickness, whatever the section.
 do
   local m = model { name = "shelf", thickness = 0.4 }
   for i, x in ipairs { 0, 2.9 } do
@@ -80,7 +81,8 @@ do
   near(space[1], flat[1], 0.01)
 end
 
--- Not held, a section by its numbers has to say how it bends across; one of a shape knows.
+-- With free out-of-plane motion, a section given by numbers needs its bending stiffness across; a section with a shape
+-- has it.
 do
   local m = model { name = "mast", thickness = 0.1 }
   m:beam { name = "mast", from = { 0, 0 }, to = { 0, 2 }, from_support = "fixed", section = given, material = "steel" }
@@ -97,7 +99,7 @@ do
 end
 
 -- Triangles, alone and with a quadrilateral, become wedges and bricks and deform as in the plane. In plane stress each
--- of these few elements has its own thickness there, in space the nodes have.
+-- of these few elements has its own thickness; in space the thickness is a displacement of the nodes.
 local triangles = { { 1, 2, 5 }, { 1, 5, 4 }, { 2, 3, 6 }, { 2, 6, 5 }, { 4, 5, 8 }, { 4, 8, 7 }, { 5, 6, 9, 8 } }
 for _, plane in ipairs { "strain", "stress" } do
   local m = model { name = "plate", thickness = 0.05, gravity = { 3, -9.81 } }
@@ -117,7 +119,7 @@ for _, plane in ipairs { "strain", "stress" } do
   compare(flat, space, plane == "strain" and 1e-4 or 0.02)
 end
 
--- A bearing that resists one turn alone resists the same one in space.
+-- A bearing that resists a single sense of rotation resists the same one in space.
 for _, side in ipairs { 1, -1 } do
   local m = model { name = "flap", thickness = 0.5, gravity = { 0, 0 } }
   m:block { name = "post", width = 0.4, height = 1, at = { -0.4, 0 }, material = "stone", support = "fixed" }

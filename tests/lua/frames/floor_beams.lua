@@ -1,4 +1,5 @@
--- Floors of beams of a building in space: a house stands with them, they carry by halves, and what is refused.
+-- Beam floors of a building in space: a house stands with them, each wall carries half of a beam's load; rejected
+-- input.
 local trilith = require "trilith"
 local given = dofile "wrong_input.lua"
 local g = 9.80665
@@ -11,7 +12,7 @@ local function new()
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-4 } }
   return m
 end
---- Keys of a house of four walls with three beams, and those of `more`.
+--- Keys of a house of four walls with three beams, extended by the keys of `more`.
 local function plan(more)
   local keys = { name = "house", material = "stone", fixed = "base", unit_length = 0.4, unit_height = 0.2,
     walls = { { name = "south", from = { 0, 0.1 }, to = { 3.2, 0.1 } },
@@ -25,7 +26,7 @@ local function plan(more)
   return keys
 end
 
---- What the bodies of a group carry of a body, upwards [N].
+--- Upward contact force of the bodies of a group on a body [N].
 local function carried(m, body, group)
   local sum = 0
   for _, c in ipairs(m:contacts { between = { body, m:bodies { group = group } } }) do
@@ -34,14 +35,14 @@ local function carried(m, body, group)
   return sum
 end
 
--- The house stands, its base carries all, and a beam's load goes into the two walls that it sits in, by halves.
+-- The house stands, its base carries the full weight, and each of a beam's two walls carries half of its load.
 do
   local m = new()
   local all = m:building(plan {})
   local base, beam, above = m:body "house.base", m:body "house.s1.beam2", all - m:body "house.base"
   assert(#m:bodies { group = "beams" } == 3 and #m.storeys == 1)
   near(m.storeys[1].height, 1, 1e-12)
-  near(beam.mass, 600*3.2*0.16*0.2, 1e-12) -- as of its first group
+  near(beam.mass, 600*3.2*0.16*0.2, 1e-12) -- a beam of the first group
   m:consolidate { rest = { ratio = 1e-5 } }
   local at = beam.z
   m:run { duration = 0.2 }
@@ -57,8 +58,8 @@ do
   check(4e3)
 end
 
--- Ends that a wall lies on, in walls thicker than they reach: what they carry of a slab and of a heavy floor is shared
--- by both walls as the weight of what stands on them is.
+-- Beam ends under a wall, in walls thicker than the bearing length: both walls share the load of a slab and of a heavy
+-- floor as they share the weight above.
 do
   local m = new()
   local all = m:building(plan {

@@ -1,4 +1,4 @@
--- Frames in space whose members begin beside their joints, and whose joints are rigid blocks.
+-- Frames in space with member ends offset from their joints, and with joints that are rigid blocks.
 local trilith = require "trilith"
 
 --- Whether `value` is within `share` of `expected`.
@@ -21,8 +21,8 @@ local function model(options)
 end
 local none = { 0, 0, 0 }
 
--- A cantilever with a rigid part at either end, pushed along z and y at the joint: w = F (l^3/3 + a l^2 + a^2 l)/EI,
--- l what bends and a from there to the joint; a turn of all about a slant axis changes nothing.
+-- A cantilever with a rigid part at both ends, loaded along z and y at the joint: w = F (l^3/3 + a l^2 + a^2 l)/EI with
+-- the flexible length l and the rigid length a at the joint. Rotating the model about an oblique axis changes nothing.
 do
   local l, a, F = 1.5, 0.4, 1e3
   for _, turned in ipairs { false, true } do
@@ -44,7 +44,8 @@ do
   end
 end
 
--- A column beside its joints: the load on the joint bends it evenly, by P e h^2 / 2 EI, and the ends read P e.
+-- A column offset from its joints: the load on the joint bends it with constant curvature, by P e h^2 / 2 EI, and both
+-- ends read the moment P e.
 do
   local h, e, P = 2, 0.15, 1e4
   local m = model { name = "column", gravity = none }
@@ -54,15 +55,15 @@ do
   m:point_load { body = "column", at = "B", force = { 0, 0, -P } }
   m:consolidate { integrator = "static" }
   local x = m:body("column"):point "B"
-  near(x, -P*e*h^2/(2*E*up_and_down), 2e-3) -- the top of an upright member's section is to x
+  near(x, -P*e*h^2/(2*E*up_and_down), 2e-3) -- the top of an upright member's section points to x
   local rows = m:body("column"):forces()
   near(math.abs(rows[1].moment_z), P*e, 2e-3)
   near(rows[1].normal, -P, 1e-3)
   assert(math.abs(rows[1].x - e) < 1e-12 and math.abs(rows[#rows].x - e) < 1e-3)
 end
 
--- A mast without mass that carries a rigid block: both directions and the twist have the frequencies of a rigid body on
--- the stiffness of the mast, the block's centroid beyond its end.
+-- A massless mast with a rigid block: both bending directions and torsion have the frequencies of a rigid body on the
+-- mast's stiffness, with the block's centroid beyond the mast's end.
 do
   local l, side = 3, { 0.6, 0.5, 0.8 }
   local m = model { name = "mast", gravity = none }
@@ -89,7 +90,7 @@ do
   local along_x = lowest(E*up_and_down, mass*(side[1]^2 + side[3]^2)/12)
   near(modes[1].frequency, along_y, 1e-3)
   near(modes[2].frequency, along_x, 1e-3)
-  -- Let go, it swings with that period.
+  -- Released, it oscillates with this period.
   m:point_load { name = "pull", body = "mast", at = "B", force = { 0, 1e3, 0 } }
   m:consolidate { integrator = "static" }
   local _, start = m:body("mast"):point "B"
@@ -104,8 +105,8 @@ do
   near(crossed[3] - crossed[1], 1/along_y, 5e-3)
 end
 
--- A bent of two columns whose cap lies on blocks, shaken: explicit and implicit steps agree, with lumped and with
--- consistent masses, and its energy is kept as it swings freely.
+-- A shaken bent of two columns whose cap lies on blocks: explicit and implicit steps agree, with lumped and consistent
+-- masses, and the energy of the free vibration is conserved.
 local function bent(options)
   local m = model { name = "bent", gravity = none }
   local function block(x, z)
@@ -145,7 +146,7 @@ do
   end
 end
 
--- What is wrong is said.
+-- Wrong input gives a message.
 local function refused(expected, joints, member)
   local m = model { name = "wrong" }
   member.section = section

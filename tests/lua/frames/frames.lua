@@ -1,4 +1,4 @@
--- Beams and frames from scripts: sections, members, what they say of wrong input, and what is read off them.
+-- Beams and frames from scripts: sections, members, messages for wrong input, and readings.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -49,11 +49,11 @@ near(-select(2, arm:point { 4, 0 }), w*4^4/(8*30e9*rectangle.inertia), 0.01)
 local rows = arm:forces()
 assert(#rows == 32)
 near(rows[1].moment, -w*16/2, 0.02)
-near(rows[1].shear, w*4, 0.04) -- half of the first beam's weight stands on the support
+near(rows[1].shear, w*4, 0.04) -- half of the first element's weight is carried by the support directly
 near(rows[#rows].along, 4, 1e-12)
 m:close()
 
--- a portal by its joints; what is wrong is said with its place
+-- a portal by its joints; messages for wrong input name the key
 local p = trilith.model { name = "portal" }
 p:material { name = "concrete", density = 2400, E = 30e9, nu = 0.2 }
 local joints = { a = { at = { 0, 0 }, support = "fixed" }, b = { 0, 4 }, c = { 6, 4 },
@@ -91,8 +91,8 @@ local body = p:frame(portal())
 p:consolidate { rest = { ratio = 1e-6, speed = 1e-8 } }
 local total = 0
 for _, name in ipairs { "left", "right" } do total = total - body:forces(name)[1].normal end
-near(total, 2400*0.15*(6 + 2*3.75)*9.80665 - 2400*0.15*3.75/8*9.80665, 0.02) -- less half a beam at each foot
-near(math.abs(body:forces "right"[16].moment) + 1, 1, 1e-6) -- the pin carries none
+near(total, 2400*0.15*(6 + 2*3.75)*9.80665 - 2400*0.15*3.75/8*9.80665, 0.02) -- minus half an element at each foot
+near(math.abs(body:forces "right"[16].moment) + 1, 1, 1e-6) -- zero at the pin
 refused("name one", body.forces, body)
 refused("no member 'lift'; did you mean 'left'", body.forces, body, "lift")
 p:close()
@@ -119,7 +119,7 @@ refused("what is removed keeps its mass at its nodes", b.frame, b, post {
                 hinge = trilith.end_hinge { sagging = 1e5, ultimate = 0.01, becomes = "removed" } } } })
 local made = b:frame(post {})
 local first = b:modes { count = 1 }[1].frequency
--- A cantilever of 4 m with a body of 2 t whose centre is .5 m beyond, and the mass of the post itself.
+-- A cantilever of 4 m with a body of 2 t whose centre is 0.5 m beyond its end, and the post's own mass.
 assert(first > 3 and first < 8, first)
 near(made.mass, 2000 + 2500*0.16*4, 1e-12)
 b:close()

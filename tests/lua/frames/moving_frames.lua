@@ -1,5 +1,5 @@
--- Implicit steps with an accuracy do not depend on the observer: a frame on an evenly moving base, and two masses on a
--- spring that drift through space without any support, swing as at rest and in as many steps.
+-- Implicit steps with an accuracy do not depend on the observer. A frame on a base with constant velocity, and two
+-- masses on a spring that drift through space without support, oscillate as at rest and with the same number of steps.
 local trilith = require "trilith"
 
 local function frame_at(V)

@@ -1,4 +1,4 @@
--- Beams and frames in space from scripts: made, loaded, read, recorded, and what they say of wrong input.
+-- Beams and frames in space from scripts: built, loaded, read, recorded, and messages for wrong input.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -21,7 +21,7 @@ local function model(name, threads)
 end
 local section = trilith.rectangle_section { width = 0.3, depth = 0.5 }
 
--- a cantilever under its weight, askew in plan: w L^4 / (8 E I) at the tip; its depth is upright by itself
+-- a cantilever under its weight, oblique in plan: w L^4 / (8 E I) at the tip; its depth is upright by default
 do
   local m = model "cantilever"
   local arm = m:beam { name = "arm", from = { 0, 0, 0 }, to = { 2.4, 3.2, 0 }, section = section, material = "concrete",
@@ -40,7 +40,7 @@ do
   local rows = arm:forces()
   assert(#rows == 16)
   near(rows[1].moment_z, -w*16/2, 0.02)
-  near(rows[1].shear_y, w*4, 0.1) -- half of the first beam's weight stands on the support
+  near(rows[1].shear_y, w*4, 0.1) -- half of the first element's weight is carried by the support directly
   near(rows[#rows].along, 4, 1e-12)
   assert(math.abs(rows[1].moment_y) < 1e-3*w and math.abs(rows[1].torque) < 1e-3*w)
   refused("point: takes {x, y, z} or the name of a joint; this is 3", arm.point, arm, 3)
@@ -48,7 +48,7 @@ do
   m:close()
 end
 
--- laid on its side it is softer; twisted by a torque at its end it turns by T L / (G J)
+-- on its side it is softer; under a torque at its end it rotates by T L / (G J)
 do
   local m = model "flat"
   m:beam { name = "flat", from = { 0, 0, 0 }, to = { 4, 0, 0 }, section = section, material = "concrete",
@@ -81,7 +81,7 @@ do
   m:results { file = file, frames = 0.02 }
   m:consolidate { rest = { ratio = 1e-4 } }
   local weight = (bent.mass - 10 + m:body "slab".mass)*9.80665
-  local stump = 2400*0.15*0.5*9.80665 -- half of the first beam's weight stands on the support
+  local stump = 2400*0.15*0.5*9.80665 -- half of the first element's weight is carried by the support directly
   near(bent:forces "left"[1].normal, stump - weight/2, 1e-3)
   near(bent:forces "left"[1].normal, bent:forces "right"[8].normal, 0.01)
   m:shake { body = "bent", x = trilith.ramp { by = 0.01, duration = 0.2 }, duration = 0.2 }
@@ -91,7 +91,7 @@ do
   os.remove(file)
 end
 
--- a member pinned at both ends sags five times as far as one that is held there; it comes out and goes back in
+-- a member pinned at both ends sags five times as far as a clamped one; it is removed and added again
 do
   local m = model "pinned"
   local function bar(name, y, pinned)
@@ -171,7 +171,7 @@ refused("the body deforms; say with 'at' where the force that follows acts", fun
   m:point_load { body = "b", force = { 0, 0, 1 }, follow = true }
 end)
 
--- The head of a column is a face where the beams that meet it cover a part of it.
+-- The head of a column is a face if the adjoining beams cover a part of it.
 for _, at in ipairs { { 4.09, -0.09 }, { 3.9, 0.1 }, { 4.1, 0.05 } } do
   local corner = trilith.model { name = "corner", dim = 3 }
   corner:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }

@@ -1,5 +1,5 @@
--- Members in space that yield: a column of reinforced concrete pushed over along one axis, as in the plane, and askew;
--- what its fibres say; what is said of wrong input.
+-- Yielding members in space: a column of reinforced concrete pushed along one axis, as in the plane, and obliquely;
+-- readings of its fibres; messages for wrong input.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -11,7 +11,7 @@ local function near(value, expected, allowed)
   assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
 end
 
--- .4 x .4 m, 30 MPa, four bars of 20 mm on either side, those spread over .3 m
+-- 0.4 m x 0.4 m, 30 MPa, four bars of 20 mm on either side, distributed over 0.3 m
 local core = trilith.kent_park { strength = 30e6, ultimate = 0.02 }
 local bar = 4*math.pi/4*0.02^2
 local function column_section(change)
@@ -34,8 +34,8 @@ local function column(options)
   return m, m:beam(t)
 end
 
---- The column under its weight, pushed along x with the top of its section towards `orientation`: the moments about y
---- and z of the section that its foot carries at last.
+--- The column under its weight, pushed along x with the top of its section towards `orientation`: final moments of its
+--- foot about y and z of the section.
 local function pushed(orientation)
   local m, body = column { orientation = orientation }
   local seen = {}
@@ -51,13 +51,13 @@ local function pushed(orientation)
   return m, body, foot.moment_y, foot.moment_z
 end
 
--- Along x: as in the plane, the bars at yield and the concrete that carries the weight.
+-- Along x: as in the plane, by the bars at yield and the concrete that carries the weight.
 local m, body, across, along = pushed { 1, 0, 0 }
 local concrete = weight*0.2*(1 - weight/(0.85*30e6*0.16))
 near(math.abs(along), bar*420e6*0.3 + concrete, 0.06)
 assert(math.abs(across) < 1e-3*math.abs(along))
 
--- Fibres: sections stay plane, their stresses sum up to the forces.
+-- Fibres: sections stay plane, and their stresses sum to the section forces.
 for _, at in ipairs(body:fibres()) do
   local normal, about_y, about_z = 0, 0, 0
   for _, f in ipairs(at.fibres) do
@@ -70,7 +70,8 @@ for _, at in ipairs(body:fibres()) do
 end
 m:close()
 
--- Askew by 45 degrees it carries alike about both axes, and about the diagonal less than both bars of a side allow.
+-- At an oblique push of 45 degrees the moments about both axes are equal, and the moment about the diagonal is below
+-- the sum of the bars of both sides.
 local _
 m, _, across, along = pushed { 1, 1, 0 }
 near(math.abs(across), math.abs(along), 0.1)
@@ -97,7 +98,7 @@ refused("nothing has run yet", function()
   one:fibres()
 end)
 
--- A hinge at the foot, pushed askew: it yields on its surface, all it gives off is in the ledger, and it loses its
+-- A hinge at the foot, pushed obliquely: it yields on its surface, its dissipation is in the ledger, and it loses its
 -- moment at the ultimate rotation.
 local strong, weak, contour = 2e5, 1.2e5, 1.7
 local law = trilith.end_hinge { sagging = strong, across = weak, contour = contour, ultimate = 0.02 }
@@ -110,7 +111,7 @@ m:on("member.failed", function(e) seen[#seen + 1] = e.type end)
 m:pushover { body = body, at = { 0, 0, 3 }, direction = "x", rate = 0.05, displacement = 0.045, local_damping = 0.5 }
 local foot = body:hinges()[1]
 assert(foot.joint == "from" and foot.state == "yielded" and seen[1] == "member.yielded", foot.state)
--- On the surface, or a little within it where the push swings at its end; never beyond.
+-- On the surface, or slightly inside if the push oscillates at its end; never outside.
 local out = (math.abs(foot.moment_y)/weak)^contour + (math.abs(foot.moment_z)/strong)^contour
 assert(out < 1 + 1e-9 and out > 0.95, out)
 assert(foot.rotation_y ~= 0 and foot.rotation_z ~= 0 and foot.z == 0)

@@ -1,13 +1,13 @@
--- Members along their axes are watched against strain_limit. Runs that diverge end the program with exit code 3, so
--- this script says at its end that all was as it must be.
+-- Axial strains of members are checked against strain_limit. Runs that diverge end the program with exit code 3, so
+-- this script prints at its end that all checks have passed.
 local trilith = require "trilith"
 
 local function near(value, expected, allowed)
   assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
 end
 
--- A bar that is stretched or squeezed along its axis beyond what its material is made for ends the stage, as an element
--- does; within that it comes to rest where its force has it, F = E A u / L.
+-- A bar stretched or compressed along its axis beyond the strain limit of its material ends the stage, as an element
+-- does; below the limit it comes to rest at F = E A u / L.
 for _, share in ipairs { -0.6, -0.09, 0.09, 0.7 } do
   local bar = trilith.model { name = "bar", gravity = 0 }
   bar:material { name = "soft", density = 1000, E = 2e8, strain_limit = 0.1 }
@@ -28,7 +28,7 @@ for _, share in ipairs { -0.6, -0.09, 0.09, 0.7 } do
   bar:close()
 end
 
--- Along its axis a member is made for so much strain, of either sign.
+-- A member's axial strain is limited in both signs.
 for _, share in ipairs { -0.6, 0.09, 0.7 } do
   local bar = trilith.model { name = "bar", dim = 3, gravity = 0 }
   bar:material { name = "soft", density = 1000, E = 2e8, nu = 0.2, strain_limit = 0.1 }
@@ -48,8 +48,8 @@ for _, share in ipairs { -0.6, 0.09, 0.7 } do
   bar:close()
 end
 
--- Statics are watched as motion is, beams and elements, in the plane and in space; what is free of strains beyond the
--- limit comes to rest as F = E A u / L has it.
+-- Statics checks strains as dynamic stages do, for beams and elements, in the plane and in space; below the limit the
+-- equilibrium is F = E A u / L.
 local square = trilith.rectangle_section { width = 0.5, depth = 0.5 }
 local function bar_of(kind, dim)
   local bar = trilith.model { name = "bar", gravity = 0, dim = dim }
@@ -100,7 +100,8 @@ for _, kind in ipairs { "beam", "mesh" } do
   end
 end
 
--- A path of equilibria ends at the first point beyond the limit, which is none of its curve; the load factor is said.
+-- An equilibrium path ends at the first point beyond the limit, which is not part of its curve; the message has the
+-- load factor.
 for _, dim in ipairs { 2, 3 } do
   for _, far in ipairs { 0.05, 0.3 } do
     local bar, rod = bar_of("beam", dim)
@@ -116,24 +117,24 @@ for _, dim in ipairs { 2, 3 } do
       assert(report.limit == "displacement" and bar.verdict.sound, report.limit)
     else
       assert(report.limit == "strain" and report.ending == "diverged" and #curve.force > 3, report.limit)
-      -- No farther before it than the longest step, five times the first.
+      -- The last point is at most the longest step, five times the first, before it.
       assert(curve.displacement[#curve.displacement] > 0.1 - 5.01*curve.displacement[2])
       local factor = tonumber(report.reason:match "as the load factor of 'pushover' came to ([%d.e+]+)")
       local strain = tonumber(report.reason:match "stretched by ([%d.]+) %%")
       assert(factor and factor > curve.force[#curve.force] and strain > 10, report.reason)
-      near(factor, 2e8*0.25*strain/100, 5e-3) -- three figures of the strain are said
+      near(factor, 2e8*0.25*strain/100, 5e-3) -- the message has three digits of the strain
     end
     bar:close()
   end
 end
 
--- It can be gone back to before that.
+-- A rewind to before this point works.
 do
   local bar, rod = bar_of("beam", 2)
   bar:checkpoints { every = 0.01 }
   bar:run { duration = 0.05 }
   bar:point_load { name = "pull", body = rod, at = { 1, 0 }, force = { 1e7, 0 } }
-  -- It was asked for rest, and says why there is none, as any search for it does.
+  -- Rest was requested, and the message explains why there is none, as for every search.
   local ok, message = pcall(function() bar:consolidate { integrator = "static" } end)
   for _, words in ipairs { "consolidation did not come to rest: element ", " of b was stretched by ",
     "strain_limit" } do

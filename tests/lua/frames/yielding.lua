@@ -1,4 +1,4 @@
--- Members that yield, from scripts: a column of reinforced concrete pushed over, hinges, what is said of wrong input.
+-- Yielding members from scripts: a column of reinforced concrete in a pushover, hinges, messages for wrong input.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -11,7 +11,7 @@ local function near(value, expected, allowed)
   assert(math.abs(value - expected) <= allowed*math.abs(expected), ("%.9g instead of %.9g"):format(value, expected))
 end
 
--- .4 x .4 m, 30 MPa, four bars of 20 mm on either side
+-- 0.4 m x 0.4 m, 30 MPa, four bars of 20 mm on either side
 local square = trilith.rectangle_section { width = 0.4, depth = 0.4 }
 local core = trilith.kent_park { strength = 30e6, ultimate = 0.02 }
 local steel = trilith.bilinear_steel { E = 2e11, yield = 420e6 }
@@ -43,7 +43,7 @@ refused("compression", trilith.end_hinge, { sagging = 1e5, compression = 1e6 })
 refused("concave", trilith.end_hinge, { sagging = 1e5, axial = { { -1e6, 0 }, { 0, 0.2 }, { 5e5, 1 }, { 1e6, 0 } } })
 refused("'saging'", trilith.end_hinge, { saging = 1e5 })
 
--- pushed over under 500 kN: the moment at its foot is that of the bars at yield and of the concrete that carries N
+-- pushed under 500 kN: the foot's moment is the sum of the bars at yield and of the concrete that carries N
 local weight = 500e3
 local function column(options)
   local m = trilith.model { name = "column", mass_damping = 2 }
@@ -67,7 +67,7 @@ assert(seen[1].body == body and seen[1].y < 0.01 and m.energy.plastic > 0)
 assert(math.abs(m.energy.residual) < 0.01*m.energy.plastic)
 refused("has no hinges", body.hinges, body)
 
--- what the fibres say: sections stay plane, their stresses sum up to the forces, bars in tension yield at the foot
+-- fibre readings: sections stay plane, their stresses sum to the section forces, bars in tension yield at the foot
 local sections = body:fibres()
 assert(sections[1].along < 0.2 and sections[#sections].along > 2.8)
 for _, at in ipairs(sections) do
@@ -80,7 +80,7 @@ for _, at in ipairs(sections) do
   near(normal, at.normal, 1e-9)
   near(moment, at.moment, 1e-9)
 end
--- a beam carries the weight in the mean of its four stations (Lobatto's rule), as its axis takes one strain
+-- a beam carries the weight in the mean of its four stations (Lobatto's rule), as its axis has a single strain
 near((sections[1].normal + 5*sections[2].normal + 5*sections[3].normal + sections[4].normal)/12,
   -weight - 2500*0.16*3*9.80665, 0.01)
 local most = -math.huge
@@ -88,7 +88,7 @@ for _, f in ipairs(sections[1].fibres) do most = math.max(most, f.stress) end
 near(most, 420e6, 1e-3)
 m:close()
 
--- the same with a hinge at its foot, which is lost at last
+-- the same with a hinge at its foot, which finally loses its moment
 local lost
 local function hinged()
   m, body = column { from_hinge = trilith.end_hinge { sagging = 1e5, hardening = 1e5, ultimate = 0.01 } }

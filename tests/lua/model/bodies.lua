@@ -1,4 +1,4 @@
--- Bodies that deform: one word makes the same script run with each kind; what makes no sense is refused.
+-- Deformable bodies: one key switches a script between all kinds; rejected input.
 local trilith = require "trilith"
 local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
 
@@ -17,7 +17,7 @@ end
 for _, kind in ipairs { "rigid", "quad", { mesh = { 2, 2 } } } do
   local m, low, top = column(kind)
   near(low.mass, 1000, 1e-12)
-  near(low.inertia, 1000 * (1 + 0.25) / 12, kind == "rigid" and 1e-12 or 2.1)  -- lumped masses stand farther out
+  near(low.inertia, 1000 * (1 + 0.25) / 12, kind == "rigid" and 1e-12 or 2.1)  -- lumped masses lie farther out
   m:consolidate { duration = 5, rest = { speed = 1e-7 } }
   assert(low.kind == (type(kind) == "string" and kind or "mesh"))
   local weight = 2 * 1000 * 9.80665
@@ -57,7 +57,7 @@ local own = m:body { name = "own", material = "stone", floating = true,
 assert(own.kind == "mesh")
 near(own.mass, 2000, 1e-12)
 
--- names by pattern: '*' stands for any text and '?' for any letter, in a time that does not grow with the stars
+-- name patterns: '*' matches any text and '?' any letter, in a time that does not grow with the number of stars
 local names, long = trilith.model {}, ("a"):rep(60)
 for i, name in ipairs { "a", "ab", "abc", "S1.left", "S1.right", "S12.left", long } do
   names:block { name = name, width = 0.1, height = 0.1, at = { i, 0 }, mass = 1, floating = true }
@@ -73,7 +73,7 @@ for pattern, found in pairs {
   assert(got == found, ("%s: %s"):format(pattern, got))
 end
 
--- Mass scaling: longer steps of meshes, told with what they cost; afterwards all is as it was.
+-- Mass scaling: longer steps of meshes, reported with the added mass; afterwards the masses are restored.
 do
   local two = trilith.model { name = "two meshes" }
   two:material { name = "stone", density = 2000, E = 10e9, nu = 0.2 }

@@ -1,4 +1,4 @@
--- Damping by two ratios and over a band, stiffnesses from a frequency, pushes by arc length, beams that are removed.
+-- Damping by two ratios and over a band, stiffness from a frequency, pushover by arc length, removed beams.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -11,7 +11,7 @@ local function near(a, b, share)
   assert(math.abs(a - b) <= share*math.abs(b), ("%.10g is not near %.10g"):format(a, b))
 end
 
--- Rayleigh: both ratios at both frequencies, by the closed form and as the model's modes tell.
+-- Rayleigh damping: both ratios at both frequencies, by the closed form and by the model's modes.
 local r = trilith.rayleigh { ratios = { 0.02, 0.05 }, frequencies = { 3, 30 } }
 for f, ratio in pairs { [3] = 0.02, [30] = 0.05 } do
   near(r.mass_damping/(4*math.pi*f) + math.pi*f*r.beta, ratio, 1e-12)
@@ -44,7 +44,7 @@ for _, d in ipairs(m:damping { count = 3 }) do
 end
 m:close()
 
--- Over a band: flat for the modes within, less outside; the step is told with and without.
+-- Band damping: constant for the modes within the band, less outside; the step is reported with and without it.
 m = mast { band_damping = { ratio = 0.03, from = 10, to = 400 } }
 local damping = m:damping { count = 4 }
 for i = 1, 3 do near(damping[i].bands, 0.03, 0.1) end
@@ -56,7 +56,7 @@ refused("must end above its begin", mast, { band_damping = { ratio = 0.03, from 
 refused("'ratio' is 0.5", mast, { band_damping = { ratio = 0.5, from = 1, to = 4 } })
 refused("band_damping", mast, { band_damping = 0.03 })
 
--- A rigid block on its joint, M4 without weight: its rocking frequency gives the joint's stiffness back.
+-- A rigid block on its joint, case M4 without weight: the rocking frequency determines the joint's stiffness.
 local function block()
   local b = trilith.model { name = "block", thickness = 0.4, gravity = 0 }
   b:material { name = "stone", density = 2400 }
@@ -76,21 +76,22 @@ refused("'frequency' is nil", m.calibrate, m, { vary = "mortar.kn" })
 refused("'vary' is missing", m.calibrate, m, { frequency = 20 })
 refused("unknown key 'varies'", m.calibrate, m, { frequency = 20, varies = "mortar.kn" })
 refused("there are 3 modes, none is number 4", m.calibrate, m, { frequency = 20, vary = "mortar.kn", mode = 4 })
-near(m:modes()[1].frequency, 15.0450, 5e-4) -- refused ones leave it as it was
--- All stiffnesses four times: all frequencies twice.
+near(m:modes()[1].frequency, 15.0450, 5e-4) -- rejected calls do not change it
+-- Four times all stiffnesses: twice all frequencies.
 local found = m:calibrate { frequency = 2*15.0450, vary = { "mortar.kn", "mortar.ks" } }
 near(found.value, 4e9, 1e-3)
 near(found.values["mortar.ks"], 1.6e9, 1e-3)
 near(m:modes()[1].frequency, 30.09, 2e-4)
 assert(tostring(found):find "mortar.kn", tostring(found))
--- The vertical mode is of kn alone: w^2 = kn A/m. By its shape it is found although its number changes.
+-- The vertical mode depends on kn alone: w^2 = kn A/m. It is identified by its shape although its number changes.
 local heave = m:modes()[2].shape
 found = m:calibrate { frequency = 93.7829, vary = "mortar.kn", shape = heave }
 near(found.value, 1e9, 1e-3)
 m:close()
 
--- Two blocks on the mortar, one beside them on a softer joint. What goes up and down with all three is most like the
--- mode of the two, and once the mortar is so stiff that the lower one stands still, like that of the one beside.
+-- Two stacked blocks on the mortar, and one next to them on a softer joint. The heave of all three resembles most the
+-- mode of the two blocks; once the mortar is so stiff that the lower block stands still, it resembles the mode of the
+-- single block.
 local three = trilith.model { name = "three blocks", thickness = 1, gravity = 0 }
 for i = 0, 3 do three:material { name = "stone " .. i, density = 2000 } end
 for name, of in pairs { mortar = { 0, 1, 1e9 }, upper = { 1, 2, 1e9 }, other = { 0, 3, 1e8 } } do
@@ -111,11 +112,12 @@ local from, to, soft, stiff = tostring(said):match(
 assert(not ok and from, tostring(said))
 near(tonumber(to), other, 1e-4)
 assert(tonumber(from) > other and tonumber(soft) < tonumber(stiff))
-near(three:modes { count = 3 }[3].frequency, other, 1e-6) -- and the model is as it was
+near(three:modes { count = 3 }[3].frequency, other, 1e-6) -- and the model is unchanged
 assert(three:calibrate { frequency = 10, vary = "mortar.kn", mode = 1 }.value > 0)
 three:close()
 
--- Two pinned bars, b = 10, h = 0.5, EA = 1e6: P = 2 EA (L - l)/L y/l, y the height that is left. Past both limits.
+-- Two pinned bars, b = 10, h = 0.5, EA = 1e6: P = 2 EA (L - l)/L y/l, with the remaining height y. Past both limit
+-- points.
 m = trilith.model { name = "truss", thickness = 1, gravity = 0 }
 m:material { name = "m", density = 1000, E = 1e9 }
 local bar = trilith.section { area = 1e-3, inertia = 0.1, depth = 0.01 }
@@ -135,7 +137,7 @@ m:results { file = file .. ".h5", frames = 1, histories = 1 }
 local sunk = m:history { name = "sunk", of = function() return select(2, truss:point { 0, 0.5 }) end }
 local report = m:pushover { body = truss, at = { 0, 0.5 }, direction = "-y", control = "arc", displacement = 1.2,
                             arc = 0.003 }
-near(sunk.max, 0.5, 1e-9) -- all of the way is in the histories, and in the file
+near(sunk.max, 0.5, 1e-9) -- the histories and the file contain the full displacement
 near(sunk.min, 0.5 - report.displacement, 1e-9)
 local length = math.sqrt(100.25)
 local function force(y)
@@ -156,14 +158,14 @@ assert(#report.limits == 2 and report.limits[1].highest and not report.limits[2]
 near(report.limits[1].force, most, 2e-3)
 near(report.limits[2].force, -most, 2e-3)
 near(report.force, force(0.5 - report.displacement), 1e-4)
--- The load stays, and the state is at rest under it.
+-- The load remains, and the state is in equilibrium under it.
 report = m:consolidate { integrator = "static" }
 assert(report.rests and report.ratio < 1e-7)
 refused("there is a load or push 'pushover'", m.pushover, m,
   { body = truss, at = { 0, 0.5 }, direction = "-y", control = "arc", displacement = 1 })
 m:close()
 
--- I10: a rigid block on a joint without tension, pushed at half its height; its falling branch.
+-- I10: a rigid block on a joint without tensile strength, pushed at half of its height; the falling branch.
 m = trilith.model { name = "rocking", thickness = 0.5 }
 m:material { name = "stone", density = 2000 }
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 1e8, mu = 2 } }
@@ -174,11 +176,11 @@ report = m:pushover { body = rocking, control = "arc", displacement = 0.12, arc 
 near(report.peak_force, 1791.3, 0.01)
 near(report.drift_at_peak, 0.02157, 0.15)
 assert(report.force < 0.8*report.peak_force, "it has gone down the falling branch")
--- About the edge: a displacement of the centroid of some 1 m times the turn.
+-- Rotation about the edge: a displacement of the centroid of about 1 m times the rotation.
 near(rocking.rotation, -0.12, 0.05)
 m:close()
 
--- A rigid arch loaded beside its crown: a mechanism from its peak on, whose force falls as its hinges move.
+-- A rigid arch loaded off its crown: a mechanism from its peak load on, whose force falls as its hinges move.
 m = trilith.model { name = "arch", thickness = 1 }
 m:material { name = "stone", density = 2400 }
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e11, ks = 5e10, mu = 2 } }
@@ -194,9 +196,9 @@ for i = 2, #curve.force do
   assert(not peak or curve.force[i] < curve.force[i - 1], "the branch falls all the way")
   peak = peak or curve.force[i] == report.peak_force
 end
-assert(m:consolidate { integrator = "static" }.rests) -- an equilibrium, if no stable one
+assert(m:consolidate { integrator = "static" }.rests) -- an equilibrium, although unstable
 m:close()
 
--- A beam that is removed: what it held is given off, and its state says so.
+-- A beam is removed: its stored energy is dissipated, and its state reports the removal.
 refused("never loses its moment", trilith.end_hinge, { sagging = 1e5, becomes = "removed" })
 refused("'becomes' is 'gone'", trilith.end_hinge, { sagging = 1e5, ultimate = 0.01, becomes = "gone" })

@@ -1,4 +1,4 @@
--- Models that change from a script: parts go, come back and come new, between stages and from handlers.
+-- Models changed by a script: parts are removed, reactivated and added, between stages and from handlers.
 local trilith = require "trilith"
 local g = 9.80665
 local function near(a, b, share) assert(math.abs(a - b) <= share*math.abs(b), a .. " is not " .. b) end
@@ -21,7 +21,7 @@ local function tower(out)
 end
 local function calm(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-5, from = 0.1 } } end
 
--- Removed from under another, which falls by its own height and comes to lie on the ground.
+-- Removed below another block, which falls by the removed height and comes to rest on the ground.
 local out = os.tmpname()
 os.remove(out)
 local m = tower(out .. ".h5")
@@ -40,7 +40,7 @@ calm(m)
 near(upper.y, 0.25, 1e-3)
 assert(m.energy.removed ~= 0)
 
--- New bodies, laws, histories, a bearing; wrong ones leave the model as it was.
+-- New bodies, laws, histories, a bearing; rejected ones leave the model unchanged.
 fails(function() m:block { name = "inside", width = 1, height = 0.5, at = { -0.4, 0.1 }, material = "stone" } end,
   "overlap by")
 fails(function() m:block { name = "high", width = 1, height = 0.5, at = { -0.4, 3 }, material = "stone" } end,
@@ -66,7 +66,8 @@ m:put_back(tie)
 assert(tie.status == "intact")
 fails(function() m:put_back(tie) end, "bearing 'tie' is there")
 
--- From handlers: at the step border, told as events; a handler that goes off; a stage that ends by a function.
+-- From handlers: changes act at the step border and are reported as events; a handler removes itself; a function ends a
+-- stage.
 local seen, calls = {}, 0
 m:on("body.removed", function(e) seen[#seen + 1] = e.body.name end)
 m:on("bearing.removed", function(e) seen[#seen + 1] = e.bearing.name end)
@@ -83,20 +84,20 @@ every = m:every(0.01, function()
 end)
 local report = m:run { duration = 1, until_true = function() return m.time > 1 and not weight.present end }
 assert(report.ending == "stopped" and report.reason == "until_true came true")
--- The removal between the stages was told first; then the body's, which took its bearing along.
+-- The removal between the stages was reported first, then the removal of the body together with its bearing.
 assert(calls == 3 and table.concat(seen, " ") == "tie weight tie", table.concat(seen, " "))
 fails(function() m:off(every) end, "is off already")
 fails(function() m:off "x" end, "off: takes the handler")
 calm(m)
 near(m:body("late").y, 0.1, 1e-2)
 
--- Handlers of one body alone, and of what is hard enough.
+-- Handlers of a single body, and with a threshold.
 m:on({ "impact", above = 1e3 }, function() error "nothing hits that hard" end)
 fails(function() m:on({ "impact", bodi = "late" }, print) end, "on: unknown key 'bodi'; did you mean 'body'?")
 fails(function() m:on({ body = "late" }, print) end, "on: give an event first")
 fails(function() m:on({ "impact", body = "lat" }, print) end, "there is no body 'lat'")
 
--- A body that takes itself away in its own event.
+-- A body removed in its own event.
 local dropped = m:block { name = "dropped", width = 0.3, height = 0.3, at = { -2, 0.5 }, material = "stone",
   floating = true }
 local own, others = 0, 0
@@ -110,7 +111,7 @@ m:close()
 
 os.remove(out .. ".h5")
 
--- A stage ends as things come down.
+-- A stage ends as the tower collapses.
 local t = tower()
 t:consolidate { rest = { ratio = 1e-6 } }
 t:every(0.1, function(model) if model:body("lower").present then model:remove "lower" end end)
@@ -119,11 +120,11 @@ assert(fall.ending == "stopped" and fall.reason:find "collapsed", fall.reason)
 fails(function() t:run { duration = 1, until_collapse = 3 } end, "until_collapse")
 fails(function() t:run { duration = 1, until_true = 3 } end, "until_true")
 fails(function() t:run { duration = 1, ["until"] = print } end, "'until' is a word of Lua; write until_true")
--- A removal asked for twice in one step is refused at the border.
+-- A second removal of the same body in one step is rejected at the border.
 t:every(0.01, function(model) model:remove "upper"; model:remove "upper" end)
 fails(function() t:run { duration = 1 } end, "body 'upper' was removed at")
 
--- A push ends by them too.
+-- Functions end a pushover too.
 local p = tower()
 p:consolidate { rest = { ratio = 1e-6 } }
 local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, local_damping = 0.8,
@@ -131,7 +132,7 @@ local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, local
 assert(pushed.ending == "stopped" and pushed.limit == "until" and pushed.reason == "until_true came true", pushed.limit)
 near(p:body("upper").ux, 1e-3, 1e-2)
 
--- In space: the same words.
+-- The same in space.
 local file = os.tmpname()
 os.remove(file)
 local s = trilith.model { name = "space", dim = 3 }
@@ -157,7 +158,7 @@ near(third.z, 0.75, 1e-2)
 s:close()
 os.remove(file .. ".h5")
 
--- What follows a bearing can be changed: one that waits, a contact law, nothing again.
+-- The successor of a bearing can be changed: a waiting bearing, a contact law, none again.
 do
   local b = trilith.model { name = "spare" }
   b:material { name = "stone", density = 2400 }
@@ -184,8 +185,8 @@ do
   assert(hung.y > 1.09)
 end
 
--- What comes after long steps falls as if the run began with it, and what flies goes on: both on their parabolas, which
--- central differences keep at any steps.
+-- A body added after long steps falls as if the run began with it, and a flying body continues: both follow their
+-- parabolas, which central differences reproduce at any step.
 for _, dim in ipairs { 2, 3 } do
   local falling = trilith.model { name = "fall", dim = dim }
   falling:material { name = "stone", density = 2000 }
@@ -208,9 +209,9 @@ for _, dim in ipairs { 2, 3 } do
   assert(math.abs(falling.energy.residual) < 1e-6*falling.energy.kinetic, falling.energy.residual)
 end
 
--- A body that is freed falls as if the run began with it: after long steps, in a handler, let go or put back, by
--- explicit and implicit steps. One that a motion drove goes on at its speed of that instant, whose energy the support
--- put in. What flies beside goes on as it was.
+-- A released body falls as if the run began with it: after long steps, in a handler, released or reactivated, by
+-- explicit and implicit steps. A driven body continues at its speed at the release; the support has put in this energy.
+-- Other flying bodies are not affected.
 local function free_model(dim, gravity)
   local free = trilith.model { name = "free", dim = dim, gravity = gravity }
   free:contact { between = { "*", "*" }, law = "none" }
@@ -257,7 +258,7 @@ for _, dim in ipairs { 2, 3 } do
     free:close()
   end
 
-  -- Alone in its model, where its energies are all there is.
+  -- The only body of its model, so the energies are its own.
   local lone, only = free_model(dim)
   local waits = only("held", 0, { support = "fixed" })
   lone:run { duration = 0.2 }
@@ -267,7 +268,7 @@ for _, dim in ipairs { 2, 3 } do
   lone:close()
 
   for _, integrator in ipairs { "explicit", "implicit" } do
-    -- From a motion that speeds up: x = a t^2/2 at 3 m/s2.
+    -- From a motion with constant acceleration: x = a t^2/2 at 3 m/s2.
     local thrown, stone_of = free_model(dim, 0)
     local body = stone_of("thrown", 0, { support = "fixed" })
     thrown:drive { body = body, x = trilith.motion { dt = 1, acceleration = { 3, 3, 3 }, allow_drift = true } }
@@ -281,8 +282,7 @@ for _, dim in ipairs { 2, 3 } do
     near(thrown.energy.kinetic, 0.5*1000*1.5^2, 1e-9)
     assert(math.abs(thrown.residual) < 1e-9*thrown.energy.kinetic, thrown.residual)
 
-    -- What moves and is held or driven takes the energy of its motion out of the ledger, and brings none when it is
-    -- let go where it stands.
+    -- Fixing or driving a moving body removes its kinetic energy from the ledger, and releasing it at rest adds none.
     for _, by in ipairs { "fix", "drive" } do
       local stopped, make = free_model(dim, 0)
       local a = make("a", 0, { floating = true, velocity = dim == 2 and { 2, 0 } or { 2, 0, 0 } })
@@ -301,8 +301,8 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- A body that has come to rest, is held and freed again lies still: no way that it has not gone is behind its contact,
--- and what the contact held comes back to the ledger with it.
+-- A body that has come to rest, is fixed and released again stays at rest: its contact sees no displacement, and the
+-- contact's energy returns to the ledger.
 do
   local bed = trilith.model { name = "bed" }
   bed:material { name = "stone", density = 2000 }
@@ -321,7 +321,7 @@ do
   assert(base.present)
 end
 
--- Numbers of a law that do not go together are refused, and the law is as it was.
+-- Inconsistent numbers of a law are rejected, and the law is unchanged.
 do
   local w = trilith.model { name = "mortar" }
   w:material { name = "stone", density = 2000 }
@@ -331,10 +331,11 @@ do
   w:block { name = "b", width = 1, height = 1, material = "stone" }
   w:run { duration = 1e-3 }
   fails(function() w:change { law = "mortar", tension = 1e6 } end, "energy_tension is 20 J/m2, must be above")
-  w:change { law = "mortar", mu = 0.6 } -- which would be refused as well, had the tension been taken over
+  w:change { law = "mortar", mu = 0.6 } -- would be rejected as well if the tension had been changed
 end
 
--- What has been taken in the meantime is not given back: refused as what is added there, with the model as it was.
+-- A part is not reactivated into occupied space: the change is rejected as for an added part, and the model is
+-- unchanged.
 for _, dim in ipairs { 2, 3 } do
   local taken = trilith.model { name = "taken", dim = dim }
   taken:material { name = "stone", density = 2400 }
@@ -361,7 +362,7 @@ for _, dim in ipairs { 2, 3 } do
   taken:put_back(first)
   taken:run { duration = 0.1 }
   assert(first.present and math.abs(first.ux) < 1e-6)
-  -- Two that come back together stand as they did.
+  -- Two bodies reactivated together keep their positions.
   taken:remove(first)
   taken:put_back { first }
   assert(first.present)

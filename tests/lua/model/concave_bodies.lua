@@ -1,5 +1,5 @@
--- Bodies of several pieces whose faces lie on each other in part: what is pressed keeps its energy as it goes over the
--- joints within, and pressure acts on what is open of a face.
+-- Bodies of several pieces whose faces overlap in part: a contact keeps its energy when it crosses inner joints, and
+-- pressure acts on the open part of a face.
 local trilith = require "trilith"
 
 local function near(value, expected, allowed)
@@ -19,8 +19,8 @@ local function model()
   return m
 end
 
--- A wedge that does not turn slides over the joint of a step, the lower part of whose side is free. Smooth, level and
--- without damping, the step gives and takes nothing: what the wedge has lost of its energy is in the springs.
+-- A wedge with fixed rotation slides over the joint of a step, whose lower part has a free side. On a smooth, level and
+-- undamped step the energy is conserved: energy lost by the wedge is stored in the springs.
 do
   local m = model()
   m:body { name = "step", pieces = { { hull = box(-1, -1, -1, 1, 2, 1) }, { hull = box(0, -1, -0.5, 1, 2, 0.5) } },
@@ -35,7 +35,8 @@ do
   near(m.residual, 0, 1e-5*before)
 end
 
--- Blocks strike a cross in free flight, whose middle piece has sides that are surface and inner cut in one plane.
+-- Blocks strike a cross in free flight; the middle piece of the cross has sides that are partly surface and partly
+-- inner cut in one plane.
 do
   local function cross_at(m, spin)
     return m:extrusion { name = "cross", depth = 0.4, centred = true, material = "stone", floating = true, spin = spin,
@@ -64,7 +65,7 @@ local function pressed(face, pieces)
   local body = m:body { name = "post", pieces = pieces, material = "stone", floating = true }
   m:pressure { body = body, face = face, value = 1000 }
   m:run { duration = 0.01, dt = 1e-4 }
-  local moment = body.mass/(m.time - 0.5*m.dt) -- a force that acts at once has acted half a step less
+  local moment = body.mass/(m.time - 0.5*m.dt) -- a force applied at once has acted half a step less
   return body.vx*moment, body.vy*moment, body.vz*moment, math.abs(body.spin_x) + math.abs(body.spin_y)
 end
 do
@@ -89,8 +90,8 @@ do
   near(lean, 0, 1e-12)
 end
 
--- A rigid body of the elements of a mesh is the one of its pieces: an L of bricks and wedges stands as heavy,
--- as deep and as still as of three boxes.
+-- A rigid body of mesh elements equals the body of its pieces: an L of bricks and wedges has the weight, penetration
+-- and rest of one of three boxes.
 do
   local function standing(shape)
     local m = trilith.model { dim = 3 }
@@ -102,7 +103,7 @@ do
     m:consolidate { rest = { ratio = 1e-6 } }
     return { body.mass, body.x, body.y, body.z, body.rotation_x, body.rotation_y, body.rotation_z }
   end
-  -- 1 to 4 on the ground, 5 to 8 on them, 9 to 12 on those; 13 to 16 beside.
+  -- Nodes 1 to 4 on the ground, 5 to 8 above them, 9 to 12 above those; 13 to 16 next to them.
   local nodes = {}
   for _, z in ipairs { 0, 0.3, 0.6 } do
     for _, p in ipairs { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.4 }, { 0, 0.4 } } do nodes[#nodes + 1] = { p[1], p[2], z } end
@@ -113,6 +114,6 @@ do
   local elements = standing { body = "rigid", mesh = { nodes = nodes, elements = { { 1, 2, 3, 5, 6, 7 },
     { 1, 3, 4, 5, 7, 8 }, { 5, 6, 7, 9, 10, 11 }, { 5, 7, 8, 9, 11, 12 }, { 2, 13, 14, 3, 6, 15, 16, 7 } } } }
   near(elements[1], 2500*3*0.4*0.4*0.3, 1e-9)
-  assert(math.abs(boxes[6]) > 1e-6 and math.abs(boxes[6]) < 1e-3, boxes[6]) -- leans to its foot
+  assert(math.abs(boxes[6]) > 1e-6 and math.abs(boxes[6]) < 1e-3, boxes[6]) -- leans towards its foot
   for i = 1, 7 do near(elements[i], boxes[i], 1e-9) end
 end

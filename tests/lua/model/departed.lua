@@ -1,5 +1,5 @@
--- Histories of what is not in the model have no number: of bodies that were removed or left the bounds, of bearings and
--- seats with them; they go on where what they follow is put back. In the plane and in space, by each integrator.
+-- Histories of absent parts have no value: bodies that were removed or left the bounds, and their bearings and seats.
+-- They continue after the part is reactivated. In the plane and in space, by each integrator.
 local trilith = require "trilith"
 
 local function towers(dim)
@@ -64,7 +64,7 @@ for _, dim in ipairs { 2, 3 } do
     m:close()
   end
 
-  -- One that comes later, and one that flies out of the bounds; removed from a handler.
+  -- A body added later, and one that flies out of the bounds; removed from a handler.
   local m, a, b, _, block = towers(dim)
   m:consolidate { rest = { ratio = 1e-3 } }
   m:bounds { bottom = -2, left = -20, right = 20 }

@@ -1,4 +1,4 @@
--- Loads over time, ramps, quiet release and pushover from a script, and what is refused.
+-- Loads over time, ramps, quiet release and pushover from a script, and rejected input.
 local trilith = require "trilith"
 local g = 9.80665
 local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
@@ -15,7 +15,7 @@ local function block_on_base(mu, kn)
 end
 local function rest(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-6, from = 0.3 } } end
 
--- A load beside the middle; taken off, the block stands as before.
+-- An eccentric load; after its removal the block stands as before.
 local m, block = block_on_base(0.6)
 local weight, y = block.mass * g, block.y
 local name = m:point_load { body = block, at = "top right", force = { 0, -900 }, load_curve = { smooth = 0.2 } }
@@ -30,7 +30,7 @@ m:release { load = name, fade = 0.2 }
 rest(m)
 assert(math.abs(block.y - y) < 1e-11 and math.abs(block.rotation) < 1e-11)
 
--- Pressure from the side comes out at the base, in the ledger and as stress of the block.
+-- A pressure on the side appears as reaction of the base, in the ledger and as stress of the block.
 local e = m.energy.load
 local ux = block.ux
 local p = m:pressure { name = "wind", body = block, face = "left", value = 2e3,
@@ -55,7 +55,7 @@ m:run { duration = 0.2 }
 near(m:body("base").ux, 0.01, 1e-12)
 assert(m:body("base").vx == 0)
 
--- Pushover: friction, either way; the same bits twice; drift limit; quiet end.
+-- Pushover: friction in either direction; the same bits twice; drift limit; quiet end.
 local hashes = {}
 for i, direction in ipairs { "x", "-x", "x" } do
   local n, b = block_on_base(0.4)
@@ -72,7 +72,7 @@ for i, direction in ipairs { "x", "-x", "x" } do
 end
 assert(hashes[1] == hashes[3] and hashes[1] ~= hashes[2])
 
--- A wall of two storeys, pushed at its slabs until the top has drifted, then let go quietly.
+-- A wall of two storeys, pushed at its slabs up to a drift of the top, then released quietly.
 local w = trilith.model { name = "wall", thickness = 0.2 }
 w:material { name = "brick", density = 1800 }
 w:contact { between = { "*", "*" },
@@ -89,7 +89,7 @@ w:on_step(function()
   if w.push_force > most then most, felt = w.push_force, w.base_shear end
 end)
 local r = w:pushover { body = slabs, pattern = "triangle", rate = 4e-3, drift = 2e-3 }
-local mean = 0 -- the largest of the curve's means, all of its points but the peak
+local mean = 0 -- the largest of the curve's mean forces, over all points except the peak
 for _, force in ipairs(r.curve.force) do
   if force < r.peak_force then mean = math.max(mean, force) end
 end
@@ -103,7 +103,7 @@ w:release { push = "pushover", fade = 0.3 }
 assert(rest(w).rests and math.abs(w.base_shear) < 5)
 assert(math.abs(w.energy.residual) < 0.01 * w.energy.load)
 
--- A fixed body is let go quietly: it sinks into its springs and does not swing.
+-- A fixed body is released quietly: it settles on its springs without oscillation.
 local q = trilith.model { name = "q" }
 q:material { name = "stone", density = 2000 }
 q:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e7, ks = 1e7, mu = 0.5, beta = 1e-6 } }
@@ -123,7 +123,7 @@ h:story(function() h:wait(0.05) h:point_load { name = "late", body = stone, forc
 h:run { duration = 1, name = "with a load" }
 assert(h.energy.load > 0)
 
--- What is refused.
+-- Rejected input.
 local function refused(text, f, ...)
   local ok, message = pcall(f, ...)
   assert(not ok and tostring(message):find(text, 1, true), tostring(message))
@@ -160,7 +160,7 @@ refused("pushover: 'drop' is 2, must be at least 0 and below 1", m.pushover, m,
 refused("pushover: there are no storeys; leave 'storey' out", m.pushover, m,
         { body = "block", rate = 1, displacement = 1, storey = 1 })
 
--- A joint's name is a place, of loads and of pushes.
+-- A joint's name is accepted as the point of loads and pushes.
 do
   local bits = {}
   for i, at in ipairs { "b", { 0, 2 } } do
@@ -177,8 +177,9 @@ do
   assert(bits[1] == bits[2])
 end
 
--- A point of a body is pushed though a node next to it is held, which has no part in that point: to the share of a free
--- joint of the column's stiffness, and of a corner of a quad that is held along the other end of its side.
+-- A point of a body can be pushed although a node next to it is fixed, if the node has no part in this point. A free
+-- joint of a column is pushed with the column's stiffness, and so is a corner of a quad whose neighbour on the same
+-- side is fixed.
 do
   local height, E, I = 4, 2.1e11, 2e-5
   for divisions = 1, 2 do
@@ -203,7 +204,7 @@ do
   panel:close()
 end
 
--- Loads go in the plane and in space alike: between stages, from a handler, and one that a rewind has brought back.
+-- Loads act alike in the plane and in space: between stages, from a handler, and after a rewind.
 for _, dim in ipairs { 2, 3 } do
   local l = trilith.model { name = "loads", gravity = 0, dim = dim }
   l:material { name = "stone", density = 2000 }
@@ -236,7 +237,7 @@ for _, dim in ipairs { 2, 3 } do
   local coast = a[up]
   l:run { duration = 0.1 }
   assert(a[up] == coast)
-  -- Back with the state of then.
+  -- Restored with the earlier state.
   local hash
   for _ = 1, 2 do
     l:rewind(l.time - 0.04)

@@ -1,5 +1,5 @@
--- A run that is taken back, changed, and goes on for so long that checkpoints of what both have in common are dropped:
--- the two are compared at the end of the first.
+-- A run is rewound, changed, and continues for so long that checkpoints of the common part are dropped: the two
+-- branches are compared at the end of the first.
 local trilith = require "trilith"
 
 local function branches(dim, count, longer)
@@ -31,12 +31,12 @@ for _, dim in ipairs { 2, 3 } do
     local found, back = branches(dim, case[1], case[2])
     assert(math.abs(back - 0.15) < 0.011, back)
     assert(found.now, ("in %d dimensions, of %d checkpoints, %g s later: %s"):format(dim, case[1], case[2], found.text))
-    -- as late as both go, and at one time within a step and a half
+    -- at the latest common time, and at one time within a step and a half
     assert(math.abs(found.now - math.min(0.3, back + case[2])) < 0.012, found.text)
     assert(math.abs(found.now - found.before) < 2e-3, found.text)
   end
 end
 
--- Checkpoints of both branches stand at whole multiples of the interval, however long their steps are.
+-- Checkpoints of both branches are at whole multiples of the interval, however long their steps are.
 local found = branches(2, 400, 0.05)
 assert(found.now and found.now > 0.18, found.text)

@@ -24,7 +24,7 @@ assert(#m:bodies { group = "pier 1" } > 0 and #m:bodies { group = "spandrel 1" }
 local report = m:consolidate { rest = { ratio = 1e-4, speed = 1e-4 }, duration = 5 }
 assert(report.rests and m:body("w.base").uy == 0)
 
--- what became of it, storey by storey: nothing as it stands, all of it where nothing may move
+-- damage by storey: 0 at rest, 1 if no displacement is allowed
 local damage = wall:damage_by_storey()
 assert(#damage == #m.storeys and damage[1].storey == 1 and damage[2].storey == 2)
 local joints, units = 0, 0
@@ -46,7 +46,7 @@ refused("'out_of_place' is %-1 m, must not be below 0", wall.damage_by_storey, w
 local base = m:bodies { name = "w.base" }
 refused("none of these 1 bodies is in a group \"storey 1\"", base.damage_by_storey, base)
 
--- storeys of their own, and what snapping changed is told
+-- storeys with their own options, and a note on snapped dimensions
 local n = trilith.model { name = "n" }
 n:material { name = "brick", density = 1800 }
 n:wall { units = 6, unit_length = 0.24, head_joint = 0.01, unit_height = 0.115, bed_joint = 0.01, bond = "flemish",

@@ -74,14 +74,14 @@ m:run { duration = 0.3 }
 near(m.tilted, 0.1, 1e-12)
 near(m.gravity[1], 9.80665*math.sin(0.1), 1e-12)
 near(m.gravity[2], -9.80665*math.cos(0.1), 1e-12)
-assert(left.speed < 0.1) -- freed, they find a step of their own: that of the stage before was long, as nothing moved
+assert(left.speed < 0.1) -- released, they get a new step: the step of the stage before was long, because nothing moved
 assert(m.verdict.sound and m.verdict.text == "" and m.verdict.left == 0)
 assert(m.energy.kinetic >= 0 and type(m.energy.residual) == "number" and m.residual == m.energy.residual)
 assert(m:explain_dt():find "governs")
 assert(m.hash:match "^%x%x%x%x%x%x%x%x%x%x%x%x%x%x%x%x$")
 assert(m.events[1].type == "stage.begun" and #m.events >= 8)
 
--- a steady motion
+-- a constant velocity
 local push = trilith.motion { velocity = 0.01, duration = 0.5 }
 local x = base.x
 m:drive { body = base, x = push }

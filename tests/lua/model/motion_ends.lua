@@ -1,5 +1,6 @@
--- A motion that ends at speed stops its body there within one step, and a note says so: by drive and shake, along and
--- about axes, of samples and of a steady velocity, in the plane and in space. One that ends at rest is quiet.
+-- A motion that ends with a velocity stops its body within one step, and a note reports this. Cases: drive and shake,
+-- along and about axes, samples and constant velocity, in the plane and in space. A motion that ends at rest gives no
+-- note.
 local trilith = require "trilith"
 
 local function table_of(dim)

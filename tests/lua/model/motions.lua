@@ -1,4 +1,4 @@
--- Records as scripts handle them: plain columns, filters, rotation, scales, passage.
+-- Ground motion records in scripts: plain columns, filters, rotation, scaling, wave passage.
 local trilith = require "trilith"
 local function near(value, expected, relative)
   if math.abs(value - expected) > relative*math.abs(expected) then
@@ -25,7 +25,7 @@ refused("must be one of g", trilith.motion, { file = name, unit = "stone" })
 refused("unit", trilith.motion, { file = name, dt = 0.01 })
 refused("say the unit", trilith.motion, name)
 
--- Other columns: by name, by number, after a head, with decimal commas.
+-- Other columns: by name, by number, after a header, with decimal commas.
 local function write(text)
   local f <close> = assert(io.open(name, "w"))
   f:write(text)
@@ -47,7 +47,7 @@ near(trilith.motion { file = name, unit = "m/s2", column = "ew", decimal = "," }
 refused("does not go with", trilith.motion, { velocity = 1, duration = 1, column = 2 })
 os.remove(name)
 
--- Scale by the spectrum, and back; a factor of 0 is a control run.
+-- Scaling by the spectrum, and back; a factor of 0 is a control run.
 near(wave:scale { sa = 3, period = 0.7 }:sa(0.7), 3, 1e-12)
 near(wave:match { spectrum = { { 0.5, 2*wave:sa(0.5) }, { 1, 2*wave:sa(1) } } }.pga, 2*wave.pga, 1e-12)
 near(wave:match { spectrum = { { 0.5, 1 }, { 1, 3 } }, from = 0.8 }:sa(1), 3, 1e-12)
@@ -56,7 +56,7 @@ refused("give either", wave.scale, wave, { pga = 1, factor = 2 })
 refused("go with sa", wave.scale, wave, { pga = 1, period = 2 })
 refused("no point", wave.match, wave, { spectrum = { { 0.5, 1 } }, from = 0.8 })
 
--- A quarter turn makes the second component the first, and the first backward the second.
+-- A quarter turn makes the second component the first, and the reversed first the second.
 local other = wave:scale { factor = 1 }:reverse()
 refused("already", wave.rotate, wave, other, 1)
 local x, y = wave:rotate(wave, math.pi/2)
@@ -71,7 +71,7 @@ assert(wave:baseline(2).npts == 401)
 refused("must be whole", wave.baseline, wave, 1.5)
 refused("below 50 Hz", wave.filter, wave, { high = 80 })
 
--- Two supports against each other: the same way they never part, opposite ways they part by twice what each goes.
+-- Relative motion of two supports: zero for the same motion, twice the displacement for opposite motions.
 local together, against = wave:difference(wave), wave:difference(wave:reverse())
 assert(together.displacement == 0 and together.velocity == 0)
 near(math.abs(against.displacement), 2*wave.pgd, 1e-3)

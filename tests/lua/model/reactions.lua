@@ -1,4 +1,4 @@
--- Reactions of supports: of members, of rigid bodies that stand or are moved, of elements, in the plane and in space.
+-- Reactions of supports: of members, of standing or moving rigid bodies, of elements, in the plane and in space.
 local trilith = require "trilith"
 local g = 9.80665
 
@@ -7,7 +7,7 @@ local function near(value, expected, share)
     ("%.9g is not %.9g"):format(value, expected))
 end
 
--- A clamped cantilever of weight W with a force P down at its tip: W + P, and W L/2 + P L, however it is divided.
+-- A clamped cantilever of weight W with a force P down at its tip: W + P, and W L/2 + P L, for any division.
 for _, divisions in ipairs { 1, 2, 8 } do
   local m = trilith.model { name = "cantilever" }
   m:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }
@@ -19,14 +19,14 @@ for _, divisions in ipairs { 1, 2, 8 } do
   local list = b:reactions()
   assert(#list == 1 and math.abs(list[1].x) < 1e-9)
   near(list[1].fy, b.mass*g + 500, 1e-9)
-  near(list[1].m, b.mass*g*2 + 500*4, 1e-3) -- the tip has come down
+  near(list[1].m, b.mass*g*2 + 500*4, 1e-3) -- the tip has deflected
   near(b.reaction_y, list[1].fy, 1e-12)
   assert(math.abs(b.reaction_x) < 1e-6)
   m:close()
 end
 
--- Pressure on a cantilever comes to its support whole, however it leans and is divided, with its moment about it; the
--- shear of the first beam is that at its middle.
+-- The support carries the full pressure on a cantilever for any inclination and division, with its moment; the shear of
+-- the first element is the value at its middle.
 for _, case in ipairs { { dim = 2, width = 1 }, { dim = 3, width = 0.1 } } do
   for _, divisions in ipairs { 1, 8, 40 } do
     for _, tip in ipairs { { 2, 0 }, { 1.6, 1.2 } } do
@@ -38,10 +38,10 @@ for _, case in ipairs { { dim = 2, width = 1 }, { dim = 3, width = 0.1 } } do
       m:pressure { body = b, face = "top", value = 1000, follow = false }
       m:consolidate { integrator = "static" }
       local r, load = b:reactions()[1], 1000*case.width*2
-      -- 12 EI/l^3 of the shortest beams is 6e10 N/m: rounding of places by 1e-15 m makes 1e-4 N.
+      -- 12 EI/l^3 of the shortest elements is 6e10 N/m: rounding of positions by 1e-15 m gives 1e-4 N.
       assert(math.abs(r.fx + load*tip[2]/2) < 1e-5*load)
       near(case.dim == 2 and r.fy or r.fz, load*tip[1]/2, 1e-5)
-      near(math.abs(r.m or r.my), load*1, 5e-4) -- the top turns by some 2e-3 about the axis, .1 m below it
+      near(math.abs(r.m or r.my), load*1, 5e-4) -- the top rotates by about 2e-3 rad about the axis, 0.1 m below it
       local first = b:forces()[1]
       near(math.abs(first.shear or first.shear_y), load*(1 - 0.5/divisions), 1e-5)
       m:close()
@@ -49,7 +49,7 @@ for _, case in ipairs { { dim = 2, width = 1 }, { dim = 3, width = 0.1 } } do
   end
 end
 
--- What stands on a fixed base comes through it, with the base's own weight; a base that is moved takes all along.
+-- A fixed base transmits the load above it and its own weight; a moving base also the inertia of all bodies on it.
 for _, dim in ipairs { 2, 3 } do
   local m = trilith.model { name = "stand", dim = dim }
   m:material { name = "stone", density = 2000 }
@@ -69,20 +69,20 @@ for _, dim in ipairs { 2, 3 } do
   local list = base:reactions()
   assert(#list == 1 and math.abs(dim == 3 and list[1].mx or list[1].m) < 1e-3*base.mass*g)
   assert(#stone:reactions() == 0 and stone.reaction_x == 0)
-  -- At .2 g the stone does not slide: both go with the ground, but for the swing of the stone on its bed.
+  -- At 0.2 g the stone does not slide: both follow the ground, except for the oscillation of the stone on its bed.
   m:history { name = "reaction", body = base, what = "reaction_x" }
   local a = 0.2*g
   m:shake { body = base, x = trilith.motion { acceleration = { 0, a, a, a, a }, dt = 0.1, allow_drift = true },
     duration = 0.35, name = "shake" }
   near(base.reaction_x, (base.mass + stone.mass)*a, 0.02)
-  -- The motion that it follows now counts, not one before.
+  -- The current motion counts, not an earlier one.
   m:shake { body = base, x = trilith.motion { acceleration = { a, -a, -a, -a, -a }, dt = 0.1, allow_drift = true,
     v0 = 0 }, duration = 0.35, name = "back" }
   near(base.reaction_x, -(base.mass + stone.mass)*a, 0.02)
   m:close()
 end
 
--- A block of elements held at its foot, in the plane and in space: the sum over its nodes is its weight.
+-- A block of elements fixed at its foot, in the plane and in space: the sum over its nodes is its weight.
 for _, dim in ipairs { 2, 3 } do
   local m = trilith.model { name = "pier", dim = dim }
   m:material { name = "stone", density = 2000, E = 1e9, nu = 0.2 }
@@ -100,7 +100,7 @@ for _, dim in ipairs { 2, 3 } do
   m:close()
 end
 
--- A point of elements goes with the field of their nodes: under a uniform strain exactly, wherever it is.
+-- A point of elements follows the field of their nodes: exactly under a uniform strain, at any position.
 for _, element in ipairs { "hex8", "tet4", "tet10" } do
   for _, n in ipairs { 1, 2, 3 } do
     local m = trilith.model { name = "bar", dim = 3, gravity = 0 }
@@ -113,7 +113,7 @@ for _, element in ipairs { "hex8", "tet4", "tet10" } do
     for _, p in ipairs { { 2, 2, 2 }, { 2, 0, 2 }, { 2, 1, 2 }, { 2, 1, 1 }, { 1, 2, 2 }, { 1, 1, 1 },
       { 0.3, 1.7, 0.9 } } do
       local x, y, z = bar:point(p)
-      near(x - p[1], 1e-3*p[1], 1e-3) -- of large strains a thousandth
+      near(x - p[1], 1e-3*p[1], 1e-3) -- 0.001 due to large strain
       assert(math.abs(y - p[2]) < 1e-6 and math.abs(z - p[3]) < 1e-6)
     end
     m:close()

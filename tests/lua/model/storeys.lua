@@ -24,8 +24,8 @@ local function house(law)
   return m, walls
 end
 
--- Heights from floor to floor. At rest under a level field of .1 g along x and .05 g along y the base carries both, and
--- each storey drifts along them, the lower one by shear of all that is above its joints.
+-- Heights from floor to floor. At rest under a level field of 0.1 g along x and 0.05 g along y the base carries both
+-- components, and each storey drifts along them, the lower one by the shear of all mass above its joints.
 do
   local m, walls = house(trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6, beta = 1e-4, tension = 1e6, cohesion = 1e6 })
   assert(#m.storeys == 2 and m.storeys[1].number == 1)
@@ -61,7 +61,8 @@ do
     "an upright push has no drift")
 end
 
--- A dry house pushed along -y at its upper floor, which slides: it ends by the drift of its second storey along that.
+-- A dry house pushed along -y at its upper floor, which slides: the pushover ends by the drift of its second storey
+-- along -y.
 do
   local m, walls = house(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 })
   m:consolidate { rest = { ratio = 1e-4 } }
@@ -72,7 +73,7 @@ do
   assert(push.limit == "drift", push.limit)
   near(push.drift, 0.004, 0.02)
   near(m.storeys[2].drift_y, -0.004, 0.05)
-  -- Not above what rubs on the walls; less, as some of their stones go along.
+  -- At most the friction on the walls; less, because some of their stones move along.
   assert(push.force < 0.5*floor.mass*g and push.force > 0.8*0.5*floor.mass*g, push.force)
   assert(m.storeys[1].drift < 1e-3)
   local rows = walls:damage_by_storey { apart = 2e-3, out_of_place = 5e-3 }
@@ -80,7 +81,7 @@ do
   fails(function() walls:damage_by_storey { apart = -1 } end, "'apart' is -1 m, must not be below 0")
 end
 
--- A model without storeys has none, and what bodies began with is no error of the ledger.
+-- A model without storeys has none, and the initial energy of bodies is no error of the ledger.
 do
   local m = trilith.model { name = "stone", dim = 3 }
   m:material { name = "stone", density = 2000 }
@@ -97,8 +98,8 @@ do
   fails(function() m:bodies { name = "stone" }:damage_by_storey() end, "none of these 1 bodies is in a group")
 end
 
--- Slabs on springs, with nothing of their storeys in between: heights count from the top of the base, as drifts do, and
--- each storey gives by the weight's level part above it over its spring, in the plane and along any azimuth.
+-- Slabs on springs, without other parts of their storeys: heights count from the top of the base, as drifts do. Each
+-- storey drifts by the level force of the mass above it over its spring stiffness, in the plane and along any azimuth.
 for _, case in ipairs { { 2, 0 }, { 3, 0.6 }, { 3, 2.8 } } do
   local dim, azimuth = table.unpack(case)
   local tilt, stiffness, heights = 0.02, { 4e6, 3e6, 2e6 }, { 3.3, 3, 3 }

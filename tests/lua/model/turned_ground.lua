@@ -1,4 +1,4 @@
--- The ground turns about axes of its own, in space: what stands on it goes along, and comes down as on a table.
+-- The ground rotates about its own axes in space: bodies on it follow, and topple as on a table.
 local trilith = require "trilith"
 local deg = trilith.units "deg"
 
@@ -17,7 +17,7 @@ local function model(dim)
   return m
 end
 
--- A smooth turn by `angle` in two seconds.
+-- A smooth rotation by `angle` in two seconds.
 local function turning(angle)
   local samples = {}
   for k = 0, 200 do samples[k + 1] = angle*0.5*(math.pi/2)^2*math.cos(math.pi/2*k*0.01) end
@@ -29,7 +29,7 @@ local function at_end(angle)
   return displacement
 end
 
--- About y as about the plane's axis, counted the other way: the post rocks alike.
+-- About y as about the plane's axis, with the opposite sign: the post rocks in the same way.
 local flat, deep = model(2), model(3)
 flat:shake { body = "ground", rotation = turning(4*deg), duration = 2 }
 deep:shake { body = "ground", rotation_y = turning(-4*deg), duration = 2 }
@@ -40,7 +40,7 @@ assert(math.abs(deep:body "ground".rotation_x) + math.abs(deep:body "ground".rot
 assert(math.abs(deep:body "post".rotation_y + flat:body "post".rotation) < 2e-4)
 assert(math.abs(deep:body "post".ux - flat:body "post".ux) < 2e-3*math.abs(wanted))
 
--- About z what lies on it turns with it; beyond thickness over height it comes down.
+-- About z a body on the ground follows the rotation; beyond thickness over height it topples.
 local round = model(3)
 round:shake { body = "ground", rotation_z = turning(20*deg), duration = 2 }
 assert(math.abs(round:body "post".rotation_z - at_end(20*deg)) < 1e-3)

@@ -1,5 +1,5 @@
--- A bond takes its fracture energy from a body that pulls, whatever the mass, the speed and the integrator: slower than
--- sqrt(2 Gf A/m) the body stays, faster it leaves with the kinetic energy that is left.
+-- A bond takes its fracture energy from a body that pulls on it, whatever the mass, the speed and the integrator. A
+-- body slower than sqrt(2 Gf A/m) stays; a faster one leaves with the remaining kinetic energy.
 local trilith = require "trilith"
 
 local kn, ks, ft, c, gf, gs <const> = 1e12, 4e11, 3e6, 3e6, 100, 150
@@ -9,7 +9,7 @@ local laws = {
   bonded = trilith.bonded { kn = kn, ks = ks, mu = 0.5, cohesion = c, tension = ft },
 }
 
--- Peak and last displacement, strength and fracture energy by area.
+-- Displacement at the peak, final displacement, strength and fracture energy per area.
 local function curve(law, way)
   local strength, stiffness, energy = ft, kn, gf
   if way == "shear" then strength, stiffness, energy = c, ks, gs end
@@ -19,12 +19,12 @@ local function curve(law, way)
   return peak, 2*energy/strength, strength, energy
 end
 
--- Energy spent on a bond that stopped a body of the kinetic energy e, all by area.
+-- Energy dissipated in a bond that stopped a body of kinetic energy e, all per area.
 local function spent(law, way, e)
   local peak, last, strength = curve(law, way)
   if law == "bonded" or e <= strength*peak/2 then return 0 end
   if way == "shear" then
-    -- Slips s against springs: e = the energy of the slip up to now and the elastic energy of the traction.
+    -- Slip s against springs: e = slip energy up to now + elastic energy of the traction.
     local low, high = 0, last
     for _ = 1, 60 do
       local s = (low + high)/2
@@ -42,7 +42,7 @@ local function spent(law, way, e)
   return e - strength*(last - low)/(last - peak)*low/2
 end
 
--- A block of .1 x .1 m2 below a fixed one, or between two fixed ones.
+-- A block with a joint of 0.1 x 0.1 m2 to a fixed block above, or between two fixed blocks.
 local function pull(dim, law, way, mass, share, integrator)
   local m = trilith.model { name = "pull", dim = dim, thickness = dim == 2 and 0.1 or nil, gravity = 0 }
   m:material { name = "stone", density = 2400 }
@@ -71,7 +71,7 @@ local function pull(dim, law, way, mass, share, integrator)
   local b = block("block", 0, 0, { mass = mass, velocity = velocity, floating = true })
   local broken = 0
   m:on("bond.broken", function() broken = broken + 1 end)
-  -- One that stays is looked at when it turns: a quarter of the period of its secant stiffness is at most last/speed.
+  -- A block that stays is evaluated at its reversal: a quarter period of the secant stiffness is at most last/speed.
   local turned, spent_then
   m:on_step(function()
     if not turned and (dim == 2 and b.vy or b.vz) >= 0 then turned, spent_then = m.time, m.energy.contact_fracture end
@@ -99,7 +99,7 @@ for _, dim in ipairs { 2, 3 } do
             local expected = share > 1 and r.energy or spent(law, way, r.kinetic)
             local off = math.abs(r.fracture - expected)/r.energy
             local kept = share > 1 and math.abs(r.kinetic - r.left - r.energy)/r.energy or 0
-            if law == "bonded" and way == "shear" then off = 0 end  -- the ledger counts that as friction
+            if law == "bonded" and way == "shear" then off = 0 end  -- the ledger books this as friction
             local good = (r.turned ~= nil) == (share < 1) and off < 0.02 and kept < 0.02 + 1e-3*share^2
             if show then print(good and "ok " or "BAD", where, r.v, r.fracture, expected, kept) end
             if not show then
@@ -114,7 +114,8 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Bodies that deform: the block takes 1 J to tear off and has .25 J, 1.5625 J or 6.25 J; what it keeps also vibrates.
+-- Deformable bodies: the block needs 1 J to tear off and has 0.25 J, 1.5625 J or 6.25 J; part of the remaining energy
+-- is vibration.
 local function pull_mesh(dim, integrator, speed)
   local m = trilith.model { name = "mesh", dim = dim, thickness = dim == 2 and 0.1 or nil, gravity = 0 }
   m:material { name = "stone", density = 2400, E = 3e10, nu = 0 }

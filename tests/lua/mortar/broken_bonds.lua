@@ -1,4 +1,4 @@
--- What the event of a bond says as it breaks: which limit governed, and the force, the stress or the couple of it.
+-- The event of a breaking bond: its governing limit, and the force, stress or couple.
 local trilith = require "trilith"
 
 local tension, cohesion <const> = 2e5, 3e5
@@ -21,7 +21,7 @@ local function turned(v, turn)
   return out
 end
 
--- The first event of a block on a base, with a joint of 1 m2 between them, as a load on it grows to `load` in .2 s.
+-- First event of a block on a base with a joint of 1 m2 while a load grows to `load` in 0.2 s.
 local function first_event(dim, law, load, turn)
   local m = trilith.model { name = "joint", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 2400 }
@@ -60,12 +60,12 @@ local function check(dim, law, load, mode, unit, expected, tolerance, turn)
   local figure, found = e.text:match(" in " .. mode .. " at ([%d.]+) (.+)$")
   assert(found == unit, what .. ", not in " .. unit)
   assert(math.abs(figure/expected - 1) < tolerance, what .. ", not " .. expected)
-  -- A net force is told where it is the cause, and what rounding leaves of one is none.
+  -- A net force is reported if it is the cause; rounding of a zero force is not.
   assert((e.value > 1e3) == (unit == "kN") and (e.value == 0 or e.value > 1e-3), what .. ", with " .. e.value .. " N")
 end
 
--- A couple shears off the outermost places of the patches, at 3/8 + 1/8/sqrt(3) m along both axes: c J/r [kN m]. Forces
--- and couples grow by some parts in a hundred over a step, and told is what was carried last.
+-- A couple shears off the outermost points of the patches, at 3/8 + 1/8/sqrt(3) m along both axes: c J/r [kN m]. Forces
+-- and couples grow by some percent per step; the event reports the last carried value.
 local twist <const> = 1e-3*cohesion/6/(math.sqrt(2)*(3/8 + 1/8/math.sqrt(3)))
 for _, law in ipairs { "bonded", "cohesive" } do
   for _, turn in ipairs { false, { axis = { 1, -2, 3 }, angle = 0.7 }, { axis = { -3, 1, 0.4 }, angle = 2.1 } } do
@@ -81,8 +81,8 @@ for _, law in ipairs { "bonded", "cohesive" } do
   check(2, law, { couple = 6e4 }, "tension", "kPa", 200, 1e-3)
 end
 
--- Where no step is given the bond carries its strength before a blow breaks it. Within a given step the blow breaks it
--- before it carried anything: told is its strength, where tension passed it.
+-- Without a given step the bond carries its strength before an impact breaks it. Within a given step the impact breaks
+-- it before it carried load: the event then reports the strength if the tension limit was exceeded.
 for _, dim in ipairs { 2, 3 } do
   check(dim, "undamped", { velocity = { 0, 0, 3 } }, "tension", "kN", 200, 0.02)
   check(dim, "undamped", { velocity = { 0, 0, 3 }, dt = 5e-4 }, "tension", "kPa", 200, 1e-3)

@@ -1,5 +1,5 @@
--- What breaks gives off what it held and the half step that its last force still works: a block of 2 t at 1 m/s tears
--- itself off, by tension or by shear, in both dimensions and by both kinds of steps.
+-- A breaking bond dissipates its stored energy and the work of its last force over half a step. A block of 2 t at 1 m/s
+-- tears itself off in tension or shear, in the plane and in space, by explicit and implicit steps.
 local trilith = require "trilith"
 
 local laws = {
@@ -8,7 +8,7 @@ local laws = {
                energy_shear = 800 },
 }
 
--- The block's energy was 1 kJ. Returns how far the ledger was out at most, as a share of it, from the second step on.
+-- The block's energy is 1 kJ. Returns the largest ledger residual as a share of it, from the second step on.
 local function tear(dim, law, integrator, way)
   local m = trilith.model { name = "tear", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 2000 }
@@ -43,14 +43,14 @@ for _, dim in ipairs { 2, 3 } do
       local out = tear(dim, law, integrator, "tension")
       assert(out < 1e-9, ("%s, tension, %d dimensions, %s: out by %.3g"):format(law, dim, integrator, out))
     end
-    -- A block that shears turns besides, and its faces part from one end on.
+    -- A block under shear also rotates, and its faces separate from one end on.
     local out = tear(dim, "bonded", integrator, "shear")
     assert(out < 5e-4, ("bonded, shear, %d dimensions, %s: out by %.3g"):format(dim, integrator, out))
   end
 end
 
--- Asked for an accuracy, a blow on a block that mortar holds keeps its energy too: what swings on its mortar until that
--- breaks counts as what strikes. A stone falls from half a metre on the middle of the block or near its end.
+-- With an accuracy, an impact on a block held by mortar conserves energy too: until the mortar breaks, the oscillation
+-- on the mortar counts as an impact. A stone falls from 0.5 m onto the middle of the block or near its end.
 local function drop_on_bonded(dim, law, accuracy, aside)
   local m = trilith.model { name = "struck", dim = dim }
   m:material { name = "stone", density = 2400 }
@@ -77,8 +77,9 @@ local function drop_on_bonded(dim, law, accuracy, aside)
   return out
 end
 
--- At a thousandth .06 to .17 % are missed, of a blow, a break and blows after it; with mortar that softens, whose loss
--- is of the first order in the step, up to .8 %. Where steps grow as the stone leaves it is .06 to 10 %.
+-- With an accuracy of 0.001 the residual is 0.06 to 0.17 %, over an impact, a break and later impacts. With softening
+-- mortar, whose error is of first order in the step, it is up to 0.8 %. If steps grow as the stone leaves it is 0.06 to
+-- 10 %.
 local limits = { bonded = { [1e-3] = 3e-3, [1e-4] = 5e-4 }, cohesive = { [1e-3] = 1e-2, [1e-4] = 4e-3 } }
 local struck = {
   bonded = trilith.bonded { kn = 1e9, ks = 4e8, mu = 0.6, tension = 2e5, cohesion = 3e5 },
@@ -96,9 +97,9 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Pressed in at 1 m/s a block swings back and goes from pressed to torn off within one step, of a quarter to a third of
--- the longest stable one. What that step misses is told as missed, in space as in the plane; the bond gives off no more
--- than it held, and never less than nothing.
+-- Pressed in at 1 m/s a block rebounds and goes from compression to a broken bond within one step of a quarter to a
+-- third of the longest stable step. The residual of this step is reported, in space as in the plane. The dissipation of
+-- the bond is at most its stored energy and never negative.
 local function torn(dim, dt)
   local m = trilith.model { name = "torn", dim = dim, gravity = 0 }
   m:material { name = "stone", density = 2000 }

@@ -1,4 +1,4 @@
--- Mortar that softens: the law as a value, a joint pulled open by a load, its events with mode and force, notes.
+-- Softening mortar: the law as a value, a joint pulled open by a load, its events with mode and force, notes.
 local trilith = require "trilith"
 local function near(a, b, tolerance) assert(math.abs(a - b) <= tolerance, a .. " is not " .. b) end
 local function message(f) local ok, text = pcall(f); assert(not ok); return text end
@@ -16,7 +16,7 @@ m:run { duration = 0.2, dt = 1e-5 }
 assert(#seen == 2 and seen[1].type == "bond.cracked" and seen[2].type == "bond.broken")
 assert(seen[1].mode == "tension" and seen[1].text:find "cracked in tension at 19")
 near(seen[1].value, 19150, 200)
--- 20 J of motion, 10 of them to the mortar
+-- 20 J of kinetic energy, 10 J of it dissipated by the mortar
 near(m.energy.contact_fracture, 10, 0.05)
 near(m.energy.kinetic, 10, 0.2)
 
@@ -26,7 +26,7 @@ assert(message(function()
     tension = 19150, energy_tension = 1, energy_shear = 50 } }
 end):find("energy_tension is 1 J/m2, must be above", 1, true))
 
--- Mortar that crushes: a block on a joint too weak for what comes down on it.
+-- Crushing mortar: a block on a joint weaker than the impact load.
 local c = trilith.model { name = "crushing", thickness = 1 }
 c:contact { between = { "*", "*" }, name = "mortar", law = trilith.cohesive { kn = 1e10, ks = 5e9, mu = 0.7,
   cohesion = 3e4, tension = 19150, energy_tension = 10, energy_shear = 50, compression = 2e5, crushing_depth = 5e-3 } }

@@ -1,11 +1,10 @@
 -- Load paths of a double cantilever whose softening joint cracks: through the limit point and the snap-backs of coarse
--- meshes until the arms are apart, with the energy in balance, and near linear fracture mechanics as the mesh is
--- refined.
+-- meshes until the arms are separated. The energy is balanced, and refined meshes approach linear fracture mechanics.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 local depth, length, crack, E, toughness = 0.1, 1.5, 0.5, 1e10, 100
 
--- One arm of quadrilaterals; the faces along the crack stand back, so that they begin without a bond.
+-- One arm of quadrilaterals; the faces along the crack are set back, so that they start without a bond.
 local function arm(m, name, side, size)
   local across, along = 2, math.floor(length/size + 0.5)
   local nodes, elements = {}, {}
@@ -38,21 +37,21 @@ local function path(size, tension, displacement)
   local r = m:pushover { body = upper, at = { 0, depth }, direction = "y", control = "arc", displacement = displacement,
     samples = 1000 }
   local energy = m.energy
-  -- The work of the load along the path is what is stored and what the crack has taken.
+  -- The work of the load along the path is the stored energy plus the fracture energy of the crack.
   near("work", energy.load, energy.strain + energy.contact_elastic + energy.contact_fracture, 0.01)
   m:close()
   return r
 end
 
--- To the end, where nothing is left that resists.
+-- Up to the end, without any remaining resistance.
 for _, case in ipairs { { 0.05, 1e6 }, { 0.05, 3e6 }, { 0.025, 3e6 } } do
   local r = path(case[1], case[2], 0.02)
   assert(r.limit == "no resistance", r.limit)
   assert(math.abs(r.force) < 1e-6*r.peak_force, r.force)
 end
 
--- F(u) of the crack that grows, by beams: F = c/a, u = k a^2 with c^2 = G E h^3/12 and k = 8 c/(E h^3). A half of a
--- face breaks as one, which takes an error with the size of elements to the first power.
+-- F(u) of the growing crack by beam theory: F = c/a, u = k a^2 with c^2 = G E h^3/12 and k = 8 c/(E h^3). Half of a
+-- face breaks at once, an error of first order in the element size.
 local c = math.sqrt(toughness*E*depth^3/12)
 local function grown(u) return c/math.sqrt(u*E*depth^3/(8*c)) end
 local function force_at(r, u)

@@ -1,5 +1,5 @@
--- Mortar in space that crushes: a block on a joint too weak for what comes down on it; the same taken from the plane;
--- and gone back in time, with what has changed since.
+-- Crushing mortar in space: a block on a joint weaker than the impact load; the same by extrusion from the plane; and
+-- after a rewind.
 local trilith = require "trilith"
 local function near(a, b, tolerance) assert(math.abs(a - b) <= tolerance, a .. " is not " .. b) end
 
@@ -18,11 +18,11 @@ m:history { name = "z", of = function() return block.z end, unit = "m" }
 m:checkpoints { on = true, every = 0.02 }
 m:run { duration = 0.1, dt = 1e-5 }
 assert(#crushed == 1 and crushed[1].mode == "compression" and crushed[1].text:find "crushed in compression at 200 kN")
--- What comes in over what strength and weight leave of each other, as in the plane.
+-- Kinetic energy over (strength minus weight), as in the plane.
 near(m.energy.contact_fracture, 525, 10)
 local taken, low, hash = m.energy.contact_fracture, block.z, m.hash
 
--- The same model of the plane by one word.
+-- The same model of the plane by one call.
 local flat = trilith.model { name = "flat", thickness = 1 }
 flat:contact { between = { "*", "*" }, name = "mortar", law = mortar(2e5) }
 flat:block { name = "base", width = 3, height = 0.5, at = { -1, -0.5 }, support = "fixed", mass = 1 }
@@ -32,7 +32,7 @@ deep:run { duration = 0.1, dt = 1e-5 }
 near(deep.energy.contact_fracture, taken, 1)
 near(deep:body "block".z, low, 1e-5)
 
--- Gone back to the middle and on again: the same bits; with a push beside, what differs is told.
+-- Rewound to the middle and continued: the same bits; with an additional push the difference is reported.
 m:rewind(0.05)
 assert(m.time < 0.06 and m.energy.contact_fracture <= taken)
 m:continue()

@@ -1,4 +1,4 @@
--- What handlers raise reaches the pcall around a run as it was raised; and a script's own debug.sethook is its own.
+-- An error raised in a handler reaches the pcall around the run unchanged; a script's own debug.sethook stays active.
 local trilith = require "trilith"
 
 local function falling()
@@ -34,7 +34,7 @@ for way, set in pairs(ways) do
     set(m, function() error(object) end)
     local good, got = pcall(m.run, m, { duration = 0.05 })
     assert(not good and rawequal(got, object), ("%s: %s became %s"):format(way, type(object), type(got)))
-    assert(m.time < 0.05 and not pcall(m.body, m, "nobody")) -- the model can still be asked
+    assert(m.time < 0.05 and not pcall(m.body, m, "nobody")) -- the model can still be read
   end
   local m = falling()
   set(m, function() error "in words" end)

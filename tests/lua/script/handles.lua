@@ -1,5 +1,6 @@
 -- Handles of another model, of a closed model, and read at the very end of a script. Every function of the interface is
--- taken from the declarations in lua/manual and given a foreign handle under each of its keys: new ones are tested too.
+-- taken from the declarations in lua/manual and called with a foreign handle under each of its keys, so new functions
+-- are covered too.
 local trilith = require "trilith"
 
 local function make(name)
@@ -22,7 +23,7 @@ closed.model:close()
 closed.model = nil
 local quake = trilith.motion { acceleration = { 0, 1, 0, -1, 0 }, dt = 0.1, allow_drift = true }
 
--- What stands under the keys that are not under test.
+-- Values of the keys that are not under test.
 local fillers = {
   text = "impact", names = { "stone", "stone" }, number = 1, integer = 1, flag = true, point = { 0.5, 0.5 },
   points = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, vector = { 1, 1, 1 }, vectors = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
@@ -30,7 +31,7 @@ local fillers = {
   body = "b", bodies = "b", bearing = "B", seat = "S", motion = quake, ["two bodies"] = { "b", "base" },
   ["contact law"] = trilith.frictional { kn = 1, ks = 1, mu = 1 }, ["text or integer"] = "x.lua:1",
 }
--- Which handles a type takes, as they may be given.
+-- Handle types accepted by a declared type, in the form of an argument.
 local function as_it_is(h) return h end
 local takes = {
   body = { body = { as_it_is } }, bearing = { bearing = { as_it_is } }, seat = { seat = { as_it_is } },
@@ -39,7 +40,7 @@ local takes = {
   ["bearing or law"] = { bearing = { as_it_is } },
 }
 
---- "name  number s = 3  sentence" as a key.
+--- Parses "name number s = 3 sentence" as a key.
 local function read_key(line)
   local name, kind = line:match "^(%S+)%s%s+(%S.-)%s%s+%S"
   local wanted = not kind:find "[?=]"
@@ -77,7 +78,7 @@ local function call(f, self, ...)
   return self[f.member](self, ...)
 end
 
---- The message of a call, in a story of its own as m:wait needs one; nil where it goes through.
+--- Message of a call, in its own story because m:wait needs one; nil if the call succeeds.
 local function refusal(f, self, ...)
   local given, message = table.pack(...), nil
   self.model:story(function()
@@ -96,7 +97,7 @@ local function filled(keys)
 end
 
 local tried, own = 0, 0
---- Gives the function `value` at one place; it must refuse it, for the reason `why` where that is known.
+--- Calls the function with `value` at one place; it must be rejected, for the reason `why` if it is given.
 local function try(f, key, value, why, by_key)
   local here = make "here"
   here.motion, here.space = quake, trilith.model { dim = 3 }
@@ -149,7 +150,7 @@ for _, f in ipairs(functions) do
 end
 assert(tried > 1000 and own > 50, ("%d tried, %d of their own"):format(tried, own))
 
--- Of a closed model nothing is read, written or called, but its name in messages.
+-- Nothing of a closed model can be read, written or called; messages may use its name.
 for kind, h in pairs(closed) do
   local good, message = pcall(function() return h.name end)
   assert(not good and message:find "the model is closed", message)
@@ -166,7 +167,7 @@ for _, f in ipairs { function() return #closed.set end, function() return closed
 end
 assert(other.set == other.model:bodies {} and other.set ~= make("same").set)
 
--- A finalizer may close a model in the midst of a call that reads it: garbage is collected wherever a table is made.
+-- A finalizer may close a model during a call that reads it: garbage collection can run at every table allocation.
 do
   local m = make("m").model
   m:run { duration = 0.001 }
@@ -178,7 +179,7 @@ do
   collectgarbage("setpause", 200)
 end
 
--- What only carries a handle's metatable is none, and a handle is destroyed once.
+-- A table with a handle's metatable is no handle, and a handle is destroyed once.
 local meta = debug.getmetatable(other.model)
 local file = debug.setmetatable(assert(io.open("script/handles.lua")), meta)
 assert(not pcall(function() return file.time end))
@@ -192,8 +193,8 @@ do
   assert(not pcall(function() return other.body + other.body end))
 end
 
--- Finalizers run in the order opposite to that in which things were made: these handles are read after their model, and
--- themselves, are gone. What is wrong is written, which fails the test.
+-- Finalizers run in the reverse order of construction: these handles are read after their model and they themselves are
+-- gone. A failure is printed, which fails the test.
 local first = setmetatable({}, { __gc = function(o)
   for kind, h in pairs(o) do
     local good, message = pcall(function() return kind == "motion" and h:delay(1) or h.name end)

@@ -1,5 +1,5 @@
--- What stands on nothing is judged as the first stage begins: supports, loads and readings may come before the bearing
--- or the support that holds a body. What is added after that is judged at once.
+-- Missing supports are checked as the first stage begins: supports, loads and readings may come before the bearing or
+-- support that fixes a body. Parts added after this are checked at once.
 local trilith = require "trilith"
 
 local function model(dim)
@@ -42,7 +42,7 @@ for _, dim in ipairs { 2, 3 } do
   assert(not ok and text:find "body 'late' stands on nothing", text)
   m:close()
 
-  -- Held by its fixed support alone; a body that comes to a model that was only looked at is not judged yet either.
+  -- Fixed by its support alone; a body added to a model that was only read is not checked yet either.
   local n = model(dim)
   local hung = block(n, "deck", { 0, 1 })
   n:fix(hung)

@@ -1,4 +1,4 @@
--- Input that says something of a body or law is honoured, or a note says that it is not.
+-- Each key of a body or law has an effect, or a note reports that it has none.
 local trilith = require "trilith"
 
 local function near(a, b, share, what)
@@ -10,8 +10,8 @@ local function fails(f, ...)
   return tostring(message)
 end
 
--- A rigid body whose pieces are the elements of a mesh, in the plane. Three elements of an L and one that is not convex
--- as a whole: mass and inertia are those of the outline, and so is the motion.
+-- A rigid body in the plane whose pieces are mesh elements: three elements of an L, and one non-convex outline. Mass,
+-- inertia and motion equal the outline's.
 local nodes = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 0, 1 }, { 0, 2 }, { 1, 2 } }
 local elements = { { 1, 2, 5, 6 }, { 2, 3, 4, 5 }, { 6, 5, 8, 7 } }
 local outline = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } }
@@ -53,7 +53,7 @@ for _, how in ipairs { { body = "rigid" }, { body = "rigid", E = 1e9 }, { model 
   near(b.uy, reference.fallen, 1e-4, "rest")
   assert(math.abs(b.rotation - reference.turned) < 1e-5, b.rotation)
 end
-do -- what is said of nothing deforms, and so does one with elements; a body that comes later is read alike
+do -- input for rigid bodies without deformation, also with elements; a body added later is read the same way
   local m = plane { E = 1e9 }
   local b = ell(m, nil, 0.05)
   assert(b.kind == "mesh" and #m.notes == 0, b.kind)
@@ -66,7 +66,7 @@ do -- what is said of nothing deforms, and so does one with elements; a body tha
     floating = true, body = "quad" }
   assert(quad.kind == "mesh" and m.notes[1]:find("its mesh has elements of its own", 1, true), m.notes[1])
 end
-do -- a hole is no mass: a frame of eight squares
+do -- a hole has no mass: a frame of eight squares
   local m = plane {}
   local points, cells = {}, {}
   for j = 0, 3 do for i = 0, 3 do points[#points + 1] = { i, j + 0.1 } end end
@@ -82,8 +82,8 @@ do -- a hole is no mass: a frame of eight squares
   near(b.inertia, 2000*(9*9 - 1)/6, 1e-12)
 end
 
--- A rigid body of curved tetrahedra of ten nodes has the mass of the curved elements, here against integrals over their
--- curved faces: an octahedron of eight whose outer edges bulge to a sphere.
+-- A rigid body of curved ten-node tetrahedra has the mass of the curved elements, checked against integrals over their
+-- curved faces: an octahedron of eight elements whose outer edges bulge to a sphere.
 local gauss = {}
 do
   local a, b = math.sqrt(5 - 2*math.sqrt(10/7))/3, math.sqrt(5 + 2*math.sqrt(10/7))/3
@@ -143,7 +143,7 @@ local function ball(bulge, at)
   end
   local placed = {}
   for i, x in ipairs(points) do placed[i] = { x[1] + at[1], x[2] + at[2], x[3] + at[3] } end
-  return placed, cells, volume, 2*second -- the moment about any axis is that of two directions
+  return placed, cells, volume, 2*second -- the moment of inertia about an axis is the sum over the other two directions
 end
 for _, bulge in ipairs { 0, 0.5, 1 } do
   local m = trilith.model { name = "ball", dim = 3, gravity = 0 }
@@ -160,7 +160,7 @@ for _, bulge in ipairs { 0, 0.5, 1 } do
   assert((told ~= nil) == (bulge > 0), m.notes[1])
 end
 
--- Bonds, softening and crushing on spheres are told, by law, body and remedy; friction and other bodies are not.
+-- Bonds, softening and crushing on spheres get a note with law, body and remedy; friction and other bodies do not.
 local function with_sphere(law, shape)
   local m = trilith.model { name = "spheres", dim = 3 }
   m:material { name = "stone", density = 2400 }
@@ -185,13 +185,13 @@ for law, keys in pairs { [bonded] = { "tension", "cohesion" }, [cohesive] = { "e
   assert(#with_sphere(law, "block").notes == 0)
 end
 assert(#with_sphere(rubbing, "sphere").notes == 0)
-do -- one that comes later
+do -- a body added later
   local m = with_sphere(bonded, "block")
   m:sphere { name = "late", radius = 0.1, at = { 1, 1, 0.1 }, material = "stone" }
   assert(#m.notes == 1 and m.notes[1]:find("'late'", 1, true), m.notes[1])
 end
 
--- A small bob on a long arm swings about a hinge as a compound pendulum; without the arm its point is refused.
+-- A small bob on a long arm swings about a hinge as a compound pendulum; without the arm its point is rejected.
 local length, side = 5, 0.2
 local function hinge(dim, arm)
   local m = trilith.model { name = "bob", dim = dim }
@@ -226,12 +226,12 @@ for _, dim in ipairs { 2, 3 } do
   local m, b, inertia = hinge(dim, 5)
   local period = 2*math.pi*math.sqrt((inertia + b.mass*length^2)/(b.mass*9.80665*length))*(1 + 0.05^2/16)
   m:run { duration = period }
-  -- back where it began, within a part in a thousand of its way there and back
+  -- back at its start, within 0.001 of the full path
   assert(math.abs(b.ux) < 1e-3*4*length*0.05, b.ux)
   assert(math.abs(m.energy.residual) < 1e-3*b.mass*9.8*length*0.05^2/2, m.energy.residual)
 end
 
--- Moments of inertia in space that are given, and those that no body has.
+-- Given moments of inertia in space, and impossible ones.
 do
   local m = trilith.model { name = "inertia", dim = 3, gravity = 0 }
   m:material { name = "steel", density = 7800 }

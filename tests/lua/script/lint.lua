@@ -1,5 +1,5 @@
--- Numbers that are allowed but not usual get a note, m:lint() lists them and all faults, and contacts that are hardly
--- damped.
+-- Allowed but implausible numbers get a note; m:lint() lists these notes, all errors, and contacts with almost no
+-- damping.
 local trilith = require "trilith"
 local deg = trilith.units "deg"
 
@@ -14,7 +14,7 @@ end
 local function has(list, text) told(list, text, 1) end
 local function lacks(list, text) told(list, text, 0) end
 
--- Two blocks on a base; what is not usual is given by `odd`.
+-- Two blocks on a base; `odd` sets the implausible value.
 local function model(odd)
   local m = trilith.model { name = "lint" }
   m:material { name = "stone", density = odd.density or 2400 }
@@ -26,7 +26,7 @@ local function model(odd)
   return m
 end
 
--- Each is told once, when it is given and by lint; what is just usual is not.
+-- Each note is reported once, when the value is set, and by lint; values just within the usual range get none.
 local friction = "contact law 'joint': mu = 35 is above the usual 2: it is the tangent of the friction angle"
 local damping = "contact law 'joint': beta = 1 s is above the usual 0.1 s: it is 2*zeta/omega"
 local density = "material 'stone': density = 2.4 kg/m3 is below the usual 25 kg/m3: is it in t/m3 or g/cm3?"
@@ -59,7 +59,7 @@ has(turned.notes, "tilt: rate = 4 rad/s is above the usual 0.5 rad/s: is it in d
 has(turned.notes, "tilt: by = 30 rad is above the usual 3.2 rad: is it in degrees?")
 has(turned:lint(), "tilt: rate = 4 rad/s is above the usual 0.5 rad/s")
 
--- A law changed later is looked at as it is now.
+-- A law changed later is checked with its current values.
 local changed = model { mu = 35 }
 changed:run { duration = 1e-3 }
 changed:change { law = "joint", mu = 0.6 }
@@ -67,7 +67,7 @@ lacks(changed:lint(), "mu = ")
 changed:change { law = "joint", mu = 40 }
 has(changed:lint(), "contact law 'joint': mu = 40 is above the usual 2")
 
--- Faults are listed, all of them, and nothing is thrown; then the model is still open and can be put right.
+-- All errors are listed, and nothing is thrown; the model stays open and can be corrected.
 local wrong = model { mu = 35 }
 wrong:contact { between = { "stone", "qq" }, law = "joint" }
 wrong:block { name = "in", width = 1, height = 0.5, at = { 0.5, 0.25 }, material = "stone" }
@@ -96,7 +96,8 @@ found = empty:lint()
 has(found, "and 20 more that keep it from being built")
 assert(#found == 11)
 
--- Contacts damped by less than 1 % of critical. One block alone: omega = sqrt(kn b/m); both move: m1 m2/(m1 + m2).
+-- Contacts damped by less than 1 % of critical. A single moving block: omega = sqrt(kn b/m); both blocks move: m1
+-- m2/(m1 + m2).
 local omega = math.sqrt(1e9 / (2400 * 0.5))
 lacks(model { beta = 2 * 0.0101 / omega }:lint(), "of critical")
 local one = model { beta = 2 * 0.009 / omega }:lint()
@@ -106,8 +107,8 @@ has(model { beta = 2 * 0.009 / omega / math.sqrt(2) }:lint(), "law 'joint' damps
 has(model { beta = 0 }:lint(),
     ("has no damping (beta = 0): what strikes it bounces for ever; beta = %.2g s gives 10 %%"):format(0.2 / omega))
 
--- Friction that gives by more than a thousandth of the slip that is expected: the blocks weigh 11.8 kN, on the
--- side of a square of their area 16.6 kPa; 0.6 of that over 5e8 Pa/m is 2e-5 m. The base is held, and heavier.
+-- Elastic slip of more than 0.001 of the expected slip: the blocks weigh 11.8 kN, which is 16.6 kPa on the side of a
+-- square of their area. 0.6 times this pressure over 5e8 Pa/m is 2e-5 m. The base is fixed, and heavier.
 lacks(model {}:lint(), "before it slides")
 lacks(model {}:lint { slip = 0.021 }, "before it slides")
 has(model {}:lint { slip = 0.019 }, "law 'joint' gives by 2e-05 m before it slides ('low' under its own weight)")
@@ -119,7 +120,7 @@ for _, case in ipairs(refused) do
   assert(not done and said:find(case[2], 1, true), said)
 end
 
--- In space the same, of contacts that press: a cube on a plate, omega = sqrt(kn A/m).
+-- The same in space for closed contacts: a cube on a plate, omega = sqrt(kn A/m).
 do
   local function cube(beta)
     local m = trilith.model { name = "solid", dim = 3 }
@@ -135,8 +136,8 @@ do
   has(cube(2 * 0.009 / omega), "law 'joint' damps 1 of 1 contacts by less than 1 % of critical")
 end
 
--- Faces of a law that bonds which stand apart by too much are told of, in the plane and in space; those that meet, or
--- stand as far apart as other courses do, are not.
+-- A gap that is too wide between faces of a bonding law gets a note, in the plane and in space; faces in contact, or
+-- with the usual distance of other courses, get none.
 for _, dim in ipairs { 2, 3 } do
   for gap, expected in pairs { [0] = 0, [1e-6] = 0, [1e-3] = 1, [0.3] = 0 } do
     local w = trilith.model { name = "gap", dim = dim, gravity = 0 }

@@ -1,4 +1,4 @@
--- trilith.math: values of Lua's math to rounding, without its variants; what it refuses.
+-- trilith.math: values of Lua's math to rounding, without its platform variants; rejected arguments.
 local trilith = require "trilith"
 local ours = trilith.math
 local function near(a, b) assert(math.abs(a - b) <= 4e-16 * math.max(1, math.abs(b)), a .. " is not " .. b) end

@@ -1,4 +1,4 @@
--- Wrong input: each case is one line of script and the one line of message it must give, at its own line.
+-- Wrong input: each case is one line of script and the expected one-line message with its line number.
 local trilith = require "trilith"
 local given = dofile "wrong_input.lua"
 
@@ -27,7 +27,7 @@ given.check {
     "block 'b': support: 'r' is written in full: rotation = \"fixed\"" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone" } end,
     "block 'b': 'size' is of blocks in space, of models with dim = 3; in the plane give width and height" },
-  -- bearings, seats and changes that would do nothing or harm
+  -- bearings, seats and changes without effect or with harmful effect
   { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
       along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
     "bearing 'b': friction slides under the compression of the axial law, of which there is none, so that it never "
@@ -50,7 +50,7 @@ given.check {
   { function() bonded():change { law = "mortar", tension = 1e6, cohesion = 1e6 } end,
     "change: cohesive: energy_tension is 20 J/m2, must be above tension^2/(2 kn) = 500, what the joint stores at "
       .. "its strength; give more energy, or a stiffer joint, or use the bonded law" },
-  -- what would have no effect
+  -- input without effect
   { function() b:fix("block", "") end,
     "fix: directions are the text '', which names none; give some of x, y and r, as in \"xy\", or leave them out for "
       .. "all" },
@@ -272,14 +272,14 @@ given.check {
     "scale: give either pga (in m/s2), factor, or sa (in m/s2) with its period" },
   { function() quake:scale(2) end, "scale: takes one table, as in scale{ ... }; this is 2" },
   { function() quake:time_scale "x" end, "time_scale: takes one finite number; this is the text 'x'" },
-  -- numbers in the unit they were given in
+  -- numbers in their given units
   { function() new():material { name = "u", unit_weight = -3 } end,
     "material 'u': 'unit_weight' is -3 N/m3, must be above 0 and not above 225553 N/m3, any metal's; stone has some "
       .. "25000" },
   { function() m:block { name = "u", width = 1, height = 1, unit_weight = 1e300 } end,
     "block 'u': 'unit_weight' is 1e+300 N/m3, must be above 0 and not above 225553 N/m3, any metal's; stone has some "
       .. "25000" },
-  -- what would mean nothing
+  -- input without meaning
   { function() trilith.end_hinge { sagging = 1e5, axial = {} } end,
     "end_hinge: 'axial' has no points; give { { normal force, share of the moment left }, ... }" },
   { function() built():beam { name = "s", from = { 0, 5 }, to = { 0, 8 }, material = "stone", stations = -1,
@@ -302,7 +302,7 @@ given.check {
     "pushover: 'storey' is 0, must be at least 1" },
 }
 
--- Of very many names a message lists the first.
+-- A message lists only the first of very many names.
 do
   local many = trilith.model { name = "many" }
   many:material { name = "stone", density = 2000 }
@@ -311,7 +311,7 @@ do
   assert(not good and message:find("known: b1, b2, .*b9, b10, and 91 more$"), message)
 end
 
--- What is accepted and does nothing is told.
+-- Accepted input without effect gets a note.
 do
   local w = new()
   w:block { name = "up", width = 1, height = 1, material = "stone", support = { rotation = "fixed" }, spin = 1 }

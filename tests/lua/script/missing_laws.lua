@@ -1,5 +1,5 @@
--- Two bodies that may meet and of which no m:contact speaks would pass through each other: an error before the stage,
--- which names both and the statement that would mend it. law = "none" says that it is meant.
+-- Two bodies that may touch but have no m:contact statement would pass through each other. This is an error before the
+-- stage, which names both and the missing statement; law = "none" marks it as intended.
 local trilith = require "trilith"
 
 local function law() return trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 } end
@@ -22,7 +22,7 @@ end
 
 local function has(text, words) return text:find(words, 1, true) ~= nil end
 
---- The next stage is refused, with these words in the message and in that of m:lint().
+--- The next stage is rejected; its message and the list of m:lint() contain these words.
 local function refused(m, ...)
   local said = tostring(m:lint())
   local ok, message = pcall(m.run, m, { duration = 0.01 })
@@ -56,7 +56,7 @@ for _, dim in ipairs { 2, 3 } do
   block(m, "b", "brick", 2, 0, { floating = true })
   refused(m, "'a' (brick)", "'b' (brick)", '{ "brick", "brick" }')
 
-  -- laws for some groups alone
+  -- laws for some groups only
   m = model(dim, { { "walls", "floors" } })
   block(m, "floor", "stone", 0, -0.5, { support = "fixed", groups = { "floors" } })
   block(m, "wall", "stone", 0, 0, { groups = { "walls" }, floating = true })
@@ -78,7 +78,7 @@ for _, dim in ipairs { 2, 3 } do
   block(m, "b", "brick", 2, 0, { floating = true })
   refused(m, '{ "brick", "stone" }', '{ "brick", "brick" }')
 
-  -- meant
+  -- intended
   m = model(dim, { { "*", "*", "none" } })
   ground(m, "stone")
   block(m, "b", "brick", 0, 0.1, { floating = true })
@@ -89,7 +89,7 @@ for _, dim in ipairs { 2, 3 } do
   block(m, "b", "brick", 2, 0, { floating = true })
   runs(m)
 
-  -- two that do not move need none, nor does a body that is alone
+  -- two fixed bodies need none, nor does a single body
   m = model(dim, { { "brick", "stone" } })
   ground(m, "stone")
   block(m, "other", "stone", 2, 0, held)
@@ -99,7 +99,7 @@ for _, dim in ipairs { 2, 3 } do
   block(m, "b", "brick", 0, 0, { floating = true })
   runs(m)
 
-  -- added between stages: refused as the next one begins, or declared until then
+  -- added between stages: rejected as the next one begins, unless declared before
   for _, declared in ipairs { false, true } do
     m = model(dim, { { "stone", "brick" } })
     ground(m, "stone")

@@ -1,4 +1,5 @@
--- Whatever is read in handlers, in stories and between stages is of one instant: what histories hold for the same time.
+-- All readings in handlers, in stories and between stages belong to one instant: they equal the histories at the same
+-- time.
 local trilith = require "trilith"
 
 local function scene()
@@ -10,7 +11,7 @@ local function scene()
     floating = true, velocity = { 1, 0 }, spin = 2 }
 end
 
--- one reading as numbers: the ledger, what touches and how hard, the fastest point
+-- one reading as numbers: the ledger, contacts and their forces, the fastest point
 local function read(m)
   local values = { m.residual, m.energy.kinetic, m.energy.contact_elastic or 0, m.speed, m.ratio }
   for _, c in ipairs(m:contacts()) do
@@ -25,7 +26,7 @@ local function same(a, b)
   return true
 end
 
--- a history at every step keeps what it saw; handlers of steps, times and events must see the same
+-- a history at every step keeps its readings; handlers of steps, times and events must read the same
 local m, block = scene()
 local seen, compared = {}, { step = 0, every = 0, event = 0, story = 0 }
 local function compare(where)
@@ -48,12 +49,12 @@ assert(compared.step == report.steps and compared.every >= 49 and compared.event
 compare "story" -- between stages
 assert(block.y < 0.3)
 
--- a falling block gives nothing off, whenever it is asked
+-- a falling block dissipates nothing, whenever it is read
 m = trilith.model { name = "fall" }
 m:material { name = "stone", density = 2400 }
 block = m:block { name = "block", width = 0.5, height = 0.3, at = { 0, 0 }, material = "stone", floating = true }
 local dt, worst = 0.01, 0
-local start = -block.mass * 9.80665^2 * dt^2 / 8 -- the leapfrog scheme sets out with half a step
+local start = -block.mass * 9.80665^2 * dt^2 / 8 -- the leapfrog scheme starts with half a step
 m:on_step(function() worst = math.max(worst, math.abs(m.residual - start)) end)
 m:run { duration = 1, dt = dt }
 assert(worst < 1e-8, "residual " .. worst)

@@ -1,4 +1,4 @@
--- Wrong input in space: each case is one line of script and the one line of message it must give, at its own line.
+-- Wrong input in space: each case is one line of script and the expected one-line message with its line number.
 local trilith = require "trilith"
 local given = dofile "wrong_input.lua"
 
@@ -9,7 +9,7 @@ local function new()
   m:block { name = "ground", size = { 8, 8, 1 }, at = { -4, -4, -1 }, material = "stone", support = "fixed" }
   return m
 end
---- Corners of a box of 1 m, from x on.
+--- Corners of a box of 1 m, starting at x.
 local function box(x)
   local corners = {}
   for i = 0, 7 do corners[i + 1] = { x + (i & 1), i >> 1 & 1, i >> 2 & 1 } end
@@ -71,7 +71,7 @@ local cases = {
     "sphere 'b': radius is 1e+300 m, must be from 1e-09 to 1e12 m; try 0.05" },
   { function() m:vault { name = "v", stone_length = 0.5, radius = 1, thickness = 3, material = "stone" } end,
     "vault 'v': arch: thickness is 3 m, must be below twice the mid radius of 1 m" },
-  -- more than a machine holds: nothing is built of it
+  -- exceeds the memory: nothing is built
   { function() m:wall { name = "w", length = 1e9, courses = 3, material = "stone" } end,
     "wall 'w': would have about 1.5e+10 parts, at most 200000 are built; look at its sizes and their units, or build "
       .. "it in stretches" },
@@ -96,7 +96,7 @@ local cases = {
     "building 'h': storey 1: 3 courses are given, but its height of 1 m holds 5; keep one of the two" },
   { function() m:calibrate { frequency = 10, vary = "frictional 1.kn" } end,
     "calibrate: is of models in the plane, and model 'wrong' has dim = 3" },
-  -- what acts nowhere
+  -- input without effect
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
       hold = { { from = { 7, 7, 7 }, to = { 8, 8, 8 } } } } end,
     "body 'b': hold 1 holds no node: its box reaches from (7, 7, 7) to (8, 8, 8) m, the body's nodes from (0, 0, 0) to "
@@ -117,13 +117,13 @@ local cases = {
 
 given.check(cases)
 
--- An outline that runs clockwise is turned round, in m:add too.
+-- A clockwise outline is reversed, in m:add too.
 do
   local made = new():add(part({ 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 }), { depth = 0.5, material = "stone" })
   assert(made.mass == 1000)
 end
 
--- Notes that are true of many bodies are told of the first.
+-- A note that applies to many bodies is given for the first one.
 do
   local w = trilith.model { name = "noted", dim = 3 }
   for i = 1, 3 do w:block { name = "b" .. i, size = { 400, 200, 190 + 10*i }, at = { 500*i, 0, 0 }, density = 2.4 } end
@@ -134,7 +134,7 @@ do
     .. 'trilith.units "mm", or give a file scale = 0.001', notes[2])
 end
 
--- What is accepted and does nothing is told: motion along what is held, a load on it, a piece far from the others.
+-- Accepted input without effect gets a note: motion along a fixed direction, a load on it, a piece far from the others.
 do
   local w = trilith.model { name = "idle", dim = 3 }
   w:material { name = "stone", density = 2000 }

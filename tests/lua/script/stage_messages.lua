@@ -1,5 +1,5 @@
--- Wrong input of stages, handlers, histories and sets, and what is wrong of a model only once it is built: each case is
--- one line of script and the one line of message it must give, at its own line.
+-- Wrong input of stages, handlers, histories and sets, and errors found only when the model is built: each case is one
+-- line of script and the expected one-line message with its line number.
 local trilith = require "trilith"
 local given = dofile "wrong_input.lua"
 
@@ -119,7 +119,7 @@ given.check {
   { function() m:results { file = "x.h5", frames = 0 } end, "results: 'frames' is 0 s, must be above 0" },
   { function() with_results():results { file = "second.h5" } end,
     "results: asked for already, into 'first.h5'; a model has one file, so give all in one call" },
-  -- what is known only when the model is built
+  -- errors found when the model is built
   { function() with_contact("stone", "qq"):run { duration = 1 } end,
     "contact of 'stone' and 'qq': there is no material, group or body 'qq'; known: *, stone" },
   { function() with_contact("uup", "stone"):run { duration = 1 } end,
@@ -165,7 +165,7 @@ given.check {
     "parameter 'a\\27' holds the control character \\27; leave it out" },
 }
 
--- What a handler asks for, and is refused at the step border, is told with the handler's line, and that alone.
+-- A handler's request that is rejected at the step border is reported with the handler's line, and once.
 do
   local w, done = late(), false
   w:every(1e-3, function()

@@ -1,4 +1,4 @@
--- Handlers and stories: when they are called, what they see, what they may change.
+-- Handlers and stories: times of their calls, their readings, allowed changes.
 local trilith = require "trilith"
 local function falling()
   local m = trilith.model { name = "fall", still_time = 0.1 }
@@ -9,7 +9,7 @@ local function falling()
   return m
 end
 
--- clocks: the counts are exact, the times within a step
+-- clocks: the counts are exact, the times are within a step
 local m = falling()
 local ticks, steps = {}, 0
 m:every(0.1, function(model) ticks[#ticks + 1] = model.time end)
@@ -43,7 +43,7 @@ m:run { duration = 0.01 }
 assert(table.concat(told, ", ") == "hit 0.20, waited nil 0.05, slept 0.15, body.rest, ended, begun again",
   table.concat(told, ", "))
 
--- what a handler changes holds from the step border on; reading is possible at once
+-- a handler's changes act from the step border on; readings are immediate
 m = falling()
 local block = m:body "block"
 m:on("impact", function()
@@ -58,7 +58,7 @@ local y = block.y
 m:run { duration = 0.5 }
 assert(block.y == y and m.speed == 0)
 
--- a story that is at fault, and one that yields by itself
+-- a story that raises an error, and one that yields by itself
 m = falling()
 local good, message = pcall(m.story, m, function() error "wrong turn" end)
 assert(not good and message:find "wrong turn" and message:find "stack traceback")
@@ -79,7 +79,7 @@ assert(not good and message:find "stories.lua:%d+: handler is at fault" and mess
 assert(m.time > 0.2 and m.time < 0.21)
 assert(m:run { duration = 5, rest = true }.rests)
 
--- a stage within a stage is refused
+-- a stage within a stage is rejected
 m = falling()
 m:on("impact", function() m:run { duration = 1 } end)
 good, message = pcall(m.run, m, { duration = 1 })

@@ -1,5 +1,5 @@
--- Numbers so small that products of them run out of all measure: they are refused where they are declared, and what is
--- next to that ends in time, soundly or not.
+-- Numbers so small that their products overflow or underflow are rejected where they are declared, and runs with
+-- numbers near this limit end in time, sound or not.
 local trilith = require "trilith"
 
 local function refused(what, f, ...)
@@ -8,7 +8,7 @@ local function refused(what, f, ...)
     ("%s: %s"):format(what, tostring(why)))
 end
 
--- A cantilever in space on a hinge that holds next to nothing one way.
+-- A cantilever in space on a hinge with an almost zero moment in one sense.
 local function hinged(hogging)
   local m = trilith.model { name = "hinged", dim = 3 }
   m:material { name = "soft", density = 2000, E = 1e8, nu = 0.2 }
@@ -20,7 +20,7 @@ local function hinged(hogging)
   return m
 end
 
--- A block of next to no mass beside a fixed one, under a load.
+-- A block of almost zero mass next to a fixed one, under a load.
 local function light(density)
   local m = trilith.model { name = "light", dim = 3 }
   m:material { name = "stone", density = 2400 }

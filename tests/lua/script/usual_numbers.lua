@@ -1,4 +1,5 @@
--- Numbers a thousand off, small gaps and fields that are not there: each is told, and what is usual is not.
+-- Numbers off by a factor of a thousand, small gaps and missing fields: each gets a note or message, and usual values
+-- get none.
 local trilith = require "trilith"
 
 local function model(dim)
@@ -18,7 +19,7 @@ local function expect(m, text, told, what)
   end
 end
 
--- Laws of contact: { maker, numbers, the key that is a million or 1e9 off, by how much }.
+-- Contact laws: { maker, numbers, the key that is off by a million or 1e9, its factor }.
 local laws = {
   { trilith.frictional, { kn = 10e9, ks = 5e9, mu = 0.6, beta = 1e-5 }, "kn", 1e-9 },
   { trilith.frictional, { kn = 10e9, ks = 5e9, mu = 0.6, beta = 1e-5 }, "ks", 1e-9 },
@@ -73,7 +74,7 @@ for _, dim in ipairs { 2, 3 } do
   assert(#frame(dim, square, hinged).notes == 0)
 end
 
--- Sizes: a wall in mm, bricks of which are 200 m high.
+-- Sizes: a wall in mm, whose bricks are 200 m high.
 local function wall(size)
   local m = model(2)
   m:wall { name = "w", length = 3.2*size, unit_length = 0.4*size, unit_height = 0.2*size, courses = 2,
@@ -102,7 +103,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Gaps: 1 mm under a block is told with the pair, one that is meant is not, and neither is a block that stands.
+-- Gaps: a gap of 1 mm under a block gets a note with the pair; an intended gap and a block in contact get none.
 local function over(dim, gap, more)
   local m = model(dim)
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 1e-4 } }
@@ -129,7 +130,7 @@ for _, dim in ipairs { 2, 3 } do
   expect(over(dim, 1e-7), "apart", false, "gap of rounding")
 end
 
--- Fields that are not there.
+-- Missing fields.
 local function refused(text, f, ...)
   local good, message = pcall(f, ...)
   assert(not good and tostring(message):find(text, 1, true), tostring(message))

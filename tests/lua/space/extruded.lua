@@ -1,9 +1,9 @@
--- Models of the plane taken into space by m:extruded: held in their plane they do what they do there.
+-- Models of the plane converted to space by m:extruded: fixed in their plane they move as in the plane.
 local trilith = require "trilith"
 
 local friction = trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.5, beta = 1e-4 }
 
---- Whether `value` is within `share` of `size` of what it should be.
+--- Whether `value` is within `share` of `size` of the expected value.
 local function near(value, expected, share, size)
   local off = math.abs(value - expected)
   if off ~= off or off > share*(size or math.abs(expected)) then
@@ -19,7 +19,7 @@ local function pulse(peak, period)
   end
   return trilith.motion { acceleration = samples, dt = 0.005 }
 end
---- Blocks { width, height }, one on the other, on a ground.
+--- Blocks { width, height }, stacked on a ground.
 local function stack(law, blocks, options)
   options = options or {}
   options.name, options.thickness = "plane", options.thickness or 0.5
@@ -34,14 +34,16 @@ local function stack(law, blocks, options)
   end
   return m
 end
---- What `go` tells of both, it being given the model and functions for the height and the turn of a body.
+--- Results of `go` for both models; its arguments are the model and functions for the height and the rotation of a
+--- body.
 local function both(m, go)
   local space = m:extruded()
   return go(m, function(b) return b.y end, function(b) return b.rotation end),
     go(space, function(b) return b.z end, function(b) return -b.rotation_y end)
 end
 
--- It is what the plane was given: bodies by name, with groups, materials, mass and place; the plane goes on by itself.
+-- The model in space has the input of the plane: bodies by name, with groups, materials, mass and position; the plane
+-- model stays usable.
 do
   local m = stack(friction, { { 1, 0.4 }, { 0.5, 0.3 } }, { thickness = 0.3 })
   m:bearing { name = "link", between = { "b1", "b2" }, at = { 0, 0.4 }, along = trilith.linear { stiffness = 1e5 } }
@@ -62,7 +64,7 @@ do
   near(s.time, m.time, 1e-9)
 end
 
--- It slides and rocks as in the plane.
+-- Sliding and rocking as in the plane.
 do
   local flat, space = both(stack(friction, { { 1, 0.4 } }), function(m, height)
     m:consolidate { rest = { ratio = 1e-6 } }
@@ -87,7 +89,7 @@ do
   near(space[2], flat[2], 1e-3)
 end
 
--- A bearing acts as in the plane, also where its axes are turned and it turns itself; it fails at the same time.
+-- A bearing acts as in the plane, also with rotated axes and while it rotates; it fails at the same time.
 for _, angle in ipairs { 0, 0.4 } do
   local m = stack(friction, { { 1, 0.4 } })
   local slab = m:block { name = "slab", width = 2, height = 0.2, at = { -1, 0.6 }, material = "stone" }
@@ -124,9 +126,9 @@ do
   near(space[4], flat[4], 5e-3)
 end
 
--- Elements: a tower of them under its weight and a pull sideways swings as in the plane, in plane strain and in plane
--- stress, where it grows thicker and is thin enough for it. Its foot is held, as friction under a soft face is one
--- spring in space and one to each half in the plane.
+-- Elements: a tower under its weight and a lateral pull swings as in the plane, in plane strain and in plane stress. In
+-- plane stress the model in space thickens too and is thin enough for it. Its foot is fixed, because friction under a
+-- soft face is a single spring in space and one per half in the plane.
 for _, plane in ipairs { "stress", "strain" } do
   for _, kind in ipairs { "quad", "mesh" } do
     local m = stack(friction, {}, { gravity = { 3, -9.81 }, thickness = 0.1 })
@@ -149,7 +151,7 @@ for _, plane in ipairs { "stress", "strain" } do
   end
 end
 
--- Not held, it may leave its plane: a load across does it.
+-- With free out-of-plane motion it leaves its plane under a load across.
 do
   local m = stack(trilith.frictional { kn = 1e9, ks = 4e8, mu = 0.1, beta = 1e-4 }, { { 1, 0.4 } })
   for _, held in ipairs { true, false } do
@@ -162,7 +164,7 @@ do
   end
 end
 
--- What there is not in space, or what has to be said otherwise.
+-- Input that does not exist in space, or needs other keys.
 local function refused(expected, f, ...)
   local fine, message = pcall(f, ...)
   if fine or message:gsub("^[^:]*:%d+: ", "") ~= expected then error(tostring(message), 2) end

@@ -1,5 +1,5 @@
--- Models of the plane taken into space: limits of arches, a shaken wall, the first failure of the gallery's bridge and
--- when its wall has lost half of its bonds. Within 2 % of the plane, of limits within 3 %.
+-- Models of the plane converted to space: limits of arches, a shaken wall, the first failure of the gallery's bridge,
+-- and the time at which its wall has lost half of its bonds. Within 2 % of the plane; limits within 3 %.
 local trilith = require "trilith"
 local g = 9.80665
 
@@ -10,8 +10,8 @@ local function near(value, expected, share)
   end
 end
 
--- T6: arches of straight-sided voussoirs that cannot slide, at 3 % over and under their least thickness. Laid down
--- under damping until they rest, or for 1.5 s; then let go.
+-- T6: arches of straight-sided voussoirs that cannot slide, 3 % above and below their least thickness. Settled under
+-- damping until they rest, or for 1.5 s; then released.
 for voussoirs, least in pairs { [15] = 0.10607, [21] = 0.10669 } do
   for _, share in ipairs { 0.97, 1.03 } do
     local flat = trilith.model { name = "arch", thickness = 0.4 }
@@ -33,7 +33,7 @@ for voussoirs, least in pairs { [15] = 0.10607, [21] = 0.10669 } do
   end
 end
 
--- Some courses of the wall of the benchmarks, shaken until the upper ones slide.
+-- Some courses of the benchmark wall, shaken until the upper ones slide.
 do
   local function wall()
     local m = trilith.model { name = "wall", thickness = 0.2 }
@@ -64,13 +64,13 @@ do
   near(slips[2], slips[1], 1e-3)
 end
 
---- Parameters of a script as declared.
+--- Default values of a script's parameters.
 local function defaults(declared)
   local values = {}
   for name, p in pairs(declared) do values[name] = p.unit and p[1]*trilith.units(p.unit) or p[1] end
   return values
 end
---- What a script of the gallery finds, some of its text replaced: { pattern, text } each.
+--- Result of a gallery script with replaced text: { pattern, text } each.
 local function found(name, changes)
   local file = assert(io.open("../../scripts/" .. name))
   local text = file:read "a":gsub("trilith%.params", "defaults"):gsub("\nprint[^\n]*", "\n")
@@ -85,8 +85,8 @@ local function found(name, changes)
 end
 local into_space = { "\nm:results[^\n]*", "\nm = m:extruded()\n" }
 
--- The bridge: which bearing fails first, and when. That of span 3, which follows in the plane, is spared in space: it
--- comes to .2537 m of .254 m there, to .2548 m in the plane.
+-- The bridge: the first bearing that fails, and when. The bearing of span 3, which fails next in the plane, survives in
+-- space: it reaches 0.2537 m of its limit of 0.254 m, and 0.2548 m in the plane.
 do
   local function first(changes)
     changes[#changes + 1] = { "duration = 150%*s, still = %b{}", "duration = 5*s" }
@@ -102,7 +102,7 @@ do
   assert(which == which_in_space and which:find "S5.left")
 end
 
--- The wall of rigid units: when half of its bonds are lost.
+-- The wall of rigid units: time at which half of its bonds are broken.
 do
   local function half(changes)
     changes[#changes + 1] = { "\nfor k = 1, 3 do m:history[^\n]*", "" }

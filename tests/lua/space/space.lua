@@ -16,7 +16,7 @@ local function near(value, expected, share)
   assert(math.abs(value - expected) <= share * math.abs(expected), ("%g is not %g"):format(value, expected))
 end
 
--- A dry wall whose stones begin just touching: head joints carry nothing but rounding, and friction of next to nothing.
+-- A dry wall whose stones just touch initially: head joints carry rounding alone, and almost no friction.
 do
   local m = trilith.model { dim = 3 }
   m:material { name = "stone", density = 2000 }
@@ -37,7 +37,7 @@ do
   assert(math.abs(residual) < 1e-3 * 2000 * 2.4 * 0.2 * 1.2 * 9.81 * 1e-4, residual)
 end
 
--- Every builder gives the mass of what it builds.
+-- Every builder returns the mass of its bodies.
 do
   local m = model()
   near(m:block { name = "b", size = { 1, 2, 3 }, at = { 0, 0, 0 }, material = "stone" }.mass, 12000, 1e-12)
@@ -59,7 +59,7 @@ do
   near(m:add(trilith.build.arch { name = "a", voussoirs = 9 }, { depth = 2, material = "stone" }).count, 11, 0)
 end
 
--- A block that slides on a tilted table goes as friction lets it, and stops where it no longer does.
+-- A block on a tilted table accelerates by the net friction law, and stops after the tilt ends.
 do
   local m = model()
   local block = m:block { name = "block", size = { 0.4, 0.4, 0.1 }, at = { 0, 0, 0 }, material = "stone" }
@@ -78,7 +78,7 @@ do
   assert(math.abs(m.energy.residual) < 1e-3 * m.energy.contact_friction)
 end
 
--- A table that moves along three axes takes what stands on it along; the same bits each time.
+-- A table that moves along three axes carries the bodies on it along; the same bits each time.
 local function shaken()
   local m = model()
   local block = m:block { name = "block", size = { 0.4, 0.4, 0.4 }, material = "stone" }
@@ -91,7 +91,7 @@ local hash, block = shaken()
 assert(hash == (shaken()), "the same bits")
 assert(block.ux > 0.01 and math.abs(block.ux - block.uy) < 1e-6)
 
--- A base that is driven up meets what hovers above it where they touch, and not later.
+-- A base driven upwards hits a hovering body at the contact, and not later.
 do
   local m = model { gravity = 0 }
   local b = m:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 0.15 }, material = "stone", floating = true }
@@ -100,7 +100,7 @@ do
   local up = trilith.motion { acceleration = { 0, 10, 0, 0, -10, 0 }, dt = 0.1, allow_drift = true }
   m:shake { body = "ground", z = up }
   assert(met and met > 0.2 and met < 0.3, "it meets the base on its way up")
-  assert(b.vz > 0.9 and b.vz < 2.1 and math.abs(m.energy.residual) < 0.02*m.energy.support) -- one blow
+  assert(b.vz > 0.9 and b.vz < 2.1 and math.abs(m.energy.residual) < 0.02*m.energy.support) -- one impact
 end
 
 -- Supports about single axes.
@@ -116,7 +116,7 @@ do
   near(b.ux, 0.1, 1e-3)
 end
 
--- Loads at points: one that grows, off the centroid; one that goes with the body; let go again.
+-- Loads at points: a growing off-centre one; a follower load; released again.
 do
   local m = model { gravity = 0 }
   local function free(name, y)
@@ -168,7 +168,7 @@ end)
 says("'alpha' is -1, must be from -1/3 to 0",
   function() model():run { duration = 1, integrator = "implicit", alpha = -1 } end)
 
--- Implicit steps, rest without time and modes.
+-- Implicit steps, statics and modes.
 do
   local s = trilith.model { dim = 3, name = "implicit" }
   s:material { name = "stone", density = 2400 }
@@ -196,7 +196,7 @@ do
   s:close()
 end
 
--- Messages in space name what space has.
+-- Messages in space use the terms of models in space.
 do
   local s = trilith.model { dim = 3, name = "words" }
   s:material { name = "stone", density = 2400 }
@@ -218,14 +218,14 @@ do
   assert(not good and why:find "point" and not why:find "hinges" and not why:find "fibres", why)
   local x, y, z = b:point { 1, 0.5, 1 }
   assert(x == 1 and y == 0.5 and z == 1)
-  s:run { duration = 0.1 } -- falls, and turns about z by 0.1 rad
+  s:run { duration = 0.1 } -- falls, and rotates about z by 0.1 rad
   x, y, z = b:point { 1, 0.5, 1 }
   local c, t = trilith.math.cos(0.1), trilith.math.sin(0.1)
   assert(math.abs(x - 0.5 - 0.5*c) < 1e-9 and math.abs(y - 0.5 - 0.5*t) < 1e-9)
   assert(math.abs(z - 1 - (b.z - 1.5)) < 1e-12 and b.z < 1.5)
 end
 
--- What it may stumble over of its solids is told by lint, beside a sound one.
+-- lint reports doubtful solids, next to a sound one.
 do
   local thin = trilith.model { name = "thin", dim = 3 }
   thin:material { name = "stone", density = 2400 }
@@ -236,8 +236,8 @@ do
   assert(text:find("solid 'sheet'", 1, true) and not text:find("solid 'ground'", 1, true), text)
 end
 
--- A free body that spins, with nothing stiff in the model: its axis goes round its angular momentum at L/I1, by steps
--- that follow its turn.
+-- A free spinning body, with nothing stiff in the model: its axis precesses about its angular momentum at L/I1, with
+-- steps that resolve its rotation.
 do
   local free = trilith.model { name = "spun", dim = 3, gravity = 0 }
   free:material { name = "stone", density = 1500 }
@@ -248,7 +248,7 @@ do
   local size = math.sqrt(across^2 + along^2)
   local turned, cone = size/((0.6^2 + 0.2^2)/12)*free.time, across/size
   local x, y = plate:point { 0, 0, 0.1 }
-  -- Seen along the momentum, which leans by the cone's angle from z towards x, the axis began at -x.
+  -- Seen along the angular momentum, which is inclined by the cone's angle from z towards x, the axis starts at -x.
   local lean = math.atan(across, along)
   local _, _, z = plate:point { 0, 0, 0.1 }
   local aside = x*math.cos(lean) - z*math.sin(lean)

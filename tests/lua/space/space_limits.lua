@@ -1,10 +1,10 @@
--- Limits of blocks in space that do not stick: walls, a vault and a dome that are tilted slowly, or too thin to stand.
--- VALIDATION T17 to T21; `case` says which. The blocks are those of the lists of tests/build/blocks.
+-- Limits of blocks without bond in space: walls, a vault and a dome, slowly tilted or too thin to stand. VALIDATION T17
+-- to T21; `case` selects one. The blocks are read from the lists of tests/build/blocks.
 local trilith = require "trilith"
 local deg, g = trilith.units "deg", 9.80665
 local p = trilith.params { case = { "T19", "T17, T18, ..." }, tell = { false, "print the limits" } }
 
---- Blocks of a list: each its corners [m], of boxes and of hulls of points.
+--- Blocks of a list: corners [m] of boxes and of convex hulls.
 local function block_list(name)
   local file = assert(io.open("../build/blocks/" .. name .. ".json"))
   local text = file:read "a"
@@ -28,8 +28,8 @@ local function block_list(name)
   return blocks
 end
 
---- A model whose joints have friction alone, 10 % of critical for a stone .2 m high on its bed. Gravity points to where
---- it does where everything is tilted by `tilt` [rad] towards an azimuth [rad].
+--- A model whose joints have friction only, with 10 % of the critical damping of a stone 0.2 m high on its bed. Gravity
+--- is tilted by `tilt` [rad] towards an azimuth [rad] instead of the model.
 local function ground(mu, kn, tilt, azimuth)
   local side, down = g*trilith.math.sin(tilt or 0), g*trilith.math.cos(tilt or 0)
   local m = trilith.model { name = "limit", dim = 3,
@@ -56,7 +56,7 @@ local function places(stones)
   return at
 end
 
---- How far any stone has come since `from` [m].
+--- Largest displacement of a stone since `from` [m].
 local function farthest(stones, from)
   local most = 0
   for i, b in ipairs(stones) do
@@ -68,16 +68,16 @@ end
 
 local function tell(text, ...) if p.tell then print(text:format(...)) end end
 
---- `found` lies between shares `low` and `high` of the expected limit.
+--- `found` lies between the shares `low` and `high` of the expected limit.
 local function within(what, found, expected, low, high)
   tell("%s: %.4f for %.4f, %+.1f %%", what, found, expected, 100*(found/expected - 1))
   assert(found >= low*expected and found <= high*expected,
     ("%s: comes down at %.4f, expected %.4f"):format(what, found, expected))
 end
 
---- Both sides of a limit of tilting: what `make(tilt, azimuth)` gives, a model and stones, is set down tilted by
---- `low` [rad] under damping, and stands there by itself for a second; tilted on to `high` by half a degree a second,
---- and left there, it comes down.
+--- Brackets a tilt limit. The model and stones of `make(tilt, azimuth)` settle under damping at the tilt `low` [rad]
+--- and stand there without damping for a second. Then they are tilted to `high` by 0.5 degrees per second, and collapse
+--- there.
 local function between(what, make, low, high, azimuth)
   local m, stones = make(low, azimuth)
   local start = places(stones)
@@ -95,9 +95,8 @@ local function between(what, make, low, high, azimuth)
   assert(down(), what .. " does not come down where it must")
 end
 
---- Tangent of the tilt at which stones have come by 2 cm: set down level, brought to `from` of `expected` under
---- damping, `hurry` times as fast as 5 degrees a second, then tilted by half a degree a second. Nothing is found beyond
---- 1.1 times `expected`.
+--- Tangent of the tilt at which stones have moved by 2 cm. Settled level, tilted to `from` of `expected` under damping
+--- at `hurry` times 5 degrees per second, then by 0.5 degrees per second. The search ends at 1.1 times `expected`.
 local function limit(m, stones, azimuth, expected, from, hurry)
   m:consolidate { rest = { ratio = 1e-5 }, duration = 20 }
   local level = places(stones)
@@ -118,7 +117,7 @@ local function limit(m, stones, azimuth, expected, from, hurry)
   return found or math.huge
 end
 
---- Whether stones come down by their own weight: laid down under damping until they rest, then let go.
+--- Whether stones collapse under their own weight: settled under damping until they rest, then released.
 local function falls(m, stones)
   local start = places(stones)
   local function down() return farthest(stones, start) > 0.02 end
@@ -129,11 +128,11 @@ end
 
 local cases = {}
 
--- Here friction decides, and the references are limits that no sliding without dilation has to reach, with forces that
--- gather at the corners of joints: they are bounds from above. What the engine must find lies within the limits of the
--- same rigid blocks with areas that press and slide as its joints do (docs/theory/contact_in_space.md), less what
--- joints of finite stiffness lose. That falls with the cube root of kn: of rigid blocks is twice the figure at 8 kn
--- less that at kn.
+-- Here friction governs, and the references are limits that sliding without dilation need not reach, with forces
+-- concentrated at the corners of joints: they are upper bounds. The engine's limit must lie within the limits of the
+-- same rigid blocks with distributed contact as in its joints (docs/theory/contact_in_space.md), minus the loss by
+-- finite joint stiffness. This loss falls with the cube root of kn, so the limit of rigid blocks is twice the value at
+-- 8 kn minus the value at kn.
 local function rigid_limit(list, mu, azimuth, expected, from)
   local found = {}
   for i, kn in ipairs { 1e10, 8e10 } do
@@ -151,7 +150,7 @@ end
 
 cases.T18 = function()
   local found = rigid_limit("corner_k4_j3_c8", 0.5, -90, 0.2814, 0.65)
-  -- The limits of rigid blocks without dilation: .225 to .240.
+  -- The limits of rigid blocks without dilation: 0.225 to 0.240.
   within("T18", found, 0.2325, 0.225/0.2325, 0.240/0.2325)
 end
 
@@ -183,7 +182,7 @@ cases.T20 = function()
   end
 end
 
--- Its least thickness under its own weight.
+-- Least thickness under its own weight.
 cases.T20_thin = function()
   for _, share in ipairs { 0.95, 1.05 } do
     local m = ground(0.6, 1e12)
@@ -195,24 +194,25 @@ cases.T20_thin = function()
   end
 end
 
--- A half sphere of radius 1 m on ground that holds, of 8 rings of 16 stones and a key. As in its list, whose corners
--- have six digits: faces that are so rounded are plane no longer.
+-- A half sphere of radius 1 m on ground without sliding, of 8 rings of 16 stones and a keystone. Corners have the six
+-- digits of the list, so that faces are not exactly plane.
 local function dome(m, thickness, hole)
   return m:dome { name = "dome", radius = 1, thickness = thickness, rings = 8, sectors = 16, material = "stone",
     top = hole and "oculus", crown = hole }
 end
 
--- Tilted. With joints of 1e10 Pa/m it comes down 15 % below the reference, whose joints are rigid and dilate as they
--- slide (docs/theory/contact_in_space.md): this holds it to what it is, not to the reference's tolerance of 8 %.
+-- Tilt limit. With joints of 1e10 Pa/m the dome collapses 15 % below the reference, whose joints are rigid and dilate
+-- as they slide (docs/theory/contact_in_space.md): the test checks the current value, not the reference's tolerance of
+-- 8 %.
 cases.T21 = function()
   local m = ground(0.6, 1e10)
   local found = limit(m, dome(m, 0.12), 0, 0.4781, 0.80, 4)
   within("T21", found, 0.4781, 0.83, 1.01)
 end
 
--- Its least thickness under its own weight, which friction does not change, and that of a dome with a hole of 20
--- degrees in place of its key: of rigid stones .0418 and .0340 of the radius, with joints of 1e10 Pa/m some 15 and 10 %
--- more, the first with 1e11 5 to 10 %. At 1e12 a run takes minutes.
+-- Least thickness under its own weight, of a full dome and of a dome with a hole of 20 degrees instead of its keystone.
+-- Friction does not change it. With rigid stones it is 0.0418 and 0.0340 of the radius, with joints of 1e10 Pa/m about
+-- 15 and 10 % more; with 1e11 Pa/m the first is 5 to 10 % larger. At 1e12 a run takes minutes.
 local function both_sides(mu, least, low, high, hole)
   for _, share in ipairs { low, high } do
     local m = ground(mu, 1e10)

@@ -1,4 +1,4 @@
--- Pushes, pressures and quiet release in space from a script, and what is refused.
+-- Pushes, pressures and quiet release in space from a script, and rejected input.
 local trilith = require "trilith"
 local g = 9.80665
 local function near(a, b, share) assert(math.abs(a - b) <= share * math.abs(b), a .. " is not " .. b) end
@@ -15,7 +15,7 @@ local function block_on_ground(mu, kn, size)
 end
 local function rest(m) return m:run { duration = 5, local_damping = 0.8, rest = { ratio = 1e-6, from = 0.3 } } end
 
--- A flat block on friction takes mu W, whichever way it is pushed; the same way twice has the same bits.
+-- A flat block on friction resists mu W, whatever the direction of the push; the same push twice has the same bits.
 local hashes = {}
 for i, direction in ipairs { "x", "-y", "x" } do
   local m, block = block_on_ground(0.4, 1e9, { 1, 0.8, 0.1 })
@@ -31,8 +31,9 @@ for i, direction in ipairs { "x", "-y", "x" } do
 end
 assert(hashes[1] == hashes[3] and hashes[1] ~= hashes[2])
 
--- A slender one, pushed at its top, rocks on an edge of springs: with the pressure over a width c it stands by
--- F = W (r cos - H/2 sin)/(a cos + r sin), r = b/2 - c/3, c = sqrt(2 W/(kn d sin)), of the angle it has come to.
+-- A slender block, pushed at its top, rocks on an edge of springs. With the pressure over a width c and at the current
+-- angle it resists
+--     F = W (r cos - H/2 sin)/(a cos + r sin), r = b/2 - c/3, c = sqrt(2 W/(kn d sin)).
 do
   local kn, b, d, h = 1e10, 0.4, 0.6, 1.2
   local m, block = block_on_ground(0.9, kn, { b, d, h })
@@ -41,17 +42,17 @@ do
   local c = math.sqrt(2*weight/(kn*d*math.sin(turn)))
   local arm = b/2 - c/3
   local force = weight*(arm*math.cos(turn) - h/2*math.sin(turn))/(h*math.cos(turn) + arm*math.sin(turn))
-  near(r.peak_force, force, 2e-3) -- it still grows there
+  near(r.peak_force, force, 2e-3) -- it still grows at this point
   assert(r.peak_force < weight*b/(2*h), r.peak_force)
 end
 
--- Even pressure from the side is carried by friction; one all around carries itself.
+-- Uniform pressure on a side is carried by friction; pressure on all sides is in equilibrium.
 do
   local m, block = block_on_ground(0.6, 1e9, { 1, 0.8, 0.5 })
   local z = block.z
   assert(m:pressure { name = "wind", body = block, face = "front", value = 2e3, load_curve = { ramp = 0.1 } } == "wind")
   rest(m)
-  -- The shear springs of the face carry it: p A = ks A_face u, and the block leans a little.
+  -- The shear springs of the face carry it: p A = ks A_face u, and the block tilts slightly.
   local most = 2e3*0.5*1/(1e9*1*0.8)
   assert(block.uy > 0.99*most and block.uy < 3*most, block.uy)
   m:release { load = "wind", fade = 0.2 }
@@ -64,7 +65,7 @@ do
   near(z - block.z, 3e3/1e9, 1e-3)
 end
 
--- A fixed body is let go quietly: it sinks into its springs and does not swing.
+-- A fixed body is released quietly: it settles on its springs without oscillation.
 do
   local m = trilith.model { name = "q", dim = 3 }
   m:material { name = "stone", density = 2000 }
@@ -100,8 +101,8 @@ local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material 
 says("pressure: no plane face of 'ball' looks to the top within 45 degrees",
   function() m:pressure { body = ball, face = "top", value = 1 } end)
 
--- Pushed along its path of equilibria: two bars that snap through (von Mises), turned about the vertical. The force
--- turns at the highest of 2 EA (L - l)/L h/l over the height h, and at the opposite of it.
+-- Equilibrium path of two bars that snap through (von Mises truss), rotated about the vertical. The force has its
+-- extremes at the maximum of 2 EA (L - l)/L h/l over the height h, and at the opposite value.
 for _, angle in ipairs { 0, 0.7 } do
   local s = trilith.model { name = "toggle", dim = 3, gravity = 0 }
   s:material { name = "steel", density = 7850, E = 2e11, nu = 0 }
@@ -129,7 +130,8 @@ for _, angle in ipairs { 0, 0.7 } do
   s:close()
 end
 
--- A force on a meshed body without `at`, or at its "centroid", is spread as its mass: free, it goes by F t^2/2m whole.
+-- A force on a meshed body without `at`, or at its "centroid", is distributed as its mass: a free body moves by F
+-- t^2/2m without strain.
 do
   local bits = {}
   for i, at in ipairs { "none", "centroid" } do
@@ -144,14 +146,14 @@ do
     near(b.uy, -20*t^2/2/b.mass, 1e-2)
     assert(math.abs(b.ux/b.uy + 1.5) < 1e-9 and math.abs(b.uz/b.ux - 1/3) < 1e-9)
     local x = b:point { 1, 0.3, 0.2 }
-    assert(math.abs(x - 1 - b.ux) < 1e-9, x - 1 - b.ux) -- nothing is strained
+    assert(math.abs(x - 1 - b.ux) < 1e-9, x - 1 - b.ux) -- no strain
     bits[i] = s.hash
     s:close()
   end
   assert(bits[1] == bits[2])
 end
 
--- A joint's name is a place, of loads and of pushes.
+-- A joint's name is accepted as the point of loads and pushes.
 do
   local bits = {}
   for i, at in ipairs { "b", { 0, 0, 2 } } do
@@ -168,8 +170,8 @@ do
   assert(bits[1] == bits[2])
 end
 
--- A force at a point of a meshed body goes to the nodes of the element that holds it: one on the axis of a bar moves
--- nothing sideways, what it does elsewhere is what it would do here from there (Betti), and outside of it is no place.
+-- A force at a point of a meshed body is distributed to the nodes of the element that contains it. On the axis of a bar
+-- it causes no lateral displacement; displacements are reciprocal (Betti); a point outside of the body is rejected.
 local function bar(at, force)
   local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
   s:material { name = "soft", density = 2000, E = 1e9, nu = 0 }
@@ -188,7 +190,7 @@ do
   local here, left, right = moved(b, { 0.5, 0.5, 2 }), moved(b, { 0, 0.5, 2 }), moved(b, { 1, 0.5, 2 })
   assert(math.abs(here[1]) < 1e-9*here[3] and math.abs(here[2]) < 1e-9*here[3])
   near(left[3], right[3], 1e-6)
-  near(moved(b, { 0.5, 0.5, 4 })[3], 1e4*2/1e9, 0.02) -- F z/EA of what is below the load
+  near(moved(b, { 0.5, 0.5, 4 })[3], 1e4*2/1e9, 0.02) -- F z/EA of the part below the load
   s:close()
   local one, other = { 0.2, 0.1, 3.9 }, { 1, 0.6, 2.3 }
   b, s = bar(one, { 0, 0, 100 })
@@ -201,7 +203,7 @@ do
   assert(not good and message:find("the point (100, 0, 0) is not in 'bar', which deforms", 1, true), message)
 end
 
--- A push at a point of such a body as well: at the middle of a free end it twists nothing.
+-- A push at a point of this body as well: at the middle of a free end it causes no twist.
 for _, control in ipairs { "time", "arc" } do
   local s = trilith.model { name = "bar", dim = 3, gravity = 0 }
   s:material { name = "soft", density = 2000, E = 1e9, nu = 0, beta = 1e-3 }
@@ -212,7 +214,7 @@ for _, control in ipairs { "time", "arc" } do
   local left, right = moved(b, { 0, 0, 4 }), moved(b, { 1, 0, 4 })
   assert(math.abs(left[2] - right[2]) < 1e-9, left[2] - right[2])
   local way = moved(b, { 0.5, 0.5, 4 })[1]
-  assert(way > 4e-3 - 1e-9 and way < 5e-3, way) -- by arc up to the first point beyond
+  assert(way > 4e-3 - 1e-9 and way < 5e-3, way) -- by arc length up to the first point beyond
   local good, message = pcall(s.pushover, s, { body = b, at = { 100, 0, 0 }, direction = "x", rate = 1,
     displacement = 1e-3 })
   assert(not good and message:find("the point (100, 0, 0) is not in 'bar'", 1, true), message)

@@ -1,4 +1,4 @@
--- Bodies that deform in space from scripts: made, loaded, shaken, recorded, and what they say of wrong input.
+-- Deformable bodies in space from scripts: built, loaded, shaken, recorded, and messages for wrong input.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -20,7 +20,7 @@ local function model(name, law)
   return m
 end
 
--- three blocks on each other, of every form: the stress in each is that of the weight above
+-- three stacked blocks, of every element form: the stress in each equals the weight above over the area
 do
   local m = model "stack"
   for i, form in ipairs { "brick", { mesh = { 2, 2, 2 } }, { mesh = { 1, 1, 1 }, element = "tet10" } } do
@@ -55,7 +55,7 @@ do
   os.remove(path)
 end
 
--- longer steps by mass that deformation alone feels
+-- longer steps by added mass that acts on deformation only
 do
   local m = model "longer steps"
   m:block { name = "low", size = { 0.4, 0.4, 0.2 }, material = "stone", body = { mesh = { 2, 2, 2 } } }
@@ -63,7 +63,7 @@ do
   local path = os.tmpname() .. ".h5"
   m:results { file = path, frames = 0.01 }
   local plain = m:run { duration = 0.005, local_damping = 0.8 }
-  -- The lone brick turns by its own rotary inertia, on which contacts are three times as stiff as on its nodes.
+  -- The lone brick rotates with its own rotary inertia, on which contacts are three times as stiff as on its nodes.
   local step = 3.5*plain.longest_dt
   assert(plain.mass_scaling == nil)
   local report = m:run { name = "longer", duration = 0.01, local_damping = 0.8, mass_scaling = { step = step } }
@@ -145,7 +145,8 @@ do
   m:close()
 end
 
--- Tetrahedra that stand flush on bricks touch them by edges too, which rounding may put a hair inside: nothing passed.
+-- Tetrahedra flush with bricks also touch them by edges, and rounding may create a tiny penetration: nothing has
+-- passed.
 for _, element in ipairs { "tet4", "tet10" } do
   local m = trilith.model { name = "flush", dim = 3 }
   m:material { name = "stone", density = 2000, E = 5e9, nu = 0.2 }

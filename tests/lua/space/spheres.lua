@@ -1,4 +1,4 @@
--- Spheres and clumps of spheres: what they weigh, how they fall, and what is said where they cannot be.
+-- Spheres and clumps of spheres: weight, fall, and messages for impossible ones.
 local trilith = require "trilith"
 
 local function model()
@@ -15,7 +15,7 @@ end
 
 local function ball(r) return 4/3*math.pi*r^3 end
 
--- A sphere, and two that overlap, which count what they share once.
+-- A sphere, and two overlapping ones, whose common volume counts once.
 do
   local m = model()
   near(m:sphere { name = "one", radius = 0.1, at = { 0, 0, 1 }, material = "stone", floating = true }.mass,
@@ -27,7 +27,7 @@ do
   near(m:sphere { name = "given", radius = 0.1, at = { 2, 0, 1 }, mass = 7, floating = true }.mass, 7, 1e-12)
 end
 
--- A ball falls, bounces and comes to rest on the ground; the clump beside it too.
+-- A ball falls, bounces and comes to rest on the ground; the clump next to it too.
 do
   local m = model()
   local ball_of = m:sphere { name = "ball", radius = 0.1, at = { 0, 0, 0.3 }, material = "stone", floating = true }
@@ -41,7 +41,7 @@ do
   assert(clump.z < 0.101 and clump.speed < 0.05)
 end
 
--- Grains in a box come down and stay in it; the same seed gives the same grains.
+-- Grains in a box settle and stay in it; the same seed gives the same grains.
 do
   local function heap()
     local m = model()
@@ -61,8 +61,8 @@ do
   local _, again = heap()
   assert(grains.mass == again.mass)
   m:run { duration = 0.5 }
-  -- The centre of a ball is as high as its radius. A clump of two balls, R and 0.8 R, that lies on both has its centre
-  -- of mass at 0.94 R; its volume is 5.583 R^3. A blow at 3 m/s presses a ball in by a quarter of its radius.
+  -- The centre of a ball is at the height of its radius. A clump of two balls, R and 0.8 R, that lies on both has its
+  -- centre of mass at 0.94 R; its volume is 5.583 R^3. An impact at 3 m/s compresses a ball by a quarter of its radius.
   local clumps = {}
   for _, g in ipairs(m:bodies { group = "clumps" }) do clumps[g.name] = true end
   for _, g in ipairs(grains) do
@@ -73,7 +73,7 @@ do
   end
 end
 
--- What cannot be made says why, and what would do.
+-- Impossible input gives the reason and a remedy.
 local function refused(make, text)
   local ok, message = pcall(make, model())
   assert(not ok and tostring(message):find(text, 1, true), tostring(message))

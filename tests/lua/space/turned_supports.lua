@@ -1,5 +1,5 @@
--- A support in space that is driven about axes of the world: where it ends, how its turn reads, what it carries along,
--- and bodies that may not turn about some axis of the world.
+-- A support in space that is driven about world axes: its final position, the reading of its rotation, bodies carried
+-- along, and bodies whose rotation about world axes is fixed.
 local trilith = require "trilith"
 
 local function model(options)
@@ -9,7 +9,7 @@ local function model(options)
   return m
 end
 
--- v turned about a unit axis (Rodrigues).
+-- v rotated about a unit axis (Rodrigues).
 local function turned(v, axis, angle)
   local c, s = math.cos(angle), math.sin(angle)
   local along = v[1]*axis[1] + v[2]*axis[2] + v[3]*axis[3]
@@ -28,7 +28,7 @@ local bodies = {
     points = { { 0, 0, 0 }, { 0.5, 0.1, 0 }, { 0.2, 0.6, 0.1 }, { 0.3, 0.2, 0.7 }, { -0.2, 0.3, 0.3 } } } end
 }
 
--- The largest distance of three points of a body from where the turns { axis, angle }, ... lead them.
+-- Largest distance of three points of a body from their positions after the rotations { axis, angle }, ... [m].
 local function missed(b, turns, centre)
   local most = 0
   for _, arm in ipairs { { 0.1, 0, 0 }, { 0, 0.1, 0 }, { 0, 0, 0.1 } } do
@@ -53,7 +53,8 @@ local function run(m, scheme, duration)
   m:run { duration = duration, integrator = scheme.integrator, dt = scheme.dt }
 end
 
--- Every axis, every scheme, less and more than half a turn and a whole one, with weight and without a free body nearby.
+-- Every axis and scheme, by less and more than half a turn and by a full one, with weight and without a free body
+-- nearby.
 for name, make in pairs(bodies) do
   for k, axis in ipairs(units) do
     for _, scheme in ipairs(schemes) do
@@ -109,7 +110,7 @@ for name, make in pairs(bodies) do
   end
 end
 
--- A table that turns takes a block along that stands on it, through more than half a turn.
+-- A rotating table carries a standing block along, through more than half a turn.
 for _, scheme in ipairs { { integrator = "explicit" }, { integrator = "implicit", dt = 0.02 } } do
   local m = model { name = "table" }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-3 } }
@@ -128,7 +129,7 @@ for _, scheme in ipairs { { integrator = "explicit" }, { integrator = "implicit"
   m:close()
 end
 
--- Held about one axis of the world, or about two, a body that turns freely about the rest keeps its energy at any step.
+-- With one or two world axes of rotation fixed, a body that rotates freely about the rest keeps its energy at any step.
 for _, held in ipairs { { "rotation_z" }, { "rotation_x" }, { "rotation_x", "rotation_y" } } do
   for _, keys in ipairs { { dt = 1e-3 }, { dt = 5e-3 }, { integrator = "implicit", dt = 5e-3, alpha = 0 } } do
     local m = model { name = "held", gravity = 0 }

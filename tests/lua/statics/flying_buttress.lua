@@ -1,5 +1,5 @@
--- A flying buttress against a smooth wall that pushes with more, or less, than the least thrust it stands under: the
--- line of thrust from the extrados at the head to the intrados of the joint that asks for most.
+-- A flying buttress against a smooth wall that pushes with more, or less, than the least thrust for which it stands.
+-- The thrust line of the least thrust runs from the extrados at the head to the intrados of the governing joint.
 local trilith = require "trilith"
 
 local g, head = 9.81, 0.4
@@ -36,7 +36,7 @@ local function least_thrust(m)
   return least
 end
 
--- How far the middle one has come down after `seconds`.
+-- Settlement of the middle stone after `seconds` [m].
 local function sinks(dim, factor, seconds)
   local m = model(dim)
   local push = -factor*least_thrust(m)
@@ -56,7 +56,7 @@ for _, dim in ipairs { 2, 3 } do
   assert(sinks(dim, 1.05, 1) < 2e-3, "it stands under more")
 end
 
--- With a coping, and curved edges that leave stones of several pieces: nothing is in anything else.
+-- With a coping, and curved edges that leave stones of several pieces: no stone penetrates another.
 for _, slope in ipairs { 20, 18, 15 } do
   local m = trilith.model { name = "coping", thickness = 0.6 }
   m:material { name = "stone", density = 2400 }

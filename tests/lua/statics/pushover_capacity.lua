@@ -1,5 +1,6 @@
--- What a pushover in time says of a capacity: its largest force is that of all steps, and the part of inertia is no
--- capacity. A block that is pushed at its middle rocks at W b/h, and a post that bends takes k times its way.
+-- Capacity by a pushover in time: its largest force is the maximum over all steps, and the share of inertia is no
+-- capacity. A block that is pushed at its middle rocks at W b/h, and the force of a flexible post is k times its
+-- displacement.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 local g = 9.80665
@@ -19,7 +20,7 @@ local function rocking(dim)
   m:consolidate { rest = { ratio = 1e-5 } }
   return m, block
 end
--- On springs the toe's pressure is a triangle of length c = sqrt(2 W/(kn turn)), of this and of all turns.
+-- On springs the toe's pressure is a triangle of length c = sqrt(2 W/(kn turn)); maximum over the rotation `turn`.
 local function limit_of(weight)
   local most = 0
   for turn = 1e-5, 0.04, 1e-5 do
@@ -36,7 +37,7 @@ local function push(dim, rate, displacement)
     if m.push_force > most then most, way = m.push_force, m.push_displacement end
   end)
   local r = m:pushover { body = block, rate = rate, displacement = displacement, samples = 60 }
-  -- The largest of all steps, with its place, and one of the curve's points; times grow.
+  -- The maximum over all steps, with its displacement, is a point of the curve; times grow.
   near("peak of all steps", r.peak_force, most, 1e-12)
   near("its place", r.displacement_at_peak, way, 1e-9)
   local largest = 0
@@ -56,7 +57,7 @@ for _, dim in ipairs { 2, 3 } do
     assert(said(m):find("is no capacity: the structure carries", 1, true), said(m))
     m:close()
   end
-  -- Where none is given it is slow enough, and nothing is said.
+  -- The default rate is slow enough, and gives no note.
   local m, r, limit = push(dim, nil, displacement)
   near("capacity without a rate", r.peak_force, limit, 0.015)
   near("what the supports take up", r.carried_at_peak, r.peak_force, 0.02)
@@ -64,7 +65,7 @@ for _, dim in ipairs { 2, 3 } do
   m:close()
 end
 
--- A soft post: the push lasts as long as its periods ask for.
+-- A soft post: the default duration of the push follows from its periods.
 local length, mass = 3, 5000
 local m = trilith.model { name = "post", gravity = 0 }
 m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
@@ -78,7 +79,7 @@ assert(r.quasi_static and r.ended - r.begun > 5)
 m:close()
 
 -- A block that lands while it is pushed slides at friction times more than its weight. The largest force is no
--- capacity, and the part that its weight alone would carry is reported.
+-- capacity, and the part carried under its own weight is reported.
 for _, dim in ipairs { 2, 3 } do
   local w = trilith.model { name = "landing", dim = dim }
   w:material { name = "stone", density = 2400 }

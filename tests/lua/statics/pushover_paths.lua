@@ -1,4 +1,4 @@
--- A pushover by arcs in its histories, events and times: the path is a stage like others, in the plane and in space.
+-- Histories, events and times of a pushover by arc length: the path is a stage like others, in the plane and in space.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
@@ -12,8 +12,7 @@ local function post(dim)
   return m, body, dim == 2 and { 0, 3 } or { 0, 0, 3 }
 end
 
--- A load that is half on its way, and a motion that is, are afterwards where they were: the path takes none of their
--- time.
+-- A load in the middle of its ramp, and a motion too, are unchanged afterwards: the path takes no model time.
 local function waits(m)
   m:contact { between = { "*", "*" }, law = "none" }
   local other = m:block { name = "other", width = 1, height = 1, at = { 20, 0 }, material = "steel", support = "fixed" }
@@ -40,7 +39,7 @@ for _, dim in ipairs { 2, 3 } do
       local r = m:pushover { body = body, at = top, control = "arc", displacement = 0.1 }
       near("duration", r.ended - r.begun, 1, 1e-12)
       assert(r.begun == begun and m.time == r.ended)
-      -- Histories hold the curve: in the same order, at times that grow.
+      -- Histories contain the curve: in the same order, at increasing times.
       local curve = r.curve
       assert(#push.values - samples == #curve.force + 1, #push.values - samples .. " samples")
       for i, force in ipairs(curve.force) do
@@ -53,7 +52,8 @@ for _, dim in ipairs { 2, 3 } do
       near("force at the end", m.push_force, r.force, 1e-6)
       near("displacement at the end", m.push_displacement, r.displacement, 1e-6)
       near("largest in the history", push.max, r.peak_force, 1e-6)
-      -- The event comes as the hinge yields: at M/L, between the points about it, on its way, caused by the stage.
+      -- The event is at the yielding of the hinge: at M/L, between the adjacent points, during the path, caused by the
+      -- stage.
       assert(#seen == 1, #seen .. " events")
       near("force as it yields", seen[1].force, 1e5/3, 0.1)
       assert(seen[1].time > begun and seen[1].time < r.ended and seen[1].cause)
@@ -75,7 +75,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- What a handler asks for holds from the end of the stage on; one that fails leaves the model at the path's end.
+-- A handler's requests take effect after the stage; a handler that fails leaves the model at the path's end.
 local m, body, top = post(2)
 m:contact { between = { "*", "*" }, law = "none" }
 local extra = m:block { name = "extra", width = 1, height = 1, at = { 20, 0 }, material = "steel", support = "fixed" }

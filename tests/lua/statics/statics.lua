@@ -1,4 +1,4 @@
--- Rest by statics from a script: the same joint forces as by consolidation, and what is said where there is none.
+-- Equilibrium by statics from a script: the same joint forces as by consolidation, and the message if there is none.
 local trilith = require "trilith"
 
 local function refused(text, f, ...)
@@ -34,7 +34,8 @@ assert(report.rests and report.steps < 20 and report.ratio <= 1e-8 and a.time ==
 b:consolidate { rest = { ratio = 1e-7 }, grow = 0.2 }
 local by_statics, most = joints(a)
 local by_steps = joints(b)
-for name in pairs(by_statics) do by_steps[name] = by_steps[name] or { 0, 0 } end -- units side by side hardly touch
+for name in pairs(by_statics) do by_steps[name] = by_steps[name] or { 0, 0 } end -- units side by side have almost no
+                                                                                 -- contact
 for name, force in pairs(by_steps) do
   local found = by_statics[name] or { 0, 0 }
   for k = 1, 2 do assert(math.abs(force[k] - found[k]) < 0.005*most, name) end
@@ -63,8 +64,8 @@ refused("'integrator' is 'statics', must be one of explicit, static", n.consolid
 refused("0 shares, must be 1 to 1000", n.consolidate, n, { integrator = "static", shares = 0 })
 n:close()
 
--- A clamped bar that an end moment rolls up, a circle's arc of angle M L / (E I), is held however far it bends: each
--- share of the load may bend it by its own length. What is not held goes off in any number of shares.
+-- A clamped bar under an end moment is a circular arc of angle M L / (E I), found at any bend angle: each load
+-- increment may displace it by its own length. An unsupported body is reported with any number of increments.
 do
   local E, length, radius = 2e11, 4, 0.01
   local stiffness = E*math.pi*(2*radius)^4/64
@@ -91,7 +92,7 @@ do
   loose:close()
 end
 
--- Statics takes no time: a load acts by the factor that its load curve has now, and where that is none yet it is told.
+-- Statics takes no time: a load acts by the current factor of its load curve, and a factor of zero is reported.
 for _, dim in ipairs { 2, 3 } do
   for course, share in pairs { [{ ramp = 0.1 }] = 0, [{ { 0, 0.25 }, { 0.1, 1 } }] = 0.25, [0.5] = 0.5 } do
     local flat = dim == 2

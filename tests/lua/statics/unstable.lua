@@ -1,4 +1,4 @@
--- Equilibrium is looked for near the given configuration: below its limit each of these rests in place, beyond it the
+-- Equilibrium is searched for near the given configuration. Below its limit each model rests in place; beyond it the
 -- search ends as unstable and names a body, by statics and by explicit consolidation, in the plane and in space.
 local trilith = require "trilith"
 
@@ -10,7 +10,7 @@ local function model(dim, mu, law)
   return m
 end
 
--- A convex outline {x, z}, in space 0.5 m deep.
+-- A convex outline {x, z}; in space 0.5 m deep.
 local function body(m, name, outline, support)
   if m.dim == 2 then return m:polygon { name = name, outline = outline, material = "stone", support = support } end
   local corners = {}
@@ -24,7 +24,7 @@ local function box(m, name, x0, z0, x1, z1, support)
   return body(m, name, { { x0, z0 }, { x1, z0 }, { x1, z1 }, { x0, z1 } }, support)
 end
 
--- Each gives a model: stands where `good`, and the bodies one of which is to be named.
+-- Each case returns a model that is stable if `good`, and the bodies of which the message must name one.
 local cases = {}
 
 function cases.overhang(dim, good) -- limit 0.5 of its length
@@ -100,7 +100,7 @@ for name, make in pairs(cases) do
           assert(m.verdict.sound and #m.notes == 0, what)
         elseif how == "static" then
           assert(not ok and named(tostring(report), names), what .. ": " .. tostring(report))
-          assert(m.verdict.sound, what) -- the state is as it was
+          assert(m.verdict.sound, what) -- the state is unchanged
           for body_name in pairs(names) do assert(m:body(body_name).ux == 0, what) end
         else
           assert(ok and report.ending == "unstable" and not report.rests, what .. ": " .. tostring(report))
@@ -112,8 +112,8 @@ for name, make in pairs(cases) do
     end
   end
 end
--- Neighbours, by both ways: a body of elements, one that is added later, a wider limit, going on all the same, and a
--- body that is given in the air, which is on its way to its place.
+-- Related cases, by both methods: a body of elements, a body added later, a wider limit, a continued run, and a body
+-- given in the air, which moves to its place.
 local function tower(dim)
   local m = model(dim, 0.7)
   box(m, "floor", -4, -0.5, 4, 0, "fixed")
