@@ -1,4 +1,4 @@
-// Mortar that softens: closed forms of one joint, energies, mixed paths, and what its declaration refuses.
+// Softening mortar: closed forms of a single joint, energies, mixed-mode paths, and rejected declarations.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ TEST_CASE(
     CHECK(near(joint.fracture, gii, 0.005));
     const double slid = 3 * last - mu * pressure / ks;
     CHECK((pressure > 0 ? near(joint.friction, mu * pressure * slid, 0.005) : near_zero(joint.friction, 1e-12 * gii)));
-    // Back: along ks, then the other way by friction.
+    // Reversal: along ks, then sliding the other way by friction.
     const double turned_at = joint.slip;
     joint.lead(gap, turned_at - mu * pressure / ks, 100);
     CHECK(std::abs(joint.shear) < 1e-6 * (mu * pressure + 1));

@@ -1,4 +1,4 @@
-// One corner under one face, several pairs at once: the same as the contact of any shape gives.
+// One corner under one face, several pairs at once: the same response as the contact of general shape.
 #include "contact/plane/corner_overlap.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ struct LooseStone {
   }
 };
 
-/// Two stones that overlap a little, and what their contact may remember.
+/// Two stones with a small overlap, and the contact's history.
 struct StoneMeeting {
   LooseStone a, b;
   ContactMemory before;
@@ -44,7 +44,7 @@ StoneMeeting random_meeting(std::mt19937_64& bits) {
   wanted.fewest_corners = 3, wanted.most_corners = 7;
   const Vec2 away(number(200), number(200)), way = random_direction(bits);
   const Polygon first = random_convex(bits, wanted), second = random_convex(bits, wanted);
-  // As far apart along a random way as the two reach, less a little.
+  // The distance along a random direction is slightly less than the sum of their extents.
   double reach = 0, low = 1e9;
   for (const Vec2& p : first) reach = std::max(reach, p.dot(way));
   for (const Vec2& p : second) low = std::min(low, p.dot(way));
@@ -125,7 +125,7 @@ void check_same(const PairResponse& is, const PairResponse& should) {
   CHECK(m.state == n.state);
 }
 
-/// Which corners lie in the other piece, as the contact of any shape finds them.
+/// Corners inside the other piece, found as by the contact of general shape.
 CornerOnFace corner_within(const PlacedPiece& a, const PlacedPiece& b) {
   const Frictional law{1e8, 5e7, 0.6, 1e-3};
   const ContactMemory none;
@@ -136,7 +136,7 @@ CornerOnFace corner_within(const PlacedPiece& a, const PlacedPiece& b) {
   return at;
 }
 
-/// Compares the corners of random stones of one kind, one under a face or one of each in the other.
+/// Compares the corners of random stones of one kind: one under a face, or one of each in the other.
 void check_corners(bool both) {
   std::mt19937_64 bits(71);
   const Frictional law{1e8, 5e7, 0.6, 1e-3};
@@ -171,7 +171,7 @@ void check_corners(bool both) {
       ++answered;
       is.feel_push(m, cases[k].at);
       check_same(is, of_any_shape(m, law, dt));
-      // The same bits by itself, as nobody knows who else is near.
+      // A pair evaluated alone has the same bits: neighbours in the vector have no influence.
       PairResponse alone;
       CornerCase own = cases[k];
       own.out = &alone.r, own.after = &alone.r.memory, own.push = &alone.push;

@@ -1,4 +1,4 @@
-// Mortar that crushes: the cap of one joint, of halves pressed from one end, and of contacts of any shape.
+// Crushing mortar: the strength limit of a joint, of halves pressed at one end, and of contacts of general shape.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double strength = 2e6, first = strength / MortarJoint::kn;  // [Pa], overlap at which it is reached [m]
+constexpr double strength = 2e6, first = strength / MortarJoint::kn;  // [Pa], penetration at the strength [m]
 
 Cohesive crushing_mortar() {
   Cohesive law = MortarJoint::mortar();
@@ -27,7 +27,7 @@ MortarJoint crushing_joint() {
   return joint;
 }
 
-/// The elastic normal force of both halves on faces that are `at_left` and `at_right` apart at their ends [N].
+/// Elastic normal force of both halves of faces with the gaps `at_left` and `at_right` at their ends [N].
 struct Pressed {
   FaceResponse<double, LawMemory<Cohesive::Kernel>> response;
   double force = 0;
@@ -56,7 +56,7 @@ TEST_CASE(
   CHECK(near(joint.own.crushed[0], 4 * first, 1e-12));
   CHECK(near(joint.fracture, strength * 4 * first, 1e-5));
   CHECK(near(joint.work, joint.fracture + joint.stored(), 1e-9));
-  // Back along kn, to nothing where the crushed mortar ends; then the bond pulls.
+  // Unloading along kn, to zero force at the crushed depth; then the bond is in tension.
   joint.lead(-4.5 * first, 0, 10);
   CHECK(near(joint.normal, -0.5 * strength, 1e-9));
   joint.lead(-4 * first, 0, 10);
@@ -89,7 +89,7 @@ TEST_CASE("mortar crushes by its greatest depth and is then as stiff as ever") {
 }
 
 TEST_CASE("faces carry no more than the strength over the length they press on, whatever their gaps have been") {
-  std::mt19937_64 bits(11);  // gaps of up to 4 mm, a depth of up to 20
+  std::mt19937_64 bits(11);  // gaps of up to 4 mm, a depth of up to 20 mm
   const Cohesive::Kernel law = crushing_joint().law;
   for (int trial = 0; trial < 200; ++trial) {
     FaceMemory<double> memory = no_memory(false);
@@ -114,7 +114,7 @@ TEST_CASE("faces carry no more than the strength over the length they press on, 
 
 TEST_CASE("a face pressed from one end carries a triangle of stress with its mean at the strength") {
   const Pressed now = press(-5e-3, 5e-3, no_memory(false), {}, crushing_joint().law);
-  // The overlap that is left falls by 1 cm in 1 m from twice first.
+  // The remaining penetration falls by 1 cm per 1 m from twice `first`.
   const double length = 2 * first / 1e-2;
   CHECK(near(now.response.memory.active[1], length, 1e-4));
   CHECK(now.response.memory.active[0] < 1e-4);
@@ -125,7 +125,7 @@ namespace {
 
 const Polygon lower{{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, upper{{-0.5, 0}, {0.5, 0}, {0.5, 1}, {-0.5, 1}};
 
-/// What an upper block feels that stands at `at`, turned by `angle`, where the mortar is crushed by `depth`.
+/// Response of an upper block at `at`, rotated by `angle`, with mortar crushed by `depth`.
 struct General {
   OverlapResponse response;
   LawMemory<Cohesive::Kernel> after;
@@ -154,7 +154,7 @@ struct General {
 
 TEST_CASE("a contact of any shape whose mortar is crushed has the force that its energy falls by") {
   Cohesive law = crushing_mortar();
-  law.compression = MortarJoint::kn;  // an overlap of 1 m, more than any here
+  law.compression = MortarJoint::kn;  // a penetration of 1 m, more than any here
   const double h = 1e-7, depth = 2e-3;
   for (const double angle : {0.0, 0.02, -0.3, 0.7})
     for (const double down : {1e-3, 4e-3, 2e-2}) {
@@ -175,11 +175,11 @@ TEST_CASE("a contact of any shape crushes until it carries its strength over the
   const General general(at, 0, 0, crushing_mortar());
   const OverlapResponse& last = general.response;
   const double depth = general.after.crushed[0];
-  // The length counts the bits of the block's sides that are below the surface.
+  // The length includes the parts of the block's sides below the surface.
   CHECK(near(last.force.y(), strength * last.length, 1e-3));
   CHECK(near(last.length, 1, 0.005));
   CHECK(near(depth, 5e-3 - first, 0.005));
-  // Pressed from nothing to its strength in this one step.
+  // Pressed from zero to its strength in this step.
   CHECK(near(last.lost_fracture, 0.5 * strength * depth, 0.01));
   CHECK((last.memory.state & contact_kept) != 0);
 }

@@ -31,14 +31,14 @@ ConvexSolid of_few_faces(std::mt19937_64& bits) {
              : convex_solid(random_prism(bits, 0.5, 1.5, {.most_corners = 4}), "prism");
 }
 
-/// The long way: one solid cut by the faces of the other, cells cut one by one.
+/// Reference method: one solid clipped by the faces of the other, cells clipped one by one.
 SolidPressure cut_way(const MovingSolid& a, const MovingSolid& b, const ContactLaw& law) {
   SolidOverlapBuffer shared;
   shared_volume(a.placed, b.placed, shared);
   return solid_pressure(a, b, {law}, shared);
 }
 
-/// Largest difference of two pressures, forces over those there are, lengths over the size.
+/// Largest difference of two pressures: forces relative to their size, lengths relative to the size of the solids.
 double difference(const SolidPressure& p, const SolidPressure& q, double size) {
   const double force = q.pressure + q.damping.norm(), share = q.pressure / force;
   const auto second = [](const SolidPressure& of) {
@@ -53,16 +53,16 @@ double difference(const SolidPressure& p, const SolidPressure& q, double size) {
        (second(p) - second(q)).norm() / (size * size), std::abs(p.depth - q.depth) / size});
 }
 
-/// Pairs, and what of a thousand was left to the long way.
+/// Pairs, and the number per thousand that fall back to the reference method.
 struct Pairs {
   std::uint64_t seed;
   int pairs;
-  double deep;  ///< how deep they are in each other, over what they were at the start
+  double deep;  ///< penetration depth over its start value
   Vec3 far = Vec3::Zero();
 };
 
-/// Random pairs within each other, moved apart along the axis of least depth until `deep` of it is left, in motion so
-/// that damping leaves the pressure above 0 on all of a face, on some or on none.
+/// Random overlapping pairs, separated along the axis of least depth until `deep` of the penetration remains. Their
+/// motion is such that with damping the pressure is above zero on all of a face, on a part or nowhere.
 template <class Solid>
 double check_pairs(const Pairs& of, double within, Solid&& solid) {
   std::mt19937_64 bits(of.seed);

@@ -1,4 +1,4 @@
-// Properties of the contact of two faces, whatever their pose and motion.
+// Properties of the contact of two faces, for any pose and motion.
 #include "contact/plane/face_pair.hpp"
 
 #include <doctest/doctest.h>
@@ -76,7 +76,7 @@ TEST_CASE("the forces on two faces are equal and opposite, in sum and in moment"
 
 TEST_CASE("which of two faces is called the first makes no difference") {
   for_random([](const Faces& f, const FaceMemory<double>& memory) {
-    FaceMemory<double> swapped = memory;  // the halves are counted from the first face's start
+    FaceMemory<double> swapped = memory;  // halves are counted from the start of the first face
     for (const int h : {0, 1}) {
       swapped.shear_elastic[h] = memory.shear_elastic[1 - h];
       swapped.shear_total[h] = memory.shear_total[1 - h];
@@ -155,7 +155,7 @@ FaceMemory<Lanes> pack(const std::array<FaceMemory<double>, lane_count>& m) {
   return out;
 }
 
-/// What a law remembers of four contacts, by columns.
+/// History of a law for four contacts, packed by lanes.
 template <class K>
 typename K::template Memory<Lanes> pack(const std::array<LawMemory<K>, lane_count>& m) {
   typename K::template Memory<Lanes> out;
@@ -214,7 +214,7 @@ void check_lane(const FaceResponse<Lanes, Many>& many, const FaceResponse<double
 
 namespace {
 
-/// A law of the kind L with numbers at random, none of them refused.
+/// A law of kind L with random allowed numbers.
 template <class L>
 L random_law(std::mt19937_64& bits) {
   L law;
@@ -257,8 +257,7 @@ TEST_CASE("the power of the forces at the face ends is the power of the stresses
     const auto r = respond_fresh(f, no_memory(), frictional);
     const double power = on_a0(r).dot(start_speed(f.a)) + on_a1(r).dot(end_speed(f.a)) +
                          on_b0(r).dot(start_speed(f.b)) + on_b1(r).dot(end_speed(f.b));
-    // The stresses between the places where gap or stress pass zero, each stretch by Simpson's rule, which is exact
-    // here.
+    // Stresses between the zeros of gap and stress, each segment by Simpson's rule, which is exact here.
     const FaceOverlap<double> o(f.a, f.b);
     const FaceRates<double> rates(o, f.a, f.b);
     const auto gap_at = [&](double x) { return o.gap_lo + x * (o.gap_hi - o.gap_lo); };
@@ -283,11 +282,11 @@ TEST_CASE("the power of the forces at the face ends is the power of the stresses
 
 namespace {
 
-/// Where B is on a closed path, and how fast.
+/// Position of B on a closed path, and its velocity.
 struct Path {
   double size[3][4], phase[3][4];
   explicit Path(std::mt19937_64& bits) {
-    const double most[3] = {3e-3, 1e-3, 2e-3};  // along, across, turn
+    const double most[3] = {3e-3, 1e-3, 2e-3};  // along, across, rotation
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 4; ++j)
         size[k][j] = random_between(bits, 0, most[k] / (j + 1)), phase[k][j] = random_between(bits, 0, 2 * M_PI);
@@ -305,11 +304,11 @@ struct Path {
 };
 
 struct Lap {
-  double work, lost;     // put in on the way round; given off by the law's own account [J]
-  double pressed, path;  // largest normal force [N], and way slid [m]
+  double work, lost;     // work put in over the loop; dissipation by the law's own ledger [J]
+  double pressed, path;  // largest normal force [N], and sliding distance [m]
 };
 
-/// Work put in by leading face B round a closed path over face A, in the second lap.
+/// Work put in by moving face B along a closed path over face A, in the second lap.
 Lap lead_round(const Path& path, const Coulomb& law) {
   constexpr int steps = 20000;
   Coulomb stepped = law;
@@ -349,7 +348,7 @@ TEST_CASE(
     Coulomb only_damping = frictional;
     only_damping.ks = only_damping.mu = 0;
     const Lap damped = lead_round(path, only_damping);
-    // The pressure acts across the mean of both faces, not of the one that ends: right but for their tilt.
+    // The pressure acts normal to the mean of both faces, not to the face that ends: correct except for their tilt.
     CHECK(std::abs(kept.work) < 0.5 * face_pair_max_tilt * kept.pressed * kept.path);
     CHECK(kept.lost == 0.0);
     CHECK(damped.work > 0);
@@ -372,5 +371,5 @@ TEST_CASE("faces that reach their limits of tilt or depth are left to the genera
   CHECK(is_pair(0, 0.98 * face_pair_max_depth));
   CHECK_FALSE(is_pair(0, 1.02 * face_pair_max_depth));
   CHECK(respond_fresh(faces(2 * face_pair_max_tilt, 1e-6), no_memory(true), bonded)
-            .is_face_pair);  // a bond is always of faces
+            .is_face_pair);  // bonds exist between faces only
 }

@@ -29,7 +29,7 @@ MovingInLanes moving(const MovingSolid& of) {
   return {in_all(of.origin), in_all(of.velocity), in_all(of.spin)};
 }
 
-/// All lanes alike.
+/// A contact with the same data in all lanes.
 FlatContacts flat_contact(const MovingSolid& a, const MovingSolid& b, const FacePair& pair, const SolidMemory& m,
                           const PlainFriction& law) {
   FlatContacts in;
@@ -52,19 +52,19 @@ FlatContacts flat_contact(const MovingSolid& a, const MovingSolid& b, const Face
   return in;
 }
 
-/// The largest difference of two vectors over the size of the first, or over `least`.
+/// Largest difference of two vectors over the size of the first, or over `least`.
 double off(const Vec3& expected, const Vec3& found, double least = 1e-6) {
   return (expected - found).norm() / std::max(expected.norm(), least);
 }
 
-/// A law of friction with shear.
+/// A friction law with shear stiffness.
 ContactLaw rubbing(double mu, double beta) {
   Frictional law;
   law.kn = 1e9, law.ks = 4e8, law.mu = mu, law.beta = beta;
   return law;
 }
 
-/// The largest difference between what four lanes and one contact after the other give, along a slide of 30 steps.
+/// Largest difference between four lanes and single contacts, along a slide of 30 steps.
 double largest_difference(const Laid& laid, const ContactLaw& law, int& flat, int& sliding) {
   const LawInUse use{law, 1, 1e-4};
   const FacePair pair = facing_pair(laid.a, laid.b, 0);
@@ -114,7 +114,7 @@ void take(const Triple<Lanes>& from, int lane, Triple<Lanes>& to) {
   take(from.x, lane, to.x), take(from.y, lane, to.y), take(from.z, lane, to.z);
 }
 
-/// One lane of what four contacts come in with; both have faces of four corners.
+/// Copies one lane of the input of four contacts; both have faces of four corners.
 void take(const FlatContacts& from, int lane, FlatContacts& to) {
   for (std::size_t k = 0; k < 4; ++k)
     take(from.faces.a[k], lane, to.faces.a[k]), take(from.faces.b[k], lane, to.faces.b[k]);
@@ -148,7 +148,7 @@ bool same_lane(const FlatResponses& one, const FlatResponses& other, int lane) {
   return same;
 }
 
-/// A contact that has been rubbed for three steps, four times over.
+/// Four contacts after a slip of three steps.
 FlatContacts rubbed(std::mt19937_64& bits, double tilt, const ContactLaw& law) {
   const LawInUse use{law, 1, 1e-4};
   SolidMemory memory;
@@ -184,7 +184,8 @@ TEST_CASE("four flat contacts at once give what one after the other does") {
           most = std::max(most, largest_difference(Laid(bits, 1e-5, tilt), rubbing(mu, beta), flat, sliding));
   CHECK(flat > 5000);
   CHECK(sliding > 500);
-  // Edges count as farther out by 1e-12 of their length, and an arm of some micrometres comes of sums over metres.
+  // Edges are shifted outwards by 1e-12 of their length, and an arm of a few micrometres is a difference of sums over
+  // metres.
   CHECK(most < 2e-7);
 }
 
@@ -197,7 +198,8 @@ TEST_CASE("the pair of faces that may lie flat is the only one until it says so"
     if (pair.a < 0) continue;
     ++alone;
     CHECK(pair.until > 1e-3);
-    // Both bodies moved by chance, corners of both no farther than that together: no other faces may lie flat then.
+    // Both bodies moved at random, with corner displacements up to the remaining distance together: no other faces may
+    // be in flat contact.
     const auto moved = [&](const PlacedSolid& of, double until) {
       const UnitQuaternion turn = rotation_by(Vec3(until / 1.5 * random_in_ball(bits)));
       const Vec3 shift = random_in_ball(bits);
@@ -230,7 +232,7 @@ TEST_CASE("a flat contact has the bits it has alone, whatever others go with it"
   for (int round = 0; round < 1500; ++round) {
     std::array<FlatContacts, lane_count> alone;
     std::array<FlatResponses, lane_count> expected;
-    // Wholly pressed, open in part, and some that slide.
+    // Fully closed, partly open, and some sliding.
     for (std::size_t i = 0; i < alone.size(); ++i)
       alone[i] = rubbed(bits, i % 2 == 0 ? 0 : 4e-4, rubbing(i < 2 ? 0.05 : 5.0, 1e-4));
     FlatContacts mixed = alone[0];

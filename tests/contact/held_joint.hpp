@@ -1,4 +1,4 @@
-// Two boxes held together by mortar whose motion is given: what the joint between them does.
+// Two boxes held together by mortar with a prescribed relative motion: response of their joint.
 #pragma once
 
 #include "contact/joint/intact_joint.hpp"
@@ -8,17 +8,17 @@
 
 namespace trilith::testing {
 
-/// How the upper box stands on the lower one as the mortar sets.
+/// Position of the upper box on the lower one as the mortar sets.
 struct LaidBox {
   double overlap = 0;         ///< in the middle [m]
   Vec3 tilt = Vec3::Zero();   ///< [rad]
-  Vec3 shear = Vec3::Zero();  ///< that friction carries [N]
+  Vec3 shear = Vec3::Zero();  ///< carried by friction [N]
 };
 
-/// A box on another, the joint in the middle of the world at z = 0; the upper one is moved.
+/// A box on another, with the joint at the origin of the world at z = 0; the upper box moves.
 class HeldJoint {
  public:
-  /// `x`, `y`: sides of the joint; `overlap` as the mortar sets [m].
+  /// `x`, `y`: sides of the joint [m]; `overlap`: penetration as the mortar sets [m].
   HeldJoint(const ContactLaw& law, double x = 1, double y = 1, double overlap = 0, double step = 1e-3)
       : HeldJoint(law, x, y, LaidBox{overlap}, step) {}
   HeldJoint(const ContactLaw& law, double x, double y, const LaidBox& laid, double step = 1e-3)
@@ -37,7 +37,7 @@ class HeldJoint {
     to(Vec3::Zero(), laid.tilt);
   }
 
-  /// To a place and a turn about the middle of the joint, in one step.
+  /// Moves to a position and rotation about the middle of the joint in one step.
   const SolidResponse& to(const Vec3& shift, const Vec3& turn = Vec3::Zero()) {
     const Vec3 spin = (turn - turn_) / dt_, rate = (shift - shift_) / dt_;
     shift_ = shift, turn_ = turn;
@@ -53,7 +53,7 @@ class HeldJoint {
     fracture += last.lost_fracture, friction += last.lost_friction, damping += last.lost_damping;
     return last;
   }
-  /// In equal steps.
+  /// Moves in equal steps.
   const SolidResponse& glide(const Vec3& shift, const Vec3& turn, int steps) {
     const Vec3 from = shift_, turned = turn_;
     for (int i = 1; i <= steps; ++i)
@@ -61,7 +61,7 @@ class HeldJoint {
          turned + (i / static_cast<double>(steps)) * (turn - turned));
     return last;
   }
-  /// From now on the joint is looked at by its patches, be it sound or not.
+  /// From now on the joint is evaluated by its patches, whether intact or not.
   void by_patches() {
     if (joint_.sound) spread_shear(joint_);
   }

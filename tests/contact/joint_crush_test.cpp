@@ -1,4 +1,4 @@
-// Joints of solids in space whose mortar crushes: what they carry, how deep, and what that takes.
+// Joints of solids in space with crushing mortar: forces, crushed depth, and dissipation.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -20,13 +20,14 @@ Cohesive crushing_mortar(double compression, double depth = 5e-3, double beta = 
   return law;
 }
 
-/// What goes in less what is stored and given off [J].
+/// Work put in minus stored and dissipated energy [J].
 double residual(const HeldJoint& j) {
   return j.put_in + j.stored_at_first - j.stored() - j.fracture - j.friction - j.damping;
 }
 
-/// Mean overlap of a stretch whose ends overlap by c0 and c1, over all of it, once its mortar is crushed [m]: a block
-/// where all of it is pressed, else a triangle whose mean over its own length is the strength.
+/// Mean penetration over the full length of a strip with end penetrations c0 and c1, with its mortar crushed [m]. The
+/// stress is a constant block if the strip is fully closed, otherwise a triangle whose mean over its length is the
+/// strength.
 double crushed_mean(double c0, double c1, double strength) {
   const double high = std::max(c0, c1), low = std::min(c0, c1), slope = high - low;
   const double pressed_whole = 0.5 * (c0 + c1) - strength, pressed_at_end = high - 2 * strength;
@@ -48,7 +49,8 @@ TEST_CASE("a joint pressed beyond its strength carries its strength, and unloads
     joint.to(Vec3(0, 0, -11 * elastic));
     CHECK(near(joint.last.force.z(), strength * area, 1e-9));
     CHECK(near(joint.joint().most_crushed(), 10 * elastic, 1e-9));
-    // The step in which it begins is elastic in part: at most half a step's elastic energy is booked otherwise.
+    // The step in which crushing begins is partly elastic: at most the elastic energy of half a step is booked
+    // differently.
     if (beta == 0) CHECK(near(joint.fracture, strength * area * 10 * elastic, 2e-5));
     joint.glide(Vec3(0, 0, -10.5 * elastic), Vec3::Zero(), 50), joint.to(Vec3(0, 0, -10.5 * elastic));
     CHECK(near(joint.last.force.z(), 0.5 * strength * area, 1e-9));
@@ -68,13 +70,13 @@ TEST_CASE("mortar that is crushed by all of its depth is as stiff as ever") {
 TEST_CASE("a joint that is bent and pressed crushes patch by patch, none beyond its strength") {
   const double strength = 1e6, x = 0.8, y = 0.3, elastic = strength / bed_stiffness, slope = 12 * elastic / x;
   Cohesive weak = crushing_mortar(strength);
-  weak.cohesion = weak.tension = 1, weak.energy_tension = weak.energy_shear = 1e-6;  // no bond to speak of
+  weak.cohesion = weak.tension = 1, weak.energy_tension = weak.energy_shear = 1e-6;  // negligible bond
   HeldJoint joint(weak, x, y);
-  joint.glide(Vec3(0, 0, 1e-5), Vec3::Zero(), 50);  // torn: what is left of the bond carries nothing
+  joint.glide(Vec3(0, 0, 1e-5), Vec3::Zero(), 50);  // torn: the remaining bond carries nothing
   REQUIRE(joint.joint().bonds == 0);
   const double middle = 2 * elastic;
   joint.glide(Vec3(0, 0, -middle), Vec3(0, slope, 0), 2000);
-  // The overlap is linear along x; which side it is high on does not matter to the sum.
+  // The penetration is linear along x; the side of its larger end does not affect the sum.
   double expected = 0;
   for (int i = 0; i < patches_along; ++i) {
     const double from = (i / 4.0 - 0.5) * x, to = ((i + 1) / 4.0 - 0.5) * x;

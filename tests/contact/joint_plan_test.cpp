@@ -1,4 +1,4 @@
-// How a joint is laid: its patches have the area and the moments of what two faces share, whatever its shape.
+// Discretisation of a joint: its patches have the area and the moments of the common area of two faces, for any shape.
 #include "contact/joint/joint_plan.hpp"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using testing::near_zero;
 
 namespace {
 
-/// Two bricks that lie across each other, turned and moved by chance, in a world that is turned by chance.
+/// Two bricks across each other, at random positions and rotations, in a randomly rotated world.
 struct AcrossEachOther {
   BodyMotion a, b;
   PlacedSolid below, above;

@@ -1,4 +1,4 @@
-// Joints of solids in space: stiffness, strength and energy of two boxes that mortar holds together.
+// Mortar joints of two boxes in space: stiffness, strength and energy.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -31,7 +31,8 @@ TEST_CASE("a joint set under pressure, open in part or twisted keeps its stress 
 }
 
 TEST_CASE("mortar that sets where faces are open in part holds until it is pulled by its strength") {
-  // Half of the second patch from the open side is closed: its linear pressure pulls by 3.1 kPa at that side.
+  // Half of the second patch from the open side is closed: its linear pressure becomes a tension of 3.1 kPa at this
+  // side.
   const double kn = 1e10, strength = 2e3, x = 0.5, slope = 2e-5;
   const Vec3 tilt(0, slope, 0);
   for (const ContactLaw& law : {ContactLaw(brittle_mortar(kn, 1e10, 0.7, 1e5, strength)),
@@ -51,8 +52,8 @@ TEST_CASE("mortar that sets where faces are open in part holds until it is pulle
 }
 
 TEST_CASE("shear that friction carries stays with the pressure as mortar sets where faces are open in part") {
-  // Pressed over five eighths of its length, with nine tenths of the friction there. Spread over the joint that is
-  // above the cohesion, which is all that holds where it is open.
+  // Closed over five eighths of its length, with nine tenths of the friction there. Averaged over the joint this
+  // exceeds the cohesion, which alone acts on the open part.
   const double kn = 1e10, slope = 2e-5, x = 0.5, closed = x / 2 + x / 8, cohesion = 5e3, mu = 0.7;
   const double press = kn * 0.4 * 0.5 * slope * closed * closed, shear = 0.9 * mu * press;
   REQUIRE(shear / (x * 0.4) > cohesion);
@@ -65,7 +66,7 @@ TEST_CASE("shear that friction carries stays with the pressure as mortar sets wh
     joint.glide(Vec3::Zero(), tilt, 3);
     CHECK(joint.joint().bonds == bonds);
     CHECK(joint.fracture == 0);
-    CHECK(near(joint.last.force.z(), press, slope));  // the shear is tilted by half of it
+    CHECK(near(joint.last.force.z(), press, slope));  // the shear force is tilted by half of the slope
     CHECK(near(-joint.last.force.x(), shear, 1e-3));
     CHECK(std::abs(joint.last.force.y()) < 1e-3 * shear);
     CHECK(std::abs(joint.last.moment.z()) < 1e-3 * shear * x);
@@ -124,7 +125,7 @@ TEST_CASE("a brittle bond is sheared off at cohesion and friction of the pressur
     CHECK(near(most, (cohesion + mu * sigma) * area, 2e-3));
     CHECK(near_zero(joint.last.force.head<2>().norm() - mu * sigma * area, 1e-6 * cohesion * area));
   }
-  // Under a tension of half the strength, cohesion beyond its apex: the line from cohesion to tension.
+  // Under a tension of half the strength, with the cohesion above the apex: the line from cohesion to tension.
   HeldJoint pulled(brittle_mortar(1e10, ks, mu, 0.3e5, 1e5), 0.5, 0.6);
   double most = 0;
   for (int i = 0; i <= 4000 && !pulled.ended; ++i)
@@ -146,7 +147,7 @@ TEST_CASE("softening mortar gives off its fracture energies where it is parted a
   CHECK(near(slid.fracture + slid.friction, mode_2 * area, 1e-2));
   CHECK(near(slid.fracture, mode_2 * area, 1e-2));
   CHECK(near(slid.put_in, mode_2 * area, 1e-2));
-  // Under pressure friction takes its part beside that, which the ledger tells apart.
+  // Under pressure, friction takes its share in addition to the fracture energy; the ledger separates both.
   const double sigma = 1e5;
   HeldJoint rubbed(law, 0.5, 0.4, sigma / 1e10);
   rubbed.glide(Vec3(1e-3, 0, 0), Vec3::Zero(), 8000);
@@ -157,8 +158,8 @@ TEST_CASE("softening mortar gives off its fracture energies where it is parted a
 TEST_CASE("X3: bending of softening mortar between two rigid halves") {
   const double depth = 0.1, width = 0.2, strength = 3e6, kn = 1e13;
   HeldJoint joint(soft_mortar(kn, 1e13, 0.7, 1e7, strength, 100, 1000), depth, width);
-  // At each turn the height at which the joint carries no force: the middle opens by turn times its distance from the
-  // axis; found by halving, each trial from a copy of the joint.
+  // At each rotation the height with zero force on the joint: the middle opens by the rotation times its distance from
+  // the axis; found by bisection, each trial from a copy of the joint.
   double most = 0, lift = 0;
   for (int i = 1; i <= 240; ++i) {
     const double turn = i * 1e-6;
@@ -173,7 +174,7 @@ TEST_CASE("X3: bending of softening mortar between two rigid halves") {
     most = std::max(most, std::abs(joint.last.moment.y()));
   }
   const double ratio = most / (strength * width * depth * depth / 6);
-  CHECK(near(ratio, 2.3472, 1.5e-2));  // eight places over the depth: 2.378
+  CHECK(near(ratio, 2.3472, 1.5e-2));  // eight points over the depth: 2.378
 }
 
 TEST_CASE("T10: a square under pressure begins to slide at its corners and reaches its limit by and by") {
@@ -195,7 +196,7 @@ TEST_CASE("a bond that is twisted: brittle it fails as its corners do and ductil
   double most = 0;
   for (int i = 1; i <= 3000 && brittle.joint().bonds != 0; ++i)
     most = std::max(most, brittle.to(Vec3::Zero(), Vec3(0, 0, i * 5e-8)).moment.norm());
-  // J over the distance of the outermost place, which is at .8943 of the corner's
+  // J over the distance of the outermost point, which is at 0.8943 of the corner's distance
   const double outermost = a / std::sqrt(2.0) * (0.75 + 0.25 / std::sqrt(3.0));
   CHECK(near(most, cohesion * a * a * a * a / 6 / outermost, 2e-3));
   HeldJoint ductile(soft_mortar(1e10, ks, 0.7, cohesion, 1e6, 1e4, 1e5), a, a);
@@ -232,7 +233,8 @@ TEST_CASE("what a joint carried last is known from what it remembers from sound 
     ContactLaw law;
     double within;
   };
-  // What softens as it slides in a step carries in that step what it held before, and is remembered as it is after.
+  // In the step in which a law softens by sliding, it carries the force of its history before the step and stores the
+  // history after it.
   for (const Remembered& r : {Remembered{brittle, 1e-12}, Remembered{brittle_mortar(1e9, 5e8, 0.7, 3e4, 2e4), 1e-12},
                               Remembered{soft, 1e-3}}) {
     HeldJoint joint(r.law, 0.6, 0.4);
@@ -240,7 +242,7 @@ TEST_CASE("what a joint carried last is known from what it remembers from sound 
     const int steps = 2000;
     const double pressed = 1e9 * 0.6 * 0.4 * 4e-5;
     for (int i = 1; i <= steps; ++i) {
-      // Pressed and sheared, then bent open at one corner, and slid.
+      // Pressed and sheared, then opened at one corner, and slid.
       const double share = i / static_cast<double>(steps);
       const SolidResponse& now =
           joint.to(Vec3(2e-4 * share, 1e-4 * share, -4e-5 + 1e-4 * share), share * Vec3(3e-5, -5e-5, 1e-4));

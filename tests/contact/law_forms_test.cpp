@@ -1,5 +1,5 @@
-// Every contact law in every geometry: the same pair gives the same forces and energies, or the law is refused there.
-// With TRILITH_TABLE in the environment a table of all of them is printed.
+// Every contact law in every geometry: the same pair gives the same forces and energies, or the law is rejected there.
+// With TRILITH_TABLE in the environment a table of all results is printed.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -15,12 +15,12 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Overlaps over the metre of the blocks: bands along the rims, where another face is the nearest, are as wide as the
-/// overlap is deep, and the pressure of a law that is not linear is sampled where the contact ends.
+/// Tolerance relative to penetrations over the blocks' length of 1 m. Strips along the edges, where another face is the
+/// nearest, are as wide as the penetration, and the pressure of a nonlinear law is sampled at the end of the contact.
 constexpr double trial_within = 1e-3;
 constexpr double trial_overlap = 2e-5, trial_speed = 0.2, trial_step = 1e-3;
 
-/// The same pair, even; tilted and closed all along; and tilted so that three tenths of it are open.
+/// The same pair: parallel; tilted and fully closed; tilted with three tenths open.
 constexpr std::array<Lie, 3> trial_lies{{{trial_overlap, 0, trial_speed, trial_step},
                                          {trial_overlap, 2e-5, trial_speed, trial_step},
                                          {trial_overlap, 1e-4, trial_speed, trial_step}}};
@@ -49,7 +49,7 @@ Carried carried_by(const ContactLaw& law, const Lie& lie, ContactForm form) {
   }
 }
 
-/// Sliding lifts faces that dilate, and what it takes of its work for that comes back as they are pressed.
+/// Whether sliding lifts dilating faces; the work of this lift is returned as the faces are pressed again.
 template <class L>
 bool lifts(const L& law) {
   if constexpr (requires { law.dilation; }) return law.dilation > 0;
@@ -65,7 +65,7 @@ void check_same_carried(const Carried& found, const Carried& expected, bool lift
       near_zero(found.taken - expected.taken, 2 * trial_within * (std::abs(expected.taken) + 1e-9 * expected.stored)));
 }
 
-/// A law of which friction remains holds faces that are open in its own way.
+/// Whether open faces still carry force, of a law of which friction remains.
 template <class K>
 bool compares(const Lie& lie) {
   const bool open = 0.5 * std::abs(lie.tilt) > lie.overlap;
@@ -93,7 +93,7 @@ void try_law(const L& numbers) {
   }
 }
 
-/// The ball against the rings of it, each pressed as even faces are.
+/// The ball against its rings, each pressed as parallel faces.
 template <class L>
 void try_ball(const L& numbers) {
   using K = typename L::Kernel;
@@ -109,7 +109,7 @@ void try_ball(const L& numbers) {
   tell_law(L::name, contact_form_names[4], lie, found, rings);
   CHECK(near(found.normal, rings.normal, trial_within));
   CHECK(near(found.stored, rings.stored, 2 * trial_within));
-  // Of a friction that goes by the pressure the mean of the disc counts.
+  // For friction proportional to the pressure, the mean over the disc counts.
   if constexpr (!has_own_friction<K>)
     CHECK(near_zero(found.shear - rings.shear, trial_within * (std::abs(rings.shear) + 1e-9 * rings.normal)));
 }
@@ -146,7 +146,7 @@ TEST_CASE("a law whose own equations a geometry leaves out is refused there by n
 
 namespace {
 
-/// Kernels that are in no list, for what is found of them at compile time.
+/// Kernels outside of all lists, for tests of compile-time properties.
 struct Rubbing : PointLaw<Rubbing> {
   using PointLaw::PointLaw;
   [[nodiscard]] double friction(double /*pressure*/, double speed_now) const { return mu + speed_now; }

@@ -1,4 +1,4 @@
-// The contact laws: what their declarations refuse, and how bonds are lost.
+// Contact laws: rejected declarations, and loss of bonds.
 #include <doctest/doctest.h>
 
 #include "contact/contact_samples.hpp"
@@ -60,7 +60,7 @@ TEST_CASE("a bond stronger in tension than its shear limit allows is accepted wi
 
 namespace {
 
-/// A bonded joint of 1 m, opened by `gap` at its middle and turned by `slope`.
+/// A bonded joint of 1 m, opened by `gap` at its middle and rotated by `slope`.
 using BondResponse = FaceResponse<double, LawMemory<Bonded::Kernel>>;
 BondResponse opened(double gap, double slope, double slip, bool by_point, const FaceMemory<double>& before) {
   const Bonded::Kernel law({1e8, 5e7, 0.5, 0, 1e6, 2e4, by_point ? 1.0 : 0.0}, 1, 1e-3);
@@ -84,7 +84,7 @@ TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it w
 }
 
 TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lost or half of it, as chosen") {
-  // Right end at 3e-4, middle at 1e-4, left end pressed.
+  // Opening of 3e-4 m at the right end and 1e-4 m in the middle; the left end is closed.
   const BondResponse whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
                      half = opened(1e-4, 4e-4, 0, true, no_memory(true));
   CHECK_FALSE((whole.memory.bonds[0] || whole.memory.bonds[1]));
@@ -92,10 +92,10 @@ TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lo
   CHECK_FALSE(half.memory.bonds[0]);
   CHECK(half.memory.bonds[1]);
   CHECK(whole.lost_fracture > half.lost_fracture);
-  // Pressed where closed: x from 0 to 0.25, depth 1e-4 at the left.
+  // Closed for x from 0 to 0.25, with a penetration of 1e-4 m at the left.
   const double pressed = 0.5 * 1e8 * 1e-4 * 0.25;
   CHECK(near((on_b0(whole) + on_b1(whole)).y(), pressed, 1e-6));
-  // The half that holds carries its tension as well: the mean gap over it is 0.
+  // The intact half carries its tension as well: its mean gap is 0.
   CHECK(near_zero((on_b0(half) + on_b1(half)).y(), 1e-5));
 }
 

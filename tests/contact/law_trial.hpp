@@ -1,5 +1,5 @@
-// One pair of blocks in five geometries, for the trial of the contact laws: a block of 1 m by 1 m lies on a larger one,
-// pressed into it, tilted or not, and slides along x; and a ball that lies on it.
+// One pair of blocks in five geometries, for tests of the contact laws. A block of 1 m by 1 m lies on a larger one,
+// pressed into it, tilted or not, and slides along x. One geometry is a ball on the block.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace trilith::testing {
 
-/// How the upper block lies and slides.
+/// Position and motion of the upper block.
 struct Lie {
   double overlap = 0;  ///< at its middle [m]
   double tilt = 0;     ///< rise of its lower side along x [1]
@@ -24,15 +24,15 @@ struct Lie {
   double dt = 0;       ///< [s]
 };
 
-/// What the lower block gives the upper one, and what the contact holds and gives off.
+/// Force of the lower block on the upper one, and the contact's stored and dissipated energy.
 struct Carried {
   double normal = 0, shear = 0;  ///< [N]
   double stored = 0;             ///< of the pressure [J]
   double taken =
-      0;  ///< by shear and damping, given off or held: halves slide each for itself where the plane has faces [J]
+      0;  ///< by shear and damping, dissipated or stored: in the plane the halves of faces slide independently [J]
 };
 
-/// Elastic energy of the shear of both halves [J].
+/// Elastic shear energy of both halves [J].
 template <class Memory>
 double shear_held(const Memory& m, double ks) {
   double sum = 0;
@@ -40,7 +40,7 @@ double shear_held(const Memory& m, double ks) {
   return sum;
 }
 
-/// As faces: each block's one.
+/// As faces: one of each block.
 template <class K>
 Carried as_plane_faces(const ContactLaw& law, const Lie& lie) {
   const Vec2 along = Vec2(1, lie.tilt).normalized(), middle(0.5, -lie.overlap), velocity(lie.speed, 0);
@@ -55,7 +55,7 @@ Carried as_plane_faces(const ContactLaw& law, const Lie& lie) {
   });
 }
 
-/// As polygons of any shape.
+/// As polygons of general shape.
 template <class K>
 Carried as_polygons(const ContactLaw& law, const Lie& lie) {
   const Vec2 along = Vec2(1, lie.tilt).normalized(), up(-along.y(), along.x()), middle(0.5, -lie.overlap);
@@ -75,7 +75,7 @@ Carried as_polygons(const ContactLaw& law, const Lie& lie) {
           r.lost_friction + r.lost_damping + shear_held(r.memory, plain_friction(use).ks)};
 }
 
-/// Two bricks of 1 m across, of which the lower one is larger.
+/// Two bricks of 1 m; the lower one is larger.
 struct TrialBricks {
   ConvexSolid below = brick(1.4, 1.4, 1), above = brick(1, 1, 1);
   PlacedSolid a, b;
@@ -91,7 +91,7 @@ struct TrialBricks {
   }
 };
 
-/// In space, as faces that lie flat or as polyhedra of any shape.
+/// In space, as faces in flat contact or as polyhedra of general shape.
 inline Carried as_solids(const ContactLaw& law, const Lie& lie, bool flat) {
   const TrialBricks bricks(lie);
   const LawInUse use{law, 1, lie.dt};
@@ -114,7 +114,7 @@ inline Carried as_solids(const ContactLaw& law, const Lie& lie, bool flat) {
           r.lost_friction + r.lost_damping + sliding_energy(plain_friction(use).ks, r.memory.shear)};
 }
 
-/// A ball of half a metre.
+/// A ball of radius 0.5 m.
 struct TrialBall {
   ConvexSolid below = brick(1.4, 1.4, 1), ball = convex_sphere({Vec3::Zero(), 0.5});
   PlacedSolid a, b;
@@ -138,8 +138,8 @@ inline Carried as_ball(const ContactLaw& law, const Lie& lie) {
   return {r.force.z(), r.force.x(), sphere_energy(balls.a, balls.b, use), r.lost_friction + r.lost_damping};
 }
 
-/// The pressure at one point times the rings of the ball's disc, and the work of that: of a law that is known by what
-/// two even faces press each other with over 1 m2 at an overlap, pressed(overlap) [N] and stored(overlap) [J].
+/// Pressure at a point, integrated over rings of the ball's contact disc, and its work. The law is given by the force
+/// of two parallel faces of 1 m2 at a penetration, pressed(overlap) [N], and its energy stored(overlap) [J].
 template <class Pressed, class Stored>
 Carried rings_of_ball(double overlap, Pressed&& pressed, Stored&& stored) {
   constexpr int rings = 400;
@@ -147,7 +147,7 @@ Carried rings_of_ball(double overlap, Pressed&& pressed, Stored&& stored) {
   Carried sum;
   for (int i = 0; i < rings; ++i) {
     const double rho2 = rim2 * (i + 0.5) / rings, ring = M_PI * rim2 / rings;
-    // Depth below the ball's surface of a point of the plane, and height of the ball's surface below that.
+    // Depth of a point of the plane below the ball's surface, and height of the ball's surface below it.
     const double height = radius - overlap, depth = radius - std::sqrt(height * height + rho2);
     sum.normal += ring * pressed(depth), sum.stored += ring * stored(depth);
   }

@@ -1,4 +1,4 @@
-// A joint of softening mortar led through openings and slips, for the tests of its law.
+// A joint of softening mortar with prescribed openings and slips, for tests of its law.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 namespace trilith::testing {
 
-/// A joint of 1 m2 led through openings and slips; work is that of the forces that lead it.
+/// A joint of 1 m2 with prescribed openings and slips; `work` is the work of the applied forces.
 struct MortarJoint {
   static constexpr double kn = 1e9, ks = 4e8, mu = 0.7, cohesion = 2e5, tension = 1e5, gi = 20, gii = 125;
 
@@ -21,12 +21,12 @@ struct MortarJoint {
   FaceMemory<double> memory = no_memory(true);
   LawMemory<Cohesive::Kernel> own;
   double gap = 0, slip = 0;                                  // [m]
-  double normal = 0, shear = 0;                              // pulling apart and along, on b [N]
+  double normal = 0, shear = 0;                              // opening and shear force on b [N]
   double work = 0, fracture = 0, friction = 0, damping = 0;  // [J]
 
   void to(double next_gap, double next_slip) {
     const Vec2 speed((next_slip - slip) / law.dt, (next_gap - gap) / law.dt), still = Vec2::Zero();
-    // b's face is longer than a's, so that all of a's stays covered.
+    // b's face is longer than a's, so that a's face stays covered.
     const Faces f = turned({rigid_face({1, 0}, {0, 0}, still, 0),
                             rigid_face({-1 + next_slip, next_gap}, {2 + next_slip, next_gap}, speed, 0)},
                            turn);
@@ -40,7 +40,7 @@ struct MortarJoint {
     own = r.touching ? r.own : law.parted(r.own);
     gap = next_gap, slip = next_slip;
   }
-  /// In `steps` equal steps; `see` after each.
+  /// In `steps` equal steps; calls `see` after each.
   void lead(
       double next_gap, double next_slip, int steps, const std::function<void()>& see = [] {}) {
     const double g0 = gap, s0 = slip;

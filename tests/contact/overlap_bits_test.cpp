@@ -1,4 +1,4 @@
-// The general contact works on four edges, faces and stretches at once: each bit is that of one after the other.
+// The general contact evaluates four edges, faces and segments at once: each bit equals the scalar evaluation.
 #include <doctest/doctest.h>
 
 #include "contact/overlap_reference.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 const Frictional damped{1e8, 0, 0, 1e-3};
 
-/// A piece as it stands, with what its spans point to.
+/// A placed piece, with the data its spans point to.
 struct Stone {
   Polygon corner;
   std::vector<std::uint8_t> is_face;
@@ -26,7 +26,7 @@ Vec2 random_vector(std::mt19937_64& bits, double most) {
   return {random_between(bits, -most, most), random_between(bits, -most, most)};
 }
 
-/// With some edges inner cuts, and now and then of a body that deforms.
+/// Some edges are inner cuts; some pieces belong to a deformable body.
 Stone stone(std::mt19937_64& bits, Polygon outline, const Vec2& at) {
   Stone s{std::move(outline), {}, {}, at, random_vector(bits, 3), random_between(bits, -5, 5)};
   const bool deforms = random_count(bits, 0, 5) == 0;
@@ -44,14 +44,14 @@ Stone random_stone(std::mt19937_64& bits, int fewest, int most, double spread) {
   return stone(bits, placed(random_convex(bits, wanted), random_direction(bits), at), at);
 }
 
-/// A rectangle on a coarse grid: edges that lie on each other, corners that meet, depths that are equal.
+/// A rectangle on a coarse grid: coincident edges and corners, equal depths.
 Stone grid_stone(std::mt19937_64& bits) {
   const auto whole = [&](int low, int high) { return 0.25 * random_count(bits, low, high); };
   const double x = whole(-4, 4), y = whole(-4, 4), w = whole(1, 6), h = whole(1, 6);
   return stone(bits, {{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}, {x, y});
 }
 
-/// Number of pairs that touch, of `count`.
+/// Number of closed contacts among `count` pairs.
 template <class Make>
 int check_bits(int count, Make&& make) {
   std::mt19937_64 bits(43);

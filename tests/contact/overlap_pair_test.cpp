@@ -44,7 +44,7 @@ struct Pose {
   double spin = 0;
 };
 
-/// What two bodies feel: sums over all pairs of their pieces, about their nodes.
+/// Forces on two bodies: sums over all pairs of their pieces, about their nodes.
 struct Felt {
   Vec2 on_a = Vec2::Zero(), on_b = Vec2::Zero(), on_b_normal = Vec2::Zero();
   double moment_a = 0, moment_b = 0, energy = 0, pressure = 0;
@@ -73,7 +73,7 @@ Felt feel(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb, const 
   return felt;
 }
 
-/// The force and moment on b as the falling slope of the energy, by central differences.
+/// Force and moment on b as the negative gradient of the energy, by central differences.
 Eigen::Vector3d slope_of_energy(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb) {
   const double h = 1e-6;
   Eigen::Vector3d slope;
@@ -99,7 +99,7 @@ Polygon random_concave(std::mt19937_64& bits) {
   return outline;
 }
 
-/// B near enough to A that they overlap by up to some tenths of their size.
+/// A pose of B with an overlap with A of up to some tenths of their size.
 Pose random_pose(std::mt19937_64& bits, const Shape& a, const Shape& b, double nearness) {
   Pose pose;
   pose.place = random_between(bits, 0.4, nearness) * (a.radius + b.radius) * random_direction(bits);
@@ -109,7 +109,7 @@ Pose random_pose(std::mt19937_64& bits, const Shape& a, const Shape& b, double n
   return pose;
 }
 
-/// Largest difference of force and slope, over the size of either.
+/// Largest difference of force and gradient, relative to either.
 template <class Make>
 void check_slope(Make&& make, int count) {
   std::mt19937_64 bits(23);
@@ -122,7 +122,7 @@ void check_slope(Make&& make, int count) {
     if (!felt.touching) continue;
     ++touching;
     const Eigen::Vector3d force(felt.on_b.x(), felt.on_b.y(), felt.moment_b), slope = slope_of_energy(a, pa, b, pb);
-    // The energy has kinks in its second slope where a corner passes a face: there the difference is of order h.
+    // The second derivative of the energy has kinks where a corner passes a face: there the difference is of order h.
     const double apart = (force - slope).norm() / (felt.pressure + stiffness * 1e-4);
     worst = std::max(worst, apart);
     CHECK(apart < 1e-4);

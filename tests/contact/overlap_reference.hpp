@@ -1,5 +1,6 @@
-// The pressures of two convex pieces found one edge and one face after the other: what the engine's form, which works
-// on four at once, must give to the bit. Linear springs with damping along their resultant; friction is left out.
+// Pressures of two convex pieces, evaluated edge by edge and face by face: the reference for the engine's version,
+// which evaluates four at once and must give the same bits. Linear springs with damping along their resultant, without
+// friction.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace trilith::testing {
 
 struct ReferenceOverlap {
   bool apart = false;
-  Vec2 push = Vec2::Zero(), normal = Vec2::Zero();  ///< of the springs, over kn / 2; its direction
+  Vec2 push = Vec2::Zero(), normal = Vec2::Zero();  ///< force of the springs, over kn / 2; its direction
   Vec2 moment_arm = Vec2::Zero(), damping = Vec2::Zero();
   double force = 0, damping_moment = 0, pressure = 0, length = 0, depth = 0;
   std::vector<Vec2> on_a, on_b;
@@ -25,9 +26,9 @@ class ReferenceWalk {
   ReferenceWalk(const PlacedPiece& owner, const PlacedPiece& walker, bool walker_is_b, const Coulomb& law)
       : owner_(owner), walker_(walker), walker_is_b_(walker_is_b), law_(law) {}
 
-  /// depth(f, v): how far corner v of the walker lies inside face f of the owner.
+  /// Depth of corner v of the walker below face f of the owner.
   [[nodiscard]] double depth(int f, int v) const { return normal(owner_, f).dot(owner_.corner[f] - walker_.corner[v]); }
-  /// True where some face of the owner has all corners of the walker outside.
+  /// True if some face of the owner has all corners of the walker outside.
   [[nodiscard]] bool apart() const {
     for (int f = 0; f < corners(owner_); ++f) {
       bool all = true;
@@ -36,7 +37,7 @@ class ReferenceWalk {
     }
     return false;
   }
-  /// f(edge, face, from, to) for every stretch.
+  /// Calls f(edge, face, from, to) for every segment.
   template <class F>
   void each(F&& f) const {
     for (int e = 0; e < corners(walker_); ++e)
@@ -123,7 +124,8 @@ class ReferenceWalk {
     sums.moment_arm += total * x0 + stiff * stress.moment * over;
   }
   static bool is_straight(const PlacedPiece& p) { return p.over_step != nullptr || !p.corner_velocity.empty(); }
-  /// What going along a chord adds to the velocity of point x of one of two rigid pieces, see contact/joint/chord.hpp.
+  /// Change of the velocity of point x of one of two rigid pieces by its motion along a chord, see
+  /// contact/joint/chord.hpp.
   [[nodiscard]] Vec2 chord(const PlacedPiece& p, const Vec2& x) const {
     if (is_straight(owner_) || is_straight(walker_)) return Vec2::Zero();
     return chord_rate(p.spin, law_.dt) * (x - p.origin);

@@ -1,4 +1,4 @@
-// Contact that stiffens with a power of the overlap: closed forms of faces, of its energy, of a blow.
+// Contact with a force proportional to a power of the penetration: closed forms of faces, energy, and an impact.
 #include "law/contact/power.hpp"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ Power power_law(double exponent, double beta = 0) {
   return {secant, reach, exponent, 0, 0, beta};
 }
 
-/// Two faces of 1 m whose ends are `at_left` and `at_right` apart, still.
+/// Two fixed faces of 1 m with the gaps `at_left` and `at_right` at their ends.
 Faces power_faces(double at_left, double at_right) {
   return {rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0), rigid_face({0, at_left}, {1, at_right}, Vec2::Zero(), 0)};
 }
@@ -44,7 +44,7 @@ TEST_CASE("even faces press by kn d (overlap/d)^n, and by kn at an overlap of d"
 }
 
 TEST_CASE("faces that touch along a part of them press by the integral of the power") {
-  // Overlap falls from 2 mm to nothing over 0.8 m; faces within the tilt that counts as flat.
+  // The penetration falls from 2 mm to zero over 0.8 m; the tilt is within the limit of flat contact.
   for (const double exponent : {1.0, 1.5, 2.0, 3.0}) {
     const double most = 2e-3, slope = most / 0.8;
     const double expected =
@@ -58,7 +58,7 @@ TEST_CASE("with the exponent 1 the power law has the forces of the frictional on
   const Power::Kernel power({secant, reach, 1, 4e7, 0.6, 1e-3}, 1, 1e-4);
   const Coulomb linear(Frictional{secant, 4e7, 0.6, 1e-3}, 1, 1e-4);
   for (int i = 0; i < 500; ++i) {
-    const Faces f = random_faces(bits, -5e-3, -3e-3, 1e-4);  // pressed all along, with its damping too
+    const Faces f = random_faces(bits, -5e-3, -3e-3, 1e-4);  // closed over the full length, also with damping
     const auto a = respond_fresh(f, no_memory(), power);
     const auto b = respond_fresh(f, no_memory(), linear);
     const double size = (on_b0(b) + on_b1(b)).norm();
@@ -95,7 +95,7 @@ TEST_CASE("a block that strikes a power contact goes as deep as its energy takes
     scene.block("block", box(-0.5, 1e-4, 0.5, 1 + 1e-4), mass, {0, -speed});
     Simulation<2> sim = scene.start();
     const int node = node_of(sim.model(), "block");
-    const double begun = 0.5 * mass * speed * speed;  // that of motion at the start
+    const double begun = 0.5 * mass * speed * speed;  // kinetic energy at the start
     double lowest = 1, most = 0;
     run_for(sim, 0.1, 2e-5, each_step([&](const Instant<2>& now) {
               lowest = std::min(lowest, now.state.position[node].y());

@@ -40,7 +40,7 @@ Corner between(const Corner& p, const Corner& q, double share) {
   return {p.at + share * (q.at - p.at), p.depth + share * (q.depth - p.depth)};
 }
 
-/// f(point, weight) at six points of a triangle, exact to degree 4 (Dunavant 1985).
+/// Calls f(point, weight) at six points of a triangle, exact to degree 4 (Dunavant 1985).
 template <class F>
 void at_points(const Corner& p, const Corner& q, const Corner& r, F&& f) {
   const std::array<Corner, 3> of{p, q, r};
@@ -57,7 +57,7 @@ std::array<double, 6> products_of(const Vec3& x) {
   return {x[0] * x[0], x[1] * x[1], x[2] * x[2], x[0] * x[1], x[1] * x[2], x[2] * x[0]};
 }
 
-/// The sums by points of each triangle, of damping where it leaves the pressure above 0: one triangle after the other.
+/// Sums over the points of each triangle, with damping where the pressure is above 0: one triangle after the other.
 PressedSums by_points(const std::vector<Triangle>& triangles, double beta, const ClosingMotion& motion) {
   PressedSums sums;
   Vec3 push = Vec3::Zero();
@@ -82,7 +82,7 @@ PressedSums by_points(const std::vector<Triangle>& triangles, double beta, const
       const std::array products = products_of(c.at);
       for (std::size_t k = 0; k < 6; ++k) sums.area_second[k] += area * products[k];
     });
-    // What of it is pressed with the damping, as a polygon.
+    // The part with positive damped pressure, as a polygon.
     std::vector<Corner> kept;
     for (std::size_t i = 0; i < 3; ++i) {
       const Corner &p = t.corner[i], &q = t.corner[(i + 1) % 3];
@@ -139,7 +139,7 @@ TEST_CASE("triangles by lanes sum up to what points of each give one after the o
       CHECK(std::abs(got.area_second[k] - expected.area_second[k]) <= 1e-11 * whole);
     }
     CHECK(got.depth == deepest);
-    // The damping takes energy, and the whole force is along the push of the springs.
+    // Damping dissipates energy, and the total force is along the force of the springs.
     CHECK(got.damped >= 0);
     const Vec3 n = spring_force(lanes.all()).normalized();
     CHECK((got.force - got.force.dot(n) * n).norm() <= 1e-11 * whole);
@@ -149,7 +149,7 @@ TEST_CASE("triangles by lanes sum up to what points of each give one after the o
 }
 
 TEST_CASE("pressure by whole cells and lanes is that of points of one triangle after the other") {
-  // A power law of exponent 1 presses as the linear one, but goes the long way.
+  // A power law of exponent 1 equals the linear one, but uses the general method.
   Frictional linear;
   linear.kn = 1e6;
   Power power;

@@ -53,7 +53,7 @@ ConvexSolid chance(std::mt19937_64& bits) {
       "solid");
 }
 
-/// Force and moment about the centre are the gradient of the energy, by central differences.
+/// Checks that force and moment about the centre are the gradient of the energy, by central differences.
 void check_gradient(const ContactLaw& law, std::uint64_t seed, int pairs, double h, double within) {
   std::mt19937_64 bits(seed);
   int touching = 0;
@@ -88,7 +88,7 @@ TEST_CASE("pressure of two solids is the gradient of its energy") {
 }
 
 TEST_CASE("pressure of a law that is not linear is the gradient of its energy") {
-  check_gradient(hertz_law(), 12, 30, 2e-3, 5e-3);  // what quadratures leave out is divided by the step here
+  check_gradient(hertz_law(), 12, 30, 2e-3, 5e-3);  // the quadrature error is divided by the step here
 }
 
 TEST_CASE(
@@ -107,7 +107,7 @@ TEST_CASE(
 }
 
 TEST_CASE("T7, T8: a joint under a force off its middle carries no tension, and its pressure is linear") {
-  // Overlaps are given by the analysis; the force, where it acts and the area in contact must be those of the table.
+  // The analysis gives the penetration; force, its point of action and the contact area must equal the table.
   struct Row {
     double wide, high, peak, slope_x, slope_y, at_x, at_y, area;
   };
@@ -118,7 +118,7 @@ TEST_CASE("T7, T8: a joint under a force off its middle carries no tension, and 
         Row{1.2, 0.8, 40.118e3, 4.6025e-4, 1.5996e-4, 0.35, 0.05, 0.58610},
         Row{1, 1, 93.75e3, 1.1719e-3, 1.1719e-3, 0.3, 0.3, 0.32}}) {
     const ConvexSolid ground = box(4, 4, 1), block = box(r.wide, r.high, 1);
-    // The bottom's corner at (wide, high) / 2 is deepest; a turn by slope_y about x and -slope_x about y.
+    // The bottom's corner at (wide, high) / 2 is deepest; rotation by slope_y about x and -slope_x about y.
     const UnitQuaternion turn = rotation_by({-r.slope_y, r.slope_x, 0});
     const Vec3 corner = Turn3(turn).apply(Vec3(r.wide / 2, r.high / 2, -0.5));
     const Vec3 at(0, 0, -r.peak / kn - corner.z());

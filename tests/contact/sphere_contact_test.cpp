@@ -66,7 +66,7 @@ TEST_CASE("two spheres press each other by the stiffness times the volume they s
   CHECK(near(r.force.z(), 1e6 * lens, 1e-12));
   CHECK(std::abs(r.force.x()) + std::abs(r.force.y()) == 0);
   CHECK(near(r.depth, e, 1e-12));
-  // Shallow: kn pi R e^2 with 1/R the sum of the curvatures.
+  // Small penetration: kn pi R e^2 with 1/R the sum of the curvatures.
   const Placed near_b(convex_sphere({Vec3::Zero(), 0.2}), {}, Vec3(0, 0, 0.4999));
   CHECK(near(response(a, near_b, sphere_law()).force.z(), 1e6 * std::numbers::pi * 0.12 * 1e-8, 2e-3));
 }
@@ -119,7 +119,7 @@ TEST_CASE("over faces, edges and corners the force of a polyhedron on a sphere i
         slope[k] = (energy(a, b, law) - up) / (2 * step);
       }
       CHECK((r.force - slope).norm() < 2e-3 * slope.norm());
-      // Through the centre of the sphere.
+      // The force passes through the centre of the sphere.
       CHECK(cross(Vec3(r.centre - at), r.force).norm() < 1e-9 * r.force.norm());
       ++touched;
     }
@@ -165,12 +165,12 @@ TEST_CASE("friction of spheres ends at its limit exactly and turns with the pair
   for (int i = 0; i < 50; ++i) memory = response(floor, ball, law, memory, 1e-4).memory;
   SolidResponse r = response(floor, ball, law, memory, 1e-4);
   CHECK(near(r.force.x(), -0.4 * r.force.z(), 1e-12));
-  // It turns about the normal with the mean of both spins: here by a tenth.
+  // The spring rotates about the normal with the mean of both spins: here by a tenth.
   ball.velocity = Vec3::Zero(), ball.spin = Vec3(0, 0, 2000);
   r = response(floor, ball, sphere_law(1e9), memory, 1e-4);
-  r.memory.shear.elastic.z() = 0;  // what the turn itself has wound up
+  r.memory.shear.elastic.z() = 0;  // torsion by the rotation itself
   CHECK(r.memory.shear.elastic.normalized().dot(Vec3(std::cos(0.1), std::sin(0.1), 0)) > 1 - 1e-6);
-  // Turning alone carries mu N 8/15 of the radius of the area.
+  // Pure rotation carries mu N 8/15 of the radius of the area.
   SolidMemory spun = response(floor, ball, law).memory;
   ball.spin = Vec3(0, 0, 50);
   for (int i = 0; i < 100; ++i) spun = response(floor, ball, law, spun, 1e-3).memory;
