@@ -1,4 +1,4 @@
-// Mean stress of what hangs on bearings, from the forces on it.
+// Mean stress of bodies on bearings, from the forces on them.
 #include "run/record/body_forces.hpp"
 
 #include <doctest/doctest.h>
@@ -16,11 +16,11 @@ using namespace trilith::testing;
 
 namespace {
 
-/// From a fixed beam hangs a body 0.5 m wide and 0.4 m high, and from that a rigid block, each on two bearings whose
-/// ends are `rod` apart.
+/// A body 0.5 m wide and 0.4 m high hangs from a fixed beam, and a rigid block hangs from the body, each on two
+/// bearings whose ends are `rod` [m] apart.
 struct Hanging {
   int nx, ny;           // elements of the upper body; 0: it is rigid
-  bool upper_is_first;  // as the bearings see the two bodies
+  bool upper_is_first;  // order of the two bodies in the bearings
   double rod;           // [m]
 };
 
@@ -30,7 +30,7 @@ void hang(Scene& scene, const std::string& name, const std::string& first, const
           const Vec2& at_first, const Vec2& at_second) {
   BearingSpec b;
   b.name = name, b.body_a = first, b.body_b = second, b.point_a = at_first, b.point_b = at_second;
-  b.law = {Linear{1e4, 1e3}, Linear{1e8, 1e5}, Linear{}};  // so soft along the bodies that it hardly strains them
+  b.law = {Linear{1e4, 1e3}, Linear{1e8, 1e5}, Linear{}};  // so soft along the bodies that they are hardly strained
   scene.builder.add_bearing(b);
 }
 
@@ -72,7 +72,8 @@ MeanStress stress_of(const Hanging& h) {
 }  // namespace
 
 TEST_CASE("a body that hangs on bearings and carries a block on bearings has the mean stress of what hangs below it") {
-  // Pulled by the block's weight at the foot, and by that and its own at the head: half its own on average.
+  // Tension by the block's weight at the foot, and by the block's and its own weight at the head: half of its own on
+  // average.
   const double weight = 2000 * standard_gravity * upper_width * slice * upper_height,
                block = 2000 * standard_gravity * upper_width * slice * lower_height;
   const double expected = (block + 0.5 * weight) / (upper_width * slice);
@@ -83,7 +84,7 @@ TEST_CASE("a body that hangs on bearings and carries a block on bearings has the
         CAPTURE(upper_is_first);
         CAPTURE(rod);
         const MeanStress stress = stress_of({cells.first, cells.second, upper_is_first, rod});
-        CHECK(near(stress.yy, expected, 1e-4));  // its upper_height grows by yy/E = 1e-5 of it
+        CHECK(near(stress.yy, expected, 1e-4));  // its upper_height grows by the share yy/E = 1e-5
         CHECK(near_zero(stress.xx, 1e-4 * expected));
         CHECK(near_zero(stress.xy, 1e-4 * expected));
       }

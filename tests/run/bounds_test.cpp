@@ -1,4 +1,4 @@
-// Bodies that leave the bounds: told, out of the step, in the ledger, and still out after a restart.
+// Bodies that leave the bounds: reported, removed from the step, in the ledger, and still removed after a restart.
 #include <fmt/format.h>
 
 #include "integrate/explicit/central_difference.hpp"
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double bottom = -3, drop = 3;  // y of the bounds, fall of the body's centre to there [m]
+constexpr double bottom = -3, drop = 3;  // y of the bounds, fall height of the body's centre to them [m]
 
 /// A block that lies on its ground, and one that falls past it.
 Scene two_blocks() {
@@ -100,7 +100,7 @@ TEST_CASE("what stays within the bounds has the same bits whether another body l
 TEST_CASE("a body that has left touches nothing and where all have left the stage ends and says so") {
   Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
   scene.builder.bounds.low.y() = bottom;
-  for (const double y : {0.0, 4.0}) {  // the second falls through where the first stands
+  for (const double y : {0.0, 4.0}) {  // the second falls through the first one's position
     BodySpec falls;
     falls.name = y > 0 ? "second" : "first", falls.outline = box(0, y - 0.25, 1, y + 0.25), falls.floating = true;
     scene.add(falls);
@@ -130,7 +130,7 @@ TEST_CASE("a restart keeps out what has left, in a model that was built anew, an
   straight.run(stage(0.5));
   again.run(stage(0.5));
   CHECK(state_hash(again.state()) == state_hash(straight.state()));
-  // What is freed by name stays out too.
+  // A body released by name stays removed too.
   again.edit([](Model<2>& model) {
     for (const int k : {0, 1, 2}) set_support(model, 2, k, Support::free);
   });

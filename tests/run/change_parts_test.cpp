@@ -1,4 +1,4 @@
-// Models that change: bodies go, come back and come new; what stays keeps its bits, and the ledger closes.
+// Models that change: bodies are removed, reactivated and added; the others keep their bits, and the ledger closes.
 #include <fmt/format.h>
 
 #include "integrate/explicit/central_difference.hpp"
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Two blocks on each other on the ground, and one that is held in the air beside them.
+/// Two blocks on each other on the ground, and a fixed one in the air next to them.
 Scene tower() {
   Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
   scene.fixed("ground", box(-3, -1, 3, 0));
@@ -31,7 +31,7 @@ StageOptions short_stage(double duration) {
   return options;
 }
 
-/// Runs a stage and feeds the ledger to `check`, whose residuals count from the first sample of all.
+/// Runs a stage and passes the ledger to `check`, whose residuals are relative to the first sample of all.
 void run_checked(Simulation<2>& sim, double duration, EnergyCheck& check, std::optional<double>& first) {
   RunListener<2> listener;
   listener.on_energy = [&](const Instant<2>&, const Energy& energy) {

@@ -41,7 +41,7 @@ Scene tower(const ContactLaw& law, double turn = 0) {
   return scene;
 }
 
-/// Places of the skin points of `state`.
+/// The Work with the skin points of `state` placed.
 Work<2> placed(const Model<2>& model, const State<2>& state) {
   Simulation<2> sim(model, state);
   sim.refresh();
@@ -98,7 +98,7 @@ TEST_CASE("a lifted, shifted and turned body opens its joint and slips along it 
     state.position[high] += scene.to_world({shift, lift});
     state.rotation[high] += angle;
     const JointDisplacement m = joint_displacement(joints[2], placed(model, state));
-    // The bottom corners are 0.5 m beside and 0.5 m below the centroid.
+    // The bottom corners are at 0.5 m horizontally and 0.5 m below the centroid.
     const double c = std::cos(angle), s = std::sin(angle);
     CHECK(near(m.opening, lift + 0.5 * s + 0.5 * (1 - c), 1e-9));
     CHECK(near(std::abs(m.slip), shift + 0.5 * s, 1e-9));
@@ -154,7 +154,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
     const std::vector<int> base = find_base(model);
     std::vector<Vec2> before = sim.state().velocity;
     sim.refresh();
-    Vec2 last_shear = force_on(model, sim.work(), base);  // velocities lie half a step before their instant
+    Vec2 last_shear = force_on(model, sim.work(), base);  // velocities are half a step before their instant
     double largest = 0, worst_contacts = 0, worst_inertia = 0, last_dt = 0;
     std::vector<TouchingContact> touching;
     RunListener<2> listener = testing::each_step([&](const Instant<2>& now) {
@@ -202,7 +202,7 @@ TEST_CASE("mean stress in a stack at rest is the weight above and half its own, 
     const std::array<double, 4> across{0, -(3 * w + w) / 2, -(w + w) / 2, -w / 2};
     CHECK(stress[0].minor() == 0);  // fixed: not known
     for (std::size_t i = 1; i < 4; ++i) {
-      // Forces act where the bodies overlap: less than w 4 / kn = 8e-6 of the height inside.
+      // Forces act within the contact: the shift is less than w 4 / kn = 8e-6 of the height.
       CHECK(near(stress[i].minor(), across[i], 8e-6));
       CHECK(std::abs(stress[i].major()) < 1e-6 * w);
       CHECK(near(stress[i].xx + stress[i].yy, across[i], 1e-5));

@@ -1,11 +1,11 @@
-// Stages that leave the integrator open: implicit steps while those pay, explicit ones else.
+// Stages without a given integrator: implicit steps while they are cheaper, otherwise explicit ones.
 #include "near.hpp"
 #include "physics/members/implicit.hpp"
 
 namespace trilith::testing {
 namespace {
 
-/// A block let go 0.2 m above its base, damped at its faces.
+/// A block released 0.2 m above its base, with damping at its faces.
 Simulation<2> falling_block() {
   Scene scene(Frictional{1e11, 5e10, 0.6, 2e-5});
   scene.fixed("base", box(-2, -1, 2, 0));
@@ -15,7 +15,7 @@ Simulation<2> falling_block() {
   return scene.start();
 }
 
-/// The force of damping jumps at a blow, which the ledger is out by in proportion to the explicit step.
+/// The damping force jumps at an impact; the residual of this is proportional to the explicit step.
 constexpr double fine_steps = 0.1;
 
 StageOptions open_stage(double duration) {
@@ -59,13 +59,13 @@ TEST_CASE("a block falls and lies by implicit steps and strikes by explicit ones
   const StageReport report = plain.run(explicitly, {});
   CHECK(seen.report.end == StageEnd::time);
   REQUIRE(seen.changes.size() >= 2);
-  // The first change is that for the blow, after the free fall of 0.2 m.
+  // The first change is due to the impact, after the free fall of 0.2 m.
   CHECK(near(seen.changes[0].time, std::sqrt(2 * 0.2 / standard_gravity), 0.02));
   CHECK(seen.changes[0].text.find("explicit") != std::string::npos);
   CHECK(seen.changes[1].text.find("implicit") != std::string::npos);
   CHECK(seen.implicit > 0);
   CHECK(seen.report.steps < report.steps);
-  CHECK(open.state().implicit());  // it lies still
+  CHECK(open.state().implicit());  // it is at rest
   CHECK(near(open.state().position[n].y(), plain.state().position[n].y(), 1e-8));
   CHECK(near_zero(residual_of(open), 0.01 * 1000 * standard_gravity * 0.2));
 }

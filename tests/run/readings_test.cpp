@@ -1,4 +1,4 @@
-// Whatever is read, wherever it is read, belongs to one instant.
+// All readings, wherever they are read, belong to one instant.
 #include <algorithm>
 #include <vector>
 
@@ -14,7 +14,7 @@ using testing::Scene;
 
 namespace {
 
-/// All that a reader can see of one instant, as numbers.
+/// All readings of one instant, as numbers.
 struct Reading {
   double time;
   std::vector<double> values;
@@ -33,7 +33,7 @@ Reading read(const Simulation<2>& sim) {
   return out;
 }
 
-/// A block that falls on its corner, bounces, turns over and slides: faces, corners and air by turns.
+/// A block that falls on its corner, bounces, tumbles and slides: faces, corners and flight alternate.
 Scene tumbling() {
   Scene scene(Frictional{1e8, 5e7, 0.5, 1e-4});
   scene.fixed("base", box(-3, -1, 3, 0));
@@ -44,7 +44,7 @@ Scene tumbling() {
   return scene;
 }
 
-/// What histories see at every step of a run, and what handlers see.
+/// Readings of histories at every step of a run, and readings of handlers.
 struct Readings {
   std::vector<Reading> histories, handlers, events;
 };
@@ -93,8 +93,7 @@ TEST_CASE("a handler that changes nothing but says so changes no bit") {
   check_equal(changed.histories, plain.histories);
 }
 
-// The leapfrog scheme sets out from a whole velocity with half a step, which its energy tells from there on: m g^2 dt^2
-// / 8.
+// Leapfrog starts from a full velocity with half a step, which shifts its energy from this point on: m g^2 dt^2 / 8.
 TEST_CASE("the ledger of a falling block closes at every step as handlers read it and after the stage") {
   Scene scene(Frictional{1e8, 5e7, 0.5, 1e-4});
   scene.fixed("base", box(-3, -1, 3, 0));
@@ -138,7 +137,7 @@ TEST_CASE("reading between stages gives the last row of the stage and changes no
   CHECK(hash[0] == hash[1]);
 }
 
-/// What a stage with `dt` on joints of `kn` [Pa/m] says before it throws; "" where it runs.
+/// Error message of a stage with `dt` on joints of `kn` [Pa/m]; empty if it runs.
 std::string refusal(double kn, double dt, double duration, double safety = 0.5, double beta = 0) {
   Scene scene(Frictional{kn, kn / 2, 0.5, beta});
   scene.fixed("base", box(-3, -1, 3, 0));
@@ -160,14 +159,14 @@ TEST_CASE("a step at which time would stand still is refused with what governs i
   const std::string stiff = refusal(1e30, 0, 1);
   CHECK(stiff.find("must be at least 1e-09 s") != std::string::npos);
   CHECK(stiff.find("block") != std::string::npos);
-  // With damping the longest stable step is so short that it comes out as 0.
+  // With damping the longest stable step is so short that it is printed as 0.
   CHECK(refusal(1e30, 0, 1, 0.5, 1e-2).find("the step is 0 s") != std::string::npos);
   CHECK(refusal(1e8, 1e-300, 1).find("1e-300 s") != std::string::npos);
   CHECK(refusal(1e8, 0.9e-9, 1) != "");
   CHECK(refusal(1e8, 1.1e-9, 1) == "");
   CHECK(refusal(1e8, 0.9e-12, 1e-4) != "");
   CHECK(refusal(1e8, 1.1e-12, 1e-4) == "");
-  CHECK(refusal(1e8, 1e-5, 1e9) == "");  // meant to end by something else than time
+  CHECK(refusal(1e8, 1e-5, 1e9) == "");  // meant to end by another condition than time
 }
 
 TEST_CASE("nine tenths of the longest stable step are the most that is taken") {

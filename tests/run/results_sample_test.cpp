@@ -1,4 +1,4 @@
-// A small collapse, recorded and drawn: to be looked at, and checked for what the pictures say.
+// A small collapse, recorded and drawn for inspection, with checks of the pictures' labels.
 #include <doctest/doctest.h>
 
 #include "draw/sample_pictures.hpp"

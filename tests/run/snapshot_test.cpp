@@ -1,4 +1,4 @@
-// Snapshots and nested runs at a step border: the bits are those of a run that nobody looked into.
+// Snapshots and nested runs at a step border: the bits equal a run without them.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -25,8 +25,8 @@ SolidSpec part_of(const std::string& name, const Polyhedron& shape, std::vector<
   return spec;
 }
 
-/// Two units of 1 x 1 x 2 m side by side on a fixed base, on them a floor of 4 x 4 x .5 m (z from 2 to 2.5), on it a
-/// unit of 1 x 1 x 1 m. `turn` turns all of it about its origin.
+/// Two units of 1 m x 1 m x 2 m side by side on a fixed base, on them a floor of 4 m x 4 m x 0.5 m (z from 2 to 2.5 m),
+/// on it a unit of 1 m x 1 m x 1 m. `turn` rotates the house about its origin.
 Model<3> small_house(const ContactLaw& law, const UnitQuaternion& turn = {}) {
   SolidModelBuilder builder;
   Material stone;
@@ -88,11 +88,11 @@ TEST_CASE("storeys in space have heights from floor to floor, drift both ways an
   CHECK(near(level_part(high), 0.06 * std::sqrt(2.0), 1e-12));
   CHECK((top_drift(model, state, storeys, base) - Vec3(0.09, 0.03, 0.001)).norm() < 1e-14);
   CHECK(near(storey_twist(model, state, storeys, base, 0), twist, 1e-12));
-  // A turn of -3.2 against the floor is one of 2 pi - 3.2 the other way.
+  // A rotation of -3.2 rad against the floor equals one of 2 pi - 3.2 rad the other way.
   CHECK(near(storey_twist(model, state, storeys, base, 1), 2 * std::numbers::pi - 2.5 - twist, 1e-12));
 }
 
-/// Two beams side by side, with a slab on them or without, and a unit as high as they are.
+/// Two beams side by side, with or without a slab on them, and a unit of the same height.
 Model<3> beamed_storey(bool slab) {
   SolidModelBuilder builder;
   Material stone;
@@ -155,7 +155,7 @@ TEST_CASE("joints in space are the faces that lie on each other, with their area
       CHECK(near(area, 2 * 1 + 1 * 2 + 2 * 1 + 1, 1e-9));
       const FaceJoint& top = joint_of(joints, floor_body, high_body);
       CHECK((turn_of(turn).undo(top.place) - Vec3(0.2, 0.1, 2.5)).norm() < 1e-9);
-      // Of the joint of the two low units the longer axis is upright.
+      // The longer axis of the joint between the two low units is vertical.
       const FaceJoint& between = joint_of(joints, low_left, low_right);
       CHECK((between.end[1] - between.end[0]).cwiseAbs().isApprox(turn_of(turn).apply(Vec3(0, 0, 2)).cwiseAbs(), 1e-9));
     }
@@ -174,7 +174,7 @@ TEST_CASE("a lifted, shifted and turned stone opens its joint in space and slips
     state.rotation[high_body] = tilt * state.rotation[high_body];
     const Work<3> work = evaluated_at(model, state);
     const JointDisplacement top = joint_displacement(joint_of(joints, floor_body, high_body), model, state, work);
-    // The bottom corners are .5 m beside and .5 m below the centroid; the tilt lifts those at +y.
+    // The bottom corners are at 0.5 m horizontally and 0.5 m below the centroid; the tilt lifts those at +y.
     const double c = std::cos(angle), s = std::sin(angle);
     CHECK(near(top.opening, lift + 0.5 * s + 0.5 * (1 - c), 1e-9));
     CHECK(near(top.slip, std::hypot(shift.x(), shift.y() + 0.5 * s), 1e-9));
@@ -221,13 +221,13 @@ TEST_CASE("what became of a house in space, storey by storey: both sides of each
   CHECK(rows[0].units == 2);
   CHECK(rows[1].units == 1);
   for (const StoreyDamage& row : rows) CHECK(row.joints_apart + row.units_out_of_place == 0);
-  // Sideways both ways at once: .018 each are .02546 m, an inch is .0254.
+  // In both horizontal directions: 0.018 m each are 0.02546 m; an inch is 0.0254 m.
   rows = after({0.018, -0.018, 0}, Vec3::Zero());
   CHECK(rows[1].units_out_of_place == 1);
   CHECK(rows[1].joints_apart == 1);
   rows = after({0.0179, -0.0179, 0}, Vec3::Zero());
   CHECK(rows[1].units_out_of_place == 0);
-  // With the floor it is in place, and the floor's joints below are apart.
+  // With the floor it is in place, and the floor's joints below are open.
   rows = after({0.1, 0.1, 0}, {0.1, 0.1, 0});
   CHECK(rows[1].units_out_of_place == 0);
   CHECK(rows[1].joints_apart == 0);
@@ -242,7 +242,7 @@ TEST_CASE("base shear in space is what accelerates all that stands on the base, 
   const std::vector<int> base = find_base(model);
   std::vector<Vec3> before = sim.state().velocity;
   sim.refresh();
-  Vec3 last = force_on(model, sim.work(), base);  // velocities lie half a step before their instant
+  Vec3 last = force_on(model, sim.work(), base);  // velocities are half a step before their instant
   double worst = 0, largest = 0, last_dt = 0, mass = 0;
   for (int n = 1; n < model.nodes(); ++n) mass += model.mass[n];
   RunListener<3> listener;
@@ -268,7 +268,7 @@ TEST_CASE("a results file of solids has their joints, and what became of each at
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "trilith_space_joints_test.h5";
   std::filesystem::remove(path);
   Simulation<3> sim(small_house(found_mortar));
-  sim.edit([](Model<3>& m) { m.gravity.field = Vec3(40, 0, -9.80665); });  // bonds of .1 MPa break
+  sim.edit([](Model<3>& m) { m.gravity.field = Vec3(40, 0, -9.80665); });  // bonds of 0.1 MPa break
   {
     RecordingOptions<3> options;
     options.with_joints = true;

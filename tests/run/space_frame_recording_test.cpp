@@ -1,4 +1,4 @@
-// What the results file has of a frame in space: all of its nodes, and its skin on the nodes it goes with.
+// A frame in space in the results file: all of its nodes, and its skin with the node of each part.
 #include <doctest/doctest.h>
 
 #include "near.hpp"
@@ -35,7 +35,7 @@ TEST_CASE("the skin of a frame in space that has moved is where a results file p
     for (const Vec3& corner : run.work().solids.placed[static_cast<std::size_t>(p)].corners)
       CHECK((at.vertex(row++) - corner).norm() < 1e-12);
   CHECK(row == header.bodies[1].first_vertex + header.bodies[1].vertex_count);
-  // Inner cuts between the pieces are no faces: 4 sides each, both tips, and both ends at the joint, as members that
-  // meet askew cover each other's in part alone.
+  // Inner cuts between the pieces are no faces: 4 sides each, both tips, and both ends at the joint, because obliquely
+  // joined members cover each other's ends only in part.
   CHECK(header.bodies[1].face_count == 4 * model.bodies[1].pieces + 4);
 }

@@ -1,4 +1,4 @@
-// Runs of solids in space: stages, rest, events, steps, and what is read back of them.
+// Runs of solids in space: stages, rest, events, steps, and readings.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -52,7 +52,7 @@ StageOptions stage(double duration) {
 }
 
 TEST_CASE("a block on a joint has a stable step that its highest frequency allows") {
-  // Highest of the block on Kn 1e9, Ks 4e8 Pa/m: 116.919 Hz (rocking and swaying), so 2 / w = 2.7226 ms.
+  // Highest frequency of the block on Kn 1e9, Ks 4e8 Pa/m: 116.919 Hz (rocking and swaying), so 2 / w = 2.7226 ms.
   SolidModelBuilder builder = on_ground(frictional(1e9, 4e8, 0.6));
   builder.add_body(solid("block", box_at({0.4, 0.4, 1.2}, {0, 0, 0.6 - 1e-6})));
   builder.overlap_allowed = 1e-3;
@@ -61,8 +61,8 @@ TEST_CASE("a block on a joint has a stable step that its highest frequency allow
   const StableStep step = stable_step(sim.model(), sim.state(), sim.work());
   const double allowed = 2 / (2 * std::numbers::pi * 116.919);
   CHECK(step.body == 1);
-  // Its stiffest face governs, a side of .4 by 1.2 m against a body that moves as well: 2 kn A / m = 2.0833e6, rocking
-  // about its short side .9 of that with the shear; the bound is at most a quarter above the largest.
+  // Its stiffest face governs, a side of 0.4 m by 1.2 m against a moving body: 2 kn A / m = 2.0833e6. Rocking about its
+  // short side has 0.9 of it with the shear; the bound is at most a quarter above the largest.
   CHECK(step.dt <= allowed);
   CHECK(step.dt <= 2 / std::sqrt(2.0833e6));
   CHECK(step.dt >= 2 / std::sqrt(1.25 * 1.2 * 2.0833e6));
@@ -80,9 +80,9 @@ TEST_CASE("solids in space consolidate to rest under their weight") {
   const StageReport report = sim.run(options, listener);
   CHECK(report.end == StageEnd::rest);
   CHECK(made >= 7);
-  sim.run(stage(1), listener);  // each is told to be at rest once it has been still for half a second
+  sim.run(stage(1), listener);  // each is reported at rest after half a second without motion
   CHECK(at_rest == 5);
-  // A course carries its weight and that of what lies on it, m g / (kn A) of overlap for each.
+  // A course carries its own weight and the weight above it, with a penetration of m g / (kn A) for each.
   const double weight = 2400 * 0.4 * 0.2 * 0.2 * standard_gravity, below = 5.0 / 3 * weight / (1e9 * 0.4 * 0.2);
   double sunk = 0;
   for (int b = 1; b <= 3; ++b) sunk += (0.1 - sim.state().position[static_cast<std::size_t>(b)].z()) / 3;
@@ -189,7 +189,7 @@ TEST_CASE("a recording of a run in space is read back as it was") {
   const results::Frame last = reader.frame(reader.frame_count() - 1);
   for (std::size_t b = 0; b < 6; ++b)
     for (int k = 0; k < 3; ++k) CHECK(last.position[3 * b + static_cast<std::size_t>(k)] == sim.state().position[b][k]);
-  CHECK(last.contacts.size() >= 7);  // head joints may touch without a force
+  CHECK(last.contacts.size() >= 7);  // head joints may touch without force
   double carried = 0;
   for (const results::ContactForce& c : last.contacts)
     if (c.body_a == 0) carried += -c.force[2];

@@ -1,4 +1,4 @@
-// What became of a wall, storey by storey: both sides of each limit, on bodies moved by hand.
+// Damage of a wall by storey: both sides of each limit, with prescribed displacements of bodies.
 #include "run/record/storey_damage.hpp"
 
 #include <doctest/doctest.h>
@@ -34,7 +34,7 @@ Model<2> wall() {
 
 using Moves = std::vector<std::pair<int, Vec2>>;
 
-/// The rows of `bodies` once each of `moves` has been done.
+/// The rows of `bodies` after each of `moves`.
 std::vector<StoreyDamage> after(const Moves& moves, const DamageLimits& limits = {},
                                 const std::vector<int>& bodies = {0, 1, 2, 3, 4, 5}) {
   const Model<2> model = wall();
@@ -85,7 +85,7 @@ TEST_CASE("units are in place where their floor goes with them") {
   const auto rows = after({{slab, {0.1, 0}}, {high_left, {0.1, 0}}, {high_right, {0.1, 0}}});
   CHECK(rows[1].joints_apart == 0);
   CHECK(rows[1].units_out_of_place == 0);
-  CHECK(rows[0].joints_apart == 2);  // those under the slab
+  CHECK(rows[0].joints_apart == 2);  // the joints under the slab
   const auto left_behind = after({{slab, {0.1, 0}}});
   CHECK(left_behind[1].units_out_of_place == 2);
   CHECK(left_behind[0].units_out_of_place == 0);

@@ -1,4 +1,4 @@
-// How many threads share a step where that is left open: those that pay, by times that are made up here.
+// Automatic number of threads of a step: the fastest one, with invented times.
 #include "run/thread_choice.hpp"
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@ using namespace trilith;
 
 namespace {
 
-/// Steps of a machine on which `seconds`(threads) is what one takes; returns the seconds of all.
+/// Steps of a machine on which one step takes `seconds`(threads) [s]; returns the total [s].
 double go(ThreadChoice& choice, int steps, const std::function<double(int)>& seconds) {
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
@@ -31,7 +31,7 @@ TEST_CASE("threads that were asked for are taken whatever they bring") {
     return threads;
   });
   CHECK(three.chosen() == 3);
-  CHECK(three.gain() == 0);  // nobody timed them
+  CHECK(three.gain() == 0);  // not timed
   CHECK_FALSE(ThreadChoice::up_to(1).is_open());
 }
 
@@ -40,20 +40,20 @@ TEST_CASE("a second thread is kept where it pays and dropped where it does not")
     CAPTURE(gain);
     ThreadChoice choice = ThreadChoice::up_to(2);
     CHECK(choice.threads() == 2);
-    CHECK(choice.gain() == 0);  // nobody knows
+    CHECK(choice.gain() == 0);  // unknown
     const auto machine = [&](int threads) { return threads == 2 ? 1 / gain : 1; };
     go(choice, 100, machine);
     const bool pays = gain > 1.05;
     CHECK(choice.chosen() == (pays ? 2 : 1));
     CHECK(near(choice.gain(), pays ? gain : 1, 1e-12));
-    // Trying costs next to nothing, however bad the other is.
+    // A trial costs almost nothing, however slow the other choice is.
     const double best = pays ? 1 / gain : 1;
     CHECK(go(choice, 100000, machine) < 1.005 * 100000 * best);
   }
 }
 
 TEST_CASE("of many threads those are found beyond which there is no gain") {
-  // Of sixteen, six bring the most in steps of a power of two: 4 or 8 are as good.
+  // Of sixteen threads six are the best; in steps of a power of two 4 and 8 are equally good.
   const auto machine = [](int threads) { return 1.0 / threads + 0.02 * threads; };
   ThreadChoice choice = ThreadChoice::up_to(16);
   go(choice, 20000, machine);

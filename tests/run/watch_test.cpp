@@ -1,5 +1,5 @@
-// What a run watches itself for: elements beyond their solid, energies and speeds that nothing gave, rest that is not
-// reached; and what its verdict says.
+// Run-time checks of a run: elements strained beyond their solid's limit, energy and speed without a source, rest not
+// reached; and the text of the verdict.
 #include "run/watch.hpp"
 
 #include "near.hpp"
@@ -12,13 +12,13 @@ namespace {
 
 constexpr double young = 1e7;
 
-/// A square of 1 m that stands on its two lower nodes; `push` would squeeze it by that share at rest.
+/// A square of 1 m that stands on its two lower nodes; at rest `push` would compress it by this share.
 Simulation<2> pressed_square(double push, double limit) {
   Material soft = elastic("soft", 2400, young, 0);
   soft.solid->strain_limit = limit;
   BodySpec spec = grid_body("q", box(0, 0, 1, 1), "soft", 1, 1);
   spec.supports.push_back({{0, 0}, {1, 0}, {Support::fixed, Support::fixed}});
-  spec.load = {0, -2 * push * young};  // spread like the mass: the upper half of it acts
+  spec.load = {0, -2 * push * young};  // distributed like the mass: its upper half acts
   return Simulation(alone(soft, spec));
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("an element's stretch is that of its deformation gradient and no turn 
   CHECK(near(stretched(turn * diagonal(1.3, 0.6)).strain, -0.4, 1e-12));
   CHECK(stretched(turn * diagonal(1, 0.51)).spare > 0);
   CHECK(stretched(turn * diagonal(1, 0.49)).spare < 0);
-  CHECK(near(stretched(diagonal(1, -0.2)).strain, -1.2, 1e-12));  // a mirror image, which no turn brings back
+  CHECK(near(stretched(diagonal(1, -0.2)).strain, -1.2, 1e-12));  // a mirror image, which no rotation reverses
 }
 
 TEST_CASE("an element squeezed or stretched beyond what its solid is made for ends the stage as diverged") {
@@ -92,7 +92,7 @@ TEST_CASE("an element squeezed or stretched beyond what its solid is made for en
     CHECK(run_told(held, calm_stage(1)).report.end == StageEnd::time);
     CHECK(held.verdict().sound());
     StageOptions fine = calm_stage(1);
-    fine.dt = 1e-4;  // so that the limit is met to a percent or two
+    fine.dt = 1e-4;  // so that the limit is met to one or two percent
     const Told told = run_told(crushed, fine);
     REQUIRE(told.report.end == StageEnd::diverged);
     CHECK(told.report.ended < 1);
@@ -113,7 +113,7 @@ TEST_CASE("an element squeezed or stretched beyond what its solid is made for en
 TEST_CASE("an element that turns inside out is found however much strain its solid is made for") {
   Simulation<2> crushed = pressed_square(5, 100);
   StageOptions fine = calm_stage(1);
-  fine.dt = 1e-4;  // so that it is found before it has gone far
+  fine.dt = 1e-4;  // so that it is found before it has moved far
   const Told told = run_told(crushed, fine);
   REQUIRE(told.report.end == StageEnd::diverged);
   CHECK(told.find(EventType::element_overstrained)->value <= -1);
@@ -126,7 +126,7 @@ TEST_CASE("energy that nothing put in ends the stage as diverged and names the f
     RunListener<2> listener;
     listener.change_model = [&, done = false](Model<2>& model) mutable {
       if (done || sim.state().step < 50) return false;
-      model.mass[0] *= factor;  // with the speed it has, this makes energy
+      model.mass[0] *= factor;  // at its current speed this creates energy
       return done = true;
     };
     StageOptions options = plain_stage(1, 1e-2);
