@@ -16,7 +16,7 @@ namespace {
 
 constexpr double stiffness = 2e6, yield_force = 1e4, yield_reach = yield_force / stiffness;
 
-/// Led along displacements; `work` is that of the mean forces of each step.
+/// A law with prescribed displacements; `work` is the work of the mean forces of each step.
 struct BoucWenLead {
   BoucWen law;
   DirectionResponse now = {};
@@ -123,11 +123,11 @@ TEST_CASE("what wears has lost its strength and stiffness by the energy given of
       led.along(-20 * yield_reach, 2000);
       const double e = led.lost / (yield_force * yield_reach), nu = 1 + 0.02 * e, eta = 1 + 0.05 * e;
       CHECK(e > 20);
-      // On its strength, which goes on falling: behind it by a part of what it falls in a reach.
+      // On its falling strength: z lags behind by a share of the fall over one reach.
       const double z = (led.now.force() - 0.1 * stiffness * led.at) / (0.9 * yield_force);
       CHECK(near(-z, std::pow(nu, -1 / n), 0.03));
       CHECK(-z >= std::pow(nu, -1 / n) * (1 - 1e-9));
-      // From rest at z = 0 it goes on with the first stiffness over eta.
+      // From rest at z = 0 it continues with the initial stiffness over eta.
       LedLaw<BoucWen> worn{led.law};
       worn.now.memory.compression = led.now.memory.compression;
       worn.along(1e-5 * yield_reach, 4);
@@ -146,13 +146,14 @@ TEST_CASE(
     }
     for (const auto* led : {&fine, &coarse}) {
       CHECK(near_zero(led->unbooked(), 1e-12 * led->work));
-      CHECK(led->least_loss >= -1e-9 * led->lost);  // a step across z = 0 may miss by its third power
+      CHECK(led->least_loss >= -1e-9 * led->lost);  // a step across z = 0 has an error of third order
     }
   }
 }
 
 TEST_CASE("what wears follows its equations: of z, and of the energy given off") {
-  const double a = 0.1, loss = 0.03, softening = 0.06, reach = 4;  // displacements in shares of Y, energies of yield Y
+  const double a = 0.1, loss = 0.03, softening = 0.06, reach = 4;  // displacements in units of Y, energies in units of
+                                                                   // yield Y
   for (const double n : {1.0, 3.0})
     for (const double b : {0.5, 0.8}) {
       LedLaw<BoucWen> led{{stiffness, yield_force, a, n, b, 0, loss, softening}};
@@ -165,7 +166,7 @@ TEST_CASE("what wears follows its equations: of z, and of the energy given off")
       for (int i = 1; i <= 6000; ++i) {
         const double next = reach * std::sin(2 * M_PI * i / 1000.0), sign = next < u ? -1 : 1;
         const int parts = 10;
-        for (int k = 0; k < parts; ++k) {  // by the middle of each part
+        for (int k = 0; k < parts; ++k) {  // midpoint rule
           const double h = (next - u) / parts;
           const auto [dz, de] = slopes(z, e, sign);
           const auto [mz, me] = slopes(z + 0.5 * h * dz, e + 0.5 * h * de, sign);

@@ -1,4 +1,4 @@
-// What breaks, within a model: told once, booked, and the bearing stays.
+// Breaking bearings in a model: reported once, booked in the ledger, and the bearing object stays.
 #include <doctest/doctest.h>
 
 #include "near.hpp"
@@ -14,11 +14,11 @@ using testing::Scene;
 struct Broken {
   BearingStatus status = BearingStatus::intact;
   int told = 0, ended = 0;
-  double told_at = 0;  ///< displacement [m]
+  double told_at = 0;  ///< displacement at the event [m]
   double dissipated = 0, force = 0, speed = 0;
 };
 
-/// A mass that flies off along x at 2 m/s from a base that holds it by `law`.
+/// A mass that moves off along x at 2 m/s from a base, held by `law`.
 Broken fly_off(const DirectionLaw& law) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});

@@ -11,7 +11,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// What a mass on cables shows.
+/// Results of a mass on cables.
 struct CableRun {
   double taut = 0, slack = 0;               ///< when [s]
   double peak = 0, at_peak = 0, force = 0;  ///< [m], [s], [N]

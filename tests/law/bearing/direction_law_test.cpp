@@ -1,4 +1,4 @@
-// The laws of a bearing's directions: what all of them keep, and the closed form of each.
+// Laws of the directions of a bearing: common invariants, and the closed form of each.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ DirectionResponse respond(const DirectionLaw& law, const DirectionMotion& motion
       law);
 }
 
-/// A law led along a path of displacements in even steps of time, with the energy books kept.
+/// A law with prescribed displacements in equal time steps, with its energies.
 struct Led {
   DirectionLaw law;
   double dt = 1e-3, compression = 0;
@@ -46,14 +46,14 @@ struct Led {
     displacement = d;
     last = next;
   }
-  /// In `steps` even steps.
+  /// In `steps` equal steps.
   void along(double d, int steps = 200) {
     const double from = displacement;
     for (int i = 1; i <= steps; ++i) to(from + (d - from) * i / steps);
   }
 };
 
-/// A smooth random walk between -0.05 and 0.05 m, back to where it began.
+/// A smooth random walk between -0.05 and 0.05 m, back to its start.
 std::vector<double> random_path(std::uint64_t seed, int cycles, int steps) {
   std::mt19937_64 bits(seed);
   std::vector<double> path;
@@ -66,7 +66,7 @@ std::vector<double> random_path(std::uint64_t seed, int cycles, int steps) {
   return path;
 }
 
-/// What a law has in it as it is placed.
+/// Energy stored in a law as it is placed [J].
 double prestress(const DirectionLaw& law) {
   return std::visit(
       [](const auto& l) {
@@ -90,7 +90,7 @@ TEST_CASE("no motion gives no force but that of placing and no energy, whatever 
   }
 }
 
-/// What the energy books of a law show over a path.
+/// Energy balance of a law over a path.
 struct Books {
   double most = 0, least_lost = 0, error = 0;  // [J]
   Books(const DirectionLaw& law, const std::vector<double>& path) {
@@ -141,14 +141,14 @@ TEST_CASE("springs, bilinear springs, sliders, keys and dampers close their book
       }
 }
 
-/// Most force per displacement and per velocity within a step.
+/// Largest force per displacement and per velocity within a step.
 struct Slopes {
   double tangent = 0, dashpot = 0;
   Slopes(const DirectionLaw& law, double compression) {
     std::visit(
         [&]<class L>(const L& l) {
           if constexpr (!std::is_same_v<L, std::monostate>) tangent = l.tangent(), dashpot = l.dashpot();
-          // The dish's part is not known to the law alone.
+          // The dish's part is not part of the law itself.
           if constexpr (requires { l.radius; }) tangent += compression / l.radius;
         },
         law);
@@ -176,7 +176,7 @@ TEST_CASE("tangent and dashpot of a law bound what a step's motion does to its f
     for (const double d : random_path(9, 20, 300)) {
       const double from = led.displacement;
       const DirectionMemory before = led.last.memory;
-      // Beside having stood still: a damper's force goes on without motion.
+      // Relative to standing still: a damper's force remains without motion.
       const double still = respond(n.law, {from, 0, led.dt, compression}, before).force();
       led.to(d);
       if (broken(n.law, led.last.memory) && !broken(n.law, before)) continue;
@@ -191,7 +191,7 @@ TEST_CASE("a linear spring with a dashpot gives k d + c v and loses c v^2 in tim
   led.along(0.1, 100);  // at 0.1 m/s
   CHECK(near(led.last.force(), 1000 * 0.1 + 50 * 0.1, 1e-12));
   CHECK(near(led.last.stored, 5, 1e-12));
-  CHECK(near(led.lost, 50 * 0.01 * 1.0, 0.006));  // less half a step at the start
+  CHECK(near(led.lost, 50 * 0.01 * 1.0, 0.006));  // minus half a step at the start
 }
 
 TEST_CASE("a bilinear spring yields at its force, hardens with its share and yields back after twice the force") {
@@ -210,7 +210,7 @@ TEST_CASE("a bilinear spring yields at its force, hardens with its share and yie
     led.along(1 * dy);
     CHECK(led.last.yielding);
     CHECK(near(led.last.force(), top - 2 * fy - share * k * 2 * dy, 1e-9));
-    // A closed loop between -5 dy and 5 dy loses 4 fy (1 - share) (D - dy).
+    // A closed loop between -5 dy and 5 dy dissipates 4 fy (1 - share) (D - dy).
     led.along(-5 * dy), led.along(5 * dy);
     const double before = led.lost;
     led.along(-5 * dy), led.along(5 * dy);

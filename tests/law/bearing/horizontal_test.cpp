@@ -1,4 +1,4 @@
-// Laws of both horizontal directions at once: circles, not squares, whatever the azimuth.
+// Laws for both horizontal directions at once: circles, not squares, for any azimuth.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 using testing::near;
 using testing::near_zero;
 
-/// A law of both directions, led along displacements in even steps of time. `work` is that of the mean forces.
+/// A law of both directions with prescribed displacements in equal time steps. `work` is the work of the mean forces.
 template <HorizontalLaw L>
 struct LedBoth {
   L law;
@@ -35,7 +35,7 @@ struct LedBoth {
   }
 };
 
-/// f(law) for every sample of a law of both directions.
+/// Calls f(law) for every sample of a law of both directions.
 template <class F>
 void for_samples(F&& f) {
   DirectionLaws::for_each([&]<class L>() {
@@ -47,7 +47,7 @@ void for_samples(F&& f) {
   });
 }
 
-/// A path that bends, crosses itself and comes back [m].
+/// A path that bends, crosses itself and returns [m].
 Vec2 wandering(double t) {
   return {0.07 * std::sin(3 * t), 0.05 * std::sin(4.3 * t + 0.4) - 0.05 * std::sin(0.4)};
 }
@@ -74,7 +74,7 @@ TEST_CASE(
       LedBoth<L> both{law, 1e-3, 1e4};
       DirectionResponse one;
       double d = 0;
-      for (int i = 1; i <= 600; ++i) {  // there, back beyond the start, and there again
+      for (int i = 1; i <= 600; ++i) {  // forward, back beyond the start, and forward again
         const double next = 0.08 * std::sin(3 * M_PI * i / 600);
         both.to(next * way);
         one = law.respond({next, (next - d) / 1e-3, 1e-3, 1e4}, one.memory);
@@ -102,7 +102,7 @@ TEST_CASE("both directions: what goes in is stored or given off, and nothing is 
     LedBoth<L> led{law, 1e-3, 1e4};
     for (int i = 1; i <= 5000; ++i) led.to(wandering(2e-3 * i));
     const double size = std::abs(led.lost) + led.now.stored;
-    // Wear makes the spring softer within a step, which is booked to the first order of the step.
+    // Wear makes the spring softer within a step; its booking has an error of first order in the step.
     CHECK(near_zero(led.work - led.now.stored - led.lost, 2e-4 * size));
     CHECK(led.least_loss > -1e-9 * size);
   });
@@ -112,12 +112,12 @@ TEST_CASE("both directions: friction round a circle is mu N, and drags behind th
   const double compression = 2e5, mu = 0.08, stiffness = 1e7, radius = 0.1;
   LedBoth<Friction> led{{.mu = mu, .stiffness = stiffness}, 1e-4, compression};
   led.round(radius, 2, 400000);
-  // At (radius, 0), going along y. The slider is towed at the length mu N / k on a smaller circle.
+  // At (radius, 0), moving along y. The slider is towed at the length mu N / k on a smaller circle.
   const double lag = std::asin(mu * compression / stiffness / radius);
   CHECK(near(led.now.force.norm(), mu * compression, 1e-12));
   CHECK(near(led.now.force.y(), mu * compression * std::cos(lag), 1e-6));
   CHECK(near(led.now.force.x(), mu * compression * std::sin(lag), 2e-3));
-  // A full circle gives off the force times the slider's path.
+  // A full circle dissipates the force times the slider's path.
   LedBoth<Friction> again = led;
   again.round(radius, 1, 200000);
   CHECK(near(again.lost - led.lost, mu * compression * 2 * M_PI * std::sqrt(radius * radius - 1.6e-3 * 1.6e-3), 1e-5));
@@ -128,7 +128,7 @@ TEST_CASE("R4: a friction pendulum led round a circle carries N r / R across it 
   LedBoth<Pendulum> led{{.radius = 2, .mu = 0.05, .stiffness = 1e9}, 1e-4, compression};
   led.round(radius, 1, 100000);
   const LedBoth<Pendulum> before = led;
-  led.round(radius, 1, 100000);  // at (radius, 0), going along y
+  led.round(radius, 1, 100000);  // at (radius, 0), moving along y
   CHECK(near(led.now.force.x(), 1e5, 0.005));
   CHECK(near(led.now.force.y(), 5e4, 0.005));
   CHECK(near(led.now.force.norm(), 111.80e3, 0.005));
@@ -161,7 +161,7 @@ TEST_CASE("both directions: yield is one resultant in every azimuth, where two l
     for (int i = 1; i <= 1000; ++i) smooth.to(5e-4 * i * way);
     CHECK(near(smooth.now.force.norm(), 1e5, 1e-6));
   }
-  // Under a resultant that goes round, the yield force goes round with it and never grows.
+  // Under a rotating resultant the yield force rotates with it and never grows.
   LedBoth<ElasticPlastic> round{steel};
   round.round(0.05, 1, 4000);
   CHECK(near(round.now.force.norm(), 1e5, 1e-12));

@@ -1,4 +1,4 @@
-// One law of a direction by itself: led along displacements with its energy books, or holding a mass that moves freely.
+// A single direction law: with prescribed displacements and its energies, or on a mass that moves freely.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace trilith::testing {
 
-/// Led along displacements in even steps of time. `work` is that of the mean forces of each step.
+/// A law with prescribed displacements in equal time steps. `work` is the work of the mean forces of each step.
 template <DirectionLawType L>
 struct LedLaw {
   L law;
@@ -29,7 +29,7 @@ struct LedLaw {
   void along(double d, int steps = 400) {
     for (int i = 1, left = steps; i <= steps; ++i, --left) to(i == steps ? d : at + (d - at) / left);
   }
-  /// X sin(2 pi t / T) for some periods, from the middle; returns the work of the last one.
+  /// X sin(2 pi t / T) for some periods, starting at 0; returns the work of the last one.
   double sine(double amplitude, double period, int periods, int steps) {
     dt = period / steps;
     double before = 0;
@@ -39,11 +39,11 @@ struct LedLaw {
     }
     return work - before;
   }
-  /// What is missing in the books.
+  /// Residual of the energy balance [J].
   [[nodiscard]] double unbooked() const { return work - now.stored - lost; }
 };
 
-/// A mass that moves along the direction of its laws, stepped as the engine does it.
+/// A mass that moves along the direction of its laws, with the engine's time stepping.
 template <DirectionLawType... L>
 struct MassOn {
   double mass, dt;
@@ -51,7 +51,7 @@ struct MassOn {
   double x = 0, v = 0, compression = 0, time = 0;
   std::array<DirectionResponse, sizeof...(L)> now = {};
 
-  /// Under a push from outside [N].
+  /// Under an external force [N].
   void step(double push = 0) {
     double force = push;
     for (const DirectionResponse& r : now) force -= r.force();

@@ -1,4 +1,4 @@
-// Pounding: the restitution asked for comes out, whether the dashpot may pull or not.
+// Pounding: the requested restitution is reached, with or without tension of the dashpot.
 #include "law/bearing/pounding.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Two masses that meet across a gap, and what is seen of it.
+/// Two masses that meet across a gap, and the figures of their impact.
 struct Impact {
   double touch = 0, lasts = 0, deepest = 0, most_force = 0, at_most_force = 0, least_force = 0;  ///< [s], [m], [N]
   std::array<double, 2> after{};                                                                 ///< [m/s]

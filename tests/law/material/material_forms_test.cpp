@@ -1,5 +1,5 @@
-// Every solid of the list in the plane and in space: equal answers, and the same from any side.
-// With TRILITH_TABLE in the environment a table of all of them is printed.
+// Every solid law of the list in the plane and in space: equal responses, and the same in any orientation. With
+// TRILITH_TABLE in the environment a table of all results is printed.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double forms_young = 30e9, forms_poisson = 0.2, forms_size = 4e-4;
 const UsualNumbers usual_in_forms{{"Pa", 3e6}, {"rad", 0.5}, {"1", 0.2}, {"s", 0}};
 
-/// f(law) with each sample of every law that has memory and acts in space.
+/// Calls f(law) with each sample of every law with history that acts in space.
 template <class F>
 void for_each_in_space(F&& f) {
   SolidLaws::for_each([&]<class L>() {
@@ -30,7 +30,7 @@ void for_each_in_space(F&& f) {
   });
 }
 
-/// A law in space as one of tensor form, whichever form it is written in.
+/// A law in space as one of tensor form, whatever its own form.
 template <class Law>
 struct InSpace {
   const Law& law;
@@ -40,7 +40,7 @@ struct InSpace {
   }
 };
 
-/// Greatest difference of what the plane and space answer [Pa].
+/// Largest difference of the responses in the plane and in space [Pa].
 double apart(const PointResponse& plane, const PointResponse& space) {
   return std::max({std::abs(plane.stress.xx - space.stress.xx), std::abs(plane.stress.yy - space.stress.yy),
                    std::abs(plane.stress.zz - space.stress.zz), std::abs(plane.stress.xy - space.stress.xy)});
@@ -132,7 +132,7 @@ TEST_CASE("a solid under three equal strains has three equal stresses") {
 
 namespace {
 
-/// Solids that are in no list: one of the plane alone, and one of tensor form.
+/// Solid laws outside of the list: one for the plane only, and one of tensor form.
 struct PlaneAlone {
   static constexpr bool is_elastic = false;
   double young = 1, poisson = 0;

@@ -16,7 +16,7 @@ constexpr double young = 30e9, poisson = 0.2;
 using testing::near;
 using testing::near_zero;
 
-/// Of a brittle solid; a law's own numbers beside Young's modulus and Poisson's ratio.
+/// Of a brittle solid; the law's own numbers in addition to Young's modulus and Poisson's ratio.
 const testing::UsualNumbers usual_in_solids{{"Pa", 3e6}, {"rad", 0.5}, {"1", 0.2}, {"s", 0}};
 
 /// Calls f with each sample of every law that is not elastic.
@@ -32,7 +32,7 @@ void for_each_plastic(F&& f) {
   });
 }
 
-/// Walks along a path of strains and checks the return and the dissipation at each step.
+/// Follows a path of strains and checks the return mapping and the dissipation at each step.
 template <class Law, class Path>
 PointResponse walk(const Law& law, Plane plane, int steps, Path&& path, double size) {
   PointResponse r;
@@ -46,7 +46,7 @@ PointResponse walk(const Law& law, Plane plane, int steps, Path&& path, double s
     dissipated += r.dissipated;
     given += 0.5 * (stress + r.stress.in_plane()).dot(strain - before);
     before = strain, stress = r.stress.in_plane();
-    // Where it has come to it stays: the same strain again gives the same stress, without further flow.
+    // The point stays on its surface: the same strain again gives the same stress, without further flow.
     const PointResponse again = law.respond(plane, strain, r.memory);
     CHECK(near_zero((again.stress.in_plane() - r.stress.in_plane()).norm(), 1e-10 * size));
     CHECK(near_zero(again.dissipated, 1e-10 * size));
@@ -54,7 +54,7 @@ PointResponse walk(const Law& law, Plane plane, int steps, Path&& path, double s
     if constexpr (requires { law.excess(r.stress, r.memory.measure); })
       CHECK(law.excess(r.stress, r.memory.measure) <= 1e-10 * size);
   }
-  // What was given is stored or dissipated, but for the length of the steps.
+  // The work is stored or dissipated, except for the error of the step length.
   CHECK(near(r.stored + dissipated, given, 1e-3));
   return r;
 }
@@ -62,7 +62,7 @@ PointResponse walk(const Law& law, Plane plane, int steps, Path&& path, double s
 TEST_CASE("J2 in uniaxial plane stress yields at its yield stress and hardens with E H/(E + H)") {
   const J2 law{young, poisson, 20e6, 5e9};
   const double most = 2e-3;
-  // The strain across the pull is free: found so that its stress is 0 at each step.
+  // The lateral strain is free: found so that its stress is 0 at each step.
   PlasticMemory memory;
   PointResponse r;
   double across = 0;
@@ -93,7 +93,7 @@ TEST_CASE("Mohr-Coulomb in uniaxial compression and tension stands at its closed
   const double friction = 35 * M_PI / 180, c = 5e6, squeeze = 2 * c * std::cos(friction) / (1 - std::sin(friction)),
                pull = 2 * c * std::cos(friction) / (1 + std::sin(friction));
   MohrCoulomb law{young, poisson, c, friction, 0.1};
-  // Far beyond the limit the other strain is free to be what it likes: the law's own flow keeps the side stress 0.
+  // Far beyond the limit the lateral strain is free: the law's own flow keeps the lateral stress at 0.
   const auto along = [&](double sign, const MohrCoulomb& l) {
     PlasticMemory memory;
     PointResponse r;
@@ -146,7 +146,8 @@ TEST_CASE("any walk of strain comes back to the surface, dissipates and closes i
     const auto path = [&](double s) -> PlaneVector { return 2e-3 * (s * a + std::sin(3 * s) * b); };
     for (const Plane plane : {Plane::stress, Plane::strain}) {
       for_each_plastic([&](const auto& law) { walk(law, plane, 5000, path, 3e6); });
-      walk(J2{young, poisson, 10e6, 1e9}, plane, 5000, path, 10e6);  // hardens by as much as it yields at
+      walk(J2{young, poisson, 10e6, 1e9}, plane, 5000, path, 10e6);  // the hardening at the end equals the initial
+                                                                     // yield stress
     }
   }
 }

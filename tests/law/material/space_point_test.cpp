@@ -1,4 +1,4 @@
-// Laws of solids in space: what they are in plane strain, from any side, and closed forms of loads along three axes.
+// Laws of solids in space: agreement with plane strain, in any orientation, and closed forms of loads along three axes.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ DruckerPrager clay() {
   return law;
 }
 
-/// f(law, a strain it yields at).
+/// Calls f(law, a strain at which it yields).
 template <class F>
 void for_each_law(F&& f) {
   f(steel(), 4e-3), f(soil(), 2e-3), f(clay(), 2e-3);
@@ -84,7 +84,7 @@ TEST_CASE("a law in space answers a turned strain with the turned stress") {
 
 TEST_CASE("J2 in space: pulled along one axis it hardens along its line, from all sides it stays elastic") {
   const J2 law = steel();
-  // Of a stress s along x beyond the yield stress: plastic strain e = (s - yield)/hardening, -e/2 across.
+  // At a stress s along x beyond the yield stress: plastic strain e = (s - yield)/hardening, -e/2 across.
   const double s = 300e6, e = (s - law.yield) / law.hardening;
   const double along = s / law.young + e, across = -law.poisson * s / law.young - 0.5 * e;
   const SpaceResponse pulled = respond_in_space(law, (SpaceVector() << along, across, across, 0, 0, 0).finished(), {});
@@ -101,7 +101,7 @@ TEST_CASE("Mohr-Coulomb in space: squeezed along one axis within a pressure from
   const MohrCoulomb law = soil();
   const double cell = 50e3, sine = std::sin(law.friction), cosine = std::cos(law.friction);
   const double limit = cell * (1 + sine) / (1 - sine) + 2 * law.cohesion * cosine / (1 - sine);
-  // The strain across is found so that the stress across is the cell pressure.
+  // The strain across is found so that the stress across equals the cell pressure.
   SpaceMemory memory;
   SpaceResponse r;
   double across = 0;

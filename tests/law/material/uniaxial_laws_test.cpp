@@ -1,4 +1,4 @@
-// What every law of a fibre keeps, whichever it is: they come from their list.
+// Invariants of every fibre law of the list.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ void for_each_fibre_law(F&& f) {
   });
 }
 
-/// The ends of a range come often.
+/// A random number, often at an end of its range.
 template <class L>
 double any_fibre_number(const Parameter<L>& p, std::mt19937_64& bits) {
   const double most = p.most < unbounded ? p.most : std::pow(10, random_between(bits, -8, 12));
@@ -47,7 +47,7 @@ bool is_sound_fibre(const L& law) {
   return true;
 }
 
-/// Strains at random, small and large, some twice.
+/// Random strains, small and large, some twice.
 double next_strain(double at, int i, std::mt19937_64& bits) {
   if (i % 11 == 0) return at;
   const double size = std::pow(10, random_between(bits, -5, -2.3));
@@ -107,7 +107,7 @@ TEST_CASE("a tangent of a fibre is that of finite differences, and none is above
       CHECK(led.now.tangent <= law.tangent() * (1 + 1e-12));
       const double at = led.now.stress(), up = law.respond(strain + h, before).stress() - at,
                    down = at - law.respond(strain - h, before).stress();
-      // At rest it may turn, and at a corner the differences lie on two branches.
+      // At rest the law may reverse, and at a corner the differences are on two branches.
       if (strain == before[last_strain] || std::abs(up - down) > 1e-5 * law.tangent() * h) {
         ++corners;
         continue;

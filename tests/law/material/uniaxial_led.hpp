@@ -1,4 +1,4 @@
-// One law of a fibre by itself: led along strains, with its energy books.
+// A single fibre law with prescribed strains and its energies.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace trilith::testing {
 
-/// Such that strains of some thousandths pass yield, peak and crack.
+/// Numbers for which strains of some thousandths pass yield, peak and crack.
 inline const UsualNumbers usual_in_fibres{{"Pa", 2e11}, {"1", 0.3}};
 inline constexpr double usual_yield = 3e8;
 
-/// The samples of a law, sound and with a yield stress where they have one.
+/// Samples of a law, intact, with a yield stress where the law has one.
 template <UniaxialLawType L>
 std::vector<L> fibre_samples() {
   std::vector<L> all = samples<L>(usual_in_fibres);
@@ -30,7 +30,7 @@ std::vector<L> fibre_samples() {
   return all;
 }
 
-/// `work` is that of the mean stress of each step.
+/// `work` is the work of the mean stress of each step.
 template <UniaxialLawType L>
 struct LedFibre {
   L law;
