@@ -13,8 +13,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A house of walls of .4 m with a wall across it, all rooms 2.8 m deep: one of 2.4 m to the left and one of 2.8 m to
-/// the right of it, 1.6 m high.
+/// A house with walls of 0.4 m and a cross wall, all rooms 2.8 m deep: one of 2.4 m to the left and one of 2.8 m to the
+/// right of it, 1.6 m high.
 Building beamed_house(std::vector<BeamRow> beams) {
   Building building{.name = "B",
                     .walls = {{.name = "south", .start = {0, 0}, .end = {6, 0}},
@@ -53,7 +53,7 @@ std::string refusal_of_beams(std::vector<BeamRow> beams) {
   return refusal_of([&] { build_building(beamed_house(std::move(beams))); });
 }
 
-/// Four walls around a room, 3.2 by 2.4 m between their lines, four courses high, with one row of beams.
+/// Four walls around a room of 3.2 m by 2.4 m between their centre lines, four courses high, with one row of beams.
 Building room_at_random(std::mt19937_64& bits) {
   const auto pick = [&](int choices) { return static_cast<std::size_t>(random_count(bits, 0, choices - 1)); };
   const double t = std::array{0.2, 0.4, 0.5}.at(pick(3));
@@ -77,7 +77,7 @@ Building room_at_random(std::mt19937_64& bits) {
 
 TEST_CASE("beams end in pockets of two walls and nothing overlaps: volumes add up") {
   const SolidParts made = build_building(beamed_house({{.along_y = true, .spacing = 1.3, .width = 0.2}}));
-  // 5.6 m between west and east hold 4 of 1.3 m; the middle wall runs along them, between two of them
+  // 5.6 m between west and east hold 4 beams of 1.3 m spacing; the middle wall is parallel to them, between two beams
   check_sound(made.parts);
   CHECK(count_in_group(made.parts, "beams") == 4);
   CHECK(count_in_group(made.parts, "floors") == 4);
@@ -94,7 +94,7 @@ TEST_CASE("beams end in pockets of two walls and nothing overlaps: volumes add u
 TEST_CASE("beams go through walls that stand between those they end in") {
   const SolidParts made = build_building(beamed_house({{.count = 4, .width = 0.2, .height = 0.4}}));
   check_sound(made.parts);
-  // 2.8 m shared out evenly: .7 m from centre to centre
+  // even spacing over 2.8 m: 0.7 m from centre to centre
   for (int i = 0; i < 4; ++i) {
     const double y = 1.6 + 0.7 * (i - 1.5);
     check_box(made, fmt::format("B.s1.beam{}", i + 1), {-0.2, y - 0.1, 1.2}, {6.2, y + 0.1, 1.6});
@@ -137,7 +137,7 @@ TEST_CASE("rooms have beams of their own which share pockets of the wall between
   check_box(meeting, "B.s1.beam2", {0, 1.5, 1.4}, {2.8, 1.7, 1.6});
   check_box(meeting, "B.s1.beam5", {2.8, 1.5, 1.4}, {6, 1.7, 1.6});
   CHECK(near(volume_in(meeting, "units"), plan_area * 1.6 - 3 * 4 * 0.2 * 0.2 * 0.2, 1e-12));
-  const SolidParts apart = build_building(rooms(0.15, 0.15));  // with .1 m of masonry between their ends
+  const SolidParts apart = build_building(rooms(0.15, 0.15));  // with 0.1 m of masonry between their ends
   check_sound(apart.parts);
   CHECK(near(volume_in(apart, "units"), plan_area * 1.6 - 3 * 4 * 0.2 * 0.2 * 0.15, 1e-12));
   CHECK(says(refusal_of([&] { build_building(rooms(0.3, 0.2)); }),
@@ -204,9 +204,9 @@ TEST_CASE("beams lie on lintels, and over openings alone they are refused") {
   CHECK(says(refusal_of([&] { build_building(building); }),
              "has its pocket on an opening of wall 'south', from 0.8 to 2 m, which reaches into the top course of the "
              "storey"));
-  building.beams[0].count = 2, building.beams[0].spacing = 1.8;  // beside it
+  building.beams[0].count = 2, building.beams[0].spacing = 1.8;  // next to the lintel
   check_sound(build_building(building).parts);
-  // a storey as high as its beams stands on an opening of the one below
+  // a storey as high as its beams stands on an opening of the storey below
   building.storeys = {{.courses = 8, .beams = std::vector<BeamRow>{}}, {.courses = 1}};
   building.beams = {{.along_y = true, .count = 1, .width = 0.2, .to = Vec2(2.8, 3.2)}};
   CHECK(says(refusal_of([&] { build_building(building); }),

@@ -94,7 +94,7 @@ TEST_CASE("a part that touches nothing is told, one at the edge of reach is not"
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {0, 0, 1 + 1e-7}), brick("c", {0, 0, 3})};
   const SolidFinding found = only(check_solids(parts));
   CHECK(found.text == "solid 'c' touches nothing");
-  // boxes meet, solids do not: a brick turned by 45 degrees beside the corner of another
+  // bounding boxes overlap, solids do not: a brick rotated by 45 degrees next to the corner of another
   std::vector<SolidPart> turned{brick("a", {0, 0, 0}), build_box({.name = "t",
                                                                   .size = {1, 1, 1},
                                                                   .at = {1.5, 1.5, 0.5},

@@ -14,7 +14,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Four webs, each the profile times what lies between the diagonal and the end of the web: half bay less |x|.
+/// Volume of four webs, each the profile times the length between the diagonal and the end of the web: half bay minus
+/// |x|.
 double vault_volume(Arch arch, double half_bay) {
   arch.abutments = false;
   double volume = 0;
@@ -27,7 +28,7 @@ double vault_volume(Arch arch, double half_bay) {
   return volume;
 }
 
-/// Whether some part is where this one comes to, mirrored or turned.
+/// Whether one of the parts equals the mirrored or rotated `part`.
 template <class Image>
 bool has_image(const std::vector<SolidPart>& parts, const SolidPart& part, Image image) {
   const auto middle = [](const SolidPart& p) {

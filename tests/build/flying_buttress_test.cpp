@@ -1,4 +1,4 @@
-// Half an arch between a pier and a wall: where its joints lie, and what cannot be built.
+// Half an arch between a pier and a wall: position of its joints, and rejected input.
 #include "build/space/flying_buttress.hpp"
 
 #include <doctest/doctest.h>
@@ -40,7 +40,7 @@ TEST_CASE("a flying buttress fills the sector between its circles and shares its
   f.voussoirs = 8, f.span = 4, f.rise = 2, f.thickness = 0.5, f.sub_edges = 40;
   const std::vector<Part> parts = build_flying_buttress(f);
   REQUIRE(parts.size() == 8);
-  // Level at the head: radius (16 + 4)/4 = 5 m about (4, -3), from an angle of asin 4/5 to none.
+  // Level at the head: radius (16 + 4)/4 = 5 m about (4, -3), from an angle of asin 4/5 to zero.
   double area = 0;
   for (std::size_t v = 0; v < parts.size(); ++v) {
     const Polygon& outline = parts[v].outline;
@@ -73,7 +73,7 @@ TEST_CASE("a coping is one straight line over all voussoirs, with joints towards
     const Vec2 low = outline[0] - centre, high = outline[5] - centre;
     CHECK(near_zero(low.x() * high.y() - low.y() * high.x(), 1e-12));
   }
-  // Pier and wall take the ends as they are.
+  // Pier and wall follow the shape of the ends.
   CHECK(parts[9].name == "pier");
   CHECK(parts[9].outline[2] == parts[0].outline.front());
   CHECK(parts[9].outline[3] == parts[0].outline.back());

@@ -1,4 +1,4 @@
-// A small wall for tests of the builder, and what it says of one that it refuses.
+// A small wall for tests of the builder, and the message of a rejected one.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace trilith::testing {
 
-/// A plain wall of whole and half units: 2.4 m in 5 courses of 0.4 x 0.2 m.
+/// A plain wall of whole and half units: 2.4 m in 5 courses of 0.4 m x 0.2 m.
 inline Wall plain_wall(const std::string& bond = "running") {
   Wall wall;
   wall.length = 2.4, wall.bond = bond;

@@ -23,7 +23,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Faces as triangles around their first corner.
+/// Faces divided into triangles from their first corner.
 std::vector<std::array<int, 3>> triangles_of(const Polyhedron& solid) {
   std::vector<std::array<int, 3>> made;
   for (int f = 0; f < solid.faces.count(); ++f)
@@ -32,7 +32,7 @@ std::vector<std::array<int, 3>> triangles_of(const Polyhedron& solid) {
   return made;
 }
 
-/// An OBJ file: what stands before a solid, and the solid in triangles.
+/// Text of an OBJ file: a header before each solid, and the solid in triangles.
 std::string obj_of(const std::vector<std::pair<std::string, Polyhedron>>& solids) {
   std::string text;
   int points = 0;
@@ -216,7 +216,7 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
                parse_obj(obj_of({{"o a\n", open}}), {}, "file");
              }),
              "file: solid 'a' is open: 4 edges belong to one face only, such as that from ("));
-  // first and last corner see all others, so that triangles around them are those of the faces
+  // all other corners are visible from the first and the last one, so that the fans of triangles are exact
   const Polyhedron ell = extrusion(
       std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {-0.1, 0.5, 0}}, {0, 0, 1});
   CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),

@@ -15,7 +15,7 @@ TEST_CASE("stones of rubble fill a box, convex, flat on each other, without over
         {.name = "R", .low = {1, 2, 3}, .high = {3, 2.5, 4}, .stones = 80, .aspect = aspect, .seed = 4});
     CHECK(parts.size() == 80);
     CHECK(near(total_volume(parts), 1, 1e-12));
-    // what of their faces is not the box's lies on other stones, to the last of the small ones that are not counted
+    // each face is part of the box or in contact with other stones, except for the small stones that are not counted
     double faces = 0;
     for (const SolidPart& part : parts)
       for (int f = 0; f < part.pieces[0].faces.count(); ++f)

@@ -1,4 +1,4 @@
-// What every builder promises of its parts, for the builders' tests.
+// Invariants of the parts of every builder, for the builders' tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ inline std::vector<Polygon> pieces_of(const Part& part) {
   return pieces;
 }
 
-/// Largest area that any two parts share, m2.
+/// Largest overlap area of two parts [m2].
 inline double largest_overlap(const std::vector<Part>& parts) {
   std::vector<std::vector<Polygon>> pieces;
   for (const Part& part : parts) pieces.push_back(pieces_of(part));
@@ -40,7 +40,7 @@ inline double largest_overlap(const std::vector<Part>& parts) {
   return largest;
 }
 
-/// Simple counter-clockwise outlines without anything to repair, names that differ, at least one group, no overlap.
+/// Checks for simple counter-clockwise outlines without defects, unique names, at least one group, no overlap.
 inline void check_sound(const std::vector<Part>& parts) {
   std::set<std::string> names;
   for (const Part& part : parts) {
@@ -53,8 +53,8 @@ inline void check_sound(const std::vector<Part>& parts) {
   CHECK(largest_overlap(parts) < 1e-12);
 }
 
-/// Every corner of a unit is a corner or a joint of its neighbours: coordinates within about `width` [m] share their
-/// bits.
+/// Checks that every corner of a unit is a corner or a joint of its neighbours: coordinates within about `width` [m]
+/// have the same bits.
 inline void check_one_grid(const std::vector<Part>& parts, double width) {
   std::map<long, double> x, y;
   for (const Part& part : parts)
@@ -82,7 +82,7 @@ inline int count_in_group(const std::vector<Part>& parts, const std::string& gro
   }));
 }
 
-/// The one line a builder refuses with, or "accepted".
+/// The one-line error message of a builder, or "accepted".
 template <class Build>
 std::string refusal_of(Build build) {
   try {

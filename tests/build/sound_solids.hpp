@@ -1,4 +1,4 @@
-// What every builder in space promises of its parts, for the builders' tests.
+// Invariants of the parts of every builder in space, for the builders' tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ inline double total_volume(const std::vector<SolidPart>& parts) {
   return volume;
 }
 
-/// All pieces of parts as contact takes them, and whose they are.
+/// All contact pieces of parts, and the part of each.
 struct StandingPieces {
   std::vector<ConvexSolid> solids;
   std::vector<PlacedSolid> placed;
@@ -46,12 +46,12 @@ struct StandingPieces {
   }
 };
 
-/// Area by which faces of two pieces lie on each other, and the most that a plane is off the other, m.
+/// Contact area of the faces of two pieces [m2], and the largest distance between their planes [m].
 struct FlushFaces {
   double area = 0, off = 0;
 };
 
-/// Faces count as on each other within a millionth of the size, so that `off` shows how exactly they are.
+/// Faces count as in contact within a millionth of the size, so that `off` shows their accuracy.
 inline void add_flush_faces(const PlacedSolid& a, const PlacedSolid& b, FlushFaces& out) {
   FaceRoom room_a, room_b;
   const double within = 1e-6 * a.solid->size;
@@ -68,7 +68,7 @@ inline void add_flush_faces(const PlacedSolid& a, const PlacedSolid& b, FlushFac
     }
 }
 
-/// Of all pairs of pieces.
+/// Sums over all pairs of pieces.
 inline FlushFaces flush_faces(const StandingPieces& pieces) {
   FlushFaces out;
   for (std::size_t i = 0; i < pieces.placed.size(); ++i)
@@ -77,7 +77,7 @@ inline FlushFaces flush_faces(const StandingPieces& pieces) {
   return out;
 }
 
-/// Largest volume that any two pieces share, m3.
+/// Largest overlap volume of two pieces [m3].
 inline double largest_overlap(const StandingPieces& pieces) {
   SolidOverlapBuffer buffer;
   double largest = 0;
@@ -88,8 +88,8 @@ inline double largest_overlap(const StandingPieces& pieces) {
   return largest;
 }
 
-/// Convex closed pieces with faces that contact takes as faces, names that differ, at least one group, no volume
-/// shared, faces on each other flat to 1e-13 m. What faces lie on each other in all, m2.
+/// Checks for convex closed pieces with contact faces, unique names, at least one group, no overlap volume, and face
+/// contacts flat to 1e-13 m. Returns the total face contact area [m2].
 inline double check_sound(const std::vector<SolidPart>& parts) {
   std::set<std::string> names;
   for (const SolidPart& part : parts) {

@@ -1,4 +1,4 @@
-// Walls and openings that cannot be built: what is said of them.
+// Walls and openings that cannot be built: their messages.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
