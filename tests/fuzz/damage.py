@@ -162,6 +162,6 @@ def damaged(seed, base, path):
     try:
         way(draw, path)
     except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError):
-        pass  # h5py does not do it; what it did so far is damage enough
+        pass  # h5py fails here; the damage so far is enough
     with open(path, "rb") as file:
         return file.read()

@@ -2,7 +2,7 @@
 import re
 import subprocess
 
-# Well-meant values, by the kind that a declaration names.
+# Plausible values, by declared kind.
 SANE = {
     "number": ["0.1", "0.5", "1", "2", "3", "10", "1e3", "1e6", "0.01"],
     "integer": ["1", "2", "3", "5"],
@@ -34,14 +34,14 @@ SANE = {
     "solid law": ["trilith.j2 { E = 1e8, nu = 0.2, yield = 1e5 }"],
     "section": ["trilith.rectangle_section { width = 0.2, depth = 0.3 }", "trilith.circle_section { diameter = 0.3 }"],
 }
-# The same for keys that name what a model must have.
+# Plausible values for keys with the name of a required part of a model.
 BY_NAME = {"joints": ['{ A = { 3, 1 }, B = { 3, 4 }, C = { at = { 5, 4 }, mass = 10 } }'],
            "members": ["{ { from = 'A', to = 'B', section = trilith.rectangle_section { width = 0.2, depth = 0.3 } }, "
                        "{ from = 'B', to = 'C', pinned = 'to', section = trilith.circle_section { diameter = 0.3 } } }"],
            "beams": ["{ along = 'x', count = 2, width = 0.1 }", "{ { along = 'y', spacing = 0.5, width = 0.1, bearing = 0.1 } }"],
            "pinned": ['"from"', '{ "from", "to" }'], "from_support": ['"fixed"'], "to_support": ['{ x = "fixed" }'],
            "material": ['"stone"', '"soft"'], "what": ['"y"', '"speed"', '"force_along"', '"length"', '"drift"']}
-# What a model in space takes where one of the plane has two coordinates, by kind and by name.
+# Values of models in space for kinds and names with two coordinates in the plane.
 IN_SPACE = {"point": SANE["vector"], "points": SANE["vectors"],
             "place": ['"centroid"', "{ 0, 0, 0.2 }", "{ 0.2, 0.1, 0.1 }"],
             "body form": ['"rigid"', '"brick"', "{ mesh = { 1, 2, 1 } }", '{ mesh = { 1, 1, 1 }, element = "tet10" }'],
@@ -54,7 +54,7 @@ BY_NAME_IN_SPACE = {"joints": ["{ A = { 3, 1, 0 }, B = { 3, 1, 3 }, C = { at = {
                     "spheres": ["{ { at = { 3, 3, 1 }, radius = 0.2 }, { at = { 3.2, 3, 1 }, radius = 0.2 } }"],
                     "force": ["{ 0, 0, -1e3 }", "{ 1e3, 0, 0 }"], "axis": ["{ 0, 0, 1 }", '"x"'],
                     "face": ['"top"', '"front"'], "direction": ['"x"', "{ 0, 1, 0 }"]}
-# Values that fit nowhere.
+# Values that are wrong for every key.
 WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2^53", "-2^63", "math.mininteger", "1e9",
         "nil", "true", "false", '""', '"*"', '"\\0"', '("x"):rep(5000)', '"\\27[2J"', '"%s%n"', '"a/../b"', "{}", "{ {} }",
         "{ 1 }", "{ 0/0, 1/0 }", "{ a = 1 }", "function() end", "function() error {} end", "function() error() end",
@@ -62,7 +62,7 @@ WILD = ["0/0", "1/0", "-1/0", "0", "-1", "1e308", "-1e308", "1e-308", "2^31", "2
         'setmetatable({}, { __index = function() error "mine" end })',
         "setmetatable({}, { __len = function() return -5 end })", "a.model", "b.model", "b.body", "b.set", "b.bearing",
         "b.seat", "b.history", "a.model.worst", "a.motion", "b.law", "a.spring", "a.none"]
-# Wrong ones of the right kind go further in.
+# Wrong values of the right kind pass more checks.
 NUMBERS = ["0/0", "1/0", "-1/0", "0", "-1", "-0.0", "1e308", "1e-308", "2^31", "-2^31 - 1", "2^53", "2^63", "-2^63", "1e9",
            "-1e9", "1e-9", "math.pi", '"3"']
 WHOLE = ["2^31", "2^31 - 1", "-2^31 - 1", "2^53", "2^62", "2^63", "-2^63", "0", "-1", "0/0", "1e9", "1.5"]

@@ -1,12 +1,12 @@
--- What random programs stand on: sound models with one of each kind of handle, and calls that may fail alone.
--- Made before all models, so that it goes after them.
--- A closed room has no finalizers.
+-- Base of random programs: sound models with one handle of each kind, and calls that may fail on their own. Created
+-- before all models, so that it is finalized after them. A closed room has no finalizers.
 local is_closed = getmetatable "" == "locked"
 local late = setmetatable({}, not is_closed and { __gc = function(o) for _, f in ipairs(o) do pcall(f) end end } or nil)
 local trilith = require "trilith"
 local fuzz = { trilith = trilith, late = late }
 
--- Calls f; says whether that went well, as the next programs are made of what did. A refusal says where it was met.
+-- Calls f; prints whether it succeeded, because the next programs use the calls that did. A rejection is printed with
+-- its position.
 function fuzz.try(number, f)
   local good, given = pcall(f)
   if good then
@@ -63,7 +63,8 @@ local function fill(m)
     motion = trilith.ramp { by = 0.1, duration = 1 } }
 end
 
--- A model with its handles, in the plane or in space. Each of its stages ends after some steps, whatever was asked for.
+-- A model with its handles, in the plane or in space. Each of its stages ends after some steps, whatever duration is
+-- requested.
 function fuzz.make(name, dim)
   local m = trilith.model { name = name, dim = dim or 2 }
   local all, count = dim == 3 and fill_space(m) or fill(m), 0
@@ -71,13 +72,13 @@ function fuzz.make(name, dim)
   return all
 end
 
--- Says so where the model takes nothing more.
+-- Prints whether the model is built and accepts no more parts.
 function fuzz.tell_built(all, number)
   local takes = pcall(function() all.model:material { name = "later", density = 1000 } end)
   if not takes then io.write("built ", number, "\n") end
 end
 
--- Everything that can be read of x, and of what that gives.
+-- Reads all properties of x, and of the results.
 function fuzz.read(x, deep)
   if type(x) ~= "userdata" and type(x) ~= "table" then return end
   for _, field in ipairs(fuzz.fields) do
@@ -94,7 +95,7 @@ function fuzz.read_all(all)
   for _, x in pairs(all) do fuzz.read(x) end
 end
 
--- What is no longer held goes, and its memory is used for something else.
+-- Collects unreferenced objects and reuses their memory.
 function fuzz.forget()
   collectgarbage()
   collectgarbage()

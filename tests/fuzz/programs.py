@@ -13,8 +13,8 @@ import shared
 HERE = os.path.dirname(os.path.abspath(__file__))
 SUBJECTS = {"model": "a.model", "space": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
 HANDLES = ["model", "body", "mesh", "base", "set", "bearing", "seat", "history", "motion", "law"]
-BODY = {"material", "name"}  # what most bodies are given
-LEARNING = 25     # programs made to learn from, four times; the number is fixed, so that a seed gives the same programs
+BODY = {"material", "name"}  # keys of most bodies
+LEARNING = 25     # number of programs to learn from, times four; fixed, so that a seed gives the same programs
 EACH = 25         # calls in each
 HEAD = """\
 local fuzz = dofile "models.lua"
@@ -23,7 +23,7 @@ fuzz.fields = {{ {} }}
 local a, b = fuzz.make("a", {}), fuzz.make("b", {})
 """
 DIMENSIONS = (2, 3)
-# Where a call is made from: %s is a function that makes it.
+# Places of a call: %s is a function that makes the call.
 PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s)", "a.model:every(0.01, %s)",
           "a.model:story(%s)", "a.model:story(function(m) m:wait(0.01) return (%s)(m) end)", "coroutine.wrap(%s)()",
           "coroutine.wrap(function() coroutine.yield() return (%s)() end)()", "setmetatable({}, { __gc = %s })",
@@ -33,7 +33,7 @@ PLACES = ['a.model:on("*", %s)', 'a.model:on("impact", %s)', "a.model:on_step(%s
 STAGES = ["a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }", "a.model:run { duration = 0.05 }",
           "a.model:consolidate { duration = 0.2, or_go_on = true }", "b.model:run { duration = 0.01 }",
           "a.model:step(5)", "a.model:lint()", "collectgarbage()", "fuzz.forget()", "b.model:close()", 'a.model:results { file = "run.h5", frames = 0.01 }']
-# What comes last: handles beyond their model's life, and all that can be read.
+# Last statements: handles beyond their model's life, and all readings.
 ENDS = ["b = nil fuzz.forget() a.model:run { duration = 0.05 } fuzz.read_all(a)", "fuzz.read_all(a) fuzz.read_all(b)",
         "a.model:close() fuzz.read_all(a)", "a.model = nil fuzz.forget() fuzz.read_all(a)",
         "a.model:run { duration = 0.05 } fuzz.read_all(a)", "table.insert(fuzz.late, function() fuzz.read_all(a) end)",
@@ -220,7 +220,7 @@ class Programs:
             what, place = step.text(), draw.random()
             if place < 0.2:
                 what = draw.choice(PLACES).replace("%s", f"function() local given = {what} return given end")
-            # What a call gives may be used by the next ones.
+            # The result of a call may be an argument of the next ones.
             to = f"a.{draw.choice(['body', 'set', 'motion', 'law', 'spring'])}" if draw.random() < 0.1 else f"a.v{at}"
             made = f"local given = {what} return given" if not what.startswith(("fuzz.", "local")) else what
             lines.append(f"{to} = try({at}, function() {made} end) or {to}")

@@ -1,5 +1,5 @@
-// Readers of text and of checkpoints under libFuzzer: whatever the bytes are, they are read or refused with one line.
-// TRILITH_READER names the reader.
+// Readers of text and of checkpoints under libFuzzer: any bytes are read, or rejected with a one-line message.
+// TRILITH_READER selects the reader.
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -54,8 +54,7 @@ void read_mesh(std::string_view text) {
   require(checked.outline >= 3, "a mesh was taken that has no outline");
 }
 
-/// Columns of numbers: the first line holds unit, step, column, lines of head and the sign of decimals, or '-' for
-/// none.
+/// Columns of numbers: the first line has unit, step, column, number of header lines and decimal sign, or '-' for none.
 void read_columns(std::string_view text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::vector<std::string_view> words = trilith::words_of(text.substr(0, end));
@@ -73,7 +72,7 @@ void read_columns(std::string_view text) {
   require(std::isfinite(motion.samples().back().displacement), "a record was taken whose motion is no number");
 }
 
-/// Parts that were taken are bodies: named, closed, with a volume.
+/// Accepted parts are bodies: named, closed, with a volume.
 void require_sound(const trilith::SolidParts& made) {
   require(!made.parts.empty(), "a file of solids was taken that has none");
   for (const trilith::SolidPart& part : made.parts) {
@@ -83,7 +82,7 @@ void require_sound(const trilith::SolidParts& made) {
   }
 }
 
-/// The first byte says how it is read.
+/// The first byte selects the options of the reader.
 trilith::SolidFile way_of(std::string_view text) {
   trilith::SolidFile how;
   const unsigned way = text.empty() ? 0 : static_cast<unsigned char>(text[0]);
@@ -103,7 +102,7 @@ void read_space_mesh(std::string_view text) {
   require(!checked.mesh.cell.empty(), "a mesh was taken that has no element");
 }
 
-/// "unit of the declaration, text": what stands on the command line.
+/// "unit of the declaration, text" as on the command line.
 void read_quantity(std::string_view text) {
   const std::size_t comma = text.find(',');
   const std::string_view unit = comma == std::string_view::npos ? "m" : text.substr(0, comma);
@@ -123,7 +122,7 @@ void read_figures(std::string_view text) {
           "figures that were written are not read back");
 }
 
-/// Two blocks on a base with a bearing and a seat, after some steps, and the checkpoint of that.
+/// Two blocks on a base with a bearing and a seat, after some steps, and the checkpoint of this state.
 struct Saved {
   trilith::Model<2> model;
   std::filesystem::path path =
@@ -170,8 +169,8 @@ struct Saved {
   }
 };
 
-/// Nine bytes each: which word of a sound checkpoint, and what it is instead (the 256th: the length of the file). What
-/// is left is signed, as the digest would refuse nearly all of it.
+/// Nine bytes each: index of a word of a valid checkpoint, and its new value (index 256: the length of the file). The
+/// result gets a new digest, because otherwise the digest check would reject nearly all of them.
 void read_checkpoint(std::string_view text) {
   static const Saved saved;
   std::string bytes = saved.bytes;

@@ -14,14 +14,14 @@ SECONDS = 10        # of processor time for one command, all of which ask for li
 WALL = 60           # of wall clock, after which it is killed: machines may be busy
 SANITIZED = bool(os.environ.get("TRILITH_FUZZ_SANITIZED"))  # the program has sanitizers: it is slow and claims much
 MEMORY = 4 << 30    # bytes of address space
-SAID = 200000       # of what a command says, so many bytes are looked at
-# Exit codes of the program: ended well, wrong input, wrong words, not to be trusted, interrupted.
+SAID = 200000       # largest number of checked output bytes of a command
+# Exit codes of the program: success, wrong input, wrong usage, unsound verdict, interrupted.
 DOCUMENTED = {0, 1, 2, 3, 130}
-# Memory that was freed is filled with this, so that whoever still reads it falls over at once.
+# Freed memory is filled with this value, so that a later read fails at once.
 FREED = "ASAN_OPTIONS=detect_leaks=0" if SANITIZED else "MALLOC_PERTURB_=165"
-# What no message to a user should hold: the insides of C++, of the HDF5 library, of the Lua files that are compiled in
-# (lines of tracebacks, which begin with a tab, may name those; what a script of its own calls may be no function), of
-# Lua's own assertions, or of sanitizers.
+# Patterns that no message to a user may contain: internals of C++, of the HDF5 library, of the compiled-in Lua files,
+# of Lua's own assertions, or of sanitizers. Exceptions: lines of tracebacks, which begin with a tab, may name Lua
+# files, and a script may call a value of its own that is no function.
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
@@ -122,7 +122,7 @@ class Findings:
         os.makedirs(folder, exist_ok=True)
 
     def add(self, job, what, text):
-        # Numbers and names differ from one finding to the next of its kind.
+        # Numbers and names differ between findings of the same kind.
         kind = (job.part, re.sub(r"'[^']*'|[-+]?[0-9.]+(e[-+]?[0-9]+)?", "#", what))
         self.known[kind] = self.known.get(kind, 0) + 1
         if self.known[kind] > 1:

@@ -108,7 +108,7 @@ def build(library, folder):
     done = [subprocess.run([*compiler, *flags, "-c", source, "-o", made], cwd=ROOT, check=False).returncode
             for source, made in zip(SOURCES, objects)]
     program = os.path.join(folder, "readers")
-    # Sources of the library are compiled together: what comes with those it lacks is there twice, and the first one counts.
+    # Sources of the library are compiled in groups, so some definitions occur twice, and the first one counts.
     linking = ["clang++", "-fsanitize=fuzzer,address,undefined", "-Wl,--allow-multiple-definition", *objects, library,
                *link.stdout.split(), "-o", program]
     if any(done) or subprocess.run(linking, check=False).returncode:

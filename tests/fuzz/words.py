@@ -37,7 +37,7 @@ m:run { duration = 0.05 }
 return { x = { p.a, unit = "m" }, y = low.y, word = p.b }
 """
 RECORD = "# title: made up\n# units: g\n# dt: 0.02 s\n# npts: 4\n0.00,0.0\n0.02,0.1\n0.04,-0.1\n0.06,0.0\n"
-# What trilith.study takes, by key.
+# Arguments of trilith.study, by key.
 STUDY = {"file": ['"study.h5"'], "script": ['"case.lua"', '"missing.lua"', '"study.lua"'],
          "case": ["function(c) return { x = c.a or 1 } end", "function() return {} end", "function() error {} end",
                   "function(c) return { x = 0/0, y = 'a', [1] = 2 } end", "function() return { x = { 1, unit = 'm' } } end",
@@ -120,7 +120,7 @@ def fuzz(program, until, seed, findings):
         draw = random.Random(f"{seed} words {number}")
         files = {"case.lua": CASE, "record.csv": RECORD, "study.lua": study_text(draw, keys)}
         verb = draw.choice(scripted) if draw.random() < 0.6 else draw.choice(verbs)
-        # What a run leaves is looked at, as it may have come to no good.
+        # The results of a run are read, even if it failed.
         first = line(draw, verb, draw.choice([None, "study.lua", "case.lua"]) if verb in scripted else None)
         command = f"{path} {first} {draw.choice(STREAMS)}"
         if verb.name == "run" and draw.random() < 0.5:
