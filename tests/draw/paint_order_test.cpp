@@ -1,4 +1,4 @@
-// Hidden surfaces: what the last face of a picture shows at a point is what a ray from the eye meets first.
+// Hidden surfaces: the last face of a picture at a point is the first face on a ray from the eye.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -18,14 +18,15 @@ using namespace trilith::testing;
 
 namespace {
 
-/// The body that is seen at `p` of the picture; -1: none.
+/// Visible body at `p` of the picture; -1: none.
 int seen_at(const Scene& scene, const Vec2& p) {
   for (auto face = scene.faces.rbegin(); face != scene.faces.rend(); ++face)
     if (contains(face->outline, p)) return face->body;
   return -1;
 }
 
-/// Where the line through `p` of the picture leaves the box towards the eye; -inf where it misses it by `margin` [m].
+/// Position at which the line through `p` of the picture leaves the box towards the eye; -inf if the line misses the
+/// box by `margin` [m].
 double nearest_of(const FlyingBox& box, double time, const ViewAxes& view, const Vec2& p, double margin) {
   const Turn3 turn = turn_of(box.turn(time));
   const Vec3 from = turn.undo(p.x() * view.right + p.y() * view.up - box.place(time)), along = turn.undo(view.toward);
@@ -37,7 +38,8 @@ double nearest_of(const FlyingBox& box, double time, const ViewAxes& view, const
   return low < high ? high : -std::numeric_limits<double>::infinity();
 }
 
-/// How many of `count` x `count` points show another body than a ray meets first; points near an edge do not count.
+/// Number of the `count` x `count` points that show another body than the first on a ray; points near an edge are left
+/// out.
 int wrong_points(const Scene& scene, const std::vector<FlyingBox>& boxes, double time, const ViewAxes& view, int count,
                  int& looked) {
   Vec2 low = scene.bodies[0].outline[0], high = low;
@@ -62,7 +64,7 @@ int wrong_points(const Scene& scene, const std::vector<FlyingBox>& boxes, double
   return wrong;
 }
 
-/// Draws the boxes from a view and looks at every point.
+/// Draws the boxes from a view and checks every point.
 void check_hidden(const std::vector<FlyingBox>& boxes, const char* from) {
   const testing::Folder folder;
   record_boxes(folder / "run.h5", boxes, 1, 1, false);
@@ -84,7 +86,7 @@ TEST_CASE("in a heap of stones, a wall and a dome each point shows the stone tha
     check_hidden(opening_dome(), from.c_str());
   }
   std::vector<FlyingBox> wall = falling_wall();
-  wall[0].half = {1.4, 0.2, 0.05}, wall[0].start = {0, 0, -0.05};  // small enough to be drawn whole
+  wall[0].half = {1.4, 0.2, 0.05}, wall[0].start = {0, 0, -0.05};  // small enough to be drawn undivided
   for (const char* from : {"iso", "-60,20", "115,5"}) check_hidden(wall, from);
 }
 
@@ -106,8 +108,8 @@ TEST_CASE("bars that lie around in a ring, each over the next, are drawn right: 
   choice.from = view_direction("top");
   const Scene scene = results_scene(results::ResultsReader(folder / "run.h5"), 0, choice);
   const auto drawn = scene.faces.size();
-  CHECK(drawn > 6);    // two faces of each bar are seen from above ...
-  CHECK(drawn <= 10);  // ... and one bar is in two parts
+  CHECK(drawn > 6);    // two faces of each bar are visible from above ...
+  CHECK(drawn <= 10);  // ... and one bar is divided into two parts
 }
 
 TEST_CASE("a solid that is not convex is divided into convex pieces that show it whole") {
@@ -135,7 +137,7 @@ TEST_CASE("a solid that is not convex is divided into convex pieces that show it
 }
 
 TEST_CASE("a face that all but lies in a plane is divided by it without loss") {
-  // Corners of a square of 1 m, so much above the plane, in shares of what counts as in it.
+  // Corners of a square of 1 m with heights above the plane, in units of the tolerance.
   const std::vector<std::array<double, 4>> heights{{0.4, -0.4, 0.9, 1.7},  {-0.5, 0.1, 0.4, 1.4},  {0.2, 0.6, 1.1, 0.7},
                                                    {0.3, -0.2, 3.1, -2.8}, {-0.9, 1.2, 0.8, -1.3}, {5, 0.5, -4, 0.2},
                                                    {2, 1.5, 1.2, 1.8},     {-2, 2, 2.5, -1.5}};
@@ -146,7 +148,7 @@ TEST_CASE("a face that all but lies in a plane is divided by it without loss") {
       PieceFace face{{}, std::vector<bool>(4, true), Vec3::UnitZ()};
       for (std::size_t i = 0; i < 4; ++i)
         face.corners.emplace_back(square[i].x(), square[i].y(), sense * slack * height[i]);
-      // Beside it a face that the plane divides, so that there is something on both sides.
+      // Next to it a face divided by the plane, so that both sides have a part.
       const PieceFace wall{{{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, 0, 1}}, std::vector<bool>(4, true), Vec3::UnitX()};
       const auto [below, above] = divided({0, {face, wall}}, {Vec3::UnitZ(), 0}, slack, FaceKind::border);
       double area = 0;

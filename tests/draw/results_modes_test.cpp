@@ -1,4 +1,4 @@
-// Pictures of natural modes: as large as they read, about where the structure stood.
+// Pictures of natural modes: readable displacements about the current position.
 #include "draw/scene/results_modes.hpp"
 
 #include <doctest/doctest.h>
@@ -40,7 +40,7 @@ double largest_way(const Scene& scene) {
 
 TEST_CASE("a mode is drawn with its largest displacement at 6 % of the structure's size, whatever its own scale") {
   const Header header = testing::sample_header();
-  const double size = std::hypot(3.0, 2.0);  // of the two blocks that are free
+  const double size = std::hypot(3.0, 2.0);  // of the two free blocks
   for (const double sway : {1e-3, 40.0}) {
     const Scene scene = mode_scene(header, mode_of_blocks(header, sway, 0));
     CHECK(testing::near(largest_way(scene), 0.06 * size, 1e-12));
@@ -55,7 +55,8 @@ TEST_CASE("a mode is drawn with its largest displacement at 6 % of the structure
 TEST_CASE("a mode in which a block mostly turns is drawn with that turn at half a radian") {
   const Header header = testing::sample_header();
   const ModeRow mode = mode_of_blocks(header, 1e-6, 20);
-  // The corner of a block is farther than 6 % of all only by turns above .19 rad: the displacement decides.
+  // The corner of a block moves by more than 6 % of the size only by rotations above 0.19 rad: the displacement
+  // governs.
   CHECK(testing::near(mode_scale(header, mode) * 20, 0.06 * std::hypot(3.0, 2.0) / std::hypot(0.5, 1), 1e-6));
   Header far = testing::sample_header(60);
   ModeRow small = mode_of_blocks(header, 1e-6, 20);

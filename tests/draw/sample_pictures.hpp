@@ -1,4 +1,4 @@
-// Where tests put the pictures they draw, to be looked at after a run, and what is checked of each.
+// Folder of the pictures that tests draw, for inspection after a run, and checks of each picture.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,14 +9,14 @@
 
 namespace trilith::testing {
 
-/// A file in the folder `pictures` beside the test program, in the build tree wherever the tests are started from.
+/// A file in the folder `pictures` next to the test program in the build tree, whatever the working directory.
 inline std::filesystem::path picture_path(const char* name) {
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "pictures";
   std::filesystem::create_directories(folder);
   return folder / name;
 }
 
-/// No text leaves the page or covers another.
+/// Checks that no text leaves the page or covers another.
 inline void check_texts(const draw::Canvas& canvas) {
   const auto& boxes = canvas.text_boxes();
   for (const draw::PageBox& box : boxes) {

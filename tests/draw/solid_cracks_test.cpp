@@ -1,4 +1,4 @@
-// Cracks between solids: joints found from faces at the start, what they have done since, and where they are seen.
+// Cracks between solids: joints detected from faces at the start, their later state, and visibility in pictures.
 #include "draw/scene/solid_cracks.hpp"
 
 #include <doctest/doctest.h>
@@ -14,14 +14,14 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A stone of 2 m x 1 m x 1 m on one of 4 m x 1 m x 1 m, which stands free on z = 0; the upper one moves by `way`.
+/// A stone of 2 m x 1 m x 1 m on one of 4 m x 1 m x 1 m, which stands free on z = 0; the upper one moves by `way` [m].
 std::vector<FlyingBox> two_stones(const Vec3& way) {
   return {{{2, 0.5, 0.5}, {0, 0, 0.5}}, {{1, 0.5, 0.5}, {0.5, 0, 1.5}, way}};
 }
 
 struct Made {
   results::Header header;
-  results::Frame frame;  ///< after one second
+  results::Frame frame;  ///< after 1 s
 };
 
 Made made_of(const std::vector<FlyingBox>& boxes) {
@@ -50,7 +50,7 @@ Scene picture_of(const Vec3& way, const std::optional<CutPlane>& cut, const char
   return results_scene(results::ResultsReader(folder / "run.h5"), 1, choice);
 }
 
-/// Cracks on the faces of a picture from the front, in which x is to the right and z upwards.
+/// Cracks on the faces of a picture from the front, with x to the right and z upwards.
 std::vector<SceneCrack> cracks_from_front(const Vec3& way, const std::optional<CutPlane>& cut) {
   std::vector<SceneCrack> out;
   for (const SceneFace& face : picture_of(way, cut, "front").faces)
@@ -87,7 +87,7 @@ TEST_CASE("solids that are apart at the start or both held or only share an edge
 TEST_CASE("a joint that opens as it turns tells the opening of its farthest corner") {
   std::vector<FlyingBox> boxes = two_stones(Vec3::Zero());
   const double angle = 1e-4;
-  boxes[1].spin = {0, angle, 0};  // about its middle: one side comes up, one goes down
+  boxes[1].spin = {0, angle, 0};  // about its middle: one side rises, the other sinks
   const Made made = made_of(boxes);
   const SolidJointMotion motion = motion_of(solid_joints(made.header)[0], results::Placement(made.header, made.frame));
   CHECK(near(motion.opening, angle * 1, 1e-3));
@@ -105,11 +105,11 @@ TEST_CASE("cracks of solids have the classes of those in the plane and bonded on
   CHECK(marks_after({0, 0, 5e-5}, {{{0, 1}}, {}}) == twice(CrackMark::fine));
   CHECK(marks_after({0, 0, 5e-4}, {{}, {{0, 1}}}) == Marks{});
   CHECK(marks_after({0, 0, 5e-4}, {{{0, 1}}, {{0, 1}}}) == twice(CrackMark::fine));
-  CHECK(marks_after({0, 0, 3}) == Marks{});  // no neighbours any more
+  CHECK(marks_after({0, 0, 3}) == Marks{});  // no neighbours
 }
 
 TEST_CASE("a crack is drawn where its joint comes to faces that are seen and through sections") {
-  // From the front the long side of each body: at z = 1 m, and 2 mm higher, from x = -.5 to 1.5 m.
+  // The long side of each body from the front: at z = 1 m, and 2 mm higher, from x = -0.5 m to 1.5 m.
   const std::vector<SceneCrack> front = cracks_from_front({0, 0, 0.002}, std::nullopt);
   REQUIRE(front.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -118,7 +118,7 @@ TEST_CASE("a crack is drawn where its joint comes to faces that are seen and thr
     CHECK(near(front[i].a.y(), i == 0 ? 1 : 1.002, 1e-9));
     CHECK(front[i].mark == CrackMark::opened);
   }
-  // Cut in its length: the same on the sections.
+  // Cut lengthwise: the same on the sections.
   const std::vector<SceneCrack> cut = cracks_from_front({0, 0, 0.002}, CutPlane{Vec3::UnitY(), 0.1});
   REQUIRE(cut.size() == 2);
   CHECK(near(std::abs(cut[0].a.x() - cut[0].b.x()), 2, 2e-3));

@@ -1,5 +1,5 @@
-// Pictures of models in space, to be looked at after a run (in `pictures` beside the test program), and what is checked
-// of them: that they say what they should, and that nothing shows through what is before it.
+// Pictures of models in space, for inspection after a run (in `pictures` next to the test program), and checks:
+// complete labels, and no hidden part is visible.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ SceneChoice seen_from(const char* view) {
   return choice;
 }
 
-/// How far a body reaches from left to right in the picture [m].
+/// Width of a body in the picture [m].
 double width_of(const SceneBody& body) {
   double low = body.outline[0].x(), high = low;
   for (const Vec2& p : body.outline) low = std::min(low, p.x()), high = std::max(high, p.x());
@@ -66,7 +66,7 @@ TEST_CASE("the ground far below what is in the air is in the picture") {
                                      {{0.2, 0.2, 0.2}, {0, 0, 12}}};
   record_boxes(folder / "falls.h5", boxes, 2, 0.05, false);
   const Scene scene = results_scene(results::ResultsReader(folder / "falls.h5"), 0, seen_from("front"));
-  REQUIRE(scene.bodies.size() == 2);  // not what lies aside of it
+  REQUIRE(scene.bodies.size() == 2);  // without bodies aside of the cut
   double low = 0;
   for (const SceneBody& body : scene.bodies)
     for (const Vec2& p : body.outline) low = std::min(low, p.y());

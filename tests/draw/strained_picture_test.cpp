@@ -1,4 +1,4 @@
-// Pictures of meshes in space that are strained: edges of elements on the skin are there as far as they are seen.
+// Pictures of strained meshes in space: edges of elements on the skin are drawn exactly where they are visible.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,9 +24,9 @@ namespace {
 
 using Map = std::function<Vec3(const Vec3&)>;
 
-constexpr double half_stroke = 2e-3;  ///< beside an edge, as a share of the sides of the box about the picture
+constexpr double half_stroke = 2e-3;  ///< half line width, as a share of the side of the picture's box
 
-/// A body of elements whose nodes are moved, as results have it.
+/// A body of elements with displaced nodes, as in results files.
 struct StrainedBody {
   results::Header header;
   results::Frame frame;
@@ -46,7 +46,7 @@ struct StrainedBody {
   }
 };
 
-/// A place of the picture with its depth towards the eye as z.
+/// A position of the picture with its depth towards the eye as z.
 using Seen = Vec3;
 
 struct SkinFace {
@@ -97,7 +97,7 @@ Skin skin_of(const StrainedBody& body, const ViewAxes& view) {
   return out;
 }
 
-/// Whether a fan of triangles of the face lies over `p` of the picture with a point nearer to the eye than `depth`.
+/// Whether a triangle of the face's fan covers `p` of the picture with a point nearer to the eye than `depth`.
 bool is_nearer(const SkinFace& face, const Vec2& p, double depth) {
   for (std::size_t i = 1; i + 1 < face.corners.size(); ++i) {
     const Seen &a = face.corners[0], &b = face.corners[i], &c = face.corners[i + 1];
@@ -108,7 +108,7 @@ bool is_nearer(const SkinFace& face, const Vec2& p, double depth) {
   return false;
 }
 
-/// ... by another face than those beside it, or nearly so, as where those are seen from their side.
+/// Whether another face than the two adjacent ones covers `p`, or nearly so, as where these are seen edge-on.
 bool is_hidden(const Skin& skin, const SkinEdge& edge, const Vec2& p, double depth) {
   depth -= 0.1 * skin.size;
   for (std::size_t f = 0; f < skin.faces.size(); ++f)
@@ -132,8 +132,8 @@ struct Looked {
   int seen = 0, missing = 0, not_once = 0;
 };
 
-/// Looks at places of all edges that nothing is before of: each face beside them that looks at the eye draws them, and
-/// nothing that is painted later lies over them or right beside.
+/// Checks points of all visible edges: each adjacent face that is turned towards the eye draws the edge, and nothing
+/// painted later covers the edge or its immediate neighbourhood.
 void look_at(const Scene& scene, const Skin& skin, const SkinEdge& edge, double share, Looked& out) {
   const Seen at = edge.a + share * (edge.b - edge.a);
   const Vec2 p = at.head<2>(), along = (edge.b - edge.a).head<2>();
@@ -187,11 +187,11 @@ Vec3 twisted(const Vec3& x) {
   return m + Vec3(d.x(), std::cos(angle) * d.y() - std::sin(angle) * d.z(),
                   std::sin(angle) * d.y() + std::cos(angle) * d.z());
 }
-/// Up and down along x and y.
+/// Waves along x and y.
 Vec3 waved(const Vec3& x) {
   return x + Vec3(0, 0, 0.25 * std::sin(2.2 * x.x()) * std::cos(1.9 * x.y()));
 }
-/// By less than is seen.
+/// An invisibly small displacement.
 Vec3 hardly(const Vec3& x) {
   return x + 2e-5 * Vec3(std::sin(9 * x.y()), std::cos(7 * x.z()), std::sin(5 * x.x() + 3 * x.y()));
 }
@@ -204,7 +204,7 @@ double area_of(const std::vector<Vec2>& outline) {
   return 0.5 * twice;
 }
 
-/// Area of the sections that are seen [m2], and how long their edges are [m].
+/// Visible area of the sections [m2], and length of their edges [m].
 struct Sections {
   double area = 0, edges = 0;
 };
@@ -246,7 +246,7 @@ TEST_CASE("edges of plates of elements in space are drawn as far as they are see
 TEST_CASE("the section of a strained mesh in space is whole and its edges are those of the skin") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
-    // Nothing is moved along y: one polygon at each y.
+    // No displacement along y: one polygon at each y.
     std::vector<Vec2> outline;
     for (int i = 0; i <= 8; ++i)
       outline.push_back(Vec2(rolled(Vec3(0.5 * i, 0, 0)).x(), rolled(Vec3(0.5 * i, 0, 0)).z()));
@@ -297,7 +297,7 @@ TEST_CASE("a ball is painted before a strained plate that it is behind and after
           std::find_if(scene.faces.begin(), scene.faces.end(), [](const SceneFace& f) { return f.radius > 0; });
       REQUIRE(ball != scene.faces.end());
       const bool is_before = (shown.from.elevation > 0) == (height > 0);
-      // Of the plate's faces that it covers, or that cover it, in the picture.
+      // Faces of the plate that it covers, or that cover it, in the picture.
       const auto over = [&](auto first, auto last) {
         return std::any_of(first, last,
                            [&](const SceneFace& f) { return f.radius == 0 && contains(f.outline, ball->centre); });
