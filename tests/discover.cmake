@@ -1,14 +1,14 @@
-# Writes LIST, which tells ctest of every test case of the doctest program PROGRAM: its name, and its suite as a label. The
-# program is asked once; doctest's own script asks it once more for each case, which took minutes under sanitizers, and found
-# no suite of a case with a comma in its name.
-# usage: cmake -DPROGRAM=... -DLIST=... -P discover.cmake
+# Writes LIST, the ctest file with every test case of the doctest program PROGRAM, its suite as a label. The program
+# runs once. The script of doctest is not used. It runs the program once more per case, which takes minutes under
+# sanitizers, and finds no suite of a case with a comma in its name. usage: cmake -DPROGRAM=... -DLIST=... -P
+# discover.cmake
 execute_process(COMMAND "${PROGRAM}" --list-test-cases --reporters=xml --no-version
   OUTPUT_VARIABLE xml RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} does not list its test cases: ${result}")
 endif()
 
-# attribute(TAG NAME INTO): the text of an attribute of an XML tag as it was before it was escaped; empty without it.
+# attribute(TAG NAME INTO): the unescaped text of an attribute of an XML tag; empty if it is absent.
 function(attribute tag name into)
   set(text "")
   if(tag MATCHES " ${name}=\"([^\"]*)\"")
@@ -31,8 +31,8 @@ foreach(tag IN LISTS tags)
   attribute("${tag}" testsuite suite)
   string(REPLACE "," "\\," pattern "${name}")  # a comma would part two patterns
   string(APPEND script "add_test([==[${name}]==] \"${PROGRAM}\" [==[--test-case=${pattern}]==])\n"
-    # A name that matches no case would pass without having run anything, so that counts as failed. A case that needs a
-    # file this machine lacks says MESSAGE("skipped: ...") and is listed as skipped.
+    # A name that matches no case would pass without running anything, so it counts as failed. A case that needs a file
+    # missing on this machine prints MESSAGE("skipped: ...") and is listed as skipped.
     "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${suite}\" FAIL_REGULAR_EXPRESSION \"test cases: +0 \" "
     "SKIP_REGULAR_EXPRESSION \"MESSAGE: skipped: \")\n")
 endforeach()

@@ -1,4 +1,4 @@
-// The ledger of a run against what it had at its first entry.
+// The ledger of a run relative to its first entry.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace trilith::testing {
 
-/// Listens to a run; outlives it.
+/// Records the ledger of a run; must outlive it.
 struct EnergyWatch {
   EnergyCheck check;
   std::optional<double> first;  ///< balance of the first entry [J]

@@ -1,4 +1,4 @@
-// Laws to test with, made from what they declare: a new law is tested by standing in the list of its room.
+// Laws for tests, made from their declarations: a new law is tested as soon as it is in the list of its room.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace trilith::testing {
 /// A usual number for each unit, in one room.
 using UsualNumbers = std::vector<std::pair<std::string_view, double>>;
 
-/// `share` of the usual number for a parameter's unit, which is 1 where there is none, moved into its range.
+/// `share` of the usual number for a parameter's unit, which is 1 if none is given, clamped to its range.
 template <class L>
 double usual_number(const Parameter<L>& p, const UsualNumbers& usual, double share = 1) {
   const auto row = std::find_if(usual.begin(), usual.end(), [&](const auto& u) { return u.first == p.unit; });
@@ -24,8 +24,8 @@ double usual_number(const Parameter<L>& p, const UsualNumbers& usual, double sha
   return p.most < unbounded ? 0.5 * (p.least + p.most) : p.least + 1;
 }
 
-/// A law with the usual number for whatever must be given, and all else as preset. A law that has numbers beside those
-/// it declares, or numbers that must fit each other, says what it is like by a `static L sample()` of its own.
+/// A law with the usual number for each required parameter, and defaults otherwise. A law with undeclared numbers, or
+/// with numbers that depend on each other, provides a `static L sample()` of its own.
 template <Declared L>
 L sample(const UsualNumbers& usual) {
   if constexpr (requires {
@@ -39,7 +39,7 @@ L sample(const UsualNumbers& usual) {
   }
 }
 
-/// Whether the numbers of a law go together.
+/// Whether the numbers of a law are consistent.
 template <class L>
 bool is_allowed(const L& law) {
   if constexpr (requires { law.check(); }) try {
@@ -50,8 +50,9 @@ bool is_allowed(const L& law) {
   return true;
 }
 
-/// The sample; for each number with a preset one more law, which has half the usual number there, so that it stays
-/// below those that must be given (dilation below friction); and one with all of those, as some only matter together.
+/// The sample; one more law for each number with a default; and one with all of these changes, because some have an
+/// effect only together. The changed number is half of the usual one, so that it stays below the required ones
+/// (dilation below friction).
 template <Declared L>
 std::vector<L> samples(const UsualNumbers& usual) {
   std::vector<L> all{sample<L>(usual)};

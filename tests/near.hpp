@@ -1,4 +1,4 @@
-// Comparing numbers: a relative tolerance that is true to scale, and an absolute one for what should be 0.
+// Comparison of numbers: a tolerance relative to the expected value, and an absolute one for an expected 0.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,7 +9,7 @@
 
 namespace trilith::testing {
 
-/// Outcome of a comparison: true or false for CHECK, and where that fails the figures it prints.
+/// Outcome of a comparison: true or false for CHECK; on failure it prints the figures.
 struct Nearness {
   bool holds;
   double value, expected, allowed;
@@ -23,14 +23,14 @@ inline doctest::String toString(const Nearness& n) {
   return fmt::format("{}, expected {}: {}", n.value, n.expected, off).c_str();
 }
 
-/// Whether `value` differs from `expected` by no more than `relative` times the size of `expected`, however small that
-/// is. Never so for what is not finite. Where 0 is expected nothing but 0 is near: see near_zero.
+/// Whether `value` differs from `expected` by at most `relative` times the size of `expected`, however small. False if
+/// either is not finite. For an expected 0 only 0 is near: see near_zero.
 inline Nearness near(double value, double expected, double relative) {
   const double difference = std::abs(value - expected), size = std::abs(expected);
   return {std::isfinite(size) && difference <= relative * size, value, expected, relative};
 }
 
-/// Whether `value` is 0 within `within`, which has its unit. Never so for what is not finite.
+/// Whether `value` is 0 to the absolute tolerance `within`, in its unit. False if it is not finite.
 inline Nearness near_zero(double value, double within) {
   return {std::isfinite(value) && std::abs(value) <= within, value, 0, within};
 }

@@ -1,4 +1,4 @@
-// The tangent of beams by hand against central differences of their forces.
+// The analytical tangent stiffness of beams against central differences of their forces.
 #include "assembly/tangent/beam_tangent.hpp"
 
 #include "physics/members/yielding.hpp"
@@ -6,7 +6,7 @@
 namespace trilith::testing {
 namespace {
 
-/// A bent member of two beams between joints beside it, strained and in motion.
+/// A bent member of two beams with end offsets from its joints, strained and in motion.
 struct MovingMember {
   Model<2> model;
   State<2> state;
@@ -17,14 +17,14 @@ struct MovingMember {
     member.ends = {Vec2(0.2, 0.3), Vec2(2.9, 0.6)}, member.yields = yields;
     model = of_frames(elastic_material("steel", 7850, 2.1e11, 0.3, damping), {spec});
     state = initial_state(model);
-    // Any motion will do, as long as it is none that all share.
+    // Any motion that is not a common one of all nodes.
     for (int n = 0; n < model.nodes(); ++n) {
       const double a = 0.7 + n, b = 1.3 + 2 * n;
       state.position[n] += size * Vec2(std::sin(a), std::cos(3 * a)), state.rotation[n] = 3 * size * std::sin(b);
       state.velocity[n] = Vec2(std::cos(b), std::sin(2 * b)), state.spin[n] = std::cos(5 * a);
     }
   }
-  /// Force and moment on both nodes of a beam by that beam alone.
+  /// Force and moment of a single beam on its two nodes.
   [[nodiscard]] Eigen::Matrix<double, 6, 1> forces(const Beam& beam) const {
     Model<2> alone = model;
     alone.beams = {beam};

@@ -1,4 +1,4 @@
-// Sides of meshes that lie flat on each other: slivers beside their inner nodes are pairs of faces like the rest.
+// Mesh sides in flat contact: slivers next to their inner nodes are face pairs like the others.
 #include "broad_phase/face_line.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double joint_size = 0.4, mesh_height = 0.2;
 
-/// Two meshes on each other: the lower of `low` elements along the joint, the upper of `top`.
+/// Two stacked meshes: the lower one with `low` elements along the joint, the upper one with `top`.
 Model<2> two_meshes(int low, int top, const ContactLaw& law = Frictional{1e10, 4e9, 0.6, 0}) {
   Scene scene(law);
   scene.set_gravity(Vec2::Zero());
@@ -26,7 +26,7 @@ Model<2> two_meshes(int low, int top, const ContactLaw& law = Frictional{1e10, 4
   return scene.builder.build();
 }
 
-/// What one body gets at its skin in all: force, and moment about the middle of the joint.
+/// Resultant on the skin of one body: force, and moment about the middle of the joint.
 struct SkinTotal {
   Vec2 force = Vec2::Zero();
   double moment = 0;
@@ -37,7 +37,7 @@ struct JointAnswer {
   int general = 0, faces = 0;
 };
 
-/// `alone`: faces are not told of their neighbours, so that slivers are contacts of general shape.
+/// `alone`: faces do not know their neighbours, so that slivers are contacts of general shape.
 JointAnswer joint_answer(Model<2> model, const State<2>& state, bool alone) {
   if (alone) model.skin_before.clear(), model.skin_after.clear();
   Work<2> work;
@@ -55,8 +55,8 @@ JointAnswer joint_answer(Model<2> model, const State<2>& state, bool alone) {
   return out;
 }
 
-/// The upper body is set `depth` into the lower one and slid by `slid`, turned by `tilt`; then all nodes of the joint
-/// are moved along it by up to `apart` in a pattern.
+/// State of the upper body pressed by `depth` into the lower one, slid by `slid` and rotated by `tilt`. In addition,
+/// all nodes of the joint are displaced along it by up to `apart` in a pattern.
 State<2> pressed_meshes(const Model<2>& model, double depth, double slid, double tilt, double apart) {
   State<2> state = initial_state(model);
   const Body& top = model.bodies[1];
@@ -90,7 +90,7 @@ TEST_CASE("faces of a mesh in line: a flat joint has the forces of its overlap, 
           const double carried = alone.on_top.force.y();
           const double off = (line.on_top.force - alone.on_top.force).norm() / carried,
                        turned = std::abs(line.on_top.moment - alone.on_top.moment) / (joint_size * carried);
-          // Bevels of slivers, of the second order in their depth, are all that may differ.
+          // The only difference are bevels of slivers, of second order in the penetration.
           CHECK(off < 1e-8);
           CHECK(turned < 1e-8);
           worst = std::max({worst, off, turned});
@@ -114,7 +114,7 @@ TEST_CASE("faces of a mesh in line: both sides of the limits of tilt and depth")
   const auto general = [&](double depth, double tilt) {
     return joint_answer(model, pressed_meshes(model, depth, 1e-7, tilt, 0), false).general;
   };
-  // Two faces of 0.2 m and a neighbour each: 0.4 m in line, deep by up to 0.005 of it.
+  // Two faces of 0.2 m with a neighbour each: a line of 0.4 m, with a penetration of up to 0.005 of it.
   CHECK(general(0.9 * face_pair_max_depth * joint_size, 0) == 0);
   CHECK(general(1.1 * face_pair_max_depth * joint_size, 0) > 0);
   CHECK(general(0.5e-3, 0.9 * face_pair_max_tilt) == 0);
@@ -125,7 +125,8 @@ TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit i
   const Model<2> model = two_meshes(2, 2);
   const auto bent = [&](double by) {
     State<2> state = pressed_meshes(model, 2e-5, 1e-7, 0, 0);
-    // The middle of the lower side goes down, and the upper one with it less: faces tilt against their neighbours.
+    // The middle of the lower side is displaced downwards, and the upper one by less: faces tilt against their
+    // neighbours.
     state.position[node_at(model, {0.5 * joint_size, mesh_height})].y() -= by;
     return joint_answer(model, state, false).general;
   };

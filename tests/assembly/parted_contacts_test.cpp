@@ -1,5 +1,4 @@
-// Contacts that open for a moment: which of those that close were lost, and what stays in the list of those that
-// parted.
+// Contacts that open for a moment: contacts lost among the closing ones, and the list of separated contacts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -12,8 +11,8 @@
 namespace trilith::testing {
 namespace {
 
-/// A step of contacts in space by chance: of all `rows` some touch before and some after; `parted` of the others opened
-/// a moment ago, in an order of their own.
+/// A step of random contacts in space: some of `rows` are closed before and some after; `parted` of the others opened
+/// shortly before, in an order of their own.
 struct ChanceStep {
   State<3> state;
   Work<3> work;
@@ -45,7 +44,7 @@ struct ChanceStep {
 TEST_CASE("contacts that parted a moment ago and close are found, and no others, one by one or all at once") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     ChanceStep step(500, static_cast<int>(25 * seed) - 25, seed);
-    // One after the other, as they are asked for.
+    // One after the other, in the order of the queries.
     std::vector<Parted> left = step.state.parted;
     std::vector<bool> again;
     for (std::size_t row = 0; row < 500; ++row)

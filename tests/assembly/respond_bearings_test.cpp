@@ -1,4 +1,4 @@
-// Bearings between bodies: what a link keeps, wherever its points lie, and what follows when it ends.
+// Bearings between bodies: invariants of a link at any points, and the state after its failure.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using testing::box;
 using testing::near;
 using testing::Scene;
 
-/// Two free bodies apart from each other, without gravity, linked by whatever `link` says.
+/// Two free bodies at a distance, without gravity, with the given link.
 Model<2> linked_pair(BearingSpec link, double turn = 0) {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0}, turn);
   scene.set_gravity({0, 0});
@@ -52,8 +52,8 @@ std::vector<BearingSpec> many_links() {
   std::vector<BearingSpec> links(4);
   links[0].point_a = {1, 0.3}, links[0].point_b = {2, 0.1};      // on both outlines, of finite length
   links[1].point_a = links[1].point_b = {1.6, 0.5};              // zero length, outside both bodies
-  links[2].point_a = {0.5, 0.3}, links[2].point_b = {2.5, 0.5};  // inside both
-  links[3].point_a = {-0.6, 1.4}, links[3].point_b = {4, -1};    // off by nearly the size of the bodies
+  links[2].point_a = {0.5, 0.3}, links[2].point_b = {2.5, 0.5};  // inside both bodies
+  links[3].point_a = {-0.6, 1.4}, links[3].point_b = {4, -1};    // outside by nearly the size of the bodies
   for (BearingSpec& l : links) {
     l.law = {Linear{4e3, 30}, ElasticPlastic{6e3, 200, 0.1, 10}, Linear{500, 5}};
     l.angle = 0.4;
@@ -74,7 +74,7 @@ TEST_CASE("a link keeps momentum and angular momentum, of any length and with po
       testing::run_for(sim, 0.5, 1e-3);
       const Momentum now = momentum(sim.model(), sim.state());
       CHECK((now.linear - before.linear).norm() < 1e-10 * size);
-      // Velocities stand half a step behind positions: x and p are of one instant up to dt/2 v, along p for each body.
+      // Velocities are half a step behind positions: x and p belong to one instant up to dt/2 v, along p for each body.
       CHECK(std::abs(now.angular - before.angular) < 1e-9 * size);
     }
   }
@@ -104,7 +104,7 @@ TEST_CASE("a finite link turned with its bodies as one gives no force") {
     for (int n = 0; n < 2; ++n) {
       state.position[n] = turn.apply(state.position[n]) + Vec2(3, -2);
       state.rotation[n] = 1.1;
-      state.velocity[n] = cross(0.9, Vec2(state.position[n] - Vec2(1, 1)));  // turning on as one
+      state.velocity[n] = cross(0.9, Vec2(state.position[n] - Vec2(1, 1)));  // rotating together
       state.spin[n] = 0.9;
     }
     evaluate(model, state, work, 1e-3);
@@ -114,12 +114,12 @@ TEST_CASE("a finite link turned with its bodies as one gives no force") {
   }
 }
 
-/// A block on a base, linked to it, and moved along it by hand at a steady speed.
+/// A block on a base, linked to it, and moved along it at a constant speed.
 struct Pulled {
   Scene scene{Frictional{1e8, 5e7, 0.4, 2e-4}};
   Pulled() {
     scene.fixed("base", box(-2, -0.5, 3, 0));
-    BodySpec block;  // held against turning: a link at a point alone would let it tip
+    BodySpec block;  // fixed rotation: a link at a point alone would let it tip
     block.name = "block", block.outline = box(0, 0, 1, 0.5), block.mass = 1000, block.support[2] = Support::fixed;
     scene.add(block);
     scene.builder.overlap_allowed = 1e-3;
@@ -132,7 +132,7 @@ struct Pulled {
     l.limit[along] = 0.02;
     return l;
   }
-  /// Moves the block on for `duration` [s]; returns the events.
+  /// Moves the block for `duration` [s]; returns the events.
   std::vector<Event> pull(Simulation<2>& sim, double duration, double dt = 0) {
     const double speed = 0.1;
     std::vector<Event> events;
@@ -149,8 +149,8 @@ struct Pulled {
 };
 
 TEST_CASE("the last force of a bearing works for half a step more, and the ledger has it to rounding") {
-  // Without contact and weight a block of 2,000 kg pulls a spring with a dashpot until it breaks. By that half step the
-  // ledger would be out by F v dt / 2: some 2 % at steps of 4 ms.
+  // Without contact and weight a block of 2,000 kg pulls a spring with a dashpot until it breaks. Without the half step
+  // of the last force the residual would be F v dt / 2: about 2 % at steps of 4 ms.
   for (const bool implicitly : {false, true})
     for (const double dt : {4e-3, 1e-3}) {
       Scene scene(Frictional{1e8, 5e7, 0.4, 0});

@@ -1,4 +1,4 @@
-// What the general contact remembers between evaluations to be quick changes no bit, nor who answers which rows.
+// Caches of the general contact between evaluations change no bit, and neither does the assignment of rows to threads.
 #include <doctest/doctest.h>
 
 #include "assembly/evaluate.hpp"
@@ -12,7 +12,7 @@ using namespace trilith;
 
 namespace {
 
-/// Sixty boxes and other stones that fall into a trough.
+/// Sixty boxes and random stones that fall into a trough.
 Model<2> falling_stones() {
   ModelBuilder builder;
   builder.add_material({"stone", 2000});
@@ -45,10 +45,10 @@ Model<2> falling_stones() {
 struct Trace {
   std::vector<std::uint64_t> digest;
   int hints = 0, corners = 0, touching = 0;
-  std::size_t runs = 0, later = 0;  ///< at most, see GeneralRun
+  std::size_t runs = 0, later = 0;  ///< largest number, see GeneralRun
 };
 
-/// Before each step `change(work, step)` may do to Work what it likes.
+/// `change(work, step)` may change the Work before each step.
 template <class Change>
 Trace follow(const Model<2>& model, Change&& change) {
   State<2> state = start_state(model);
@@ -88,7 +88,7 @@ TEST_CASE("which edge is remembered to keep two pieces apart, and which corner t
     for (NearPair& pair : work.pairs) pair.apart_by = -1, pair.corner_at = {};
   });
   CHECK(none.digest == kept.digest);
-  // Of another pair, or of none that there is.
+  // The cached pair is another one, or one that does not exist.
   const Trace wrong = follow(model, [](Work<2>& work, int step) {
     for (std::size_t row = 0; row < work.pairs.size(); ++row) {
       const int any = static_cast<int>(row) * 7 + step;
@@ -112,6 +112,6 @@ TEST_CASE("rows of general shape that threads answer in runs have the bits of on
     CHECK(shared.digest == alone.digest);
     CHECK(shared.touching == alone.touching);
     REQUIRE(shared.runs > 1);
-    CHECK(shared.later > 0);  // forces on stones that two runs have to do with
+    CHECK(shared.later > 0);  // forces on stones shared by two runs
   }
 }

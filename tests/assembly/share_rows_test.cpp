@@ -1,4 +1,4 @@
-// Rows of faces parted between threads into runs: all of them, and what is at a border.
+// Contact rows divided into runs for threads: completeness, and rows at the border between runs.
 #include "assembly/contact/contact_partition.hpp"
 
 #include <doctest/doctest.h>
@@ -56,7 +56,7 @@ TEST_CASE("every row belongs to one run and a side is at a border where its body
       CHECK(shares.border[row] == ((a ? side_a : 0) | (b ? side_b : 0)));
       inside += !a && !b ? 1 : 0;
     }
-    CHECK(inside > 0);  // else the runs would save nothing
+    CHECK(inside > 0);  // otherwise the runs would save nothing
   }
 }
 

@@ -1,5 +1,5 @@
-// The tangent by single terms against differences of everything: every law, from their lists, in every branch; whole
-// structures as they come down; loads that follow.
+// The term-wise tangent stiffness against differences of all forces: every law of the lists, in every branch; complete
+// structures during collapse; follower loads.
 #include "assembly/tangent/fd_tangent.hpp"
 
 #include "assembly/compared_tangents.hpp"
@@ -35,13 +35,13 @@ double worst_entry(const Model<2>& model, State<2> state, double dt, double rate
   return worst_difference(terms, all);
 }
 
-/// How two blocks stand: the upper one against the lower one, at the end of a step and at its begin.
+/// Position of the upper block relative to the lower one, at the start and at the end of a step.
 struct JointCase {
   const char* name;
   double gap, tilt, slip;  ///< [m], [rad], [m]
 };
 
-/// Two blocks of 1 m x 0.5 m, both free, one on the other.
+/// Two stacked free blocks of 1 m x 0.5 m.
 struct TwoBlocks {
   Model<2> model;
   State<2> state;
@@ -62,7 +62,7 @@ struct TwoBlocks {
     evaluate(model, state, work, state.last_dt);
     begin_implicit(model, state, work);
   }
-  /// Puts the upper block there within a step of length `dt`, which is not committed.
+  /// Moves the upper block there within a step of length `dt`, which is not committed.
   void step_to(const JointCase& at, double dt) {
     state.position_before = state.position, state.rotation_before = state.rotation;
     const Body& up = model.bodies[1];
@@ -81,7 +81,7 @@ struct TwoBlocks {
   }
 };
 
-/// Each follows the ones before it, so that there is slip, softening and crushing to remember.
+/// Each case follows the ones before it, so that there is a history of slip, softening and crushing.
 constexpr std::array joint_cases{JointCase{"pressed", -2.3e-5, 1e-6, 0},
                                  JointCase{"sticks", -2.3e-5, 1e-6, 1.1e-6},
                                  JointCase{"pulled", 2.1e-5, 3e-6, 1e-6},
@@ -110,7 +110,7 @@ TEST_CASE("the tangent of a contact by itself is that of everything: all laws an
     }
 }
 
-/// Two rigid blocks with a bearing between them that presses.
+/// Two rigid blocks with a compressed bearing between them.
 struct TwoOnBearing {
   Model<2> model;
   State<2> state;
@@ -129,13 +129,13 @@ struct TwoOnBearing {
     link.law[direction] = Linear{1e5, 0};
     scene.builder.add_bearing(link);
     model = scene.builder.build();
-    model.bearings[0].law[direction] = law;  // builders refuse what slides along the axis
+    model.bearings[0].law[direction] = law;  // builders reject laws that slide along the axis
     state = initial_state(model);
     Work<2> work;
     evaluate(model, state, work, 0);
     begin_implicit(model, state, work);
   }
-  /// A step of `dt` along a way that turns back; not committed.
+  /// A step of `dt` along a path that reverses; not committed.
   void step(int i, double dt) {
     const double phase = 0.7 * i, way = 0.02 + 0.01 * i;
     state.position_before = state.position, state.rotation_before = state.rotation;
@@ -154,7 +154,9 @@ TEST_CASE("the tangent of a bearing by itself is that of everything: all laws in
     for (int at = 0; at < 6; ++at) {
       const int direction = at % 3;
       TwoOnBearing pair(sample.law, direction);
-      if (at >= 3) pair.state.bearing[0].begun_at = {0.004, 0.003, -0.01};  // as of one that took over there
+      if (at >= 3)
+        pair.state.bearing[0].begun_at = {0.004, 0.003, -0.01};  // as after a switch to a successor law at
+                                                                 // this displacement
       for (int i = 1; i < 12; ++i) {
         INFO(sample.name, ", direction ", direction, at >= 3 ? ", from where it took over" : "", ", step ", i);
         pair.step(i, 0.01);
@@ -179,11 +181,12 @@ TEST_CASE("the tangent of a structure as it comes down is that of everything") {
         advance(model, state, work, {state.dt, {}});
       }
       INFO(c.name, " at ", state.time, " s");
-      // Tangents are of implicit steps; in explicit ones points go along chords of the turn. An instant at which a
-      // contact changes from one kernel to another has no tangent to compare: forces jump by their rounding there.
+      // Tangents belong to implicit steps; in explicit steps points move along chords of the rotation. At an instant at
+      // which a contact changes its kernel there is no tangent to compare: forces jump by the kernels' rounding.
       State<2> now = state;
       begin_implicit(model, now, work);
-      // Places metres from the origin have fewer digits: noise falls with the disturbance, to 1e-8 in most of them.
+      // Positions at metres from the origin have fewer digits: noise grows as the disturbance falls, to 1e-8 for most
+      // of them.
       CHECK(worst_entry(model, now, now.last_dt, 1 / now.last_dt, 6e-9) < 1e-6);
     }
   }

@@ -1,4 +1,4 @@
-// The elementary functions of ours against those of the C library in long double, which have 11 bits more.
+// The portable elementary functions against the C library in long double, which has 11 bits more.
 #include "base/portable.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ struct Arguments {
   std::function<double()> next;
 };
 
-/// Any finite double, however large or small.
+/// A random finite double of any magnitude.
 double any_double(std::mt19937_64& bits) {
   while (true) {
     const double x = std::bit_cast<double>(std::uint64_t{bits()});
@@ -62,7 +62,7 @@ TEST_CASE("sines and cosines of several angles are those of each by itself to th
   const std::vector<double> few{0.0, -0.0, 0x1p-1074, M_PI_4, -M_PI_4, M_PI_2, -M_PI, 0x1p20, -0x1p20, infinite, none};
   for (int round = 0; round < 20000; ++round) {
     alignas(32) std::array<double, 8> angle{}, sine{}, cosine{};
-    // Kinds side by side: a far one beside a near one changes nothing for that.
+    // Arguments of different kinds in one vector: one with a large argument does not change its neighbour's result.
     for (double& a : angle) {
       const auto kind = static_cast<std::size_t>(random_count(bits, 0, static_cast<int>(kinds.size())));
       a = kind < kinds.size() ? kinds[kind].next() : few[bits() % few.size()];
@@ -152,7 +152,7 @@ TEST_CASE("exponentials and powers are right to less than 1 ulp and end as those
   for (int i = 0; i < 30000; ++i) {
     const double x = i % 2 == 0 ? random_between(bits, -1, 1) : random_between(bits, -700, 709);
     exponential = std::max(exponential, ulps(portable::exp(x), std::exp(static_cast<long double>(x))));
-    // As far as long double can tell: it has 11 bits more, of which a power's size takes up some.
+    // To the accuracy of long double: it has 11 bits more, some of which represent the magnitude of a power.
     const double base = i % 2 == 0 ? std::exp(random_between(bits, -10, 10)) : 1 + random_between(bits, -1e-6, 1e-6);
     const double exponent = i % 2 == 0 ? random_between(bits, -3, 3) : random_between(bits, -1e6, 1e6);
     const long double expected = std::pow(static_cast<long double>(base), static_cast<long double>(exponent));

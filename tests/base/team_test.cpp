@@ -1,4 +1,4 @@
-// Loops that threads share: every item once, in order what must be, and errors passed on.
+// Loops shared by threads: every item once, ordered parts in order, errors passed on.
 #include "base/team.hpp"
 
 #include <doctest/doctest.h>
@@ -100,7 +100,7 @@ TEST_CASE("who has waited long for another thread works alone for a while, and t
   using Clock = std::chrono::steady_clock;
   using std::chrono::milliseconds;
   const std::thread::id asking = std::this_thread::get_id();
-  // A loop in which the other thread, where it comes, is held up as by a machine with other work; true if it came.
+  // A loop in which the other thread, if it takes part, is delayed as on a busy machine; true if it took part.
   const auto company_came = [&](milliseconds held_up) {
     std::atomic<bool> came = false;
     share(2, 64, 1, [&](int, int, int) {

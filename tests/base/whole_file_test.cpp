@@ -1,4 +1,4 @@
-// Reading a file as a whole: what is none is refused, and nothing is read without end.
+// Reads a complete file: non-files are rejected, and no read is endless.
 #include "base/whole_file.hpp"
 
 #include <doctest/doctest.h>

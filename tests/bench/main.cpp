@@ -1,8 +1,7 @@
-// How long a step takes: the running-bond walls of 444 and 1,752 rigid units, shaken at 2 Hz and 0.5 g.
+// Time of a step: the running-bond walls of 444 and 1,752 rigid units, shaken at 2 Hz and 0.5 g.
 //
-// Prints, for each: seconds of processor per simulated second, nanoseconds per touching pair and step, step length,
-// peak memory, and the share of each stage of the step. Figures on shared machines are noisy: compare runs made in
-// turn.
+// Prints for each: processor seconds per simulated second, nanoseconds per closed contact and step, step length, peak
+// memory, and the share of each stage of the step. Times on shared machines are noisy: compare runs made in turn.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -37,7 +36,7 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-/// What runs now and how much of it is done, on a terminal; the figures take the line's place.
+/// Current benchmark and its progress, on a terminal; the figures replace the line.
 void tell(const std::string& what, double share = 0) {
   if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K{}  {:.0f} %", what, 100 * share);
 }
@@ -74,7 +73,7 @@ void shake_base(Model<2>& model, double start) {
             model.start_position[model.bodies[base].first_node].x());
 }
 
-/// Pairs of pieces with faces that look at each other, near enough to touch before the next search.
+/// Candidate pairs of pieces with facing faces, close enough to touch before the next search.
 int facing(const Work<2>& work) {
   int count = 0;
   for (const NearPair& p : work.pairs) count += p.facing > 0 ? 1 : 0;
@@ -116,7 +115,7 @@ void bench_wall(int courses, double dt, double seconds) {
   }
   const double spent = now() - begin;
   const double mean_pairs = pairs / (steps / 100), per_pair = spent / steps / mean_pairs * 1e9;
-  // Stages apart, at the state reached: the same work over and over.
+  // Single stages at the reached state: the same work repeatedly.
   const auto time_stage = [&](const char* name, auto&& f) {
     constexpr int rounds = 2000;
     const double from = now();
@@ -148,7 +147,7 @@ void bench_wall(int courses, double dt, double seconds) {
   for (const auto& [name, ns] : stage) fmt::print("    {:34s} {:6.1f} ns per pair\n", name, ns);
 }
 
-/// The wall of 444 units of each kind of body, at the step it finds.
+/// The wall of 444 units for each kind of body, at its automatic step.
 void bench_kinds(double seconds) {
   struct Kind {
     const char* name;

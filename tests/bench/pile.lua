@@ -1,6 +1,7 @@
--- Boxes of 0.15 to 0.25 m poured into a container: rows of them fall turned, strike each other and come to rest.
+-- Boxes of 0.15 to 0.25 m poured into a container: rows of them fall at random angles, strike each other and come to
+-- rest.
 --
--- `trilith run tests/bench/pile.lua --profile` says what a step costs and what of it is searching.
+-- `trilith run tests/bench/pile.lua --profile` prints the time per step and the share of the contact search.
 local trilith = require "trilith"
 local p = trilith.params {
   boxes = { 5000, "boxes" }, seconds = { 2.0, "of fall" }, across = { 100, "boxes in a row" },
@@ -17,7 +18,7 @@ m:block { name = "floor", width = width + 2, height = 1, at = { -1, -1 }, materi
 m:block { name = "left", width = 1, height = height, at = { -1, 0 }, material = "stone", support = "fixed" }
 m:block { name = "right", width = 1, height = height, at = { width, 0 }, material = "stone", support = "fixed" }
 
--- Numbers between 0 and 1 that are the same everywhere (Lehmer's generator).
+-- Pseudo-random numbers between 0 and 1, equal on all platforms (Lehmer's generator).
 local seed = 41
 local function random()
   seed = seed * 48271 % 2147483647

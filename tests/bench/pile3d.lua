@@ -1,8 +1,8 @@
--- Boxes of 0.15 to 0.25 m poured into a container in space: layers of them fall turned, strike each other and come to
--- rest.
+-- Boxes of 0.15 to 0.25 m poured into a container in space: layers of them fall at random angles, strike each other and
+-- come to rest.
 --
--- `trilith run tests/bench/pile3d.lua --profile` says what a step costs and what of it is searching. Fewer boxes:
--- `boxes=300 across=6`.
+-- `trilith run tests/bench/pile3d.lua --profile` prints the time per step and the share of the contact search. Fewer
+-- boxes: `boxes=300 across=6`.
 local trilith = require "trilith"
 local p = trilith.params {
   boxes = { 5000, "boxes" }, seconds = { 1.5, "of fall" }, across = { 18, "boxes in a row, and rows in a layer" },
@@ -12,7 +12,7 @@ local m = trilith.model { name = "pile in space", dim = 3 }
 m:material { name = "stone", density = 2400 }
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.5, beta = 1e-3 } }
 
--- Boxes are at most 0.433 m across, so that none overlap at the start.
+-- Boxes have diagonals of at most 0.433 m, so that none overlap at the start.
 local pitch, layer = 0.45, p.across * p.across
 local width, height = p.across * pitch, math.ceil(p.boxes / layer) * pitch + 2
 local function wall(name, size, at)
@@ -24,14 +24,14 @@ wall("right", { 1, width, height }, { width, 0, 0 })
 wall("front", { width + 2, 1, height }, { -1, -1, 0 })
 wall("back", { width + 2, 1, height }, { -1, width, 0 })
 
--- Numbers between 0 and 1 that are the same everywhere (Lehmer's generator).
+-- Pseudo-random numbers between 0 and 1, equal on all platforms (Lehmer's generator).
 local seed = 41
 local function random()
   seed = seed * 48271 % 2147483647
   return seed / 2147483647
 end
 
--- A vector turned by `angle` about the axis `u` of length 1 (Rodrigues 1840).
+-- A vector rotated by `angle` about the unit axis `u` (Rodrigues 1840).
 local function turned(v, u, angle)
   local c, s = math.cos(angle), math.sin(angle)
   local along = (1 - c) * (u[1] * v[1] + u[2] * v[2] + u[3] * v[3])

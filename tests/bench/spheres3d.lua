@@ -1,6 +1,7 @@
 -- Spheres of 80 to 120 mm that fall into a container in space, strike each other and settle.
 --
--- `trilith run tests/bench/spheres3d.lua --profile` says what a step costs; `spheres=5000 across=17` is a tenth of it.
+-- `trilith run tests/bench/spheres3d.lua --profile` prints the time per step; `spheres=5000 across=17` is a tenth of
+-- the default.
 local trilith = require "trilith"
 local p = trilith.params {
   spheres = { 50000, "spheres" }, seconds = { 0.5, "of fall" },
@@ -22,7 +23,7 @@ wall("right", { 1, width, height }, { width, 0, 0 })
 wall("front", { width + 2, 1, height }, { -1, -1, 0 })
 wall("back", { width + 2, 1, height }, { -1, width, 0 })
 
--- Numbers between 0 and 1 that are the same everywhere (Lehmer's generator).
+-- Pseudo-random numbers between 0 and 1, equal on all platforms (Lehmer's generator).
 local seed = 41
 local function random()
   seed = seed*48271 % 2147483647

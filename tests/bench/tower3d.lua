@@ -1,7 +1,7 @@
 -- A square tower of dry blocks in running bond, shaken by the three components of El Centro 1940.
 --
--- The defaults are 11,520 blocks of .5 x .25 x .25 m, 144 courses, 36 m high, 10 m wide; `courses=12 side=3` is small.
--- `trilith run tests/bench/tower3d.lua --profile` says what a step costs.
+-- The defaults are 11,520 blocks of 0.5 m x 0.25 m x 0.25 m, 144 courses, 36 m high, 10 m wide; `courses=12 side=3` is
+-- small. `trilith run tests/bench/tower3d.lua --profile` prints the time per step.
 local trilith = require "trilith"
 local p = trilith.params {
   courses = { 144, "courses" }, side = { 10, "length of a side", "m" }, seconds = { 0.2, "of shaking" },
@@ -17,8 +17,8 @@ m:contact { between = { "*", "*" }, law = trilith.frictional { kn = p.kn, ks = 0
 m:block { name = "base", size = { p.side + 2, p.side + 2, 1 }, at = { -1, -1, -1 }, material = "stone",
   support = "fixed" }
 
--- A course is four rows that go round: each begins behind the end of the one before. Odd courses leave out the other
--- end of each side, so that corners interlock and blocks lie half over half.
+-- A course is a ring of four rows: each begins behind the end of the one before. Odd courses leave out the other end of
+-- each side, so that corners interlock and blocks overlap by half.
 local count, last = 0, p.side - high
 local function block(course, x0, y0, x1, y1)
   count = count + 1
@@ -26,7 +26,8 @@ local function block(course, x0, y0, x1, y1)
     at = { x0, y0, (course - 1)*high }, material = "stone" }
 end
 for course = 1, p.courses do
-  -- Along a side from its corner: even courses from the corner to the last quarter metre, odd ones from the first on.
+  -- Along a side from its corner: even courses from the corner to the last quarter metre, odd ones from the first
+  -- quarter metre on.
   local from = course % 2 == 0 and 0 or high
   local a = from
   while a < from + last - 1e-9 do

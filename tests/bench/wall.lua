@@ -1,7 +1,7 @@
--- The wall of the benchmarks in the plane: units of 0.4 x 0.2 m in running bond on a base that is shaken at 2 Hz and
--- 0.5 g. 24 courses of 18 are 444 units, 48 of 36 are 1,752, 192 of 145 are some 28,000.
+-- The benchmark wall in the plane: units of 0.4 m x 0.2 m in running bond on a base that is shaken at 2 Hz and 0.5 g.
+-- 24 courses of 18 are 444 units, 48 of 36 are 1,752, 192 of 145 are about 28,000.
 --
--- `trilith run tests/bench/wall.lua --profile` says what a step costs.
+-- `trilith run tests/bench/wall.lua --profile` prints the time per step.
 local trilith = require "trilith"
 local p = trilith.params {
   courses = { 24, "courses" }, columns = { 18, "whole units in a course" }, seconds = { 0.5, "of shaking" },

@@ -1,7 +1,7 @@
--- The wall of the benchmarks in space: units of 0.4 x 0.2 x 0.2 m in running bond on a base that is shaken.
+-- The benchmark wall in space: units of 0.4 m x 0.2 m x 0.2 m in running bond on a base that is shaken.
 --
--- `trilith run tests/bench/wall3d.lua --profile` says what a step costs; 24 courses are 444 units; `courses=48
--- columns=36` 1,752. `body=mesh step=0 scaled=5e-5` takes meshed units by longer steps.
+-- `trilith run tests/bench/wall3d.lua --profile` prints the time per step; 24 courses are 444 units; `courses=48
+-- columns=36` are 1,752. `body=mesh step=0 scaled=5e-5` uses meshed units with longer steps by mass scaling.
 local trilith = require "trilith"
 local p = trilith.params {
   courses = { 24, "courses" }, columns = { 18, "whole units in a course" }, seconds = { 0.2, "of shaking" },

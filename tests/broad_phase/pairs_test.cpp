@@ -1,4 +1,4 @@
-// Detection by body: no pair that touches is missed however bodies fly, and what stands is not looked up.
+// Broad phase by body: no contact pair is missed however bodies move, and bodies at rest are not searched.
 #include "broad_phase/pairs.hpp"
 
 #include <random>
@@ -28,7 +28,7 @@ std::set<ContactKey> keys_of(const Work<2>& work) {
   return keys;
 }
 
-/// How many bodies have a corner that has less left to where it may go than is said of its body.
+/// Number of bodies with a corner closer to its allowed bound than the body's stored remaining distance.
 int left_less(const Model<2>& model, const BroadPhaseState<2>& search, const Work<2>& work) {
   int count = 0;
   for (int p = 0; p < model.pieces(); ++p) {
@@ -44,7 +44,7 @@ int left_less(const Model<2>& model, const BroadPhaseState<2>& search, const Wor
   return count;
 }
 
-/// Stones of sizes up to `unlike` times different, with room for all.
+/// Stones with sizes up to a factor `unlike` apart, without overlap.
 Scene stones(std::mt19937_64& bits, int count, double unlike) {
   Scene scene(Frictional{1e8, 5e7, 0.6, 0});
   scene.builder.overlap_allowed = 1;
@@ -55,7 +55,7 @@ Scene stones(std::mt19937_64& bits, int count, double unlike) {
     wanted.slenderest = 2;
     BodySpec spec;
     spec.name = "stone" + std::to_string(i), spec.floating = true;
-    // One after the other: compilers take arguments in the order they like.
+    // In separate statements: the order of evaluation of arguments is unspecified.
     const Vec2 middle{random_between(bits, -5, 5), random_between(bits, 0, 5)}, direction = random_direction(bits);
     spec.outline = placed(random_convex(bits, wanted), direction, middle);
     scene.add(spec);
@@ -74,7 +74,7 @@ TEST_CASE("a list that is patched gives the bits of one found anew and misses no
     Work<2> kept;
     int missed = 0, differ = 0, overlapping = 0, unsorted = 0, less = 0;
     for (int step = 0; step < 1500; ++step) {
-      // Each turns off its way now and then; some stand for a while.
+      // Each changes its direction at intervals; some stand still for a while.
       for (int n = 1; n < model.nodes(); ++n)
         if (step % 50 == n % 50) {
           const double speed = bits() % 3 == 0 ? 0 : std::pow(10, random_between(bits, -2, 1));
@@ -152,7 +152,7 @@ TEST_CASE("what stands is not looked up again while something else flies by and 
   CHECK(now.left[1] == of_block.left[1]);
   CHECK(looked_up > 20);
   CHECK(looked_up < 200);
-  // 5 mm, a step's way, above the two it falls on: they are to be pairs before they touch.
+  // 5 mm, the displacement of one step, above the two blocks below: they must be candidate pairs before contact.
   for (int step = 0; step < 19; ++step) move_on(model, state, 1e-3), evaluate(model, state, work, 1e-3);
   CHECK(work.pairs.size() >= pairs + 2);
 }

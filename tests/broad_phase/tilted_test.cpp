@@ -1,4 +1,4 @@
-// Pairs remembered as too tilted for faces: right for as long as they are remembered, and for no shorter than need be.
+// Pairs cached as too tilted for face contact: correct for as long as they are cached, and cached long enough.
 #include "broad_phase/face_tilt_cache.hpp"
 
 #include <random>
@@ -14,7 +14,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Two polygons of any shape and turn, and the pair of both.
+/// Two polygons of any shape and rotation, and their pair.
 struct TwoStones {
   Model<2> model;
   State<2> state;
@@ -22,7 +22,7 @@ struct TwoStones {
   NearPair pair{0, 1, 0, 0, 0, 0, 0, 0, 1.0, false};
 
   explicit TwoStones(std::mt19937_64& bits) : model(build(bits)), state(initial_state(model)) {
-    // Over each other, as no model may begin.
+    // Overlapping, which a model would reject at its start.
     state.position[1] = state.position[0] + random_between(bits, 0, 1.5) * random_direction(bits);
     evaluate(model, state, work, 1e-3);
   }
@@ -42,7 +42,7 @@ struct TwoStones {
   }
 };
 
-/// The least angle that two faces of the pair lack to run against each other [rad], from their directions themselves.
+/// Smallest angle by which two faces of the pair miss being opposed [rad], from their directions.
 double least_angle(const Work<2>& work, const Model<2>& model) {
   double least = M_PI;
   const auto way = [&](int piece, int e) {
@@ -65,7 +65,7 @@ TEST_CASE("a pair is remembered as tilted only while none of its faces can oppos
   for (int k = 0; k < 60; ++k) {
     TwoStones stones(bits);
     auto& [model, state, work, pair] = stones;
-    // Many turns away from the start, where floats are coarse.
+    // Many full turns away from the start, where floats are coarse.
     if (k % 3 == 0) state.rotation[1] = random_between(bits, -3000, 3000);
     for (int turn = 0; turn < 400; ++turn) {
       const double most = std::pow(10.0, random_between(bits, -4, 0));
@@ -88,9 +88,9 @@ TEST_CASE("a pair is remembered as tilted only while none of its faces can oppos
   }
   CHECK(wrong == 0);
   CHECK(chosen == 0);
-  CHECK(faces > 300);             // faces do come to oppose each other ...
-  CHECK(found > 100);             // ... and to be chosen
-  CHECK(remembered > asked / 4);  // and it is of use
+  CHECK(faces > 300);             // some faces become opposed ...
+  CHECK(found > 100);             // ... and are chosen
+  CHECK(remembered > asked / 4);  // the cache is effective
 }
 
 TEST_CASE("a tilted pair is remembered up to where its next faces oppose each other, and not beyond") {
@@ -113,7 +113,7 @@ TEST_CASE("a tilted pair is remembered up to where its next faces oppose each ot
       CHECK(!is_tilted(model, state, work, pair));
       nearest = std::min(nearest, least_angle(work, model));
     }
-    CHECK(nearest <= face_pair_max_tilt);  // in one of the two ways they come to oppose each other there
+    CHECK(nearest <= face_pair_max_tilt);  // in one of the two directions of rotation they become opposed at this angle
     ++ends;
   }
   CHECK(ends > 50);

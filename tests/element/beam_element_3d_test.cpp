@@ -1,5 +1,5 @@
-// The beam in space by itself: its forces are the slope of its energy, its rates those of its strains, and what moves
-// rigidly is not strained.
+// The beam element in space: its forces are the gradient of its energy, its strain rates the derivatives of its
+// strains, and a rigid motion causes no strain.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -24,7 +24,7 @@ struct BeamRates {
 
 constexpr double rest_length = 1.3;
 
-/// A beam anywhere, stretched, bent by up to `bend` [rad] and twisted.
+/// A beam at a random place, stretched, bent by up to `bend` [rad] and twisted.
 BeamPose strained_pose(std::mt19937_64& bits, double bend) {
   const UnitQuaternion turn = rotation_by(3 * random_in_ball(bits));
   const Vec3 from = random_in_ball(bits);
@@ -130,7 +130,7 @@ TEST_CASE("a beam in space that moves in a plane carries what the beam in the pl
 TEST_CASE("no beam in space is quicker than its bound and a free one has six motions without strain") {
   const Vec3 inertia(3, 1, 2);
   const double bound = beam_frequency2(some_stiffness(), rest_length, 100, inertia);
-  // Each of the simple motions alone: ends apart, ends twisted apart.
+  // Each simple motion alone: ends apart, ends twisted against each other.
   CHECK(bound >= some_stiffness().axial * 2 / 100);
   CHECK(bound >= some_stiffness().torsion * 2 / inertia.x());
   CHECK(bound < 1e3 * some_stiffness().axial / 100);

@@ -1,5 +1,5 @@
-// Plastic hinges at the ends of a beam in space: the plane's own about one axis, the surface of both moments and N,
-// flow, energies, tangents, steps of any size.
+// Plastic hinges at the ends of a beam in space: agreement with the plane about one axis, the yield surface of both
+// moments and N, flow, energies, tangents, steps of any size.
 #include "element/beam/end_hinge_3d.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ HingeLaw pressed_hinge_3d(double contour = 1.7) {
   law.tension = full_pull;
   return law;
 }
-/// Of everything something.
+/// A law with every option.
 HingeLaw rich_hinge_3d(double contour = 1.5) {
   HingeLaw law = plain_hinge_3d(contour);
   law.hogging = 0.8 * about_z, law.hardening = 4e5, law.isotropic = 0.4;
@@ -46,7 +46,7 @@ HingeLaw tabled_hinge_3d() {
   return law;
 }
 
-/// .1 x .2 m of steel; about y with `weaker` of the stiffness about z.
+/// Steel of 0.1 m x 0.2 m; the stiffness about y is `weaker` times the stiffness about z.
 BeamStiffness3 space_beam(bool bowed, double weaker = 0.8) {
   BeamStiffness3 k;
   k.bend = {hinge_beam(bowed), hinge_beam(bowed)};
@@ -89,7 +89,7 @@ BeamStrain3 random_strain_3d(std::mt19937_64& bits, double size) {
   return d;
 }
 
-/// A strain of the plane as one about z, or turned about the beam by `angle`.
+/// A strain of the plane as one about z, or rotated about the beam's axis by `angle`.
 BeamStrain3 turned_strain(const BeamStrain& d, double angle) {
   const double s = std::sin(angle), c = std::cos(angle);
   return {d[0], s * d[1], c * d[1], s * d[2], c * d[2], 0};
@@ -161,11 +161,11 @@ TEST_CASE("about y a hinge is the plane's with all strengths across over sagging
   HingeLaw law = rich_hinge_3d(), other = law;
   law.hogging = 0;
   const double s = law.across / law.sagging;
-  // Rotations about y count sqrt(s) times: capping, softening and wear in that measure.
+  // Rotations about y are scaled by sqrt(s): capping, softening and wear use this measure.
   other = law, other.sagging *= s, other.hardening *= s;
   other.capping /= std::sqrt(s), other.softening /= std::sqrt(s), other.wear /= s;
   other.isotropic = law.isotropic;
-  // Hi r grows with sqrt(s) of the rotation about y, its width with s Hi: kinematic alone compares exactly.
+  // Hi r grows with sqrt(s) of the rotation about y, its width with s Hi: only kinematic hardening compares exactly.
   law.isotropic = other.isotropic = 0;
   testing::LedHinges flat{hinge_beam(true), {other, other}};
   LedHinges3 deep{space_beam(true, 1), {law, law}};
@@ -192,8 +192,8 @@ TEST_CASE("moments about both axes and N reach the surface together, and stay on
           CHECK(near(std::pow(y, contour) + std::pow(z, contour), std::pow(1 - n * n, contour), 1e-10));
         }
         CHECK(led.now.settled);
-        // Turned far beyond yield the flow goes the way of the turn, so the moments are where the surface is square
-        // to it: m_i = W_i u_i^(b - 1) with u_i = W_i n_i / h.
+        // Far beyond yield the flow is along the rotation, so the moments are at the point whose surface normal is
+        // along it: m_i = W_i u_i^(b - 1) with u_i = W_i n_i / h.
         const double b = contour / (contour - 1), sy = about_y * std::sin(angle), sz = about_z * std::cos(angle);
         const double h = std::pow(std::pow(sy, b) + std::pow(sz, b), 1 / b);
         const double expected = (1 - n * n) * about_z * std::pow(sz / h, b - 1);
@@ -203,7 +203,7 @@ TEST_CASE("moments about both axes and N reach the surface together, and stay on
 
 TEST_CASE("the contour of 1.7 is that of the full plastic rectangle, which needs both moments by hand") {
   // A neutral axis through two opposite sides of a rectangle: m_y + 3/4 m_z^2 = 1 for m_z up to 2/3, over the plastic
-  // moments; the corner of both branches is at 2/3 each.
+  // moments; both branches meet at 2/3 each.
   for (const double z : {0.2, 0.4, 0.6, 2.0 / 3}) {
     const double y = 1 - 0.75 * z * z;
     const double size = std::pow(std::pow(y, 1.7) + std::pow(z, 1.7), 1 / 1.7);
@@ -276,7 +276,7 @@ TEST_CASE("steps of any size in space end within the laws, with numbers, settled
         for (const double s : led.now.stress) REQUIRE(std::isfinite(s));
         REQUIRE(std::isfinite(led.now.dissipated));
         REQUIRE(led.now.tangent.allFinite());
-        // Without a part of N nothing keeps a beam from being pressed beyond its own buckling load.
+        // Without an N part of the surface nothing prevents compression beyond the beam's buckling load.
         const bool bounded = led.law[0].has_axial() && led.law[1].has_axial();
         steps += bounded ? 1 : 0, unsettled += bounded && !led.now.settled ? 1 : 0;
         if (!led.now.settled) continue;
@@ -289,7 +289,7 @@ TEST_CASE("steps of any size in space end within the laws, with numbers, settled
           const double share = led.law[e].beside(led.now.memory.normal).share;
           const double worn = led.law[e].worn(before.dissipated[e]),
                        kept = worn * led.law[e].kept(led.now.memory.reach[e]);
-          // How far beyond, over the whole strength.
+          // Excess over the full strength.
           if (share > 1e-6) CHECK((gauge_of(led.law[e], led.now.memory, end, worn) - 1) * share * kept < 1e-8);
         }
         CHECK(led.now.stored >= 0);
@@ -316,8 +316,8 @@ TEST_CASE("work on a beam in space with hinges is stored or given off, by every 
 }
 
 TEST_CASE("a circle of turns beyond yield gives off what the surface's points do on their ways") {
-  // Strength alike about both axes, without hardening: once on it, the moment goes round with the turn, and the work
-  // of a round is the circumference of the plastic turn times the moment.
+  // Equal strength about both axes, without hardening: on the surface the moment follows the rotation's direction, and
+  // the work of a round is the circumference of the plastic rotation times the moment.
   HingeLaw law = plain_hinge_3d(2);
   law.across = law.sagging;
   BeamStiffness3 k = space_beam(false, 1);
@@ -333,7 +333,7 @@ TEST_CASE("a circle of turns beyond yield gives off what the surface's points do
   round(4000);
   const double before = led.lost;
   round(4000);
-  // The elastic part is M/K; the plastic turn lags by it, at a right angle: its radius is sqrt(r^2 - (M/K)^2).
+  // The elastic part is M/K; the plastic rotation lags behind at a right angle: its radius is sqrt(r^2 - (M/K)^2).
   const double elastic = about_z / k.bend[0].bend[2], inner = std::sqrt(radius * radius - elastic * elastic);
   MESSAGE("a round: ", led.lost - before, " J, closed form ", 2 * M_PI * inner * about_z);
   CHECK(near(led.lost - before, 2 * M_PI * inner * about_z, 1e-4));

@@ -30,7 +30,7 @@ HingeLaw pressed_hinge() {
   law.tension = full_normal;
   return law;
 }
-/// Of everything something.
+/// A law with every option.
 HingeLaw rich_hinge() {
   HingeLaw law = plain_hinge();
   law.hogging = 0.8 * full_moment, law.hardening = 4e5, law.isotropic = 0.4;
@@ -44,12 +44,12 @@ HingeLaw tabled_hinge() {
   return law;
 }
 
-/// Moment on an end in the sign where the bottom lengthens.
+/// Moment on an end, positive if the bottom fibres are in tension.
 double sagging_of(const BeamStress& s, int end) {
   return end == 0 ? -s[1] : s[2];
 }
 
-/// How far an end is beyond its law, over the sagging moment; at most 0.
+/// Excess of an end's moment over its law, relative to the sagging moment; at most 0.
 double beyond(const HingeLaw& law, const EndHingeMemory& before, const EndHingeMemory& after, int end) {
   const double reach = after.reach[end];
   const double kept = before.gone[end] != 0 ? 0.0 : law.kept(reach) * law.worn(before.dissipated[end]);
@@ -107,7 +107,7 @@ TEST_CASE("an end that is bent follows its backbone: yield, hardening, cap, soft
   CHECK(status_of(led.now.memory, 1) == HingeStatus::lost);
   CHECK(near_zero(led.unbooked(), 1e-12 * led.work));
   CHECK(near_zero(led.now.stored, 1e-9));
-  // What was given off: the area under the backbone, to the rotation where it was lost.
+  // Dissipation: the area under the backbone, up to the ultimate rotation.
   const double area = 0.5 * (full_moment + top) * 0.02 + 0.5 * 1.25 * top * 0.06 + 0.25 * top * 0.04;
   MESSAGE("backbone: given off " << led.lost << " J, area under it " << area);
   CHECK(near(led.lost, area, 0.01));
@@ -147,7 +147,7 @@ TEST_CASE("moment and normal force stay on |M|/Mp + (N/Np)^2 = 1, and flow is no
     const EndHingeMemory& m = led.now.memory;
     const double n = m.normal / full_normal;
     for (const int end : {0, 1}) CHECK(near_zero(m.moment[end] / full_moment + n * n - 1, 1e-11));
-    // One more step, proportional: both flows by dp_u = 2 n (Mp/Np) dp.
+    // One more step, proportional: both plastic strains flow by dp_u = 2 n (Mp/Np) dp.
     LedHinges next = led;
     next.to({stretch * 1.01, -0.08 * 1.01, 0.08 * 1.01});
     const double turned = next.now.memory.turned[0] - m.turned[0] + next.now.memory.turned[1] - m.turned[1];
@@ -252,7 +252,7 @@ TEST_CASE("an end whose hinge stretches as it turns leaves a stronger one at the
     CHECK(status_of(led.now.memory, weak) == HingeStatus::yielded);
     CHECK(status_of(led.now.memory, 1 - weak) == HingeStatus::elastic);
   }
-  LedHinges both{hinge_beam(false), {pressed_hinge(), pressed_hinge()}};  // pulled alone: half of it is each end's
+  LedHinges both{hinge_beam(false), {pressed_hinge(), pressed_hinge()}};  // pure tension: each end takes half
   both.along({0.1, 0, 0});
   for (const int end : {0, 1}) CHECK(status_of(both.now.memory, end) == HingeStatus::yielded);
 }
@@ -314,7 +314,7 @@ TEST_CASE("hinges that make no sense are refused") {
   CHECK_THROWS_AS(law.check(), InputError);
   for (double HingeLaw::*idle : {&HingeLaw::softening, &HingeLaw::residual}) {
     law = plain_hinge(), law.*idle = 0.1;
-    CHECK_THROWS_AS(law.check(), InputError);  // nothing begins it
+    CHECK_THROWS_AS(law.check(), InputError);  // no start of softening
   }
   law = plain_hinge(), law.compression = 1e6;
   CHECK_THROWS_AS(law.check(), InputError);

@@ -1,5 +1,5 @@
-// Sections and beams of fibres in space: exact elastic numbers, plastic moments about any axis, the beam of the plane,
-// energies and tangents.
+// Fibre sections and fibre beams in space: exact elastic numbers, plastic moments about any axis, agreement with the
+// plane beam, energies and tangents.
 #include "element/beam/fibre_beam_3d.hpp"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ FibreSection3 cut(const FibreShape& shape, const UniaxialLaw& law, std::array<in
   return make_fibres_in_space(spec);
 }
 
-/// A section led along strains, with its memory.
+/// A section with prescribed strains, with its history.
 struct LedSection3 {
   FibreSection3 section;
   std::vector<double> memory = std::vector<double>(static_cast<std::size_t>(section.memory_size()), 0.0), next = memory;
@@ -43,7 +43,7 @@ struct LedSection3 {
   }
 };
 
-/// What a section carries at curvatures so large that nearly all of it flows, at no axial strain of its centroid.
+/// Section forces at curvatures so large that nearly all fibres yield, at zero axial strain of the centroid.
 Eigen::Vector3d flowing(const FibreSection3& section, double about_y, double about_z) {
   return LedSection3{section}.to({0, about_y, about_z}).stress;
 }
@@ -146,11 +146,11 @@ TEST_CASE("a section that flows has its plastic moment about either axis and abo
   const FibreSection3 upright = cut(led_profile, ideal_steel(), {20, 20});
   CHECK(near(flowing(upright, 0, far)[2], strength * 0.1 * 0.2 * 0.2 / 4, 1e-3));
   CHECK(near(flowing(upright, far, 0)[1], strength * 0.2 * 0.1 * 0.1 / 4, 1e-3));
-  // A square about its diagonal: a^3 sqrt(2)/6 of the strength.
+  // A square about its diagonal: a^3 sqrt(2)/6 times the strength.
   const Eigen::Vector3d s = flowing(cut(RectangleSection{a, a}, ideal_steel(), {40, 40}), far, far);
   CHECK(near(std::hypot(s[1], s[2]), strength * a * a * a * std::sqrt(2.0) / 6, 2e-3));
   CHECK(near(s[1], s[2], 1e-9));
-  // A pipe about any axis: (D^3 - d^3)/6.
+  // A pipe about any axis: (D^3 - d^3)/6 times the strength.
   for (const double angle : {0.0, 0.4, 1.1}) {
     const Eigen::Vector3d m =
         flowing(cut(CircleSection{0.5, 0.4}, ideal_steel(), {40, 40}), far * std::cos(angle), far * std::sin(angle));

@@ -1,4 +1,4 @@
-// Beams of fibres: the elastic beam, energies, tangents, plastic moments.
+// Fibre beams: agreement with the elastic beam, energies, tangents, plastic moments.
 #include "element/beam/fibre_beam.hpp"
 
 #include <doctest/doctest.h>
@@ -159,14 +159,15 @@ TEST_CASE("a beam bent evenly carries the plastic moment, as its section does") 
 }
 
 TEST_CASE("many short beams of fibres stand for a cantilever that yields: its end turns as the moments along it say") {
-  // Tip load up to .9 of the plastic one; curvature by the closed form of the rectangle, integrated twice.
+  // Tip load up to 0.9 of the plastic one; curvature by the closed form of the rectangle, integrated twice.
   const int count = 16;
   const double h = span / count, moment_y = 160e3, tip = 0.9 * 1.5 * moment_y / span, phi_y = 0.08 / 7;
   const FibreSection section = make_fibres({profile, BilinearSteel{young, 240e6, 0, 0}, 40});
   const FibreBeam beam = make_fibre_beam(section, h, {false, false}, 0, BeamRule::lobatto, 4);
   const std::size_t size = beam.memory_size(section);
   std::vector<double> zero(size, 0.0), next(size);
-  // Piece by piece from the fixed end: shear and moments are known, so each finds its own bends.
+  // Element by element from the fixed end: shear forces and moments are known, so each element yields its own end
+  // rotations.
   double deflection = 0, turn = 0;
   for (int i = 0; i < count; ++i) {
     const double near_moment = tip * (span - i * h), far_moment = tip * (span - (i + 1) * h);
@@ -184,7 +185,7 @@ TEST_CASE("many short beams of fibres stand for a cantilever that yields: its en
       }
       memory = next;
     }
-    // End 0 turns with what came before; the chord turns by turn - theta_0.
+    // End 0 rotates with the elements before it; the chord rotates by turn - theta_0.
     const double chord = turn - d[1];
     deflection += chord * h, turn = chord + d[2];
   }

@@ -1,4 +1,4 @@
-// Sections as fibres: shapes, elastic stiffness, moments against curvature (F9), cover and bars.
+// Fibre sections: shapes, elastic stiffness, moment-curvature relation (F9), cover and bars.
 #include "element/section/fibre_section.hpp"
 
 #include <doctest/doctest.h>
@@ -28,7 +28,7 @@ std::vector<FibreShape> fibre_shapes() {
           SectionOutline{{{0, 0}, {1, 0}, {1, 0.3}, {0.6, 0.3}, {0.6, 1}, {1.4, 1}, {1.4, 1.2}, {0.2, 1.2}}}};
 }
 
-/// A section led along strains.
+/// A section with prescribed strains.
 struct LedSection {
   FibreSection section;
   std::vector<double> memory = std::vector<double>(section.memory_size(), 0.0), next = memory;
@@ -43,7 +43,7 @@ struct LedSection {
             0.5 * (r.moment + now.moment) * (e.curvature - at.curvature);
     lost += r.dissipated, at = e, now = r, memory = next;
   }
-  /// To a curvature with a given normal force, by Newton's iteration on the axial strain.
+  /// To a curvature at a given normal force, by Newton's iteration on the axial strain.
   void balanced(double curvature, double normal) {
     SectionStrain e{at.axial, curvature};
     for (int i = 0; i < 60; ++i) {
@@ -183,7 +183,8 @@ TEST_CASE("the error of a yielding rectangle falls with the layers") {
 }
 
 TEST_CASE("a reinforced section carries what its bars and its block of stress do") {
-  // Bars of 2000 mm2 at .06 m of .6 m, width .3 m; at a large curvature steel yields and concrete is past its parabola.
+  // Bars of 2000 mm2 at 0.06 m of 0.6 m, width 0.3 m; at a large curvature steel yields and concrete is past its
+  // parabola.
   const double steel_area = 2e-3, width = 0.3, depth = 0.6, fy = 500e6, fc = 30e6;
   FibreSpec spec{RectangleSection{width, depth}, KentPark{fc, 0.002, 0.9, 1, 1, 0, 0}};
   spec.layers = 200;
@@ -191,7 +192,7 @@ TEST_CASE("a reinforced section carries what its bars and its block of stress do
   spec.bar_law = BilinearSteel{2e11, fy, 0, 0};
   LedSection led{make_fibres(spec)};
   led.along(0.03, 0, 300);
-  // The parabola up to .002 has two thirds of the full block, over .002/k; then the rest of the depth x is full.
+  // The parabola up to 0.002 has two thirds of the full block, over 0.002/k; the rest of the depth x is full.
   const double curved = 0.002 / 0.03, block = steel_area * fy / (width * fc), x = block + curved / 3;
   const double full = x - curved, force = width * fc;
   const double moment = force * full * (0.54 - full / 2) + force * curved * 2 / 3 * (0.54 - full - 0.375 * curved);

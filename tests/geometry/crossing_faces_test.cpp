@@ -14,7 +14,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// What an outline in any order of its corners sweeps over as it rises by 1 m.
+/// Solid swept by an outline with any order of corners over a height of 1 m.
 Polyhedron raised(const std::vector<Vec2>& outline) {
   const int n = static_cast<int>(outline.size());
   Polyhedron solid;
@@ -29,7 +29,7 @@ Polyhedron raised(const std::vector<Vec2>& outline) {
   return solid;
 }
 
-/// A surface about the origin whose corner at (i, j) of `around` by `levels` stands `reach(i, j)` from it.
+/// A surface about the origin whose corner at (i, j) of `around` by `levels` is at the distance `reach(i, j)`.
 template <class Reach>
 Polyhedron star_shaped(int around, int levels, Reach&& reach) {
   Polyhedron solid;
@@ -61,7 +61,7 @@ TEST_CASE("no face of a convex solid or of a hollow one that is sound crosses an
   std::mt19937_64 bits(21);
   for (int i = 0; i < 100; ++i) CHECK(!crossing_faces(random_convex_solid(bits), 1e-9));
   CHECK(!crossing_faces(raised({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), 1e-9));
-  // seen from the middle its faces lie side by side, however rugged it is
+  // seen from the middle its faces are side by side, however rugged it is
   const auto rugged = [&](int i, int j) { return 1 + 0.5 * std::sin(0.7 * i) * std::sin(1.3 * j); };
   CHECK(!crossing_faces(star_shaped(64, 32, rugged), 1e-9));
 }

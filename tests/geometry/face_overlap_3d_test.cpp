@@ -57,7 +57,7 @@ FaceOverlap3 faces_of(const OwnFace& a, const OwnFace& b) {
   return out;
 }
 
-// Drawn one after the other, here and below: compilers take arguments in the order they like.
+// Drawn in separate statements, here and below: the order of evaluation of arguments is unspecified.
 UnitQuaternion face_rotation(std::mt19937_64& bits, double most) {
   const double z = random_between(bits, -most, most), y = random_between(bits, -most, most);
   return rotation_by(Vec3(random_between(bits, -most, most), y, z));
@@ -76,14 +76,15 @@ struct LoadedJoint {
   double peak, least, area, slope_x, slope_y;
 };
 
-/// A face B x H pressed onto another by 10 kN at e: Newton's method on how far it goes down and turns about x and y.
+/// A face B x H pressed onto another by 10 kN at e: Newton's method for its penetration and its rotations about x and
+/// y.
 LoadedJoint pressed_joint(double b, double h, const Vec2& e) {
   constexpr double stiffness = 1e8, load = 1e4;
   const OwnFace lower = face_up(centred_face(b, h), 0), upper = face_down(centred_face(b, h), 0);
   Vec3 u(load / (stiffness * b * h), 0, 0);  // down, slope along x, slope along y
   FaceOverlap3 now;
   for (int round = 0; round < 60; ++round) {
-    // sinking by s per x is a turn by s about y, by s per y one by -s about x
+    // a slope s along x is a rotation by s about y, a slope s along y one by -s about x
     now = faces_of(lower, face_moved(upper, rotation_by(Vec3(-u[2], u[1], 0)), Vec3(0, 0, -u[0])));
     const FaceIntegrals k = integrals_in_contact(now);
     const Vec2 middle = now.plane.project(Vec3(0, 0, 0));
@@ -187,7 +188,7 @@ TEST_CASE("faces of any shape share what the plane's overlap says") {
 }
 
 TEST_CASE("a linear overlap has the integrals of a wedge and of a pyramid's corner") {
-  // c = 0.02 x over a unit square from x = -1/2: closed over half of it
+  // c = 0.02 x over a unit square from x = -1/2: half of it is closed
   const double t = 0.02;
   FaceOverlap3 o = faces_of(face_up(centred_face(1, 1), 0), face_down(centred_face(1, 1), 0));
   o.plane.origin = Vec3::Zero(), o.plane.overlap = 0, o.plane.slope = Vec2(t, 0);
@@ -215,7 +216,7 @@ TEST_CASE("a linear overlap has the integrals of a wedge and of a pyramid's corn
   const Vec2 at = k.first_moment / k.first;
   CHECK(near(k.first_xx / k.first - at.x() * at.x(), 3 * leg * leg / 80, 1e-12));
   CHECK(near(k.first_xy / k.first - at.x() * at.y(), -leg * leg / 80, 1e-12));
-  // apart by next to nothing at that corner: nothing; closed all over: as over all
+  // a tiny gap at this corner: no contact; closed everywhere: as over the full area
   o.plane.overlap = -1.0000001 * t;
   CHECK(integrals_in_contact(o).area == 0);
   o.plane.overlap = 1.0000001 * t;
@@ -317,7 +318,7 @@ TEST_CASE("the force between faces is the change of their energy, along the norm
     CHECK(near_zero((change(o.plane.x) - sliding.x()) / k.first, 1e-6));
     CHECK(near_zero((change(o.plane.y) - sliding.y()) / k.first, 1e-6));
     const Vec2 other_x(o.plane.x.dot(faces_of(b, a).plane.x), o.plane.y.dot(faces_of(b, a).plane.x));
-    // as a slides instead, the change is the opposite
+    // as a slides instead, the change has the opposite sign
     CHECK(near_zero((energy_by_sliding(faces_of(b, a)).x() + other_x.dot(sliding)) / k.first, 1e-12));
   }
   CHECK(tried > 300);
@@ -337,7 +338,7 @@ TEST_CASE("the moment between faces is the change of their energy with turning, 
     const FaceIntegrals k = integrals_in_contact(o);
     const double change = (integrals_in_contact(at(h)).energy - integrals_in_contact(at(-h)).energy) / (2 * h);
     const Vec3 arm = o.plane.at(k.first_moment / k.first) - Vec3(0.1, 0.2, -depth);
-    // of the force on b, along +n, about the world's y through the point that b turns about
+    // moment of the force on b along +n about the world's y through b's pivot
     const double moment = cross(arm, Vec3(k.first * o.plane.normal)).y();
     off[round] = std::abs(change / -moment - 1);
   }
@@ -346,7 +347,7 @@ TEST_CASE("the moment between faces is the change of their energy with turning, 
 }
 
 TEST_CASE("integrals go on smoothly as corners come in and go out") {
-  // the second difference of a function with a bounded second derivative falls with the square of the step
+  // the error of the second difference of a function with bounded second derivative falls with the square of the step
   const OwnFace a = face_up(centred_face(1, 1), 0);
   const auto at = [&](double way) {
     const OwnFace b = face_moved(face_down(centred_face(1, 0.8), 0), rotation_by(Vec3(0.02, 0.03, 0.3)),
@@ -384,7 +385,7 @@ TEST_CASE("two faces of as many corners as there may be share a polygon of twice
   }
   const FaceOverlap3 o = faces_of(face_up(many, 0), face_down(between, -0.1));
   CHECK(o.shared.count == 2 * max_face_corners);
-  // the regular one of 64 corners whose edges lie as far out as those of 32 do
+  // the regular polygon of 64 corners, with the inradius of the polygon of 32 corners
   const double inner = portable::cos(std::numbers::pi / 32);
   CHECK(near(integrals_in_contact(o).area, 64 * inner * inner * portable::tan(std::numbers::pi / 64), 1e-13));
 }

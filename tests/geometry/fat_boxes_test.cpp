@@ -10,7 +10,7 @@ using namespace trilith;
 
 namespace {
 
-/// What HierarchicalHashGrid holds, kept plainly, and both asked alike.
+/// Plain copy of the contents of a HierarchicalHashGrid, queried in the same way.
 template <int D>
 struct Both {
   HierarchicalHashGrid<D> boxes;
@@ -41,7 +41,7 @@ double between_two(std::mt19937_64& bits, double low, double high) {
   return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
 }
 
-/// Somewhere within `extent`, its sides up to `unlike` times shorter than the longest.
+/// A random box within `extent`, with sides up to `unlike` times shorter than the longest.
 template <int D>
 FatBox<D> random_fat_box(std::mt19937_64& bits, double extent, double unlike) {
   FatBox<D> box;
@@ -63,7 +63,7 @@ void move_at_random(double extent, double unlike) {
     const int i = static_cast<int>(bits() % count);
     if (both.there[i] && bits() % 8 == 0) {
       both.take(i);
-    } else if (both.there[i] && bits() % 2 == 0) {  // a little farther, as most do
+    } else if (both.there[i] && bits() % 2 == 0) {  // a small displacement, as for most boxes
       FatBox<D> box = both.plain[i];
       for (int k = 0; k < D; ++k) {
         const double by = 0.2 * between_two(bits, -1, 1) * (box.high[k] - box.low[k]);
@@ -82,7 +82,7 @@ void move_at_random(double extent, double unlike) {
   CHECK(met > moves / 2);
 }
 
-/// With one far larger than all others, the ground of a world of pebbles.
+/// With one far larger than all others, as the ground of a world of pebbles.
 template <int D>
 void check_ground() {
   std::mt19937_64 bits(5);
@@ -107,7 +107,7 @@ FatBox<D> cube(double low, double high) {
   return box;
 }
 
-/// No box, one box, boxes without extent, boxes beyond all measure.
+/// No box, one box, boxes without extent, boxes with huge coordinates.
 template <int D>
 void check_few() {
   const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
@@ -126,7 +126,7 @@ void check_few() {
     both.put(3, cube<D>(0.5, 3));
     CHECK(both.meeting(cube<D>(2, 2)) == std::vector<int>{3});
   }
-  for (const double away : {-1e99, -3e18, 1e25, 1e60}) {  // far out, where cells have no numbers of their own
+  for (const double away : {-1e99, -3e18, 1e25, 1e60}) {  // so far out that cells have no own numbers
     both.put(3, cube<D>(away, away + 0.1 * std::abs(away)));
     CHECK(both.meeting(cube<D>(away, away)) == std::vector<int>{3});
     CHECK(both.meeting(cube<D>(-2, 2)) == std::vector<int>{0, 1, 2});

@@ -46,7 +46,7 @@ Polyhedron corner_tetrahedron(double a, double b, double c) {
   return solid;
 }
 
-/// What the check says of a box after `spoil`, empty where it says nothing.
+/// Message of the check for a box after `spoil`; empty if the box is accepted.
 std::string complaint(const std::function<void(Polyhedron&)>& spoil, double flat = kFlatFace) {
   Polyhedron solid = box_solid(Vec3(0, 0, 0), Vec3(3, 2, 1));
   spoil(solid);
@@ -81,7 +81,7 @@ TEST_CASE("the moments of a tetrahedron are those of its formula") {
   const SolidMoments m = solid_moments(corner_tetrahedron(a, b, c));
   CHECK(near(m.volume, volume, 1e-14));
   CHECK(m.centroid.isApprox(Vec3(a, b, c) / 4, 1e-14));
-  // integral of (x - a/4)^2 is 3 V a^2 / 80, that of (x - a/4)(y - b/4) is -V a b / 80
+  // integral of (x - a/4)^2 is 3 V a^2 / 80, and of (x - a/4)(y - b/4) is -V a b / 80
   CHECK(near(m.inertia(0, 0), 3 * volume * (b * b + c * c) / 80, 1e-13));
   CHECK(near(m.inertia(0, 1), volume * a * b / 80, 1e-13));
   CHECK(near(m.inertia(1, 2), volume * b * c / 80, 1e-13));
@@ -133,10 +133,10 @@ TEST_CASE("principal axes diagonalise the tensor, are right-handed and turn the 
     const Eigen::Matrix3d tensor = r * moments.asDiagonal() * r.transpose();
     const PrincipalInertia p = principal_inertia(tensor);
     const Eigen::Matrix3d axes = matrix_of(p.axes);
-    // six terms off the diagonal of up to 1e-14 of 2 may be left
+    // six off-diagonal terms of up to 1e-14 of 2 may remain
     CHECK(near_zero((axes * p.moments.asDiagonal() * axes.transpose() - tensor).norm(), 5e-14));
     CHECK(near(axes.determinant(), 1, 1e-13));
-    // no axis may be exchanged with another, or two turned round, for a smaller turn: at most 62.8 degrees
+    // no exchange of axes, or reversal of two, gives a smaller rotation: at most 62.8 degrees
     CHECK(angle_of(p.axes).norm() < 1.0962);
   }
 }
@@ -212,7 +212,7 @@ TEST_CASE("the check of a solid says what is wrong, where and by how much") {
 }
 
 TEST_CASE("a face counts as plane within its tolerance on both sides of it") {
-  // one corner of four lifted by d is off their mean plane by d/4
+  // one corner of four lifted by d is at d/4 from their mean plane
   const auto lift = [](Polyhedron& s) { s.corners[6].z() += 4e-6; };
   const double size = std::sqrt(14.0);
   CHECK(complaint(lift, 1.01e-6 / size).empty());

@@ -22,8 +22,8 @@ double ball(double radius) {
   return 4.0 / 3 * std::numbers::pi * radius * radius * radius;
 }
 
-/// Of two spheres on the x axis at 0 and `apart`, sections being discs: integrals of polynomials on either side of the
-/// plane in which they cut, which Simpson's rule on few strips has to the last digits.
+/// Integrals over two spheres on the x axis at 0 and `apart`, with discs as sections: polynomials on either side of the
+/// plane of intersection. Simpson's rule with few strips is exact for them except for rounding.
 struct Revolved {
   double volume = 0, first = 0, along = 0, across = 0;
   Revolved(double r, double s, double apart) {
@@ -95,7 +95,7 @@ TEST_CASE("moments of clumps turn with them to a millionth") {
     CHECK(near(turned.volume, still.volume, 1e-6));
     CHECK((turned.centroid - turn.apply(still.centroid)).norm() < 1e-6);
     CHECK(near(turned.inertia.trace(), still.inertia.trace(), 2e-6));
-    // Counting the points of a fine lattice that lie in some sphere.
+    // Counts the points of a fine lattice inside any sphere.
     const int n = 60;
     int inside = 0;
     for (int p = 0; p < n * n * n; ++p) {

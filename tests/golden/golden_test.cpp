@@ -1,5 +1,5 @@
-// Motion and ledger to the bit: what a change of the code's shape must not change. The hashes are in hashes.txt, a row
-// for each platform and run; `./dev golden 'why'` makes those of this platform anew.
+// Motion and ledger compared bit by bit: refactoring must not change them. The hashes are in hashes.txt, a row for each
+// platform and run; `./dev golden 'why'` recomputes the rows of this platform.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A block that falls on mortar too weak to hold it, and sinks in.
+/// A block that falls on mortar too weak to carry it, and sinks in.
 Model<2> crushed_mortar() {
   Cohesive law{1e10, 5e9, 0.7, 1e-5, 1e3, 1e3, 1e-2, 1e-2, 0, 0};
   law.compression = 2e5, law.crushing_depth = 0.05;
@@ -39,7 +39,7 @@ std::string hash_at_end(const Collapse& c, double accuracy) {
   return fmt::format("{:016x}", motion_hash(sim.state()));
 }
 
-/// Each run as it is by itself, and by steps that blows shorten: name and accuracy of blows.
+/// Each run with its own steps, and with steps shortened at impacts: name and accuracy of impacts.
 std::vector<std::pair<std::string, double>> ways_of(const Collapse& c) {
   return {{c.name, 0.0}, {std::string(c.name) + ", accuracy .001", 1e-3}};
 }

@@ -1,4 +1,4 @@
-// A bearing that becomes another one which counts from where it takes over: nothing is put in by the change.
+// A bearing with a successor law that counts displacements from the switch: the switch puts in no energy.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -24,7 +24,8 @@ using testing::SolidRun;
 
 constexpr double soft = 1e4, stiff = 1e6, reach = 0.1, heavy = 2000;  // 50 J in the first spring at its limit
 
-/// A weightless block that pulls a soft spring over its limit, after which a stiff one is there; `way` +1 or -1.
+/// A weightless block that pulls a soft spring over its limit, whose successor is a stiff spring; `way`: direction +1
+/// or -1.
 struct HandedOn {
   Scene scene;
   BearingSpec first, second;
@@ -43,7 +44,7 @@ struct HandedOn {
     second.name = "second", second.becomes_bearing.clear(), second.starts_waiting = true;
     second.law[along] = Linear{stiff, 0}, second.limit[along] = unbounded;
   }
-  /// At which the block has 100 J.
+  /// Speed of the block at 100 J [m/s].
   static double speed() { return std::sqrt(2 * 100 / heavy); }
   Simulation<2> start(bool from_here) {
     if (from_here) first.next_from_here.fill(true);
@@ -57,7 +58,7 @@ struct Seen {
   std::vector<double> balance;
 };
 
-/// Runs for `duration` [s]: how far the block came, of either sign, where the second took over, and the ledger.
+/// Runs for `duration` [s]: largest displacement of either sign, displacement at the switch, and the ledger.
 Seen follow(Simulation<2>& sim, double duration, bool implicitly, double dt) {
   Seen seen;
   StageOptions options;
@@ -84,12 +85,12 @@ TEST_CASE("a stiff spring that counts from where it takes over has the energy th
     CAPTURE(implicitly);
     REQUIRE(sim.state().bearing[0].status == BearingStatus::changed);
     REQUIRE(sim.state().bearing[1].status == BearingStatus::intact);
-    // The first failed within the step that led beyond its limit.
+    // The first law failed within the step that exceeded its limit.
     CHECK(seen.took_over >= reach);
     CHECK(seen.took_over < reach + 2e-4 * HandedOn::speed());
     const double stored = 0.5 * soft * seen.took_over * seen.took_over;
     CHECK(near(seen.farthest - seen.took_over, std::sqrt(2 * (100 - stored) / stiff), 2e-3));
-    CHECK(near(seen.dissipated, stored, 1e-3));  // and the last force over half a step
+    CHECK(near(seen.dissipated, stored, 1e-3));  // plus the last force over half a step
     CHECK(seen.dissipated >= stored);
     REQUIRE(seen.balance.size() > 20);
     CHECK(near(seen.balance.back(), seen.balance[2], 1e-12));
@@ -105,7 +106,7 @@ TEST_CASE("a stiff spring that counts from the start puts in what nothing has wo
     REQUIRE(sim.state().bearing[0].status == BearingStatus::changed);
     CHECK(seen.took_over == 0);
     CHECK(near(seen.dissipated, 0.5 * (soft - stiff) * reach * reach, 2e-3));
-    // The first force of the second one has not worked before: what its springs take of it is in there too.
+    // The first force of the second law has not worked before: its share of the spring energy is included.
     REQUIRE(seen.balance.size() > 20);
     CHECK(near(seen.balance.back(), seen.balance[2], 1e-10));
   }
@@ -172,13 +173,13 @@ TEST_CASE("by direction: a bearing takes over along from where it is and carries
     const auto at = bearing_motion(sim.model(), sim.state(), 1).displacement, from = sim.state().bearing[1].begun_at;
     CAPTURE(all);
     CHECK(from[along] > 0.02);
-    CHECK(near(at[along], from[along], 1e-6));  // its spring is free of force there
+    CHECK(near(at[along], from[along], 1e-6));  // its spring is without force there
     CHECK((from[axial] != 0) == all);
     CHECK(near(at[axial], from[axial] - weight / bed, 1e-3));
   }
 }
 
-/// A solid held but for one direction, which goes at a speed of 100 J from a soft spring to a stiff one.
+/// A solid with one free direction, which moves with 100 J from a soft spring to a stiff one.
 struct HandedOnInSpace {
   SolidModelBuilder builder;
   BearingSpecOf<3> first, second;

@@ -1,4 +1,4 @@
-// Bearings in space: what they keep, how they turn, their closed forms, and what follows when they end.
+// Bearings in space: invariants, rotation, closed forms, and successors after failure.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ BearingSpecOf<3> link(const Vec3& a, const Vec3& b, const UnitQuaternion& axes =
   return spec;
 }
 
-/// Two free solids apart from each other, without weight, linked.
+/// Two free solids at a distance, without weight, linked by a bearing.
 Model<3> linked_pair(const BearingSpecOf<3>& spec) {
   SolidModelBuilder builder;
   builder.gravity = Vec3::Zero();
@@ -45,7 +45,7 @@ Model<3> linked_pair(const BearingSpecOf<3>& spec) {
   return builder.build();
 }
 
-/// Of many kinds, with horizontal laws of both directions among them.
+/// Bearings of many kinds, with horizontal laws of both directions among them.
 std::vector<BearingSpecOf<3>> many_space_links() {
   const UnitQuaternion axes = rotation_by({0.3, -0.5, 1.1});
   std::vector<BearingSpecOf<3>> links{link({0.5, 0.1, 0}, {1.6, 0, 0}, axes), link({1, 0.2, 0}, {1, 0.2, 0}),
@@ -59,7 +59,7 @@ std::vector<BearingSpecOf<3>> many_space_links() {
   return links;
 }
 
-/// A mass on a bearing over a fixed base, which may go along and across and does not turn; its weight [N] presses.
+/// A mass on a bearing over a fixed base, free along and across without rotation, under its weight [N].
 struct Isolated {
   double mass = 1000;
   SolidModelBuilder builder;
@@ -155,7 +155,7 @@ TEST_CASE("bearings in space: a spring of turning goes on through whole turns, a
     SolidModelBuilder builder;
     builder.gravity = Vec3::Zero();
     builder.add_body(solid("a", {1, 1, 1}, {0, 0, 0}, 100, true));
-    SolidSpec b = solid("b", {0.6, 0.6, 0.6}, {0, 0, 2}, 50);  // a cube turns alike about any axis
+    SolidSpec b = solid("b", {0.6, 0.6, 0.6}, {0, 0, 2}, 50);  // a cube has the same inertia about any axis
     b.spin = 6 * axis;
     builder.add_body(b);
     BearingSpecOf<3> spec = link({0, 0, 2}, {0, 0, 2});
@@ -172,7 +172,7 @@ TEST_CASE("bearings in space: a spring of turning goes on through whole turns, a
       largest = std::max(largest, Vec3(d[3], d[4], d[5]).norm());
     }
     CHECK(near(largest, reach, 1e-4));
-    CHECK(near(run.spin(1).dot(axis), -6, 1e-3));  // swung back to where it began
+    CHECK(near(run.spin(1).dot(axis), -6, 1e-3));  // swung back to its start
   }
 }
 
@@ -215,7 +215,8 @@ TEST_CASE("bearings in space: a slider stops a mass after v^2 / (2 mu g), whatev
     SolidRun run(model, state, 2e-4);
     const double begin = run.energy().balance();
     run.run(1.5);
-    // On two laws of one direction it would stop after less, as their friction is mu (|cos| + |sin|) along the way.
+    // With two laws of single directions it would stop earlier, because their friction is mu (|cos| + |sin|) along the
+    // path.
     CHECK(near(run.place(1).dot(way), speed * speed / (2 * mu * standard_gravity), 2e-3));
     CHECK(near_zero(run.energy().balance() - begin, 1e-3 * 0.5 * top.mass * speed * speed));
   }
@@ -249,7 +250,7 @@ TEST_CASE("bearings in space: a limit of the resultant ends one, and what waits 
   CHECK(run.state().bearing[0].status == BearingStatus::changed);
   CHECK(near(run.energy()[EnergyTerm::bearing_failure], 0.5 * 1e5 * 0.05 * 0.05, 5e-2));
   CHECK(near_zero(run.energy().balance() - begin, 2e-3 * 500));
-  // Each direction has a limit of its own too.
+  // Each direction has its own limit too.
   Isolated other(Linear{1e5, 0});
   other.spec.limit[1] = 0.02;
   other.builder.add_bearing(other.spec);
@@ -310,7 +311,7 @@ TEST_CASE("bearings in space: the stable step is that of the stiffest spring on 
   const Model<3> model = top.builder.build();
   SolidRun run(model, top.start(model), 1e-5);
   const StableStep found = stable_step(run.model(), run.state(), run.work());
-  // 4e8 N/m under 1000 kg: 2 / omega; its turns are held, and count in the bound, which is at most a quarter low.
+  // 4e8 N/m under 1000 kg: 2 / omega; its rotations are fixed, and count in the bound, which is at most a quarter low.
   const double exact = 2 / std::sqrt(4e8 / 1000);
   CHECK(found.dt <= exact * (1 + 1e-12));
   CHECK(found.dt > 0.7 * exact);

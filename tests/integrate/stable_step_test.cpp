@@ -1,4 +1,4 @@
-// The step estimate against the step at which central differences really run away.
+// The stable step estimate against the step at which central differences diverge.
 #include "integrate/explicit/stable_step.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -17,7 +17,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Does a scene at rest, knocked slightly, stay bounded at this step? Energy of the motion against that of the knock.
+/// Whether a scene at rest, slightly disturbed, stays bounded at this step: energy of the motion against the energy of
+/// the disturbance.
 bool stays(const Model<2>& model, const State<2>& rest, double dt) {
   State<2> state = rest;
   state.last_dt = dt;
@@ -129,7 +130,7 @@ TEST_CASE(
       const Eigen::Vector3d v(chance(bits), chance(bits), lever * chance(bits));
       m += 1e9 * v * v.transpose();
     }
-    // Beside another matrix, whose steps are done sooner or later.
+    // In one vector with another matrix, whose iteration ends earlier or later.
     const std::array<double, 2> found = largest_eigenvalues(m, before);
     const double share = found[0] / Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m).eigenvalues()[2];
     most = std::max(most, share), least = std::min(least, share);
@@ -139,7 +140,7 @@ TEST_CASE(
   CHECK(least > 1 - 1e-12);
   CHECK(most < 1.005);
   CHECK(unlike == 0);
-  // None at all; three alike, as Newton's steps are slowest at, and two.
+  // The zero matrix; three equal eigenvalues, the slowest case of Newton's iteration; and two.
   CHECK(largest_eigenvalues(Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()) == std::array{0.0, 0.0});
   const auto [three, two] = largest_eigenvalues(Eigen::Matrix3d::Identity(), Eigen::Vector3d(2, 2, 1).asDiagonal());
   CHECK(near(three, 1, 1e-12));

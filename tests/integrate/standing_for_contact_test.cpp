@@ -1,5 +1,5 @@
-// A bearing that stands for the contact of its two bodies, on springs so soft that these sink into each other: as they
-// tilt, contact begins from nothing.
+// A bearing that replaces the contact of its two bodies, on springs so soft that the bodies sink into each other: as
+// they tilt, contact begins from zero force.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using testing::near;
 using testing::near_zero;
 
-/// Steps of one length in either dimension.
+/// Fixed steps in either dimension.
 template <int D>
 struct Steps {
   Steps(const Model<D>& m, const State<D>& s, double dt) : model(m), state(s) {
@@ -38,13 +38,13 @@ struct Steps {
   StepOptions options;
 };
 
-/// What the run of a rocking block showed.
+/// Results of a rocking block.
 struct Rocking {
   double residual = 0;     ///< largest change of the balance [J]
   double tilt = 0;         ///< [rad]
-  double deepest = 0;      ///< most that the bearings have stood for [m]
-  double first_force = 0;  ///< with which contact first began [N]
-  int touched = 0;         ///< steps in which it touched
+  double deepest = 0;      ///< largest penetration replaced by the bearings [m]
+  double first_force = 0;  ///< at the first contact [N]
+  int touched = 0;         ///< number of steps with contact
 };
 
 double tilt_of(const State<2>& state) {
@@ -71,9 +71,10 @@ Rocking rock(Steps<D>& run, double seconds) {
   return seen;
 }
 
-constexpr double sinking_springs = 2.94e6;  // of each of two, [N/m]: 4,800 kg sink by 8 mm at rest, 16 mm as they come
+constexpr double sinking_springs = 2.94e6;  // of each of two [N/m]: 4,800 kg sink by 8 mm at rest, and by 16 mm when
+                                            // released
 
-/// 4,800 kg, 1 m wide and 2 m high, on two springs 0.8 m apart.
+/// A block of 4,800 kg, 1 m wide and 2 m high, on two springs 0.8 m apart.
 Model<2> block_on_springs(double stiffness, double spin) {
   testing::Scene scene(Frictional{1e9, 5e8, 0.5, 0});
   scene.fixed("base", testing::box(-2, -0.5, 3, 0));
@@ -91,7 +92,7 @@ Model<2> block_on_springs(double stiffness, double spin) {
   return scene.builder.build();
 }
 
-/// The same in space, 1 m deep, on four.
+/// The same in space, 1 m deep, on four springs.
 Model<3> stone_on_springs(double stiffness, const Vec3& spin) {
   SolidModelBuilder builder;
   const auto solid = [](const std::string& name, const Vec3& sides, const Vec3& centre) {
@@ -118,8 +119,9 @@ Model<3> stone_on_springs(double stiffness, const Vec3& spin) {
   return builder.build();
 }
 
-/// As it rocks, springs alone hold it while it tilts by less than would bring a corner deeper; contact begins without a
-/// blow where one does, and the ledger closes. All of the overlap of 8 mm at once would hold 32 kJ.
+/// During rocking the springs alone carry the block as long as no corner penetrates deeper than the bearings; contact
+/// then begins without an impact, and the ledger closes. Contact over the full penetration of 8 mm at once would store
+/// 32 kJ.
 template <int D>
 void check_rocking(const Rocking& seen, double put_in) {
   CAPTURE(seen.residual);
@@ -131,7 +133,7 @@ void check_rocking(const Rocking& seen, double put_in) {
   CHECK(seen.deepest > 0.008);
   CHECK(seen.deepest < 0.03);
   CHECK(seen.touched > 0);
-  CHECK(seen.first_force < 0.02 * 1e9 * 0.008);  // of what 8 mm over its base would press by
+  CHECK(seen.first_force < 0.02 * 1e9 * 0.008);  // of the contact force of 8 mm over its base
   CHECK(seen.residual < 2e-3 * put_in);
 }
 
@@ -152,8 +154,8 @@ TEST_CASE("a bearing stands for contact: a block that rocks on soft springs take
 }
 
 TEST_CASE("a bearing stands for contact: on stiff springs a block rocks on its corner as it would without") {
-  // Springs that give way by 3 um stand for next to nothing: an edge 0.5 m off goes no deeper than where they turn the
-  // block by 0.5 sqrt(2000 / (2 1e10 0.4^2)) rad at the most.
+  // Springs that compress by 3 um replace almost no contact. An edge at 0.5 m off the middle penetrates no deeper than
+  // by the rotation of the block on the springs, 0.5 sqrt(2000 / (2 1e10 0.4^2)) rad at most.
   Steps<2> run(block_on_springs(1e10, 0.5), 2e-6);
   const Rocking seen = rock(run, 0.05);
   CHECK(seen.deepest < 0.5 * 0.5 * std::sqrt(2000 / 3.2e9) + 5e-6);
@@ -168,12 +170,12 @@ TEST_CASE("a bearing stands for contact: what two have shared is forgotten once 
     run.step();
     const double sunk = run.model.start_position[1].y() - run.state.position[1].y();
     lowest = std::max(lowest, sunk);
-    // Flat all the time: it stands for what there is now, and never touches.
+    // Flat at all times: the bearing replaces the current penetration, and there is no contact.
     CHECK(near_zero(run.work.bearing[0].stood_for - std::max(0.0, sunk), 1e-9));
     CHECK_FALSE(run.touches());
   }
   CHECK(near(lowest, 0.016, 1e-2));
-  run.state.velocity[1].y() = 1;  // up by 18 mm and more
+  run.state.velocity[1].y() = 1;  // upwards by 18 mm and more
   bool parted = false;
   for (int i = 0; i < 5000; ++i) run.step(), parted = parted || run.work.bearing[1].stood_for == 0;
   CHECK(parted);

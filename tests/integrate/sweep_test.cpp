@@ -1,4 +1,4 @@
-// What flies fast and thin: it is held where the law can hold it, and told where it passes.
+// Fast and thin bodies: stopped if the contact law can stop them, and reported if they pass through.
 #include "integrate/explicit/tunnelling_limit.hpp"
 
 #include <fmt/format.h>
@@ -38,12 +38,12 @@ struct Told {
   }
 };
 
-/// A square of 5 cm and 6 kg that flies down at a held plate, without gravity and damping.
+/// A square of 5 cm and 6 kg that flies down at a fixed plate, without gravity and damping.
 struct Shot {
   double kn, plate, speed;  ///< [Pa/m], [m], [m/s]
   double dt = 0;            ///< of the stage [s]
 
-  /// Of the overlap at which all energy is elastic, as of two flat faces [m].
+  /// Speed at which flat faces store all energy at the penetration `depth` [m] [m/s].
   [[nodiscard]] static double speed_for(double kn, double depth) { return depth * std::sqrt(kn * 0.05 / 6); }
   [[nodiscard]] Scene scene() const {
     Scene s(Frictional{kn, kn / 2, 0, 0});
@@ -57,7 +57,7 @@ struct Shot {
     std::vector<Event> passed;
     StageReport report;
   };
-  /// Followed for as long as it takes to go 20 cm.
+  /// Runs over a flight of 20 cm.
   [[nodiscard]] End fly() const {
     Simulation<2> sim = scene().start();
     Told told;
@@ -234,7 +234,7 @@ TEST_CASE("a thin bar that turns is held by a peg or told to have gone through i
       const auto [through, told] = turn(kn, spin);
       INFO("spin ", spin, " kn ", kn);
       CHECK((told || !through));
-      // 1/2 I w^2 against what 2 cm of peg hold a quarter of the bar's 4 mm deep.
+      // 1/2 I w^2 against the energy stored by 2 cm of peg at a quarter of the bar's 4 mm.
       const double inertia = 8.0 / 12, energy = 0.5 * inertia * spin * spin, store = 0.5 * kn * 0.02 * 1e-6;
       if (energy < 0.3 * store) CHECK_FALSE(told);
       if (energy > 30 * store) CHECK(told);

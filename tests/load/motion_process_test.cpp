@@ -24,7 +24,7 @@ GroundMotion noise(unsigned seed, int n = 2000, double step = 0.01) {
   return {a, step, {}, {"noise.csv", "", "", "", {}}};
 }
 
-/// A long sine that swells and fades, so that its ends do not matter; `f` in Hz.
+/// A long sine with smooth start and end, so that its ends have no influence; `f` in Hz.
 GroundMotion tone(double f, double step) {
   std::vector<double> a;
   const int n = static_cast<int>(600 / (f * step));
@@ -35,7 +35,7 @@ GroundMotion tone(double f, double step) {
   return {a, step};
 }
 
-/// Amplitude of `motion` at `f`, and that of its part a quarter period behind, by projection.
+/// Amplitude of `motion` at `f`, and of its part a quarter period behind, by projection.
 std::pair<double, double> parts_at(const GroundMotion& motion, double f) {
   double in = 0, behind = 0;
   for (std::size_t i = 0; i < motion.samples().size(); ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("the factor to a spectrum is exact where one factor can meet it, and l
   CHECK(near(factor_to_spectrum(motion, target), 2.5, 1e-12));
   CHECK(near(oscillator_peak(motion.scaled(factor_to_spectrum(motion, {1.0, 3.0})), 1.0, 0.05).pseudo_acceleration, 3.0,
              1e-12));
-  target[0].acceleration *= 4, target[3].acceleration /= 2;  // the mean logarithm is moved by ln(2) / 4
+  target[0].acceleration *= 4, target[3].acceleration /= 2;  // changes the mean logarithm by ln(2) / 4
   CHECK(near(factor_to_spectrum(motion, target), 2.5 * std::pow(2.0, 0.25), 1e-12));
   CHECK_THROWS_AS(factor_to_spectrum(motion, {1.0, 0.0}), InputError);
 }

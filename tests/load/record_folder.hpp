@@ -1,4 +1,4 @@
-// Where the tests find ground motion records.
+// Folders of ground motion records for the tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,12 +12,12 @@
 
 namespace trilith::testing {
 
-/// A record the project carries itself.
+/// A record that is part of the project.
 inline std::filesystem::path own_record(const std::string& name) {
   return std::filesystem::path(source_dir()) / "scripts" / "records" / name;
 }
 
-/// The folder of the larger set of records: $TRILITH_RECORDS, or beside the project. None, with a message, where
+/// The folder of the larger set of records: $TRILITH_RECORDS, or next to the project. None, with a message, if it is
 /// absent.
 inline std::optional<std::filesystem::path> record_folder() {
   const char* given = std::getenv("TRILITH_RECORDS");

@@ -1,4 +1,4 @@
-// What a builder refuses, and what it notes.
+// Input that a builder rejects, and its notes.
 #include "model/builder/builder.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// What adding a bearing between two blocks of 1 m, side by side, is refused with; "" where it is not.
+/// Error message for a bearing between two blocks of 1 m, side by side; empty if it is accepted.
 std::string refusal(const BearingSpec& bearing) {
   Scene scene(Frictional{1e9, 5e8, 0.6, 0});
   scene.fixed("a", box(0, 0, 1, 1));
@@ -58,7 +58,7 @@ TEST_CASE("a bearing that becomes something needs a limit") {
 }
 
 TEST_CASE("a bearing may be as far from its body as that is large and no farther") {
-  const double size = std::sqrt(2.0);  // of a square of 1 m: its diagonal
+  const double size = std::sqrt(2.0);  // diagonal of a square of 1 m
   CHECK(refusal(spring(2 + 0.99 * size)).empty());
   CHECK(refusal(spring(2 + 1.01 * size)).find("is 1.43 m away from body 'b', which is 1.41 m large") !=
         std::string::npos);

@@ -1,4 +1,4 @@
-// Places, faces and resultants of loads; what is refused.
+// Places, faces and resultants of loads; rejected input.
 #include "model/loads.hpp"
 
 #include <random>
@@ -80,7 +80,7 @@ TEST_CASE("pressure on a part of the outline is its size times its length, at it
       CHECK(std::abs(r.force.x()) < 1e-9);
       CHECK(near(r.force.y(), -1e4 * 1.25 * depth, 1e-12));
       CHECK(near(r.moment / r.force.y(), 0.5 * (1.7 + 0.45), 1e-12));
-      // The rest of the outline, round three corners, makes it whole.
+      // The rest of the outline, over three corners, completes it.
       spec.name = "rest";
       for (FaceLoad<2>& f : make_pressure(model, 0, faces_between(model, 0, {0.45, 1}, {1.7, 1}, "p"), spec))
         model.face_loads.push_back(std::move(f));
@@ -124,7 +124,7 @@ TEST_CASE("a point load keeps its direction or turns with the body, and its mome
       CHECK((r.force - force).norm() < 1e-9);
       CHECK(near(r.moment, cross(at, force) + 50, 1e-12));
     }
-  // Without a point: at the centroid, spread like the mass.
+  // Without a point: at the centroid, distributed like the mass.
   for (const int divisions : {0, 3}) {
     Model<2> model = lone(crooked, divisions);
     PointLoadSpec spec;

@@ -1,4 +1,4 @@
-// Elements of one shape share their rows of numbers; four at a time they answer as one by itself does.
+// Elements of equal shape share their tables of numbers; four evaluated at a time give the same result as one.
 #include "model/builder/shared_numbers.hpp"
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ TEST_CASE("elements that are alike share their numbers wherever they stand") {
   CHECK(far.builder.build().element_number.size() == quad_numbers);
   for (int i = 0; i < 40; ++i) far.add("unit " + std::to_string(i), "soft", {0.4, 0.3}, 2, 2);
   CHECK(far.builder.build().element_number.size() == quad_numbers);
-  // Another size, solid or thickness has numbers of its own, and what comes after finds either again.
+  // Another size, solid or thickness has its own numbers, and later elements find either table again.
   far.add("long", "soft", {0.6 * (1 + 1e-9), 0.3}, 3, 2);
   far.add("hard", "hard", {0.6, 0.3}, 3, 2);
   far.add("thick", "soft", {0.6, 0.3}, 3, 2, 0.5);
@@ -49,7 +49,7 @@ TEST_CASE("elements that are alike share their numbers wherever they stand") {
   CHECK(far.builder.build().element_number.size() == 4 * quad_numbers);
 }
 
-/// All nodes moved by some thousandths, at speeds of some hundredths.
+/// All nodes displaced by some thousandths, with velocities of some hundredths.
 template <int D>
 State<D> disturbed(const Model<D>& model) {
   State<D> state = initial_state(model);
@@ -81,7 +81,7 @@ TEST_CASE("elements that go four at a time have the bits of one by itself") {
 }
 
 TEST_CASE("elements of one shape resist as those do that have numbers of their own, but for rounding") {
-  // Between two of a shape lie more others than are looked at.
+  // Between two elements of a shape there are more others than the search checks.
   Far far;
   for (int i = 0; i < 30; ++i) far.add("unit " + std::to_string(i), "soft", {0.4 + 0.01 * i, 0.3}, 2, 1);
   for (int i = 0; i < 30; ++i) far.add("like " + std::to_string(i), "soft", {0.4 + 0.01 * i, 0.3}, 2, 1);

@@ -1,4 +1,4 @@
-// Pressure on solids in space: resultants, places, what turns with the body.
+// Pressure on solids in space: resultants, places, follower pressure.
 #include <random>
 
 #include "base/error.hpp"
@@ -55,7 +55,7 @@ TEST_CASE(
   const std::vector<SolidFace> top = faces_towards(model, 0, Vec3::UnitZ());
   REQUIRE(top.size() == 1);
   State<3> state = initial_state(model);
-  const UnitQuaternion quarter = rotation_by({std::numbers::pi / 2, 0, 0});  // up turns to -y
+  const UnitQuaternion quarter = rotation_by({std::numbers::pi / 2, 0, 0});  // up rotates to -y
   state.rotation[0] = quarter * state.rotation[0];
   for (const bool follows : {true, false}) {
     SolidPressureSpec spec = pressure_of(100);
@@ -65,7 +65,7 @@ TEST_CASE(
     CHECK(near_zero((before.force - Vec3(0, 0, -200)).norm(), 1e-10));
     CHECK(near_zero(before.moment.norm(), 1e-10));
     CHECK(near_zero((after.force - (follows ? Vec3(0, 200, 0) : Vec3(0, 0, -200))).norm(), 1e-10));
-    // The middle of the face is 0.25 m from the centroid, towards -y now.
+    // The middle of the face is 0.25 m from the centroid, towards -y at this state.
     CHECK(near_zero((after.moment - (follows ? Vec3(Vec3::Zero()) : Vec3(50, 0, 0))).norm(), 1e-10));
   }
 }
@@ -75,7 +75,7 @@ TEST_CASE("pressure in space along a direction keeps it, and what makes no sense
   SolidPressureSpec spec = pressure_of(100);
   spec.direction = Vec3(0, 3, 4);
   const auto top = faces_towards(model, 0, Vec3::UnitZ());
-  CHECK_THROWS_AS(make_solid_pressure(model, 0, top, spec), InputError);  // follows and has a direction
+  CHECK_THROWS_AS(make_solid_pressure(model, 0, top, spec), InputError);  // follower pressure with a direction
   spec.follows = false;
   model.point_loads = make_solid_pressure(model, 0, top, spec);
   CHECK(near_zero((pushed_solid(model, initial_state(model)).force - Vec3(0, 120, 160)).norm(), 1e-10));

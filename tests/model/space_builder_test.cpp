@@ -20,7 +20,7 @@ SolidBody body_of(std::vector<Polyhedron> pieces) {
   return body;
 }
 
-/// What is said where a body is refused; "" where it is not.
+/// Error message for a rejected body; empty if it is accepted.
 std::string refusal(const SolidBody& body) {
   SpaceBuilder builder;
   SolidBody first = body_of({box_solid(Vec3::Zero(), Vec3::Ones())});
@@ -57,9 +57,10 @@ TEST_CASE("faces by which pieces of a body hang together are no surface, all oth
     inner_below += model.piece_solid[0].is_surface(f) ? 0 : 1;
     inner_above += model.piece_solid[1].is_surface(f) ? 0 : 1;
   }
-  CHECK(inner_below == 0);  // the upper one covers a part of its face alone
+  CHECK(inner_below == 0);  // the upper one covers only a part of its face
   CHECK(inner_above == 1);
-  // ... whose other side is then pressed too, or what reaches into both would be pushed by one of them
+  // ... whose other side is then a contact face too; otherwise a body in both pieces would be pushed by only one of
+  // them
   for (int f = 0; f < 6; ++f) CHECK(model.piece_solid[1].is_pressed(f));
 }
 

@@ -20,7 +20,7 @@ m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = 
 m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, 0 }, material = "stone" }
 '''
 
-# Name, script, part of the message. OUT is a folder beside that of the script, with a file `secret`.
+# Name, script, part of the message. OUT is a folder next to the script's folder, with a file `secret`.
 WAYS = [
     ("a pipe", 'io.popen("touch OUT/hit"):close()', "io.popen is refused: it starts programs"),
     ("a command", 'os.execute "touch OUT/hit"', "os.execute is refused: it starts programs"),

@@ -14,7 +14,7 @@ using testing::Said;
 
 namespace {
 
-/// The results all cases read, recorded once.
+/// The results that all cases read, recorded once.
 const testing::Folder& folder() {
   static const testing::Folder made;
   static const bool recorded = [] {
@@ -213,7 +213,7 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
   CHECK(ask(here, "repair early.h5 -o clean.h5").out == "clean.h5: 6 frames\n");
   CHECK(ask(here, "info clean.h5").says("NOT finished"));
   check_refused(ask(here, "repair early.h5 -o early.h5.part"), "cannot be repaired in place");
-  // Where something is gone that every frame needs, what is left is copied, and no frame is counted that is not there.
+  // If a dataset that every frame needs is missing, the rest is copied, and missing frames are not counted.
   const std::string lose = "cd '" + here.string() + "' && /usr/bin/python3 2>/dev/null -c 'import h5py\n" +
                            "with h5py.File(\"clean.h5\", \"r+\") as f: del f[\"frames/position\"]'";
   if (std::system(lose.c_str()) != 0) {
@@ -334,14 +334,14 @@ TEST_CASE("on a terminal the status is one line that is redrawn, in colours unle
     CHECK(std::system(command.c_str()) == 0);
     return testing::bytes_of(here / "terminal.txt");
   };
-  std::string slow = drop_script;  // long enough for the status to be drawn
+  std::string slow = drop_script;  // long enough for a drawn status line
   slow.insert(slow.find("m:run"),
               "m:every(0.02, function() local t = os.clock() repeat until os.clock() > t + 0.02 end)\n");
   std::ofstream(here / "slow.lua") << slow;
   const std::string colours = in_terminal(""), plain = in_terminal("NO_COLOR=1"), dumb = in_terminal("TERM=dumb");
   CHECK(colours.find("\rfall  t 0.") != std::string::npos);
   CHECK(colours.find("\033[K") != std::string::npos);
-  CHECK(colours.find("\033[Ksaid by the script") != std::string::npos);  // the status was taken away for it
+  CHECK(colours.find("\033[Ksaid by the script") != std::string::npos);  // the status line was removed for it
   CHECK(plain.find("\033[1m") == std::string::npos);
   CHECK(dumb.find('\033') == std::string::npos);
 }

@@ -29,7 +29,7 @@ std::filesystem::path page_folder() {
   return folder;
 }
 
-/// What Chromium makes of the page: a PDF, or a picture of its first screen.
+/// Output of Chromium for the page: a PDF, or a picture of its first screen.
 std::string browsed(const testing::Folder& here, const std::filesystem::path& page, const std::string& to,
                     const std::string& options) {
   const std::filesystem::path out = page_folder() / to;

@@ -1,4 +1,4 @@
-// The program's verbs on results in space, and what it writes for other programs.
+// The program's verbs on results in space, and its output for other programs.
 #include <cstdlib>
 
 #include "program/verb.hpp"
@@ -13,7 +13,7 @@ using testing::Said;
 
 namespace {
 
-/// A folder with results in space, recorded once, and of a model in the plane.
+/// A folder with recorded results in space, and of a model in the plane.
 const std::filesystem::path& solid_folder() {
   static const testing::Folder made;
   static const bool recorded = [] {

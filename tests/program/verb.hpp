@@ -1,4 +1,4 @@
-// Runs the program as a user would, and keeps what it says.
+// Runs the program as a user would, and keeps its output.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -16,14 +16,14 @@
 
 namespace trilith::testing {
 
-/// The program beside the tests in the build tree; "" where it was not built.
+/// The program next to the tests in the build tree; empty if it was not built.
 inline std::filesystem::path program_path() {
   const auto build = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
   const auto path = build / "lua" / "trilith";
   return std::filesystem::exists(path) ? path : std::filesystem::path();
 }
 
-/// True, with a message that has the case listed as skipped, where the program was not built.
+/// True, with a message that lists the case as skipped, if the program was not built.
 inline bool program_is_missing() {
   if (!program_path().empty()) return false;
   MESSAGE("skipped: the program was not built");
@@ -31,12 +31,12 @@ inline bool program_is_missing() {
 }
 
 struct Said {
-  int code = -1;         ///< exit code; -1 where it was ended by a signal
-  std::string out, err;  ///< what it wrote
+  int code = -1;         ///< exit code; -1 if it was ended by a signal
+  std::string out, err;  ///< output
   [[nodiscard]] bool says(const std::string& part) const { return out.find(part) != std::string::npos; }
 };
 
-/// `trilith ARGUMENTS` as a shell reads them, in `folder`; output to pipes and files, so that nothing is a terminal.
+/// `trilith ARGUMENTS` as read by a shell in `folder`; output to pipes and files, so that nothing is a terminal.
 inline Said ask(const std::filesystem::path& folder, const std::string& arguments) {
   const std::filesystem::path err = folder / "stderr.txt";
   const std::string command =
@@ -49,12 +49,12 @@ inline Said ask(const std::filesystem::path& folder, const std::string& argument
   const int status = ::pclose(pipe);
   said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   said.err = testing::bytes_of(err);
-  CHECK(said.out.find('\033') == std::string::npos);  // no control codes where there is no terminal
+  CHECK(said.out.find('\033') == std::string::npos);  // no control codes without a terminal
   CHECK(said.err.find('\033') == std::string::npos);
   return said;
 }
 
-/// One line that names the program and tells what is wrong; exit code 1.
+/// Checks for a one-line message with the program's name and the error, and for exit code 1.
 inline void check_refused(const Said& said, const std::string& part) {
   CHECK(said.code == 1);
   CHECK_MESSAGE(said.err.starts_with("trilith: "), said.err);

@@ -67,7 +67,7 @@ class Page:
         self.driver.save_screenshot(os.path.join(self.folder, f"{self.name}_{what}.png"))
 
     def close(self):
-        # What a graphics driver has to say of its speed is no word of the page.
+        # Messages of a graphics driver about its speed do not come from the page.
         said = [line for line in self.driver.get_log("browser")
                 if line["level"] in ("SEVERE", "WARNING") and line["source"] != "rendering"]
         self.driver.quit()
@@ -77,7 +77,7 @@ class Page:
 def plays_to_the_end(page):
     """Space plays at the highest speed, to the end; the clock shows it."""
     page.keys(Keys.HOME, Keys.ARROW_UP * 8, " ")
-    # A short run may be over before anybody asks.
+    # A short run may end before the first check.
     page.until("trilith.player.playing || trilith.player.time > trilith.run.begin")
     page.until("!trilith.player.playing", 20)
     end = page.ask("trilith.run.end")
@@ -235,12 +235,13 @@ def plays_a_mode_in_space(page):
         posed = "(share => (trilith.run.mode.share = share, trilith.run.poseMode(), [[...trilith.run.pointX], [...trilith.run.pointY], [...trilith.run.pointZ]]))"
         one, other = page.ask(posed + "(1)"), page.ask(posed + "(-1)")
         ways = [sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5 / 2 for p, q in zip(zip(*one), zip(*other))]
-        # Of bodies that are free, the box of the points is 5 m in diagonal: the largest way is 6 % of that.
+        # The box of the points of free bodies has a diagonal of 5 m: the largest displacement is 6 % of it.
         assert 0.9 * 0.06 * 5 < max(ways) < 1.1 * 0.06 * 5.4, max(ways)
         ground = page.ask("trilith.run.bodies.findIndex(b => b.name === 'ground')")
         first, count = page.ask(f"[trilith.run.bodies[{ground}].vertex, trilith.run.bodies[{ground}].vertices]")
         assert max(ways[first:first + count]) == 0
-        # Points move with their nodes rigidly: a node's turn is of length 1, and of the quaternion the half of it.
+        # Points move with their nodes rigidly: the rotation quaternion of a node has length 1, and half of its rotation
+        # angle.
         assert page.ask("Math.max(...Array.from({ length: trilith.run.nodes }, (_, n) => "
                         "Math.abs(Math.hypot(...trilith.run.quaternion.slice(4 * n, 4 * n + 4)) - 1)))") < 1e-12
         page.ask("trilith.draw()")
@@ -292,7 +293,7 @@ def cuts_solids(page):
     page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
     page.ask("(s => (s.value = '0', s.dispatchEvent(new Event('input'))))(document.getElementById('cut-place'))")
     assert page.text("#cut-told") == "x = 0 m", page.text("#cut-told")
-    # Of the slab alone there is a section: four sides.
+    # The slab alone has a section: four sides.
     assert page.ask("trilith.scene.cut.outlines(trilith.run).length") == 4 * 2 * 3
     at = "trilith.scene.bodyAt(...trilith.camera.place(%s))?.index ?? -1"
     stone = "...trilith.scene.middle(trilith.run.bodies[%d])"

@@ -30,8 +30,8 @@ std::size_t count_of(const std::string& page, const std::string& part) {
   return count;
 }
 
-/// "" where every element is closed, innermost first, no bare '<' or '&' is left and no id comes twice; else what is
-/// wrong.
+/// Empty if every element is closed, innermost first, no bare '<' or '&' remains and no id occurs twice; otherwise the
+/// error.
 std::string wrong_with(const std::string& page) {
   std::vector<std::string> open;
   std::set<std::string> ids;
@@ -67,7 +67,7 @@ Folder& scratch() {
   return folder;
 }
 
-/// Header and rows written, ended or left as a killed run leaves them.
+/// Header and rows written, finished or left as by a killed run.
 std::string page_of(const Header& header, int rows, bool finished = true) {
   const std::filesystem::path path = scratch() / "sample.h5";
   std::filesystem::remove(path);
@@ -209,7 +209,7 @@ TEST_CASE("a model in space is reported with pictures, or where its file has no 
   CHECK(wrong_with(solids) == "");
   CHECK(has(solids, "The structure (a) at 0"));
   CHECK(has(solids, "A model in 3 dimensions; z points upwards"));
-  // Of three free stones two have gone farther than half of their 0.1 m.
+  // Two of three free stones have moved by more than half of their 0.1 m.
   CHECK(has(solids, "2 of 3 free bodies stood more than half their depth"));
 }
 

@@ -1,4 +1,4 @@
-// Fragility curves by maximum likelihood, against closed forms and against chance itself.
+// Fragility curves by maximum likelihood, against closed forms and against random samples.
 #include "results/study/fragility.hpp"
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ double log_likelihood(const std::vector<CapacityBounds>& bounds, double median, 
   return sum;
 }
 
-/// Capacities drawn from a lognormal distribution, each told by the stripe it was tried at.
+/// Capacities drawn from a lognormal distribution, each known by the stripe of its trial.
 std::vector<CapacityBounds> drawn_stripes(std::mt19937_64& random, double median, double dispersion, int each) {
   std::normal_distribution<double> normal;
   std::vector<CapacityBounds> bounds;
@@ -77,9 +77,10 @@ TEST_CASE("of two stripes the variances are those of two independent shares") {
 }
 
 TEST_CASE("of two stripes the interval of the median is that of two independent shares, at every confidence") {
-  // The shares' quantiles e1 and e2 at u1 and u2 = ln x are independent, and the curve goes through both:
-  // ln median = u1 - e1 (u2 - u1) / (e2 - e1), with the slopes -(u2 - u1) e2 / (e2 - e1)^2 and (u2 - u1) e1 / (e2 -
-  // e1)^2.
+  // The shares' quantiles e1 and e2 at u1 and u2 = ln x are independent, and the curve passes through both:
+  //     ln median = u1 - e1 (u2 - u1) / (e2 - e1)
+  //
+  // with the slopes -(u2 - u1) e2 / (e2 - e1)^2 and (u2 - u1) e1 / (e2 - e1)^2.
   struct Case {
     double x1, x2;
     int hits1, hits2, count;
@@ -105,8 +106,7 @@ TEST_CASE("of two stripes the interval of the median is that of two independent 
 }
 
 TEST_CASE("of capacities that are known the interval of the median is that of the mean of their logarithms") {
-  // Fine steps leave a normal sample: its mean has the standard error dispersion / sqrt(n), and the dispersion does not
-  // change it.
+  // Fine steps leave a normal sample: its mean has the standard error dispersion / sqrt(n), whatever the dispersion.
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   std::vector<CapacityBounds> bounds;
@@ -158,7 +158,7 @@ TEST_CASE("fine steps of an incremental analysis give mean and deviation of the 
   const Fragility f = fit_fragility(bounds);
   const double mean = sum / 7;
   CHECK(near(f.median, std::exp(mean), 1e-7));
-  CHECK(near(f.dispersion, std::sqrt(squares / 7 - mean * mean), 1e-7));  // of the largest likelihood: with n
+  CHECK(near(f.dispersion, std::sqrt(squares / 7 - mean * mean), 1e-7));  // maximum likelihood: with n
 }
 
 TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies" * doctest::test_suite("long")) {
@@ -175,7 +175,7 @@ TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies" * doctest
     const auto [low, high] = f.median_interval();
     median_held += low <= median && median <= high ? 1 : 0;
   }
-  // Within three standard deviations of a count of 1000 with 0.95, and 1.5 % for what is exact for many cases only.
+  // Within three standard deviations of a count of 1000 with 0.95, and 1.5 % for errors of asymptotic formulas.
   const double allowed = 3 * std::sqrt(0.95 * 0.05 / 1000) + 0.015;
   for (const int count : held) CHECK(std::abs(count / 1000.0 - 0.95) < allowed);
   CHECK(std::abs(median_held / 1000.0 - 0.95) < allowed);

@@ -1,4 +1,4 @@
-// What may stand at the names of a results file, and what becomes of it.
+// Existing entries at the names of a results file, and their treatment.
 #include <doctest/doctest.h>
 
 #include "results/sample_run.hpp"
@@ -15,7 +15,7 @@ void put_text(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// A run of `rows` frames; given up, unless it is finished.
+/// A run of `rows` frames; abandoned unless `finished`.
 std::string run_rows(const fs::path& path, int rows, bool finished) {
   const Header header = sample_header();
   ResultsWriter writer(path, header, {.sync = false});
@@ -59,7 +59,7 @@ TEST_CASE("results whose name is a link go where it leads and the link stays") {
   const Folder folder;
   fs::create_directory(folder / "far");
   fs::create_symlink("far/real.h5", folder / "run.h5");
-  for (const int rows : {2, 3}) {  // first it leads nowhere
+  for (const int rows : {2, 3}) {  // the link leads nowhere at first
     run_rows(folder / "run.h5", rows, true);
     CHECK(fs::is_symlink(folder / "run.h5"));
     CHECK(ResultsReader(folder / "far/real.h5").frame_count() == static_cast<std::size_t>(rows));

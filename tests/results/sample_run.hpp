@@ -1,4 +1,4 @@
-// A small made-up run, whose numbers follow from the frame alone, so that any reader can check them.
+// A small invented run whose numbers follow from the frame alone, so that any reader can check them.
 #pragma once
 
 #include <unistd.h>
@@ -16,7 +16,7 @@
 
 namespace trilith::testing {
 
-/// A folder of its own, removed at the end.
+/// A temporary folder, removed at the end.
 struct Folder {
   Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "trilith-results-XXXXXX").string();
@@ -39,7 +39,7 @@ inline std::string bytes_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// `bodies` blocks of 1 m x 2 m, a bearing between each and the next, two histories, two energy terms.
+/// `bodies` blocks of 1 m x 2 m, a bearing between neighbours, two histories, two energy terms.
 inline results::Header sample_header(int bodies = 3, int dim = 2) {
   results::Header header;
   header.dim = dim;
@@ -74,7 +74,7 @@ inline results::Header sample_header(int bodies = 3, int dim = 2) {
   return header;
 }
 
-/// Row number `i` of everything.
+/// Row number `i` of all datasets.
 struct SampleRow {
   SampleRow(const results::Header& header, int i) : time(0.01 * i) {
     const auto fill = [&](std::vector<double>& to, std::size_t size, double base) {
@@ -132,7 +132,7 @@ struct SampleRow {
   results::EventRow event;
 };
 
-/// True where the reader gives back row `i` of everything, to the bit.
+/// True if the reader returns row `i` of all datasets, to the bit.
 inline bool has_row(const results::ResultsReader& reader, int i) {
   const SampleRow row(reader.header(), i);
   const auto at = static_cast<std::size_t>(i);

@@ -1,4 +1,4 @@
-// Solids in results files: their faces, and what a contact has in space alone.
+// Solids in results files: their faces, and contact data that only models in space have.
 #include <doctest/doctest.h>
 
 #include "near.hpp"

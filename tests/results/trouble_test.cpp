@@ -35,8 +35,8 @@ std::string message_of_opening(const std::filesystem::path& path) {
   return "opened";
 }
 
-// Runs in a child whose files may not grow beyond `limit`: 0 where `work` ended as it should and the process ended in
-// order.
+// Runs in a child process whose files may not exceed `limit` [B]: 0 if `work` ended as expected and the process ended
+// in order.
 template <class Work>
 int with_file_limit(rlim_t limit, Work work) {
   std::fflush(nullptr);
@@ -76,7 +76,7 @@ int write_until_full(const std::filesystem::path& path, WriterOptions options) {
   return 3;
 }
 
-// How many of 150 damaged copies of `whole` are refused.
+// Number of rejected ones of 150 damaged copies of `whole`.
 int read_damaged(const std::filesystem::path& path, const std::string& whole) {
   std::mt19937 random(11);
   int refused = 0;
@@ -223,8 +223,8 @@ TEST_CASE("a results file with damaged bytes is read or refused, never a crash")
   const Folder folder;
   write_rows(folder / "run.h5", 20);
   const std::string whole = bytes_of(folder / "run.h5");
-  // In a process of its own, which leaves without HDF5's clean-up: the library does not let go of objects it could not
-  // open, and says so at exit.
+  // In its own process, which exits without HDF5's clean-up: the library does not release objects that it could not
+  // open, and reports them at exit.
   const pid_t child = ::fork();
   if (child == 0) ::_exit(read_damaged(folder / "damaged.h5", whole) > 0 ? 0 : 1);
   int status = 0;

@@ -1,4 +1,4 @@
-// Files for ParaView: read back here by what their heads say, and by VTK itself where python3 has it.
+// Files for ParaView: read here by their headers, and by VTK itself if python3 has it.
 #include <doctest/doctest.h>
 #include <zlib.h>
 
@@ -56,7 +56,7 @@ std::vector<T> array_of(const std::string& file, const std::string& section, con
   return values;
 }
 
-/// Volume of the cell `index` by what the file says of its faces.
+/// Volume of the cell `index`, computed from its faces in the file.
 double cell_volume(const std::string& file, std::size_t index) {
   const auto faces = array_of<std::int32_t>(file, "Cells", "faces"),
              ends = array_of<std::int32_t>(file, "Cells", "faceoffsets");
@@ -93,7 +93,7 @@ TEST_CASE("solids become polyhedra of VTK with their volume, displacement and ve
   CHECK(near(cell_volume(file, 0), 2 * 1.6 * 0.2, 1e-12));
   CHECK(near(cell_volume(file, 1), 0.4 * 0.2 * 0.1, 1e-12));
 
-  // Corner 3 of body 1 from its start, velocity and spin; the numbers of data have seven figures.
+  // Corner 3 of body 1 from its start, velocity and spin; the numbers of data have seven digits.
   const auto points = array_of<double>(file, "Points", "Points");
   const auto moved = array_of<float>(file, "PointData", "displacement");
   const auto velocity = array_of<float>(file, "PointData", "velocity");

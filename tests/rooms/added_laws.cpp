@@ -1,5 +1,5 @@
-// What the laws that docs/architecture.md adds do, in the plane and in space. tests/rooms/add_a_law compiles it in a
-// copy of the tree that has them.
+// The laws that docs/architecture.md adds, tested in the plane and in space. tests/rooms/add_a_law compiles this file
+// in a copy of the tree that has them.
 #include <doctest/doctest.h>
 
 #include "contact/law_trial.hpp"
@@ -13,7 +13,7 @@ namespace {
 /// 50 kN of pressure on 1 m2.
 constexpr Lie resting{5e-5, 0, 0.2, 1e-3};
 
-/// A model of two bodies that touch, as far as rules of contact ask.
+/// A model of two bodies in contact, with the members that rules of contact need.
 template <int D>
 Model<D> two_bodies() {
   Model<D> model;

@@ -16,7 +16,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// A post and a deck of steel that is pinned to its top, moving and turned so that the pin is open.
+/// A post and a steel deck pinned to its top, moved and rotated so that the pin is open.
 struct PinnedDeck {
   Model<2> model;
   State<2> state;
@@ -81,14 +81,14 @@ TEST_CASE("a point over a pinned end goes as far as it is pushed") {
     evaluate(s.model, s.state, work, options.dt);
     control_displacement(s.model, s.state, work, options);
     advance(s.model, s.state, work, options);
-    // Arms turn within a step: what that adds is of its second order.
+    // Arms rotate within a step, an error of second order.
     CHECK(near_zero(push_place(s.state, push) - push.origin - motion->displacement(s.state.time), 1e-11));
   }
 }
 
 namespace {
 
-/// A stone in space, turned, moving and spinning, that is pushed at a point off its centroid.
+/// A stone in space, rotated, moving and spinning, that is pushed at a point off its centroid.
 struct SpinningStone {
   Model<3> model;
   State<3> state;
@@ -125,7 +125,7 @@ TEST_CASE("a point of a stone in space goes as far as it is pushed, free to turn
       evaluate(s.model, s.state, work, options.dt);
       control_displacement(s.model, s.state, work, options);
       advance(s.model, s.state, work, options);
-      // Arms turn within a step: what that adds is of its second order.
+      // Arms rotate within a step, an error of second order.
       CHECK(near_zero(push_place(s.state, push) - push.origin - motion->displacement(s.state.time), 1e-11));
     }
     CHECK(std::abs(work.push_force[0]) > 0);
@@ -133,7 +133,7 @@ TEST_CASE("a point of a stone in space goes as far as it is pushed, free to turn
 }
 
 TEST_CASE("a push in space acts as a force does on its point, by the constraint's closed form") {
-  // From rest to the speed 1 within the first step, which acts over half of it: lambda = v / (dt/2 (1/m + l J^-1 l)).
+  // From rest to unit speed within the first step, which acts over half of it: lambda = v / (dt/2 (1/m + l J^-1 l)).
   SpinningStone s;
   s.state.velocity[0].setZero(), s.state.spin[0].setZero();
   s.model.gravity.field.setZero();
@@ -142,7 +142,7 @@ TEST_CASE("a push in space acts as a force does on its point, by the constraint'
   add_push(s.model, s.state, "push", push_rows(s.model, {0}, at, PushPattern::mass, s.way), s.way, motion);
   Work<3> work;
   StepOptions options;
-  options.dt = 1e-3;  // long enough for the digits of places
+  options.dt = 1e-3;  // long enough for the floating-point resolution of positions
   evaluate(s.model, s.state, work, 0);
   control_displacement(s.model, s.state, work, options);
   const Vec3 lever = cross(Vec3(at - s.state.position[0]), s.way);
