@@ -1,4 +1,4 @@
-// Two tangents that should be the same.
+// Comparison of two tangent stiffness matrices that must agree.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,8 +8,8 @@
 
 namespace trilith::testing {
 
-/// Largest difference between two matrices, as a share of the larger one of the largest entries of `expected` in its
-/// row and its column. 0 where there is nothing but zeros.
+/// Largest difference between two matrices, relative to the larger of the largest entries of `expected` in its row and
+/// its column [1]. 0 for zero matrices.
 inline double worst_difference(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) {
   double worst = 0;
   for (Eigen::Index i = 0; i < expected.rows(); ++i)

@@ -1,5 +1,5 @@
-// The tangent in space by single terms against differences of everything: stones and balls as they fall, meshes on
-// meshes and on stones, mortar, bearings, frames, loads that follow, damping by mass.
+// The term-wise tangent stiffness in space against differences of all forces: falling stones and balls, meshes on
+// meshes and on stones, mortar, bearings, frames, follower loads, mass damping.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace trilith::testing {
 namespace {
 
-/// The tangent by differences of everything, one unknown at a time.
+/// The tangent by finite differences of all forces, one unknown at a time.
 Eigen::MatrixXd by_differences(const Model<3>& model, State<3>& state, const DofGraph<3>& coupling,
                                const TangentOptions& o) {
   const int size = coupling.size();
@@ -57,7 +57,8 @@ double worst_entry(const Model<3>& model, State<3> state, double dt, double rate
   return worst_difference(terms, all);
 }
 
-/// The largest at so many times of a run of `seconds`, of the explicit state and of the implicit one that begins there.
+/// Largest difference at `times` instants of a run of `seconds`, of the explicit state and of the implicit state that
+/// starts from it.
 double worst_on_the_way(const Model<3>& model, double dt, double seconds, int times, double disturbance) {
   SolidRun run(model, dt);
   double worst = 0;

@@ -1,4 +1,4 @@
-// Factors of sparse matrices of symmetric pattern.
+// Factorisation of sparse matrices with symmetric pattern.
 #include "assembly/tangent/sparse_factors.hpp"
 
 #include <doctest/doctest.h>
@@ -16,8 +16,8 @@ bool compute(SparseFactors& factors, Matrix& matrix) {
                                                   matrix.outerIndexPtr(), matrix.innerIndexPtr(), matrix.valuePtr()));
 }
 
-/// A grid of springs, `side` by `side`, whose couplings are unlike in both directions by `skew`; its diagonal times
-/// `heavy`.
+/// A grid of springs, `side` by `side`, whose couplings differ in both directions by `skew`; its diagonal is multiplied
+/// by `heavy`.
 Matrix grid(int side, double skew, double heavy) {
   Matrix out(side * side, side * side);
   const auto number = [&](int i, int j) { return i * side + j; };

@@ -1,4 +1,4 @@
-// The standard normal distribution, against tables and against itself.
+// The standard normal distribution: against tables, and its inverse against itself.
 #include "base/normal_distribution.hpp"
 
 #include <doctest/doctest.h>

@@ -260,7 +260,7 @@ def main():
             for threads in counts:
                 compare(args.program, args.against, case, threads, args)
             continue
-        # In turn, so that a change of the machine falls on all alike.
+        # In turn, so that a change of the machine affects all alike.
         runs = {threads: [] for threads in counts}
         for _ in range(args.times):
             for threads in counts:

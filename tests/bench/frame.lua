@@ -1,5 +1,6 @@
 -- A frame of 2,000 beams under implicit steps: a grid of 20 storeys and 20 bays on fixed feet, shaken at 1 Hz.
--- `trilith run tests/bench/frame.lua`: seconds of statics, of modes and of a step.
+--
+-- `trilith run tests/bench/frame.lua` prints the seconds of statics, of modes and of a step.
 local trilith = require "trilith"
 local p = trilith.params { storeys = { 20, "storeys" }, bays = { 20, "bays" }, steps = { 20, "implicit steps" },
                            dt = { 0.005, unit = "s", "of a step" },

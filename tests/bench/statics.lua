@@ -1,5 +1,5 @@
--- The masonry wall of the gallery (scripts/wall.lua), set down by statics and by steps of time with damping: seconds of
--- both, and how far the forces of its joints are apart. `trilith run tests/bench/statics.lua`.
+-- Equilibrium of the masonry wall of the gallery (scripts/wall.lua) by statics and by damped time steps: seconds of
+-- both, and the difference of their joint forces. `trilith run tests/bench/statics.lua`.
 local trilith = require "trilith"
 local ft, inch, kip, g, pcf, psi, psf = trilith.units "ft inch kip g pcf psi psf"
 local p = trilith.params { body = { "quad", "what a unit is: quad or rigid" },

@@ -41,7 +41,7 @@ TEST_CASE("the overlap of two pieces is the least way out of each other") {
   CHECK(near(Two(box(0, 0, 1, 1), box(0.5, 0.9, 1.5, 1.9)).depth(0), 0.1, 1e-12));
   CHECK(near(Two(box(0, 0, 1, 1), box(0.98, 0.9, 1.98, 1.9)).depth(0), 0.02, 1e-12));
   CHECK(near(Two(box(0, 0, 1, 1), box(0.2, 1.25, 1.2, 2.25)).depth(0), -0.25, 1e-12));
-  // A bar half way through a plate: out again by the way it came, or onward.
+  // A bar half way through a plate: back by its way in, or onward.
   CHECK(near(Two(box(-2, 0, 2, 0.1), box(-0.2, -0.5, 0.2, 0.6)).depth(0), 0.6, 1e-12));
 }
 

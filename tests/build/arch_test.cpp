@@ -113,7 +113,8 @@ TEST_CASE("span and rise give a segmental, semicircular or pointed intrados thro
       CHECK(near(right.x() - left.x(), 4, 1e-12));
       CHECK(near(left.y(), right.y(), 1e-12));
       double crown = -10;
-      const auto& middle = parts[static_cast<std::size_t>(n) / 2].outline;  // the key, or the first right of the crown
+      const auto& middle = parts[static_cast<std::size_t>(n) / 2].outline;  // the keystone, or the first stone right of
+                                                                            // the crown
       for (const Vec2& p : middle)
         if (std::abs(p.x() - 0.5) < 1e-12 && (crown == -10 || p.y() < crown)) crown = p.y();
       CHECK(near(crown - left.y(), rise, 1e-9));
@@ -121,7 +122,7 @@ TEST_CASE("span and rise give a segmental, semicircular or pointed intrados thro
 }
 
 TEST_CASE("a pointed arch has the area between its two pairs of circles") {
-  // One side, from the vertical through the crown: the sector of radius r from angle asin(e/r) to the springing, less
+  // One side, from the vertical through the crown: the sector of radius r from angle asin(e/r) to the springing, minus
   // the triangle between its centre and the middle line.
   const auto under = [](double r, double e) {
     const double phi = std::asin(e / r);

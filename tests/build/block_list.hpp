@@ -1,4 +1,4 @@
-// Lists of blocks that published tests were run with (tests/build/blocks), and whether parts are those blocks.
+// Block lists of published tests (tests/build/blocks), and comparison of parts with these blocks.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ namespace trilith::testing {
 /// Corners of one block.
 using BlockCorners = std::vector<Vec3>;
 
-/// All numbers from `at` on to the end of the list that is open there.
+/// All numbers from `at` to the end of the list that is open at `at`.
 inline std::vector<double> numbers_of_list(const std::string& text, std::size_t at) {
   std::vector<double> numbers;
   for (int depth = 0; at < text.size();) {
@@ -40,14 +40,14 @@ inline std::string text_of_blocks(const std::string& name) {
   return text_of_file(fmt::format("{}/tests/build/blocks/{}", source_dir(), name), "blocks", 1U << 20);
 }
 
-/// Corners out of numbers, three each [m].
+/// Corners from numbers, three each [m].
 inline BlockCorners corners_of(const std::vector<double>& n) {
   BlockCorners corners;
   for (std::size_t k = 0; k + 2 < n.size(); k += 3) corners.emplace_back(n[k], n[k + 1], n[k + 2]);
   return corners;
 }
 
-/// Such a file: blocks as boxes (low corner, high corner) or as lists of corners, m.
+/// Reads a file of blocks as boxes (low corner, high corner) or as lists of corners [m].
 inline std::vector<BlockCorners> block_list(const std::string& name) {
   const std::string text = text_of_blocks(name);
   std::vector<BlockCorners> blocks;
@@ -67,14 +67,14 @@ inline std::vector<BlockCorners> block_list(const std::string& name) {
   return blocks;
 }
 
-/// A block that flies at the start of a test.
+/// A block with an initial velocity.
 struct FlyingBlock {
   BlockCorners corners;  ///< [m]
   Vec3 velocity, spin;   ///< of its centre of mass [m/s], of it [rad/s]
-  double mass = 0;       ///< as the file has it [kg]
+  double mass = 0;       ///< as given in the file [kg]
 };
 
-/// Such a file of blocks that fly.
+/// Reads a file of blocks with initial velocities.
 inline std::vector<FlyingBlock> flying_blocks(const std::string& name) {
   const std::string text = text_of_blocks(name);
   std::vector<FlyingBlock> blocks;
@@ -90,7 +90,7 @@ inline std::vector<FlyingBlock> flying_blocks(const std::string& name) {
   return blocks;
 }
 
-/// Whether a part of one piece has these corners, each within `within`, m.
+/// Whether a part of one piece has these corners, each within `within` [m].
 inline bool is_block(const SolidPart& part, const BlockCorners& block, double within) {
   if (part.pieces.size() != 1 || part.pieces[0].corners.size() != block.size()) return false;
   for (const Vec3& p : part.pieces[0].corners) {
@@ -101,7 +101,7 @@ inline bool is_block(const SolidPart& part, const BlockCorners& block, double wi
   return true;
 }
 
-/// Every part is one block of the list and every block one part.
+/// Checks that every part is one block of the list and every block one part.
 inline void check_same_blocks(const std::vector<SolidPart>& parts, std::vector<BlockCorners> blocks, double within) {
   REQUIRE(parts.size() == blocks.size());
   for (const SolidPart& part : parts) {

@@ -30,7 +30,7 @@ const Abutment right_abutment{.name = "A2",
                               .seat = 0.4,
                               .gap = 0.1};
 
-/// Two abutments and a pier with seats at y = 0; types that are flush, one that is 0.3 m high.
+/// Two abutments and a pier with seats at y = 0; bearing types without height, and one 0.3 m high.
 BridgeLayout layout() {
   BridgeLayout bridge;
   bridge.add_support(top_of(left_abutment));

@@ -14,7 +14,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// The published rule of blocks l x l/2 x l/2: a facade of k blocks and walls of j and a half at right angles to it.
+/// The published rule for blocks l x l/2 x l/2: a facade of k blocks and walls of j and a half at right angles to it.
 Building published(int k, int j, int sides) {
   const double l = 0.4, length = k * l, depth = j * l + l / 2, mid = l / 4;
   Building building{.walls = {{.name = "front", .start = {0, mid}, .end = {length, mid}}}, .storeys = {{.courses = 8}}};
@@ -24,7 +24,7 @@ Building published(int k, int j, int sides) {
   return building;
 }
 
-/// A house of four walls with a wall across, two storeys, doors and windows.
+/// A house of four walls with a cross wall, two storeys, doors and windows.
 Building house() {
   Building building{.name = "house",
                     .walls = {{.name = "south", .start = {0, 0}, .end = {6, 0}},
@@ -49,7 +49,7 @@ SolidWall wall_of(double length, int courses, std::string_view bond) {
   return wall;
 }
 
-/// Whose units lie at a place within a course.
+/// The wall of the units at a position within a course.
 std::string wall_at(const std::vector<SolidPart>& parts, const Vec3& at) {
   std::string found;
   for (const SolidPart& part : parts) {
@@ -68,7 +68,7 @@ std::string wall_at(const std::vector<SolidPart>& parts, const Vec3& at) {
 TEST_CASE("the facade and the corner of the published tests come out block by block") {
   check_same_blocks(build_building(published(5, 2, 2)).parts, block_list("facade_k5_j2_c8.json"), 1e-12);
   check_same_blocks(build_building(published(4, 3, 1)).parts, block_list("corner_k4_j3_c8.json"), 1e-12);
-  // the direction of lines and their order do not matter here
+  // the direction and order of lines have no influence here
   Building turned = published(4, 3, 1);
   std::swap(turned.walls[0], turned.walls[1]);
   check_same_blocks(build_building(turned).parts, block_list("corner_k4_j3_c8.json"), 1e-12);
@@ -107,7 +107,7 @@ TEST_CASE("a house of two storeys is whole: no overlap, flat joints, the volume 
   for (const SolidPart& part : made.parts)
     if (part.groups[0] == "units" || part.groups[0] == "lintels") laid += volume_of(part);
   CHECK(near(laid, walls, 1e-12));
-  CHECK(count_in_group(made.parts, "lintels") == 3);  // the floor lies over the window of storey 2
+  CHECK(count_in_group(made.parts, "lintels") == 3);  // the floor covers the window of storey 2
   CHECK(count_in_group(made.parts, "floors") == 2);
   CHECK(count_in_group(made.parts, "house") == static_cast<int>(made.parts.size()));
   CHECK(near(volume_of(named(made.parts, "house.s1.floor")), (x + 0.2) * (y + 0.2) * 0.2, 1e-12));
@@ -135,7 +135,7 @@ TEST_CASE("a storey whose walls no slab carries is refused and one that a slab c
   building.slab_outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
   const std::vector<std::string> notes = build_building(building).notes;
   REQUIRE(notes.size() == building.walls.size());
-  // 6.0 m of 6.2 m of its length and a half of its thickness
+  // 6.0 m of 6.2 m of its length, and half of its thickness
   CHECK(says(notes[0], "wall 'south', storey 2: the slab below is under 48.4 % of its foot; the rest hangs 0.2 m"));
   building.storeys[0].slab_height = 0;  // it stands on the walls below
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
@@ -164,7 +164,7 @@ TEST_CASE("no head joint of a wall lies over another in any bond") {
       for (const long below : joints.at(c))
         for (const long above : joints.at(c + 1)) CHECK(std::abs(below - above) >= 100000);
     }
-    // a wall whose ends are alike is its own mirror image
+    // a wall with equal ends is its own mirror image
     for (const auto& course : joints)
       for (const long at : course)
         if (bond.name != "stretcher") CHECK(course.count(std::lround(length * 1e6) - at) == 1);

@@ -12,7 +12,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Of a regular polygon whose corners lie on a circle of radius `r`.
+/// Area of a regular polygon with corners on a circle of radius `r`.
 double ring_area(int n, double r) {
   return n / 2.0 * std::sin(2 * std::numbers::pi / n) * r * r;
 }

@@ -124,7 +124,7 @@ TEST_CASE("a Gmsh file that is cut or garbled is read or refused, nothing else")
 namespace trilith {
 namespace {
 
-/// Four nodes of a tetrahedron and one beyond it, with an element line of `type` and the nodes it names.
+/// Four nodes of a tetrahedron and one more, with an element line of `type` and its nodes.
 std::string solid_file(const std::string& element) {
   return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 5 1 5\n3 1 0 5\n1\n2\n3\n4\n5\n"
          "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n$Elements\n2 2 1 2\n2 1 2 1\n1 1 2 3\n" +

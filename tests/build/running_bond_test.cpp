@@ -12,7 +12,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Pairs of axis-parallel rectangles that share a stretch of face (same coordinates to the bit, longer than nothing).
+/// Pairs of axis-parallel rectangles that share a part of a face (coordinates equal to the bit, positive length).
 int touching_pairs(const std::vector<Part>& parts) {
   int pairs = 0;
   std::vector<Box2> boxes;
@@ -76,7 +76,7 @@ TEST_CASE("panel W5 with its opening and lintel has 57 blocks, cut at the openin
   CHECK(count_in_group(parts, "units") + count_in_group(parts, "lintels") == 57);
   CHECK(course_pattern(parts, 4, 0.4) == "h1hh1h");
   CHECK(course_pattern(parts, 5, 0.4) == "1111");
-  CHECK(course_pattern(parts, 8, 0.4) == "h11h1");  // the lintel counts as 1 and stands last
+  CHECK(course_pattern(parts, 8, 0.4) == "h11h1");  // the lintel counts as 1 and is last
   CHECK(near(total_area(parts), 2.4 * 2.0 - 0.8 * 0.8 + 2.8 * 0.4, 1e-14));
   const Box2 lintel = bounding_box(named(parts, "lintel1").outline);
   CHECK(lintel.low.isApprox(Vec2(0.7, 2.1), 1e-15));

@@ -1,4 +1,4 @@
-// Whatever a builder makes, a model in space takes as bodies.
+// A model in space accepts the parts of every builder as bodies.
 #include <doctest/doctest.h>
 
 #include "build/plane/drum.hpp"
@@ -15,7 +15,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// How many faces of a model's pieces are inner cuts.
+/// Number of faces of a model's pieces that are inner cuts.
 struct ModelFaces {
   int bodies = 0, inner = 0;
   double mass = 0;
@@ -50,7 +50,7 @@ TEST_CASE("a model in space takes every builder's parts, with the faces between 
   CHECK(faces_in_model(drums).inner == 3 * 2);
   const std::vector<SolidPart> vault =
       build_cross_vault({.arch = {.voussoirs = 9, .radius = 2, .thickness = 0.3}, .stone_length = 0.5});
-  // two pieces of each groin stone, four of the key
+  // two pieces of each groin stone, four of the keystone
   CHECK(faces_in_model(vault).inner == 16 * 2 + 8);
   const std::vector<SolidPart> dome = build_dome({.rings = 4, .sectors = 40});
   CHECK(faces_in_model(dome).inner == 2);

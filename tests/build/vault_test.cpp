@@ -14,7 +14,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Half of the digits that are left out of lists with six.
+/// Rounding of lists with six digits: half of the last digit.
 constexpr double six_digits = 0.51e-6;
 
 BarrelVault published_vault() {
@@ -24,7 +24,8 @@ BarrelVault published_vault() {
           .stones = 3};
 }
 
-/// Of a dome's regular polygon between corner radius r sin(colatitude) at height r cos(colatitude), for all rings.
+/// Volume of all rings of a dome, between regular polygons of corner radius r sin(colatitude) at height r
+/// cos(colatitude).
 double volume_within(const Dome& dome, double r) {
   const int n = dome.sectors;
   const double unit = n / 2.0 * std::sin(2 * std::numbers::pi / n);

@@ -159,7 +159,7 @@ TEST_CASE("in every bond but stack bond no head joint stands over another") {
   for (const BondPattern& bond : bond_patterns()) {
     CAPTURE(bond.name);
     const BondUnits units{0.4, 0.2};
-    const double length = bond.name == "flemish" ? 2.2 : 2.4;  // a whole number of its pattern
+    const double length = bond.name == "flemish" ? 2.2 : 2.4;  // a whole number of pattern lengths
     int above = 0;
     for (int i = 0; i < bond.courses; ++i) {
       const auto row = static_cast<std::size_t>(i), next = static_cast<std::size_t>((i + 1) % bond.courses);
@@ -264,7 +264,7 @@ TEST_CASE("any description is built without gap and overlap, or refused in one l
   std::mt19937_64 bits(11);
   int built = 0, refused = 0;
   const auto grid = [&](double step, int low, int high) {
-    // mostly on the grid, at times off it
+    // mostly on the grid, sometimes off it
     const double off = random_count(bits, 0, 3) == 0 ? random_between(bits, -0.5, 0.5) : 0;
     return step * (random_count(bits, low, high) + off);
   };

@@ -3,7 +3,7 @@ import subprocess
 
 from sessions import FALL, check, run_all
 
-# The status line. A Ctrl-C typed before it, on the heels of the line that starts a run, is still a key of the editor.
+# The status line. A Ctrl-C typed before it, directly after the line that starts a run, is still a key of the editor.
 RUNNING = r"run +t [0-9.]+ s +step"
 
 
@@ -87,7 +87,7 @@ def session_ctrl_c_ends_an_endless_loop(place):
     s.ask("1 + 1", r"^2$")
 
 
-# Loops that never end, each of which writes that it has begun. The first Ctrl-C ends them, and the console goes on.
+# Endless loops, each of which prints that it has begun. The first Ctrl-C ends them, and the console continues.
 LOOPS = {
     "a function": "local function f() print 'begun' while true do end end f()",
     "a coroutine": "coroutine.wrap(function() print 'begun' while true do end end)()",

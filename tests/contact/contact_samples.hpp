@@ -9,7 +9,7 @@
 
 namespace trilith::testing {
 
-/// Such as mortar between blocks of some tonnes has.
+/// Typical values of mortar between blocks of some tonnes.
 inline const UsualNumbers usual_in_contact{{"Pa/m", 1e9}, {"1", 0.3},    {"s", 1e-4},
                                            {"Pa", 1e5},   {"J/m2", 100}, {"m", 5e-3}};
 

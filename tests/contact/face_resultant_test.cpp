@@ -14,7 +14,7 @@ struct Pair {
   FaceEnds<double> a, b;
 };
 
-/// Two faces on each other, slightly tilted and overlapping, shifted along, turned and placed at random, in motion.
+/// Two faces in contact, slightly tilted and overlapping, shifted along, at random positions and rotations, in motion.
 Pair random_pair(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const Turn turn(3.2 * unit(random));
@@ -58,8 +58,8 @@ void check_same(const L& numbers, bool bonded) {
     const double scale = law.kn * 1e-3;
     CHECK((sum - out.force).norm() < 1e-9 * scale);
     if (!(out.normal > 0) || bonded) continue;
-    // Moment about the resultant's point: none but for the shears of the two halves, whose lines the mid-gap line, not
-    // quite along the faces' common direction, leaves apart.
+    // Moment about the resultant's point: only by the shear forces of the two halves. Their lines are separated by the
+    // mid-gap line, which is not quite along the faces' common direction.
     const Vec2 arm0 = Vec2(p.b.x0, p.b.y0) - out.point, arm1 = Vec2(p.b.x1, p.b.y1) - out.point;
     const FaceOverlap<double> o(p.a, p.b);
     const double slope_a = (o.dy * (p.a.x1 - p.a.x0) - o.dx * (p.a.y1 - p.a.y0)) * o.inv_a;

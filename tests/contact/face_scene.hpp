@@ -1,4 +1,4 @@
-// Pairs of faces in random pose and motion, for the tests of the contact kernels.
+// Pairs of faces with random pose and motion, for tests of the contact kernels.
 #pragma once
 
 #include "base/space.hpp"
@@ -8,7 +8,7 @@
 
 namespace trilith::testing {
 
-/// Two faces that look at each other.
+/// Two facing faces.
 struct Faces {
   FaceEnds<double> a, b;
 };
@@ -29,12 +29,12 @@ inline FaceEnds<double> face(const Vec2& p, const Vec2& q, const Vec2& vp, const
   return {p.x(), p.y(), q.x(), q.y(), vp.x(), vp.y(), vq.x(), vq.y()};
 }
 
-/// A face from `p` to `q` of a body that moves with `velocity` at the origin and turns with `spin`.
+/// A face from `p` to `q` of a body that moves with `velocity` at the origin and rotates with `spin`.
 inline FaceEnds<double> rigid_face(const Vec2& p, const Vec2& q, const Vec2& velocity, double spin) {
   return face(p, q, velocity + cross(spin, p), velocity + cross(spin, q));
 }
 
-/// All positions and velocities turned by `turn`.
+/// All positions and velocities rotated by `turn`.
 inline Faces turned(const Faces& f, const Turn& turn) {
   const auto each = [&](const FaceEnds<double>& e) {
     return face(turn.apply(start_of(e)), turn.apply(end_of(e)), turn.apply(start_speed(e)), turn.apply(end_speed(e)));
@@ -42,8 +42,8 @@ inline Faces turned(const Faces& f, const Turn& turn) {
   return {each(f.a), each(f.b)};
 }
 
-/// A's face along x below B's, both some metres long, sharing some length at a mean gap in [low, high] [m], tilted by
-/// up to `tilt`; random velocities; all of it turned at random.
+/// Two faces some metres long, A's along x below B's. They share some length at a mean gap in [low, high] [m] and are
+/// tilted by up to `tilt`, with random velocities and a random common rotation.
 inline Faces random_faces(std::mt19937_64& bits, double low, double high, double tilt) {
   const double la = random_between(bits, 0.5, 2), lb = random_between(bits, 0.5, 2);
   const double shift = random_between(bits, -0.8 * lb, 0.8 * la), slope = random_between(bits, -tilt, tilt);
@@ -56,7 +56,7 @@ inline Faces random_faces(std::mt19937_64& bits, double low, double high, double
   return turned(flat, Turn(random_between(bits, -M_PI, M_PI)));
 }
 
-/// One step of two faces whose law remembers nothing, or has not so far.
+/// One step of two faces under a law without history, or before any history.
 template <class K>
 FaceResponse<double, LawMemory<K>> respond_fresh(const Faces& f, const FaceMemory<double>& before, const K& law) {
   return respond_face_pair<K>(f.a, f.b, 1.0, before, LawMemory<K>{}, law);
@@ -66,7 +66,7 @@ inline FaceMemory<double> no_memory(bool bonded = false) {
   return {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 0, {bonded, bonded}};
 }
 
-/// A memory of shear and damping as a run might leave it.
+/// A history of shear and damping as during a run.
 inline FaceMemory<double> random_memory(std::mt19937_64& bits, double force) {
   FaceMemory<double> m = no_memory();
   for (const int h : {0, 1}) {

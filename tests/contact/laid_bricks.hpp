@@ -1,4 +1,4 @@
-// Bricks that lie on each other, tilted and moving by chance.
+// Stacked bricks with random tilt and motion.
 #pragma once
 
 #include <random>
@@ -24,7 +24,7 @@ inline ContactLaw joint(double kn, double beta) {
   return law;
 }
 
-/// A brick on a larger one, tilted and moving by chance, both in a world turned by chance.
+/// A brick on a larger one, with random tilt and motion, both in a randomly rotated world.
 struct Laid {
   ConvexSolid below = brick(1, 0.8, 0.3), above = brick(0.6, 0.5, 0.2);
   PlacedSolid a, b;

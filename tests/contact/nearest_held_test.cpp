@@ -19,14 +19,14 @@ struct Beyond {
   LimitShape<double> shape;
 };
 
-/// The shape of an area r : 1 that lies at some angle, from a square to a line.
+/// Limit shape of a rectangle at `angle`, from a square (`d2` 0) to a line (1).
 LimitShape<double> shape_at(double d2, double angle) {
   const double length = 1 + std::sqrt(d2), width = 1 - std::sqrt(d2);  // second moments
   const Triple<double> along{std::cos(angle), std::sin(angle), 0}, across{-std::sin(angle), std::cos(angle), 0};
   return LimitSpread<double>(along * std::sqrt(length), across * std::sqrt(width)).in({1, 0, 0}, {0, 1, 0});
 }
 
-/// A force beyond the limit, by a hair or by far.
+/// A force beyond the limit, by little or by much.
 Beyond draw(std::mt19937_64& bits) {
   std::uniform_real_distribution<double> share(-1, 1);
   while (true) {

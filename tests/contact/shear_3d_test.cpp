@@ -30,7 +30,7 @@ double measure(const FrictionLimit& limit, const Vec3& spring) {
   return limit_measure(x, y);
 }
 
-/// A limit by chance, and a force beyond it by up to `far` times itself.
+/// A random limit, and a force beyond it by up to `far` times itself.
 struct LimitDraw {
   FrictionLimit limit;
   Vec3 beyond;
@@ -104,7 +104,7 @@ TEST_CASE("the nearest point of the limit is nearest, wherever the pressure is")
       CHECK(near(measure(limit, held), 1, 1e-12));
       const double least = (beyond - held).norm();
       for (int k = 0; k < 50; ++k) {
-        // Others around it, brought to the limit along their rays.
+        // Other forces around it, scaled to the limit along their rays.
         Vec3 other = held + 30 * (k % 2 == 0 ? 1 : 0.01) * Vec3(normal(random), normal(random), normal(random));
         const auto [x, y] = shares(limit, other);
         other /= std::sqrt(limit_measure(x, y));
@@ -179,7 +179,7 @@ TEST_CASE("T11: what a square carries in sliding and turning at once") {
   // V / mu N, T / T_limit, about a point at d a from the middle
   for (const auto& [v, t] : {std::pair(0.1758, 0.9771), std::pair(0.3485, 0.9094), std::pair(0.5142, 0.8014),
                              std::pair(0.7902, 0.5178), std::pair(0.9534, 0.2352)}) {
-    // How much of them the curve carries: measure of (v, t) / share is 1.
+    // Share of both on the curve: the measure of (v, t) / share is 1.
     const double squares = v * v + t * t, product = limit_measure(v, t) - squares;
     const double share = std::sqrt(0.5 * (squares + std::sqrt(squares * squares + 4 * product)));
     CHECK(near(share, 1, 7e-3));

@@ -28,7 +28,7 @@ TEST_CASE("flat faces press as the volume they share does") {
       const LawInUse use{law};
       const SolidPressure whole = solid_pressure(laid.lower(), laid.upper(), use, shared);
       const SolidPressure face = face_pressure(laid.lower(), laid.upper(), plain_friction(use), faces);
-      // The bands along the rim are as wide as the overlap is deep.
+      // The strips along the edges are as wide as the penetration.
       const double within = 2e-3, size = std::max(whole.force.norm(), 1.0);
       CHECK((face.force - whole.force).norm() <= within * size);
       CHECK((face.damping - whole.damping).norm() <= within * size);

@@ -1,4 +1,4 @@
-// Charts to be looked at; the checks are that they are drawn and that their texts stay on the page.
+// Charts for inspection; checked: they are drawn, and their texts stay on the page.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace trilith::draw;
 
 namespace {
 
-/// A made-up ground acceleration [m/s²]: three sines under an envelope.
+/// An invented ground acceleration [m/s2]: three sines under an envelope.
 std::vector<double> made_up_motion(std::size_t count, double dt) {
   std::vector<double> a(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Whether a place of a picture lies in a polygon.
+// Point-in-polygon test for pictures.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace trilith::testing {
 
-/// By the sides that a ray from `p` crosses.
+/// By the number of sides that a ray from `p` crosses.
 inline bool contains(const std::vector<Vec2>& outline, const Vec2& p) {
   bool inside = false;
   for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++)

@@ -1,4 +1,4 @@
-// A recorded motion as it is drawn for a report: three traces and the 5 % spectrum.
+// A recorded motion drawn as for a report: three traces and the 5 % spectrum.
 #include <doctest/doctest.h>
 
 #include "draw/chart/motion_chart.hpp"

@@ -1,4 +1,4 @@
-// Cracks in pictures: joints that have lost their bond, and dry ones that are open or have slid.
+// Cracks in pictures: joints that have lost their bond, and dry joints that are open or have slid.
 #include <doctest/doctest.h>
 
 #include "draw/scene/results_picture.hpp"
@@ -15,7 +15,7 @@ struct SampleJoint {
   double opening, slip, damage;
 };
 
-/// The marks of the cracks of those joints, all between the first two bodies.
+/// The crack marks of these joints, all between the first two bodies.
 std::vector<CrackMark> cracks_of(const std::vector<SampleJoint>& joints) {
   const Folder folder;
   results::Header header = sample_header();
@@ -50,5 +50,5 @@ TEST_CASE("dry joints are drawn as cracks by their opening from a tenth of a mil
   CHECK(cracks_of({{false, 3e-2, 0, 0}}) == Marks{CrackMark::wide});
   CHECK(cracks_of({{false, 1e-4, -2e-3, 0}}) == Marks{CrackMark::slid});
   CHECK(cracks_of({{true, 5e-5, 2e-5, 0.5}}) == Marks{CrackMark::fine});
-  CHECK(cracks_of({{false, 1.5, 0, 0}}) == Marks{});  // no neighbours any more
+  CHECK(cracks_of({{false, 1.5, 0, 0}}) == Marks{});  // no neighbours
 }

@@ -242,6 +242,6 @@ TEST_CASE("a picture of what falls reaches down to the ground that it will meet"
   scene.bodies.push_back({"ground", box(-10, -3, 10, -2), BodyRole::fixed_ground});
   scene.bodies.push_back({"block", box(0, 0, 4, 1)});
   CHECK(scene_view({scene}, {}).world.y0 < -2);
-  scene.bodies[0].outline = box(-10, -30, 10, -20);  // too far to be of interest
+  scene.bodies[0].outline = box(-10, -30, 10, -20);  // too far away to be drawn
   CHECK(scene_view({scene}, {}).world.y0 > -2);
 }

@@ -1,4 +1,4 @@
-// Scenes to be looked at; the checks are that they are drawn and that their texts stay on the page and apart.
+// Scenes for inspection; checked: they are drawn, and their texts stay on the page without overlap.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-/// Turned by `degrees` about its point `pivot`, then moved.
+/// Rotated by `degrees` about its point `pivot`, then moved.
 std::vector<Vec2> moved(std::vector<Vec2> outline, const Vec2& pivot, double degrees, const Vec2& shift) {
   const double a = degrees * std::acos(-1.0) / 180;
   for (Vec2& p : outline) {

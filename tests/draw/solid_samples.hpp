@@ -1,4 +1,4 @@
-// Made-up collapses in space, for pictures: a wall of bricks whose upper half falls, a dome that comes apart.
+// Invented collapses in space for pictures: a wall of bricks whose upper half falls, a dome that breaks apart.
 #pragma once
 
 #include <cmath>
@@ -9,12 +9,12 @@
 
 namespace trilith::testing {
 
-/// Numbers between -1 and 1 that follow from their index.
+/// Pseudo-random numbers between -1 and 1 by index.
 inline double scatter(int i) {
   return std::remainder(0.7548776662466927 * i + 0.31, 1.0) * 2;
 }
 
-/// 20 courses of 10 bricks in running bond on a slab; those above the diagonal fly outwards, the higher the sooner.
+/// 20 courses of 10 bricks in running bond on a slab; bricks above the diagonal fly outwards, the higher ones earlier.
 inline std::vector<FlyingBox> falling_wall() {
   const Vec3 half(0.125, 0.06, 0.0325);
   std::vector<FlyingBox> boxes{{{30, 30, 2}, {0, 0, -2}, Vec3::Zero(), Vec3::Zero(), "ground", "fixed"}};
@@ -35,7 +35,7 @@ inline std::vector<FlyingBox> falling_wall() {
   return boxes;
 }
 
-/// Rings of stones on a sphere of 3 m, each ring closed; a third of them has begun to come down.
+/// Closed rings of stones on a sphere of radius 3 m; a third of the stones has begun to fall.
 inline std::vector<FlyingBox> opening_dome() {
   std::vector<FlyingBox> boxes{{{3.6, 3.6, 0.15}, {0, 0, -0.15}, Vec3::Zero(), Vec3::Zero(), "slab", "fixed"}};
   const double radius = 3, pi = std::numbers::pi;
@@ -60,7 +60,7 @@ inline std::vector<FlyingBox> opening_dome() {
   return boxes;
 }
 
-/// `count` stones of chance sizes and turns in a heap, each in a cell of its own, so that none overlaps another.
+/// `count` stones of random sizes and rotations in a heap, each in its own cell, so that none overlap.
 inline std::vector<FlyingBox> heap(int count) {
   std::vector<FlyingBox> boxes;
   const int side = static_cast<int>(std::ceil(std::cbrt(count)));

@@ -16,7 +16,7 @@ using testing::near;
 
 namespace {
 
-/// Two strengths, two copies each; the last case has failed and gave no figure.
+/// Two strengths, two copies each; the last case has failed and has no value.
 std::vector<StudyColumn> small_study() {
   using Reals = std::vector<double>;
   return {{"case", "1", "number of the case, from 1", std::vector<std::int32_t>{1, 2, 3, 4}},
@@ -62,7 +62,7 @@ TEST_CASE("a study's chart has a panel for each unit, the median, the band and t
                     &high = chart.panels[0].series[2], &band = chart.panels[0].series[3];
   CHECK(median.x == std::vector<double>{100, 400});
   CHECK(near(median.y[0], 0.2, 1e-12));
-  CHECK(median.y[1] == 0.05);  // of the one copy that has finished
+  CHECK(median.y[1] == 0.05);  // of the single finished copy
   CHECK(low.y[0] == 0.1);
   CHECK(high.y[0] == 0.3);
   CHECK(near(band.y[0], 0.132, 1e-12));
@@ -71,7 +71,7 @@ TEST_CASE("a study's chart has a panel for each unit, the median, the band and t
 
 namespace {
 
-/// Three records over four accelerations; the last is down from 0.3 on, the others from 0.4 on and not at all.
+/// Three records at four accelerations; the last collapses from 0.3 on, the others from 0.4 on and not at all.
 std::vector<StudyColumn> incremental_study() {
   const double none = std::nan("");
   return {

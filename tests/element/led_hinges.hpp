@@ -1,4 +1,4 @@
-// A beam with hinges at its ends, led along its stretch and bends with its energy books.
+// A beam with end hinges, with prescribed stretch and end rotations, and its energies.
 #pragma once
 
 #include <algorithm>

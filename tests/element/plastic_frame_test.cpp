@@ -1,4 +1,4 @@
-// Plastic collapse of frames of beams with hinges (F8), by a small static solver for small displacements.
+// Plastic collapse of frames with hinges (F8), by a small static solver for small displacements.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
@@ -17,7 +17,7 @@ using testing::near;
 
 constexpr double plastic_moment = 100e3;
 
-/// Beams between nodes, with three degrees of freedom each, some of them held.
+/// Beams between nodes, with three degrees of freedom each, some of them fixed.
 struct PlasticFrame {
   struct Bar {
     int from, to;
@@ -49,7 +49,7 @@ struct PlasticFrame {
     held[3 * node] = x, held[3 * node + 1] = y, held[3 * node + 2] = turn;
   }
 
-  /// Rows: stretch, bends; columns: of both nodes.
+  /// Rows: stretch, end rotations; columns: both nodes.
   static Eigen::Matrix<double, 3, 6> shape_of(const Bar& b) {
     const Vec2 n = left_of(b.along);
     Eigen::Matrix<double, 3, 6> m = Eigen::Matrix<double, 3, 6>::Zero();
@@ -82,8 +82,8 @@ struct PlasticFrame {
     }
   }
 
-  /// Moves degree of freedom `led` by `step`, with all loads in proportion, in parts where that does not converge;
-  /// false without equilibrium.
+  /// Moves the degree of freedom `led` by `step`, with all loads in proportion, subdivided if the iteration does not
+  /// converge. False without equilibrium.
   bool advance(int led, double step, int cuts = 10) {
     const Eigen::VectorXd from = at;
     const double before = factor;
@@ -115,7 +115,7 @@ struct PlasticFrame {
     }
     return false;
   }
-  /// The load factor once `led` has gone to `reach`.
+  /// The load factor when `led` has reached `reach`.
   double push(int led, double reach, int steps = 400) {
     for (int i = 0; i < steps; ++i)
       if (!advance(led, reach / steps)) {
@@ -129,7 +129,7 @@ struct PlasticFrame {
 
 HingeLaw frame_hinge() {
   HingeLaw law = HingeLaw::sample();
-  law.sagging = plastic_moment, law.hardening = 10;  // so little that a joint between two hinges keeps its place
+  law.sagging = plastic_moment, law.hardening = 10;  // so small that a joint between two hinges keeps its position
   return law;
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("F8: plastic collapse of a beam of two spans") {
 
 TEST_CASE("a portal with the part of its normal forces collapses before one without, by the share they take") {
   HingeLaw law = frame_hinge();
-  law.hardening = 1e4;  // two hinges that meet at a joint have unlike normal forces; it turns until they agree
+  law.hardening = 1e4;  // two hinges at a joint have different normal forces; the joint rotates until they agree
   PlasticFrame plain = plastic_portal(100e3, 50e3, true, law);
   const double without = plain.push(3, 0.3);
   double before = without;
@@ -189,7 +189,7 @@ TEST_CASE("a portal with the part of its normal forces collapses before one with
     const double factor = frame.push(3, 0.3);
     MESSAGE("combined mechanism, Np " << full << " N: " << factor << "; without " << without);
     CHECK(factor < before);
-    // Columns carry up to about 90 kN; half of the ends that turn belong to them.
+    // Columns carry up to about 90 kN; half of the yielding ends belong to them.
     CHECK(factor > without * (1 - 90e3 * 90e3 / (full * full)));
     before = factor;
   }

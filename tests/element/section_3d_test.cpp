@@ -9,7 +9,7 @@ using namespace trilith;
 using namespace trilith::testing;
 
 TEST_CASE("torsion constants of rectangles are those of Saint-Venant's tables") {
-  // c1 in J = c1 a b^3 (Timoshenko and Goodier, art. 109, to the four digits that are printed there)
+  // c1 in J = c1 a b^3 (Timoshenko and Goodier, art. 109, to the four printed digits)
   for (const auto& [ratio, share] : {std::pair(1.0, 0.1406), std::pair(1.2, 0.166), std::pair(1.5, 0.196),
                                      std::pair(2.0, 0.229), std::pair(4.0, 0.281), std::pair(10.0, 0.312)}) {
     CHECK(near(rectangle_torsion(ratio, 1), share * ratio, 3e-3));
@@ -22,7 +22,7 @@ TEST_CASE("a circle's torsion constant is its polar second moment and a thin squ
   const Section3 circle = section_in_space(CircleSection{0.4, 0.2});
   CHECK(near(circle.torsion, M_PI / 32 * (0.4 * 0.4 * 0.4 * 0.4 - 0.2 * 0.2 * 0.2 * 0.2), 1e-13));
   CHECK(circle.second_moment[0] == circle.second_moment[1]);
-  // walls t all round, middle line b: J = b^3 t
+  // wall thickness t, middle line b: J = b^3 t
   const Section3 box = section_in_space(BoxSection{1.01, 1.01, 0.02, 0.01, 0.01});
   CHECK(near(box.torsion, 0.01, 1e-12));
   CHECK(near(box.second_moment[0], box.second_moment[1], 1e-12));

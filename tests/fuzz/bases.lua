@@ -1,4 +1,4 @@
--- Small results files of several kinds, for damage: trilith run bases.lua kind=...
+-- Small results files of several kinds, for damage: `trilith run bases.lua kind=...`.
 local trilith = require "trilith"
 local p = trilith.params {
   kind = { "all", choices = { "all", "unfinished", "rigid", "wall", "diverged", "still" }, "which" } }

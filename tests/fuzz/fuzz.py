@@ -19,7 +19,7 @@ import shared
 import texts
 import words
 
-# Parts and their shares of the time.
+# Parts and their shares of the run time.
 SHARES = {"programs": 0.35, "scripts": 0.1, "results": 0.2, "words": 0.1, "console": 0.1, "texts": 0.15}
 
 

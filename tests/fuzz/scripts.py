@@ -9,7 +9,7 @@ import shared
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 NUMBERS = ["0", "-1", "1e308", "-1e308", "1e-308", "(0/0)", "(1/0)", "1e9", "1e6", "2^53", "0.1", "1", "2", "1e-9"]
 TOKEN = re.compile(r'"[^"\n]*"|\b\d+(?:\.\d+)?(?:e[-+]?\d+)?\b|\b[a-z_]\w*\b|[-+*/^=,{}().:]', re.I)
-# In front, on the first line, so that lines keep their numbers: each stage of each model ends after some steps.
+# Placed on the first line, so that line numbers stay the same: each stage of each model ends after some steps.
 SHORT = ('do local t = require "trilith" local make = t.model t.model = function(...) local m, n = make(...), 0 '
          "m:on_step(function() n = n + 1 if n % 40 == 0 then m:stop() end end) return m end "
          "local p = print print = function(...) p('said', ...) end end ")

@@ -18,7 +18,7 @@ using testing::near_zero;
 
 namespace {
 
-/// How far the farthest of `points` lies outside of `solid` [m].
+/// Largest distance of one of `points` outside of `solid` [m].
 double outside_of(const Polyhedron& solid, const std::vector<Vec3>& points) {
   double most = -1e9;
   const auto normals = face_normals(solid);
@@ -76,7 +76,7 @@ TEST_CASE("corners rounded to six digits give back the plane faces of a voussoir
   const Polyhedron stone = convex_hull(voussoir, "stone", 1e-5);
   CHECK(stone.corners.size() == 8);
   CHECK(stone.faces.count() == 6);
-  // taken to the letter, its faces are folded by less than a thousandth of a millimetre
+  // by the exact numbers its faces are folded by less than 0.001 mm
   CHECK(convex_hull(voussoir, "stone").faces.count() > 6);
 }
 

@@ -32,7 +32,7 @@ int right_turns(const Polygon& outline) {
   return count;
 }
 
-/// Checks everything that a decomposition promises and returns the number of pieces.
+/// Checks all invariants of a decomposition and returns the number of pieces.
 int checked_parts(const Polygon& outline) {
   const std::vector<ConvexPiece> pieces = convex_parts(outline);
   double area = 0;
@@ -73,14 +73,14 @@ Polygon stepped_valley(int steps) {
     surface.emplace_back(10.0 * i, level);
     surface.emplace_back(10.0 * (i + 1), level);
   }
-  if (steps % 2 == 0) {  // the two middle steps are level: their shared corner would be there twice
+  if (steps % 2 == 0) {  // the two middle steps are level: otherwise their shared corner would occur twice
     surface.erase(surface.begin() + steps);
   }
   outline.insert(outline.end(), surface.rbegin(), surface.rend());
   return outline;
 }
 
-/// The least number of convex pieces, found by trying every cut from the first right turn; for few corners only.
+/// The least number of convex pieces, found by trying every cut from the first reflex corner; for few corners only.
 class LeastPieces {
  public:
   explicit LeastPieces(Polygon outline) : outline_(std::move(outline)) {}
@@ -113,7 +113,7 @@ class LeastPieces {
     return known_[part] = least;
   }
 
-  /// True if the segment from the part's first corner to corner w runs inside and meets no other corner.
+  /// True if the segment from the part's first corner to corner w is inside and meets no other corner.
   bool sees(const std::vector<int>& part, std::size_t w) const {
     const Vec2 &a = at(part[0]), &b = at(part[w]);
     Polygon corners;
@@ -141,7 +141,7 @@ Polygon random_star(std::mt19937_64& bits, int corners) {
   return star;
 }
 
-/// True if the points may be used as they are (a star with a wide gap may go round the wrong way or cross itself).
+/// True if the points are a valid polygon (a star with a wide gap may be clockwise or cross itself).
 bool is_simple(const Polygon& outline) {
   return !find_self_crossing(outline, 1e-12) && orientation(outline) > 0;
 }
@@ -164,9 +164,9 @@ TEST_CASE("L, T, U, plus and notched outlines part into the least number of piec
   CHECK(checked_parts(
             {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}) == 3);
   CHECK(checked_parts({{0, 0}, {4, 0}, {4, 4}, {2, 3}, {0, 4}}) == 2);
-  // from this deeper notch neither corner can be seen without a right turn left over
+  // from this deeper notch a cut to either corner leaves a reflex corner
   CHECK(checked_parts({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}) == 3);
-  // a pier with footing and cap: four right turns, two cuts settle two each
+  // a pier with footing and cap: four reflex corners, two cuts resolve two each
   CHECK(
       checked_parts(
           {{0, 0}, {6, 0}, {6, 1}, {3.5, 1}, {3.5, 9}, {5, 9}, {5, 10}, {1, 10}, {1, 9}, {2.5, 9}, {2.5, 1}, {0, 1}}) ==
@@ -179,9 +179,9 @@ TEST_CASE("collinear corners on the sides of a concave outline break nothing") {
   for (std::size_t i = 0; i < turns.size(); ++i)
     for (int k = 0; k < 8; ++k) ell.push_back(turns[i] + k / 8.0 * (turns[(i + 1) % turns.size()] - turns[i]));
   CHECK(checked_parts(ell) == 2);
-  // a collinear corner stands exactly where the only straight cut would end
+  // a collinear corner lies exactly at the end of the only straight cut
   CHECK(checked_parts({{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}, {0, 1}}) == 2);
-  // both right turns and the corners between them lie on one line
+  // both reflex corners and the corners between them lie on one line
   CHECK(checked_parts(
             {{0, 0}, {9, 0}, {9, 2}, {8, 2}, {8, 1}, {6, 1}, {6, 2}, {3, 2}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}) <= 6);
 }

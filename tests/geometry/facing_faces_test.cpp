@@ -21,7 +21,7 @@ PlacedSolid solid_in(const ConvexSolid& solid, const UnitQuaternion& rotation, c
   return out;
 }
 
-/// Integrals over the facing faces of two solids, found along their best axis.
+/// Integrals over the facing faces of two solids along their best axis.
 struct FacingIntegrals {
   FacingFaces faces;
   FaceOverlap3 overlap;
@@ -55,7 +55,7 @@ TEST_CASE("stones laid upon each other face each other over their joint, at any 
     CHECK(near(joint.faces.opposed, 1, 1e-14));
     CHECK(near_zero((a.normals[static_cast<std::size_t>(joint.faces.a)] - turn.z()).norm(), 1e-14));
     CHECK(near(joint.in_contact.area, area, 1e-11));
-    // the overlap of the faces is the volume the solids share
+    // the face overlap equals the overlap volume of the solids
     const SolidOverlap shared = solid_overlap(a, b, buffer);
     CHECK(near(joint.in_contact.first, area * depth, 1e-9));
     CHECK(near(shared.volume, joint.in_contact.first, 1e-9));

@@ -33,7 +33,7 @@ ConvexSolid solid_by_chance(std::mt19937_64& bits) {
                       "solid");
 }
 
-/// All of a solid, to be cut.
+/// A complete solid, to be clipped.
 void begin_whole(const PlacedSolid& solid, SolidOverlapBuffer& buffer) {
   buffer.points = solid.corners;
   buffer.edges.clear(), buffer.faces.clear();
@@ -46,7 +46,7 @@ void begin_whole(const PlacedSolid& solid, SolidOverlapBuffer& buffer) {
   }
 }
 
-/// Two solids near each other.
+/// Two adjacent solids.
 struct SolidPair {
   ConvexSolid a, b;
   UnitQuaternion turn;
@@ -117,7 +117,7 @@ TEST_CASE("a corner that enters a face shares a tetrahedron") {
   for (const double depth : {1e-1, 1e-4, 1e-7}) {
     const Vec3 at(0.1, 0.2, std::sqrt(3.0) / 2 - depth);
     const SolidOverlap o = solid_overlap(standing(floor, {}, Vec3(0, 0, 0)), standing(cube, on_corner, at), buffer);
-    // three edges of sqrt(3) times the depth at right angles; corners have lost 1e-16 of 1 m
+    // three edges of sqrt(3) times the depth at right angles; corners have an error of 1e-16 of 1 m
     const double leg = std::sqrt(3.0) * depth, allowed = 1e-15 / depth;
     CHECK(near(o.volume, leg * leg * leg / 6, 10 * allowed));
     CHECK(near(o.centroid.z(), -depth / 4, 10 * allowed));
@@ -169,7 +169,7 @@ TEST_CASE("the cut that leaves the least first gives what cuts in turn give") {
     if (o.volume < 1e-6) continue;
     ++meeting;
     CHECK((o.centroid - all.centroid).norm() < 1e-9);
-    // a corner of many faces is several points where cuts have made it, so these may not be as many
+    // a corner of many faces becomes several points by clipping, so the counts may differ
     CHECK(buffer.faces.size() == in_turn.faces.size());
   }
   CHECK(meeting > 1500);
@@ -271,7 +271,7 @@ TEST_CASE("bricks that lie flush but for rounding share what they should") {
     const Turn3 turn(q);
     const Vec3 at = 30 * random_in_ball(bits);
     const PlacedSolid a = standing(brick, q, at);
-    // upon it with ends flush, with one side flush, and in the same place
+    // stacked with ends flush, with one side flush, and at the same position
     for (const Vec3& shift : {Vec3(0, 0, 0.19), Vec3(0.2, 0, 0.19), Vec3(0, 0, 0)}) {
       const SolidOverlap o = solid_overlap(a, standing(brick, q, at + turn.apply(shift)), buffer);
       const double expected = (0.4 - shift.x()) * 0.2 * (0.2 - shift.z());

@@ -23,12 +23,12 @@ struct Pair {
 
 Pair random_pair(std::mt19937_64& bits) {
   Polygon a = random_convex(bits, {.slenderest = 6}), b = random_convex(bits, {.slenderest = 6});
-  // One after the other: compilers take arguments in the order they like.
+  // In separate statements: the order of evaluation of arguments is unspecified.
   const double y = random_between(bits, -1.2, 1.2), x = random_between(bits, -1.2, 1.2);
   return {std::move(a), placed(b, Vec2(1, 0), Vec2(x, y))};
 }
 
-/// `outline` cut in two by the line through `at` along `direction`: the part on its left.
+/// The left part of `outline`, cut by the line through `at` along `direction`.
 Polygon left_part(const Polygon& outline, const Vec2& at, const Vec2& direction) {
   const Vec2 far = 100 * direction, side = 100 * left_of(direction);
   OverlapBuffer buffer;

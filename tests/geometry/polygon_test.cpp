@@ -135,7 +135,7 @@ TEST_CASE("self-crossing, touching and spikes are refused, naming edges and plac
   CHECK(says(refusal({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}), "touches itself at (1, 0)"));
   CHECK(says(refusal({{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {2, 1}, {0, 1}}), "point 5 (2, 3), a spike"));
   CHECK(says(refusal({{0, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}), "point 2 (4, 0), a spike"));
-  // the same corner with an angle that is small but there
+  // the same corner with a small but nonzero angle
   CHECK(refusal({{0, 0}, {4, 0}, {2, 1e-6}, {2, 2}, {0, 2}}) == "accepted");
   CHECK(says(refusal({{0, 0}, {4, 0}, {2, 1e-10}, {2, 2}, {0, 2}}), "spike"));
 }

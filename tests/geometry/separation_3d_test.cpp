@@ -32,7 +32,7 @@ ConvexSolid any_solid(std::mt19937_64& bits) {
                       "solid");
 }
 
-/// Largest distance over all faces and all pairs of edges, each along all corners of both.
+/// Largest distance over all faces and all pairs of edges, each over all corners of both.
 double largest_distance(const PlacedSolid& a, const PlacedSolid& b) {
   double best = -1e9;
   const auto along = [&](const Vec3& axis) {
@@ -114,7 +114,7 @@ TEST_CASE("pairs of edges that cannot touch are left out without changing the be
     const PlacedSolid b = solid_at(of_b, random_rotation(bits), 1.5 * random_in_ball(bits));
     const Separation3 s = separation(a, b);
     const double of_all = largest_distance(a, b);
-    // of two solids that are apart, edges that cannot touch may still give a greater distance
+    // for separated solids, edges that cannot touch may give a larger distance
     CHECK(s.distance <= of_all + 1e-13);
     CHECK((s.distance > 0) == (of_all > 0));
     if (of_all < 0) CHECK(near_zero(s.distance - of_all, 1e-13));

@@ -12,7 +12,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Every face as triangles with corners of their own, as in STL.
+/// Every face as triangles with their own corners, as in STL.
 Polyhedron shattered(const Polyhedron& solid, std::mt19937_64& bits, double noise) {
   Polyhedron made;
   for (int f = 0; f < solid.faces.count(); ++f) {

@@ -1,4 +1,4 @@
--- Runs a script of the gallery and prints the hash of the first model it made.
+-- Runs a script of the gallery and prints the hash of its first model.
 -- usage: SCRIPT=PATH trilith run --quiet --trust last_hash.lua [NAME=VALUE...]
 local trilith = require "trilith"
 local make, first = trilith.model, nil

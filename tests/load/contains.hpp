@@ -1,4 +1,4 @@
-// Looks for words in a message.
+// Searches words in a message.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -7,7 +7,7 @@
 
 namespace trilith::testing {
 
-/// True if `part` is in `text`; says so where it is not.
+/// True if `part` is in `text`; otherwise it prints the text.
 inline bool contains(const std::string& text, const std::string& part) {
   const bool found = text.find(part) != std::string::npos;
   if (!found) MESSAGE("'", text, "' does not contain '", part, "'");

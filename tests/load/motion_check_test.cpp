@@ -33,7 +33,7 @@ TEST_CASE("a motion that is zero everywhere is refused, even where drift is allo
 }
 
 TEST_CASE("ground that still moves at the end is refused above 10 % of PGV, whatever it did before") {
-  // Up to 1 m/s and back to rest, 6 s of rest, and a last kick to the given part of the peak velocity.
+  // Up to 1 m/s and back to rest, 6 s of rest, and a final pulse to the given share of the peak velocity.
   const auto kicked_to = [](double part) {
     std::vector<double> a(100, 1.0);
     a.insert(a.end(), 100, -1.0);

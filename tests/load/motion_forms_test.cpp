@@ -1,4 +1,4 @@
-// Records in the forms in which they are found: each is read as meant, or refused with the remedy.
+// Records in their usual file formats: each is read correctly, or rejected with the remedy.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ std::string written(const std::string& head, const Row& row) {
   for (int i = 0; i < count; ++i) text += row(i) + "\n";
   return text;
 }
-/// Samples, `each` to a line.
+/// Samples, `each` per line.
 std::string rows_of(int each, const std::string& between = " ", double size = 1) {
   std::string text;
   for (int i = 0; i < count; ++i)

@@ -42,7 +42,7 @@ std::vector<ManifestRow> manifest(const std::filesystem::path& folder) {
   return rows;
 }
 
-/// 0.1 % of the listed value, and half of its last digit.
+/// 0.1 % of the listed value, plus half of its last digit.
 bool agrees(double ours, double listed, double last_digit) {
   return std::abs(ours - listed) <= 1e-3 * std::abs(listed) + last_digit / 2;
 }

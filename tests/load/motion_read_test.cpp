@@ -48,7 +48,7 @@ std::string refusal(const std::string& text, const std::string& name = "made.csv
   return "";
 }
 
-/// Reads or refuses: anything else (a crash, another exception, a NaN) is a failure.
+/// The text is read or rejected: anything else (a crash, another exception, a NaN) is a failure.
 void survives(const std::string& text, int& read, int& refused) {
   try {
     const GroundMotion motion = parse_motion(text, "damaged");

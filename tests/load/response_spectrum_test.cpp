@@ -18,7 +18,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Largest displacement of the same oscillator by Runge-Kutta of order 4 in `parts` parts of a sample interval.
+/// Largest displacement of the same oscillator by the Runge-Kutta method of order 4 in `parts` parts of a sample
+/// interval.
 double peak_by_runge_kutta(const GroundMotion& motion, double period, double damping, int parts) {
   const double w = 2 * pi / period;
   const double h = motion.step() / parts;
@@ -81,7 +82,7 @@ TEST_CASE("a suddenly applied constant acceleration doubles the static displacem
 }
 
 TEST_CASE("after a short pulse the peak of the free vibration that follows is found") {
-  // Impulse V: amplitude V / w at a quarter period later, long after the pulse has ended.
+  // Impulse V: amplitude V / w a quarter period later, long after the end of the pulse.
   const GroundMotion motion(std::vector<double>{0, 1, 0}, 0.001);
   const OscillatorPeak peak = oscillator_peak(motion, 2, 0);
   CHECK(near(peak.displacement, 0.001 / pi, 1e-4));

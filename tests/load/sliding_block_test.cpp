@@ -1,4 +1,4 @@
-// The sliding block of Newmark (Geotechnique 15, 1965) on the motions as read: reader, scaling and sign together.
+// The sliding block of Newmark (Geotechnique 15, 1965) on the motions as read: tests reader, scaling and sign together.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Slip [m] of a rigid block that slips one way only while the ground acceleration, or its slip, asks for it.
-/// `yield`: acceleration the block can follow [m/s2].
+/// Slip of a rigid block in one direction while the ground acceleration exceeds its limit or it still slides [m].
+/// `yield`: largest acceleration of the block without slip [m/s2].
 double one_way_slip(const GroundMotion& motion, double yield) {
   const double h = 1e-4;
   double slip = 0;

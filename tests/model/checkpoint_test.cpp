@@ -1,4 +1,4 @@
-// A State in a file and back; files that are cut, damaged or foreign.
+// A State in a file and back; truncated, damaged and foreign files.
 #include "model/io/checkpoint.hpp"
 
 #include <doctest/doctest.h>
@@ -26,7 +26,7 @@ using testing::box;
 using testing::Scene;
 namespace fs = std::filesystem;
 
-/// A folder of its own for each use, removed at the end.
+/// A temporary folder for each use, removed at the end.
 struct Folder {
   fs::path path = fs::temp_directory_path() / ("trilith_checkpoint_" + std::to_string(::getpid()));
   Folder() {
@@ -38,7 +38,7 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-/// Two blocks on a base, the upper one held to the lower by a bearing, sliding.
+/// Two blocks on a base, the upper one connected to the lower one by a bearing, sliding.
 Model<2> small_model(double mu = 0.3) {
   Scene scene(Frictional{1e7, 5e6, mu, 1e-4});
   scene.fixed("base", box(-1, -0.5, 3, 0));
@@ -70,7 +70,7 @@ void write_bytes(const fs::path& path, const std::vector<char>& bytes) {
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Sets the last word to the digest of those before, as a file would have it that was written with these contents.
+/// Sets the last word to the digest of the words before, as in a file written with these contents.
 void sign(std::vector<char>& bytes) {
   Hash hash;
   for (std::size_t i = 0; i + 16 <= bytes.size(); i += 8) {
@@ -241,7 +241,7 @@ TEST_CASE("a checkpoint that cannot be written is an input error, and the one be
   const Model<2> model = small_model();
   const State<2> state = moved_state(model);
   CHECK_THROWS_AS(save_state(state, model, folder.path / "no" / "folder"), InputError);
-  // A folder of that name stands in the way.
+  // A folder with this name exists.
   fs::create_directory(folder.path / "folder");
   CHECK_THROWS_AS(save_state(state, model, folder.path / "folder"), InputError);
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);

@@ -1,4 +1,4 @@
-// Which corners and edges the pieces of a body share, and which of them are ridges.
+// Corners and edges shared by the pieces of a body, and ridges among them.
 #include "model/builder/shared_edges.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// The places of all ridges of a plane model.
+/// Positions of all ridges of a plane model.
 std::vector<Vec2> places(const Model<2>& model, const SharedEdges& ridges) {
   std::vector<Vec2> at;
   if (ridges.empty()) return at;
@@ -53,7 +53,7 @@ TEST_CASE("a convex stone has no ridge, a chevron that at its top and none in it
 }
 
 TEST_CASE("a hollow of 8 degrees is flat, one of 14 is none") {
-  // Two pieces, parted from the hollow at the top to the middle of the bottom or its corners.
+  // Two pieces, divided from the hollow at the top to the middle of the bottom or its corners.
   const auto hollow = [](double angle) {
     const double deep = std::tan(0.5 * angle * degree);
     int found = 0;

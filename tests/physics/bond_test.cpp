@@ -9,19 +9,20 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Force on a block and how far it has moved, at one instant.
+/// Force on a block and its displacement, at one instant.
 struct Reading {
   double moved, force;  // [m], [N]
 };
 
-/// A joint of 1 m2 between a fixed base and a block that is led along one axis of the scene and does not turn.
+/// A joint of 1 m2 between a fixed base and a block with a prescribed displacement along one axis of the scene and no
+/// rotation.
 struct JointTest {
   Scene scene;
   Simulation<2> sim;
   int node;
-  std::vector<Event> events;  ///< of bonds, while led
+  std::vector<Event> events;  ///< of bonds, during the prescribed motion
 
-  /// `axis` 0: sheared, the block held down by `pressure` [Pa]; 1: pulled.
+  /// `axis` 0: shear under `pressure` [Pa]; 1: tension.
   JointTest(const ContactLaw& law, int axis, double pressure, double turn)
       : scene(law, turn), sim(make(scene, axis, pressure)), node(node_of(sim.model(), "block")) {}
 
@@ -82,7 +83,7 @@ TEST_CASE("C7: a cohesive joint carries its tensile strength, then nothing, and 
       after = std::max(after, it->force);
       deepest = std::min(deepest, it->force);
     }
-    CHECK(after == 0.0);  // never pulls again
+    CHECK(after == 0.0);  // no tension afterwards
     CHECK(near(deepest, -kn * 3e-4, 0.005));
     CHECK(joint.sim.state().contacts.memory.at(0).bonds == 0);
   }
@@ -134,7 +135,8 @@ TEST_CASE("C8: direct shear reaches c + s tan(phi), then s tan(phi), and unloads
       const auto turning =
           std::max_element(r.begin(), r.end(), [](const Reading& a, const Reading& b) { return a.moved < b.moved; });
       CHECK(near(turning->force, slides, 0.005));
-      // Back by as much as is elastic: the force falls by ks times the way, through zero, to the other limit.
+      // Reversed by the elastic displacement: the force falls by ks times the displacement, through zero, to the
+      // opposite limit.
       const auto back =
           std::find_if(turning, r.end(), [&](const Reading& x) { return x.moved < turning->moved - slides / c.ks; });
       CHECK(std::abs(back->force) < 0.01 * slides);

@@ -1,4 +1,4 @@
-// Rigid bodies in space that nothing touches: models made by hand, and runs of them.
+// Rigid bodies in space without contact: models built directly, and runs of them.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace trilith::testing {
 
-/// One rigid body: principal moments [kg m2], how its axes are turned, its spin in the axes of the world [rad/s]. Its
-/// skin are the ends of its axes, 1 m away.
+/// One rigid body: principal moments [kg m2], rotation of its axes, its spin in world axes [rad/s]. Its skin points are
+/// the ends of its axes, at 1 m.
 inline Model<3> free_body(double mass, const Vec3& inertia, const UnitQuaternion& rotation, const Vec3& spin) {
   Model<3> model;
   model.mass = {mass}, model.inertia = {inertia};
@@ -29,7 +29,7 @@ inline Model<3> free_body(double mass, const Vec3& inertia, const UnitQuaternion
   return model;
 }
 
-/// A run of a model by steps of one length.
+/// A run of a model with a fixed step.
 class FreeRun {
  public:
   FreeRun(const Model<3>& model, double dt) : FreeRun(model, initial_state(model), dt) {}
@@ -49,9 +49,9 @@ class FreeRun {
   [[nodiscard]] const State<3>& state() const { return state_; }
   [[nodiscard]] const Work<3>& work() const { return work_; }
   [[nodiscard]] Energy energy() const { return energy_now(model_, state_, work_, options_); }
-  /// In the axes of the world [kg m2/s].
+  /// In world axes [kg m2/s].
   [[nodiscard]] Vec3 momentum() const { return momentum_of(model_.inertia[0], state_.rotation[0], state_.spin[0]); }
-  /// In the axes of the body [rad/s].
+  /// In body axes [rad/s].
   [[nodiscard]] Vec3 own_spin() const { return Turn3(state_.rotation[0]).undo(state_.spin[0]); }
 
  private:

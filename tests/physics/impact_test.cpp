@@ -1,4 +1,4 @@
-// Two blocks that meet with a restitution set through beta (D6), and a bar that falls about a hinge (D7).
+// Two blocks that collide with a restitution set through beta (D6), and a bar that falls about a hinge (D7).
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -13,13 +13,13 @@ using testing::box;
 using testing::near;
 using testing::Scene;
 
-/// Restitution of a spring and dashpot in parallel whose sum never pulls (VALIDATION F2).
+/// Restitution of a spring and dashpot in parallel without tensile force (VALIDATION F2).
 double restitution(double zeta) {
   const double s = std::sqrt(1 - zeta * zeta);
   return std::exp(-zeta / s * (M_PI - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta)));
 }
 
-/// Its inverse, by halving: restitution falls from 1 at zeta = 0 to exp(-2) at zeta = 1.
+/// Its inverse, by bisection: restitution falls from 1 at zeta = 0 to exp(-2) at zeta = 1.
 double damping_ratio_for(double e) {
   double low = 0, high = 0.9999999;
   for (int i = 0; i < 60; ++i) (restitution(0.5 * (low + high)) > e ? low : high) = 0.5 * (low + high);
@@ -35,7 +35,7 @@ TEST_CASE("D6: the formula for beta gives back the restitutions of its table") {
   }
 }
 
-/// Two blocks that meet face to face, without gravity.
+/// Two blocks that collide face to face, without gravity.
 struct Meeting {
   double m1 = 1000, m2 = 2000, v1 = 1, v2 = 0;  ///< [kg], [m/s]
   double kn = 1e8;                              ///< on a face of 1 m [Pa/m]
@@ -43,7 +43,7 @@ struct Meeting {
   double gap = 1e-3;                            ///< at the start [m]
 
   /// Velocities after a collision with contact damping `zeta` of the two masses on their contact; steps of `share` over
-  /// the frequency of that contact.
+  /// the frequency of this contact.
   [[nodiscard]] std::pair<double, double> after(double zeta, double share) const {
     const double w = std::sqrt(kn / (m1 * m2 / (m1 + m2)));
     Scene scene(Frictional{kn, 0, 0, 2 * zeta / w}, turn);
@@ -72,7 +72,7 @@ TEST_CASE("D6: 1000 kg at 1 m/s meets 2000 kg at rest with restitution 1, 0.65 a
 
 TEST_CASE("D6: the restitution differs from the one asked for by no more than the first power of the step") {
   const double zeta = damping_ratio_for(0.65);
-  // The worst of some gaps: where in a step the faces meet is chance.
+  // The worst result of several gaps: the phase of the step at the first contact is random.
   const auto error = [&](double share) {
     double worst = 0;
     for (const double gap : {1e-3, 1.123e-3, 1.317e-3, 1.77e-3}) {
@@ -105,11 +105,11 @@ TEST_CASE("D6: other masses, speeds and stiffness, in a turned world, keep momen
   }
 }
 
-/// Time for the far end of a bar hinged at one end and released level to drop by `drop` [s]: by quadrature of
-/// theta'' = (3 g / 2 L) cos(theta), so theta' = sqrt(3 g/L sin(theta)).
+/// Time for the far end of a bar hinged at one end and released level to drop by `drop` [s]: by quadrature of theta'' =
+/// (3 g / 2 L) cos(theta), so theta' = sqrt(3 g/L sin(theta)).
 double falling_time(double length, double drop) {
   const double end = std::asin(drop / length);
-  // theta = s^2 takes the singular start away.
+  // theta = s^2 removes the singularity at the start.
   const int n = 20000;
   double sum = 0;
   for (int i = 0; i < n; ++i) {
@@ -125,13 +125,13 @@ double falling_time_by_engine(double length, double depth, double drop, double t
   scene.fixed("ground", box(-2, -3, -1, 0));
   BodySpec bar;
   bar.name = "bar", bar.outline = box(0, -depth / 2, length, depth / 2);
-  bar.mass = 1000, bar.inertia = 1000 * length * length / 12;  // a thin bar's, whatever the depth drawn
+  bar.mass = 1000, bar.inertia = 1000 * length * length / 12;  // of a thin bar, whatever the drawn depth
   scene.add(bar);
   scene.builder.set_contact("*", "*", "none");
   BearingSpec hinge;
   hinge.name = "hinge", hinge.body_a = "ground", hinge.body_b = "bar", hinge.angle = turn;
   hinge.point_a = hinge.point_b = scene.to_world({0, 0});
-  const double k = 1000 * standard_gravity / (1e-5 * length);  // gives way by a hundred-thousandth of the length
+  const double k = 1000 * standard_gravity / (1e-5 * length);  // deflection of 1e-5 of the length
   hinge.law = {Linear{k, 0.02 * std::sqrt(k * 1000)}, Linear{k, 0.02 * std::sqrt(k * 1000)}, {}};
   scene.builder.add_bearing(hinge);
   Simulation<2> sim = scene.start();

@@ -1,4 +1,5 @@
-// Stacks and arches against their limits: cases A1 and A3. Rigid blocks without tension, tried from both sides.
+// Stacks and arches against their limits: cases A1 and A3. Rigid blocks without tensile strength, on both sides of each
+// limit.
 #include <doctest/doctest.h>
 
 #include <cmath>

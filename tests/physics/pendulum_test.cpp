@@ -7,8 +7,8 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Period of a rod of length L hinged at its end and released at `angle` from hanging: complete elliptic integral by
-/// the arithmetic-geometric mean.
+/// Period of a rod of length L hinged at its end and released at `angle` from the vertical: complete elliptic integral
+/// by the arithmetic-geometric mean [s].
 double rod_period(double length, double angle) {
   double a = 1, b = std::cos(angle / 2);
   for (int i = 0; i < 20; ++i) {
@@ -19,7 +19,7 @@ double rod_period(double length, double angle) {
   return 2 * M_PI * std::sqrt(2 * length / (3 * standard_gravity)) / a;
 }
 
-/// A thin rod hinged by a stiff link, released at `angle`; the mean of ten periods.
+/// A thin rod hinged by a stiff link, released at `angle`; the mean of ten periods [s].
 double swing(double length, double angle, double turn) {
   Scene scene(Frictional{1e6, 0, 0, 0}, turn);
   scene.builder.set_contact("*", "*", "none");

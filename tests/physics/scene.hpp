@@ -1,5 +1,5 @@
-// Small scenes for the physics tests: one material, one contact law, bodies by their corners, a world that may be
-// turned.
+// Small scenes for the physics tests: one material, one contact law, bodies by their corners, in a world that may be
+// rotated.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -31,8 +31,8 @@ std::shared_ptr<const GroundMotion> motion_of(double end, double step, F&& accel
   return std::make_shared<GroundMotion>(samples, step, MotionStart{start_velocity, 0});
 }
 
-/// A model in the making. Everything is given in the axes of the scene; the world's axes are turned from them by `turn`
-/// [rad]: outlines, velocities, loads, gravity and drives alike. So a scene may be run in any direction.
+/// Builder of a model. All input is given in scene axes; world axes are rotated from them by `turn` [rad]: outlines,
+/// velocities, loads, gravity and drives. So a scene may be run in any direction.
 class Scene {
  public:
   explicit Scene(const ContactLaw& law, double turn = 0) : turn_(turn) {
@@ -43,7 +43,7 @@ class Scene {
   }
   void set_gravity(const Vec2& field) { builder.gravity = turn_.apply(field); }
 
-  /// A body as given, in the axes of the scene.
+  /// A body as given, in scene axes.
   void add(BodySpec spec) {
     for (Vec2& p : spec.outline) p = turn_.apply(p);
     spec.velocity = turn_.apply(spec.velocity);
@@ -66,7 +66,7 @@ class Scene {
   [[nodiscard]] Vec2 to_world(const Vec2& v) const { return turn_.apply(v); }
   [[nodiscard]] Vec2 to_scene(const Vec2& v) const { return turn_.undo(v); }
 
-  /// Lets a body follow `motion` along the x axis of the scene, from time `start` [s] on.
+  /// Drives a body by `motion` along the x axis of the scene, from time `start` [s] on.
   void drive_along_x(Model<2>& model, const std::string& body, const GroundMotion& motion, double start = 0) const {
     const int b = model.find_body(body), n = model.bodies[b].first_node;
     const Vec2 way = turn_.apply(Vec2::UnitX());
@@ -86,7 +86,7 @@ inline int node_of(const Model<2>& model, const std::string& body) {
   return model.bodies[model.find_body(body)].first_node;
 }
 
-/// Where skin point `corner` of a body stands [m], in world axes.
+/// Current position of skin point `corner` of a body, in world axes [m].
 inline Vec2 corner_of(const Simulation<2>& sim, const std::string& body, int corner) {
   const Model<2>& model = sim.model();
   const Body& b = model.bodies[model.find_body(body)];
@@ -94,7 +94,7 @@ inline Vec2 corner_of(const Simulation<2>& sim, const std::string& body, int cor
   return s.position[b.first_node] + Turn(s.rotation[b.first_node]).apply(model.skin_place[b.first_skin + corner]);
 }
 
-/// Runs on for `duration` [s]; `dt` 0: by itself.
+/// Continues for `duration` [s]; `dt` 0: automatic step.
 inline StageReport run_for(Simulation<2>& sim, double duration, double dt = 0, const RunListener<2>& listener = {}) {
   StageOptions options;
   options.duration = duration;
@@ -110,7 +110,7 @@ RunListener<2> each_step(F&& f) {
   return listener;
 }
 
-/// Lets a scene come to rest under the damping of consolidation.
+/// Settles a scene under the damping of consolidation.
 inline StageReport settle(Simulation<2>& sim, double longest = 100, double still_speed = 1e-10) {
   StageOptions options;
   options.name = "settle";

@@ -31,7 +31,7 @@ struct Oscillator {
     if (yield > 0) return ElasticPlastic{stiffness(), yield, 0, c};
     return Linear{stiffness(), c};
   }
-  /// Largest displacement of the mass against the base [m], and when [s after the start of the motion].
+  /// Largest displacement of the mass relative to the base [m], and its time [s after the start of the motion].
   [[nodiscard]] std::pair<double, double> peak(const GroundMotion& motion, double dt) const {
     Scene scene(Frictional{1e6, 1e6, 0.5, 0}, turn);
     scene.set_gravity({0, 0});
@@ -196,7 +196,7 @@ TEST_CASE("D3: a mass on a pendulum without friction swings with 2 pi sqrt(R/g),
       const double period = 2 * M_PI * std::sqrt(radius / standard_gravity);
       Simulation<2> sim(model);
       testing::settle(sim);
-      // Pushed off by a jump of the base, then the base stands still.
+      // Set in motion by a jump of the base, which then stands still.
       const double speed = 0.1;
       State<2> state = sim.state();
       state.velocity[1].x() = speed;
@@ -220,7 +220,7 @@ TEST_CASE("D3: a mass on a pendulum without friction swings with 2 pi sqrt(R/g),
     }
 }
 
-/// A block on a table, tied to it by a spring along x that ends at a displacement, pulled slowly by a moving table.
+/// A block on a table, connected to it by a spring along x with a displacement limit, pulled slowly by a moving table.
 struct TiedBlock {
   double stiffness = 10 * 4448.2216 / inch;  ///< 10 kip/in [N/m]
   double limit = 10 * inch, weight = 2e5, mu = 0.35;
@@ -255,7 +255,7 @@ TEST_CASE("D4: a bearing pulled to its limit carries k times the limit, then not
     double most = 0, at = 0, after = 0;
     const int block = testing::node_of(sim.model(), "block");
     testing::run_for(sim, 1.2 * tied.limit / speed, 0, testing::each_step([&](const Instant<2>& now) {
-                       // Force along x on the block from all that holds it: bearing and contact.
+                       // Force along x on the block by bearing and contact.
                        const double f = now.work.force[block].x(), u = now.work.bearing_displacement[0].x();
                        if (std::abs(f) > most) most = std::abs(f), at = u;
                        after = std::abs(f);
@@ -271,7 +271,7 @@ TEST_CASE("D4: a bearing pulled to its limit carries k times the limit, then not
   }
 }
 
-/// A span on two equal springs over two supports with motions of their own.
+/// A span on two equal springs over two supports with their own motions.
 struct SpanOnTwo {
   double period = 0.9, damping_ratio = 0.05, mass = 2e5;
 
@@ -306,7 +306,7 @@ TEST_CASE("D5: a span on two equal springs moves as one mass under the mean of t
   Simulation<2> sim = span.start();
   set_drive(sim.edit_model(), 0, 0, std::make_shared<GroundMotion>(left), 0, sim.model().start_position[0].x());
   set_drive(sim.edit_model(), 1, 0, std::make_shared<GroundMotion>(right), 0, sim.model().start_position[1].x());
-  // The single mass, by an independent integration (velocity Verlet in the mean motion, at a tenth of the step).
+  // The single mass by an independent integration (velocity Verlet in the mean motion, at a tenth of the step).
   const double w = 2 * M_PI / span.period, dt = 1e-3;
   const auto mean = [&](double t) { return 0.5 * (left.displacement(t) + right.displacement(t)); };
   const auto mean_speed = [&](double t) { return 0.5 * (left.velocity(t) + right.velocity(t)); };
@@ -337,7 +337,7 @@ TEST_CASE("D5: at rest the span stands at the mean of the displacements of its s
     Simulation<2> sim = span.start();
     const double x0 = sim.model().start_position[2].x();
     for (const int side : {0, 1}) {
-      const double end = side == 0 ? u1 : u2;  // a smooth move in 2 s
+      const double end = side == 0 ? u1 : u2;  // a smooth motion in 2 s
       const auto motion = testing::motion_of(2, 1e-3, [&](double t) { return end * M_PI / 2 * std::sin(M_PI * t); });
       set_drive(sim.edit_model(), side, 0, motion, 0, sim.model().start_position[side].x());
     }

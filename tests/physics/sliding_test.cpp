@@ -58,8 +58,8 @@ TEST_CASE("C9: a Coulomb-damped oscillator loses 2F/k at each turn and stops wit
 
 namespace {
 
-/// A block on an incline, as gravity leaning over a flat base; the world turned by `turn`, so that turn = -incline is
-/// the incline as one sees it. Starts in its overlap.
+/// A block on an incline, modelled by tilted gravity over a flat base. The world is rotated by `turn`, so that turn =
+/// -incline shows the incline as seen by an observer. It starts with its static penetration.
 struct Incline {
   Scene scene;
   Simulation<2> sim;
@@ -171,7 +171,7 @@ TEST_CASE("S2: a base pulse slips a block by V^2/(2 g mu) (1 - mu/A)") {
   for (const Case c : {Case{0.5, 0.25, 0.2, 0}, Case{0.5, 0.25, 0.2, 17 * degree}, Case{0.5, 0.25, 0.2, 90 * degree},
                        Case{0.5, 0.25, 0.2, 203 * degree}, Case{0.8, 0.1, 0.3, 0}, Case{-0.4, 0.3, 0.1, 0}}) {
     const double g = standard_gravity, size = std::abs(c.a), v = size * g * c.length;
-    // A pulse the other way is the same slip in a world turned half round.
+    // A pulse the other way is the same slip in a world rotated by half a turn.
     const Slip s = slip_under_pulse(size, c.length, c.mu, c.a < 0 ? c.turn + M_PI : c.turn);
     const double expected = v * v / (2 * g * c.mu) * (1 - c.mu / size);
     MESSAGE("S2 base ", s.base_speed, " m/s (", v, "), slip ", s.slip, " m (", expected, "), ends ", s.ends, " s (",
@@ -200,7 +200,7 @@ TEST_CASE("S3: a block on a driven slope slips downhill as the one-way sliding b
     Simulation<2> settling = scene.start();
     settle(settling);
     Model<2> model = settling.model();
-    // Downhill is +x: the block slips where the ground is pushed uphill by more than it can follow.
+    // Downhill is +x: the block slips if the ground's uphill acceleration exceeds the friction limit.
     scene.drive_along_x(model, "slope", record.scaled(-c.sign), settling.state().time);
     Simulation<2> sim(std::move(model), settling.state());
     const int base = node_of(sim.model(), "slope"), block = node_of(sim.model(), "block");

@@ -19,7 +19,7 @@ std::filesystem::path picture_folder() {
   return folder;
 }
 
-/// Walks through `page` in a browser; see view_page.py.
+/// Runs view_page.py, which controls `page` in a browser.
 void browse(const std::filesystem::path& page, const std::string& steps) {
   const std::string script = testing::source_dir() + "/tests/program/view_page.py";
   const std::string command =

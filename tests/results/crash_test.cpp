@@ -15,7 +15,7 @@ using namespace trilith::testing;
 
 namespace {
 
-// Runs `work` in a child that ends without the parent's destructors, whatever happens there.
+// Runs `work` in a child process that ends without the parent's destructors in any case.
 template <class Work>
 pid_t in_child(Work work) {
   const pid_t child = ::fork();
@@ -35,7 +35,7 @@ int wait_for(pid_t child) {
   return status;
 }
 
-// Writes rows until it is killed; each count that a flush made safe goes to `report`.
+// Writes rows until it is killed; each row count made safe by a flush is sent to `report`.
 int write_until_killed(const std::filesystem::path& path, int report, WriterOptions options, int flush_every) {
   const Header header = sample_header();
   ResultsWriter writer(path, header, options);
@@ -160,7 +160,7 @@ TEST_CASE("readers follow a run while it is written, and see it finish") {
     try {
       reader.refresh();
     } catch (const ResultsError&) {
-      CHECK(!std::filesystem::exists(folder / "run.h5.part"));  // finished in between
+      CHECK(!std::filesystem::exists(folder / "run.h5.part"));  // it finished before the kill
       break;
     }
     CHECK(reader.frame_count() >= seen);

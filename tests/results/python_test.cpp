@@ -36,7 +36,7 @@ bool has_python() {
   return false;
 }
 
-// Runs the page's lines and then `checks` in `folder`; 0 where all hold.
+// Runs the page's lines and then `checks` in `folder`; 0 if all checks hold.
 int run_python(const Folder& folder, const std::string& code, const std::string& checks) {
   std::ofstream(folder / "read.py") << code << checks;
   std::fflush(nullptr);

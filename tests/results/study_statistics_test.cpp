@@ -46,8 +46,8 @@ TEST_CASE("middle, band and dispersion of a figure, of those cases that have it"
 }
 
 TEST_CASE("Wilson's interval holds a probability as often as it says") {
-  // The chance of `hits` of `count` is known, so the share of all outcomes whose interval holds p is exact; it swings
-  // with p, and its mean over p is the confidence to 1.5 %.
+  // The probability of `hits` of `count` is known, so the share of all outcomes whose interval contains p is exact. It
+  // oscillates with p, and its mean over p is the confidence to 1.5 %.
   for (const int count : {50, 120, 200})
     for (const double confidence : {0.5, 0.8, 0.9, 0.95, 0.99}) {
       std::vector<Confidence> interval;  // [hits]
@@ -68,14 +68,14 @@ TEST_CASE("Wilson's interval holds a probability as often as it says") {
 }
 
 TEST_CASE("middle and band of many normal values are at 50, 16 and 84 %") {
-  // The values at equal shares of a normal distribution, without chance.
+  // The values at equal shares of a normal distribution, without randomness.
   std::vector<double> values;
   for (int i = 0; i < 2000; ++i) values.push_back(3 + 2 * trilith::normal_quantile((i + 0.5) / 2000));
   const Spread s = spread_of(values);
   CHECK(near(s.median, 3, 1e-9));
   CHECK(near(s.mean, 3, 1e-9));
   CHECK(near(s.deviation, 2, 2e-3));
-  // Type 7 takes the value at place 1999 p of those counted from 0, which stand at shares (i + 0.5) / 2000.
+  // Type 7 takes the value at index 1999 p, counted from 0; values are at the shares (i + 0.5) / 2000.
   CHECK(near(s.lower, 3 + 2 * trilith::normal_quantile((0.16 * 1999 + 0.5) / 2000), 1e-5));
   CHECK(near(s.upper, 3 + 2 * trilith::normal_quantile((0.84 * 1999 + 0.5) / 2000), 1e-5));
   for (double& v : values) v = std::exp(v / 10);

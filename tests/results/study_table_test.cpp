@@ -1,4 +1,4 @@
-// The table of a study: read back, and damaged in ways that HDF5 itself does not catch.
+// The table of a study: read back, and damage that HDF5 itself does not detect.
 #include "results/study/study_table.hpp"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ TEST_CASE("a study's column of whole numbers wider than their own bytes is refus
   const std::filesystem::path path = folder / "study.h5";
   results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);
   CHECK(results::read_study_table(path).size() == 1);
-  // How HDF5 writes the type of a signed number of 4 bytes; its last two bytes are the bits that count: 32.
+  // HDF5's encoding of the type of a signed 4-byte number; its last two bytes are the number of significant bits: 32.
   const std::string whole_number{"\x10\x08\x00\x00\x04\x00\x00\x00\x00\x00\x20\x00", 12};
   std::string bytes = bytes_of(path);
   int found = 0;
@@ -38,8 +38,8 @@ TEST_CASE("a study's column of whole numbers wider than their own bytes is refus
 
 namespace {
 
-/// How a process of its own ends that reads a table and leaves in order, the library's clean-up included: its code, or
-/// 1000 and the number of the signal that ended it.
+/// Exit code of a child process that reads a table and exits in order, with the library's clean-up; 1000 plus the
+/// number of the signal if one ended it.
 int end_of_reading(const std::filesystem::path& path) {
   std::fflush(nullptr);
   const pid_t child = ::fork();
@@ -64,7 +64,8 @@ TEST_CASE("a table whose head leads beyond its end is refused by a process that 
   const std::filesystem::path path = folder / "study.h5";
   results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);
   CHECK(end_of_reading(path) == 0);
-  // The root's messages go on elsewhere: type and size of that message, then where (8 bytes) and how many (8 bytes).
+  // The root's messages continue at another place: type and size of this message, then position (8 bytes) and length (8
+  // bytes).
   const std::string goes_on{"\x10\x00\x10\x00\x00\x00\x00\x00", 8};
   std::string bytes = bytes_of(path);
   const std::size_t at = bytes.find(goes_on);

@@ -1,4 +1,5 @@
-// Made-up results in space: boxes that fly and turn at constant rates, so that where they are follows from the time.
+// Invented results in space: boxes that fly and rotate at constant rates, so that their positions are functions of
+// time.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,10 +15,10 @@
 
 namespace trilith::testing {
 
-/// A box with its faces along its own axes. It goes along `velocity` [m/s] and turns about `spin` [rad/s] from `begin`
-/// [s] on.
+/// A box with its faces along its own axes. It moves with `velocity` [m/s] and rotates with `spin` [rad/s] from the
+/// time `begin` [s] on.
 struct FlyingBox {
-  Vec3 half;  ///< half its edges, m
+  Vec3 half;  ///< half of its edges [m]
   Vec3 start = Vec3::Zero();
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
   std::string group = "stones", support = "free";
@@ -30,8 +31,8 @@ struct FlyingBox {
   }
 };
 
-/// A slab that is held, and three stones above it, of which the first (body 1, 0.4 m x 0.2 m x 0.1 m) turns about a
-/// skew axis.
+/// A fixed slab, and three stones above it, of which the first (body 1, 0.4 m x 0.2 m x 0.1 m) rotates about an oblique
+/// axis.
 inline std::vector<FlyingBox> tumbling_boxes() {
   return {{{1, 0.8, 0.1}, {0, 0, -0.1}, Vec3::Zero(), Vec3::Zero(), "slab", "fixed"},
           {{0.2, 0.1, 0.05}, {-0.4, 0, 0.5}, {0.1, 0.2, 0.3}, {1, 2, -1.5}},
@@ -64,8 +65,8 @@ inline results::ContactForce sample_contact(int last) {
   return contact;
 }
 
-/// Writes `frames` frames of the boxes, `interval` [s] apart, with velocities, one contact and, where asked for, one
-/// bearing between the first two bodies.
+/// Writes `frames` frames of the boxes at an interval of `interval` [s], with velocities, one contact and, if
+/// requested, one bearing between the first two bodies.
 inline void record_boxes(const std::filesystem::path& path, const std::vector<FlyingBox>& boxes, int frames,
                          double interval, bool with_bearing = true) {
   results::Header header;

@@ -6,9 +6,9 @@
 
 namespace trilith::testing {
 
-inline constexpr double block_weight = 2000 * 1 * 0.5 * standard_gravity;  // N
+inline constexpr double block_weight = 2000 * 1 * 0.5 * standard_gravity;  // [N]
 
-/// `height`: of the fall, m.
+/// `height`: drop height [m].
 inline Model<2> dropped_block(double height) {
   ModelBuilder builder;
   builder.add_material({"stone", 2000});
@@ -35,7 +35,7 @@ inline StageOptions fall_stage(double duration = 1.5) {
   StageOptions o;
   o.name = "fall";
   o.duration = duration;
-  o.safety = 0.2;  // so that the blow is some ten steps, and its energy right to a percent
+  o.safety = 0.2;  // so that the impact takes about ten steps, and its energy is right to one percent
   o.frame_interval = 0.02;
   o.history_interval = 0.01;
   o.energy_interval = 0.02;

@@ -1,5 +1,5 @@
-// One span on two piers whose right one walks away: the bearings fail, the span loses its seat and falls. A collapse in
-// three seconds, for the recording, the pictures and the program's verbs.
+// One span on two piers, the right one of which moves away: the bearings fail, the span loses its seat and falls. A
+// collapse in three seconds, for tests of recording, pictures and the program's verbs.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ inline void add_part(ModelBuilder& builder, const Part& part, bool fixed) {
   builder.add_body(std::move(spec));
 }
 
-/// `along`: its law, and the displacement that ends it [m].
+/// `along`: its law, and its displacement limit [m].
 inline BearingSpec span_bearing(const std::string& name, const std::string& pier, double x, const DirectionLaw& along,
                                 double limit) {
   BearingSpec b;
@@ -78,14 +78,14 @@ inline Model<2> falling_span() {
   return builder.build();
 }
 
-/// The right ground goes 0.8 m to the right within a second and stays there.
+/// The right ground moves by 0.8 m to the right within a second and stays there.
 inline std::shared_ptr<const GroundMotion> walk_away() {
   const double a = 3.2;
   const std::vector<double> samples{a, a, a, a, a, -a, -a, -a, -a, -a};
   return std::make_shared<GroundMotion>(samples, 0.1);
 }
 
-/// The whole collapse, recorded to `path` and heard by `listener` too.
+/// The complete collapse, recorded to `path` and reported to `listener` too.
 inline void record_falling_span(const std::filesystem::path& path, double seconds = 2.5) {
   Simulation<2> simulation(falling_span());
   RecordingOptions<2> options;

@@ -1,4 +1,4 @@
-// The equilibria of a path of loads, told as frames and samples of the stage that ends it.
+// Equilibria of a load path, recorded as frames and samples of the stage that ends it.
 #include "run/load_way.hpp"
 
 #include "near.hpp"
@@ -42,7 +42,7 @@ TEST_CASE("every equilibrium of a path is told as a frame with its place and loa
     CHECK(report.end == StageEnd::rest);
     CHECK(sim.model().point_loads[0].force == loaded.point_loads[0].force);
     CHECK(near(sim.state().position[apex].y(), end.position[apex].y(), 1e-9));
-    // And one more of the end itself, as of any stage.
+    // Plus one of the end itself, as for any stage.
     CHECK(heights.size() == (asked ? way.points.size() + 1 : 0));
     CHECK(samples == heights.size());
     for (std::size_t i = 0; asked && i < way.points.size(); ++i) {

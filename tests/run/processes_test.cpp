@@ -77,7 +77,7 @@ TEST_CASE("a process waits for its turn, begins when that has come and is left o
   ProcessWatch watch = ends.watch();
   std::vector<std::size_t> begun;
   watch.begun = [&](std::size_t n) { begun.push_back(n), ++ends.at_work; };
-  // 3 after 0, which is slow; 4 after 1; 5 never; 2 at once.
+  // 3 after the slow 0; 4 after 1; 5 never; 2 at once.
   watch.turn = [&](std::size_t n) {
     if (n == 5) return OrderTurn::never;
     if (n >= 3 && !ends.of.contains(n - 3)) return OrderTurn::later;

@@ -30,7 +30,7 @@ RecordingOptions<2> options() {
   return o;
 }
 
-/// Runs the fall and records it to `path`; gives the hash of the last state.
+/// Runs the fall and records it to `path`; returns the hash of the last state.
 std::uint64_t record_fall(const std::filesystem::path& path, double height, double duration = 1.5) {
   Simulation<2> simulation(dropped_block(height));
   Recording<2> recording(path, simulation.model(), simulation.state(), options());

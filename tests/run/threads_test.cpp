@@ -1,4 +1,4 @@
-// Steps that several threads share: the bits of one.
+// Steps shared by several threads have the bits of a single thread.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace trilith::testing {
 namespace {
 
-/// Counts of threads that are tried against one: fewer and more than the machine has.
+/// Thread counts compared with one: fewer and more than the machine has.
 constexpr std::array more_threads{2, 3, 5};
 
 StageOptions shaking(double duration) {
@@ -22,7 +22,7 @@ StageOptions shaking(double duration) {
   return options;
 }
 
-/// A facade of one leaf between two returns, dry, under a weight that pulls it outward: it comes down.
+/// A dry single-leaf facade between two returns, under gravity that pulls it outward: it collapses.
 Model<3> falling_facade() {
   SolidModelBuilder builder;
   Material stone;
@@ -50,7 +50,7 @@ Model<3> falling_facade() {
   return builder.build();
 }
 
-/// Blocks of many turns that fall on each other in the plane.
+/// Blocks of many rotations that fall on each other in the plane.
 Model<2> pour() {
   Scene scene(Frictional{1e7, 4e6, 0.5, 1e-3});
   scene.fixed("ground", box(-4, -1, 4, 0));
@@ -65,8 +65,8 @@ Model<2> pour() {
   return scene.builder.build();
 }
 
-/// A wall in running bond whose ground leans, so that it comes apart and slides down: more rows, bodies and elements
-/// than one thread would take at a time.
+/// A wall in running bond whose ground is tilted, so that it breaks apart and slides down: more rows, bodies and
+/// elements than one thread takes at a time.
 Model<2> leaning_wall(const ContactLaw& law, BodyKind kind, int divisions) {
   ModelBuilder builder;
   builder.add_material({"stone", 2000, Solid{LinearElastic{1e9, 0.2, 1e-5}}});

@@ -28,12 +28,12 @@ std::string head_of(const std::string& data) {
   return data.substr(12, number_at(data, 8));
 }
 
-/// The number that stands behind `key` in `text`, from `from` on.
+/// The number after `key` in `text`, searched from `from` on.
 double value_of(const std::string& text, const std::string& key, std::size_t from) {
   return std::stod(text.substr(text.find("\"" + key + "\":", from) + key.size() + 3));
 }
 
-/// Block `name` as numbers, as the page reads it.
+/// Block `name` as numbers, as read by the page.
 struct Read {
   Read(const std::string& data, const std::string& name) {
     const std::string head = head_of(data);

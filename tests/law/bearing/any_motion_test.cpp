@@ -1,4 +1,4 @@
-// Laws with any numbers they allow, moved in any way: nothing but numbers comes out.
+// Laws with any allowed numbers and any motion: all results are finite.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace trilith::testing;
 
 namespace {
 
-/// The ends of a range come often.
+/// A random number, often at an end of its range.
 template <class L>
 double any_number(const Parameter<L>& p, std::mt19937_64& bits) {
   const double most = p.most < unbounded ? p.most : std::pow(10, random_between(bits, -8, 12));

@@ -1,4 +1,4 @@
-// Every law that a direction of a bearing can follow, from their list.
+// Samples of every law of a bearing direction, from their list.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace trilith::testing {
 
-/// Such that displacements of some centimetres under some 10 kN of compression pass yield, gap and sliding.
+/// Numbers for which displacements of some centimetres under about 10 kN of compression pass yield, gap and sliding.
 inline const UsualNumbers usual_in_bearings{{"N/m", 1e6}, {"N", 3e3}, {"m", 0.02}, {"1", 0.3}, {"N s/m", 0}};
 
 struct DirectionSample {
@@ -17,7 +17,7 @@ struct DirectionSample {
   DirectionLaw law;
 };
 
-/// The samples of every law, with `damping` [N s/m] where they have a dashpot.
+/// Samples of every law, with `damping` [N s/m] if the law has a dashpot.
 inline std::vector<DirectionSample> direction_samples(double damping) {
   std::vector<DirectionSample> all;
   DirectionLaws::for_each([&]<class L>() {

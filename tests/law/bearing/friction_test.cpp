@@ -17,7 +17,7 @@ TEST_CASE("friction goes from that at rest to that of fast sliding, as 1 - exp(-
   for (const double rate : {20.0, 50.0, 100.0})
     for (const double speed : {1e-6, 0.005, 0.02, 0.1, 2.0}) {
       LedLaw<Friction> led{{slow, 1e9, 0, fast, rate, 1, 0}, 1e-3, load};
-      for (int i = 0; i < 3; ++i) led.to(led.at - 1e-3);  // beyond the slack, against the motion to come
+      for (int i = 0; i < 3; ++i) led.to(led.at - 1e-3);  // beyond the slack, against the following motion
       led.dt = 1e-3 / speed;
       for (int i = 0; i < 3; ++i) led.to(led.at + 1e-3);
       CHECK(near(led.now.force(), load * (fast - (fast - slow) * std::exp(-rate * speed)), 1e-12));
@@ -61,7 +61,7 @@ TEST_CASE("a power of the load without its reference is refused, under the law's
 TEST_CASE("D3, R4 in one direction: at its reach a pendulum carries N d / R and its friction against the motion") {
   const double radius = 2, mu = 0.05, weight = 1e6, reach = 0.2;
   LedLaw<Pendulum> led{{radius, mu, 1e9, 0}, 1e-3, weight};
-  led.now = led.law.respond({0, 0, 0, weight}, {});  // in place under its load
+  led.now = led.law.respond({0, 0, 0, weight}, {});  // placed under its load
   led.along(reach), led.along(-reach), led.along(reach);
   CHECK(near(led.now.force(), 100e3 + 50e3, 1e-9));
   led.along(reach - 1e-3);

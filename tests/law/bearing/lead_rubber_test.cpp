@@ -1,4 +1,4 @@
-// Lead rubber bearing: the loop engineers design with, and the ways to say how stiff it is.
+// Lead rubber bearing: the design loop of engineers, and the alternative inputs of its stiffness.
 #include "law/bearing/lead_rubber.hpp"
 
 #include <doctest/doctest.h>

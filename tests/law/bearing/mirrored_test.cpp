@@ -1,4 +1,4 @@
-// Laws whose displacement counts the other way.
+// Laws with the opposite sign of displacement.
 #include "law/bearing/mirrored.hpp"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace trilith::testing {
 namespace {
 
-/// Led along a random path and its mirror, law and mirror give opposite forces and the same energies.
+/// Along a random path and its mirror image, a law and its mirror have opposite forces and equal energies.
 template <class L>
 void check_mirror(const L& law) {
   CAPTURE(describe(law));

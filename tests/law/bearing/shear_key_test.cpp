@@ -1,4 +1,4 @@
-// Shear keys: elastic, then broken for good, with friction or without.
+// Shear keys: elastic, then broken permanently, with or without friction.
 #include "law/bearing/shear_key.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Viscous dampers by themselves and on a spring: loops, relaxation, limits.
+// Viscous dampers alone and on a spring: loops, relaxation, limits.
 #include "law/bearing/viscous.hpp"
 
 #include <doctest/doctest.h>

@@ -18,7 +18,7 @@ constexpr double fc = 30e6;
 template <class L>
 double plastic_after(LedFibre<L> led) {
   led.along(0, 4000);
-  double low = -1, high = 0;  // of the strain where it closes: there the stress is 0
+  double low = -1, high = 0;  // bounds of the closing strain, at which the stress is 0
   for (int i = 0; i < 100; ++i) {
     const double e = 0.5 * (low + high);
     (led.law.respond(e, led.now.memory).stress() < 0 ? low : high) = e;
@@ -94,7 +94,7 @@ TEST_CASE("a crack opens along its line, closes to where it began, and has cost 
   CHECK(led.now.stress() == 0);
   MESSAGE("crack " << led.lost << " J/m3, closed form " << 0.5 * tension * end);
   CHECK(near(led.lost, 0.5 * tension * end, 1e-3));
-  led.along(-1e-4);  // closed: as if there were no crack
+  led.along(-1e-4);  // closed: as without a crack
   CHECK(near(-led.now.stress(), fc * (0.1 - 0.0025), 1e-12));
 }
 

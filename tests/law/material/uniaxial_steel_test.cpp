@@ -15,7 +15,7 @@ using testing::near_zero;
 
 constexpr double modulus = 2e11, yield_stress = 4e8, yield_strain = yield_stress / modulus;
 
-/// The curve of Menegotto and Pinto from a reversal to a point.
+/// The Menegotto-Pinto curve from a reversal to a point.
 double curve_of(double e, double e_r, double s_r, double e_0, double s_0, double b, double r) {
   const double x = (e - e_r) / (e_0 - e_r);
   return s_r + (s_0 - s_r) * (b * x + (1 - b) * x / std::pow(1 + std::pow(std::abs(x), r), 1 / r));
@@ -33,7 +33,7 @@ TEST_CASE("bilinear steel: first line, second line, and the loop of kinematic ha
   CHECK(near(led.now.stress(), -top, 1e-12));
   const double lost = led.lost;
   led.along(reach), led.along(-reach);
-  // A steady loop: 2 yield across, on both of its long sides (2 reach - 2 yield strains of strain, less b of it).
+  // A steady loop: 2 yield across, on both of its long sides (2 reach - 2 yield strains of strain, minus b of it).
   const double area = 4 * yield_stress * (1 - b) * (reach - yield_strain);
   MESSAGE("kinematic loop " << led.lost - lost << " J/m3, closed form " << area);
   CHECK(near(led.lost - lost, area, 1e-3));

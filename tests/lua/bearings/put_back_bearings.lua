@@ -1,5 +1,5 @@
--- A bearing that is put back begins free of force where its points are; with from = "start" it counts from its first
--- place. A prop under a beam that has sagged, in the plane and in space.
+-- A reactivated bearing starts without force at the current position of its points; with from = "start" it counts from
+-- its first position. A prop under a beam that has sagged, in the plane and in space.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 local stiffness = 1e11

@@ -1,6 +1,5 @@
--- No body passes through another one unreported. A block that falls on a fixed plate lies on it at the end, whatever
--- the
--- plate, the height, the integrator and the longest step are. Laws that are too soft to hold a body: sinking.lua.
+-- No body passes through another one without a report. A block that falls on a fixed plate lies on it at the end, for
+-- any plate, height, integrator and longest step. Laws too soft to hold a body: see sinking.lua.
 local trilith = require "trilith"
 
 -- A body of 0.1 m falls from `height` on a plate of `thick`.

@@ -1,5 +1,5 @@
--- A law too soft to hold a body: that it sinks through is reported once, and the run is not sound. Bodies of exactly
--- equal thickness are among them.
+-- A law too soft to hold a body: sinking through is reported once, and the verdict is unsound. Bodies of exactly equal
+-- thickness are included.
 local trilith = require "trilith"
 
 local function sink(dim, form, thick, high, wide, integrator)

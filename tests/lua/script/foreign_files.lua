@@ -1,5 +1,4 @@
--- Solids and meshes as other programs write them, and joints with the names of places: read, or
--- refused with the remedy.
+-- Solids and meshes in files of other programs, and joints with the names of places: read, or rejected with the remedy.
 local trilith = require "trilith"
 local name = os.tmpname()
 os.remove(name)
@@ -27,7 +26,7 @@ local function solids(ending, text, more)
   return mass, table.concat(m.notes, "\n"), #made
 end
 
--- A box of 1 x 0.6 x 0.4 m, 240 kg; `noise` moves its corners, each time by another amount.
+-- A box of 1 m x 0.6 m x 0.4 m, 240 kg; `noise` moves its corners, differently at each call.
 local box = { { -0.5, -0.3, 0 }, { 0.5, -0.3, 0 }, { 0.5, 0.3, 0 }, { -0.5, 0.3, 0 }, { -0.5, -0.3, 0.4 },
   { 0.5, -0.3, 0.4 },
   { 0.5, 0.3, 0.4 }, { -0.5, 0.3, 0.4 } }
@@ -106,7 +105,7 @@ for _, case in ipairs(refused) do
   assert(not mass and message:find(case[3], 1, true), tostring(message))
 end
 
--- Two boxes under one name, or without one: told, and bodies of their own where that is asked for.
+-- Two boxes with one name, or without one: a note, and separate bodies if requested.
 local second = obj:gsub("v (%S+)", function(x) return ("v %g"):format(x + 2) end)
   :gsub("f (%d+) (%d+) (%d+) (%d+)", function(...)
     local moved = { ... }
@@ -123,7 +122,7 @@ for _, text in ipairs { "o Cube\n" .. obj .. "o Cube\n" .. second, obj .. second
   assert(count == 2, notes)
 end
 
--- Meshes whose parts have nodes of their own at one place.
+-- Meshes whose parts have separate nodes at the same position.
 local function mesh_refusal(dim, nodes, elements)
   local m = trilith.model { name = "mesh", dim = dim }
   m:material { name = "stone", density = 1000, E = 1e8, nu = 0.2 }
@@ -147,7 +146,7 @@ end
 local message = mesh_refusal(3, deep, { { 1, 2, 3, 4, 5, 6, 7, 8 }, { 9, 10, 11, 12, 13, 14, 15, 16 } })
 assert(message:find("in one place, so it is open there; make them one", 1, true), message)
 
--- A joint goes before the place of the same name: a load on it is carried as one at its coordinates.
+-- A joint takes precedence over the place of the same name: a load on it acts as one at its coordinates.
 local function sag(dim, at)
   local m = trilith.model { name = "top", gravity = 0, dim = dim }
   m:material { name = "steel", density = 7850, E = 2e11, nu = 0.3 }

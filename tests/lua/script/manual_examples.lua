@@ -1,4 +1,4 @@
--- The example of each declaration in lua/manual runs as it stands, on a model of a block on fixed ground.
+-- The example of each declaration in lua/manual runs unchanged on a model of a block on fixed ground.
 local trilith = require "trilith"
 
 local function new_model(name)

@@ -1,4 +1,4 @@
--- Any number of models in one process: they share nothing, and the same input gives the same bits.
+-- Any number of models in one process: they share no state, and the same input gives the same bits.
 local trilith = require "trilith"
 local function block(height)
   local m = trilith.model { name = "block" }
@@ -26,7 +26,7 @@ for _ = 1, 5 do
 end
 assert(a.hash == d.hash)
 
--- a law may serve several models, whatever other laws they have: it is known by its numbers
+-- a law may be used by several models, whatever their other laws: it is identified by its numbers
 local rough = trilith.frictional { kn = 1e9, ks = 1e9, mu = 0.9 }
 local e, f = trilith.model {}, trilith.model {}
 e:contact { between = { "*", "*" }, law = rough }
@@ -41,7 +41,7 @@ local laws = {}
 for _, contact in ipairs(f:contacts { between = { "top", "left" } }) do laws[#laws + 1] = contact.law end
 assert(laws[1] == "frictional 2", laws[1])
 
--- handles outlive the name of their model; a closed model says so
+-- handles may outlive their model; reading a closed model raises an error
 local body = c:body "block"
 c:close()
 local good, message = pcall(function() return body.x end)

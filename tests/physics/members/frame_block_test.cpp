@@ -1,4 +1,4 @@
-// Rigid blocks that are joints of a frame: mass and inertia on a cantilever, free flight, contact on their faces.
+// Rigid blocks as joints of a frame: mass and inertia on a cantilever, free flight, contact on their faces.
 #include "modal/modes.hpp"
 #include "near.hpp"
 #include "physics/members/frames.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double young = 2e11, height = 3, density = 7850;
 
-/// A light post of 3 m with a block of 1 m by 0.6 m on it, which the post enters from below.
+/// A light post of 3 m with a block of 1 m by 0.6 m on it; the post's axis enters the block from below.
 BodySpec post_with_block() {
   BodySpec spec = beam_body("post", {0, 0}, {0, height}, rectangle_section(0.05, 0.1), "steel", 6);
   FrameJoint& head = spec.frame->joints[1];
@@ -18,12 +18,12 @@ BodySpec post_with_block() {
   return spec;
 }
 
-/// The two frequencies of a massless cantilever with a rigid body on its tip, whose centre is `arm` beyond [Hz].
+/// The two frequencies of a massless cantilever with a rigid body at its tip, whose centre is `arm` [m] beyond [Hz].
 std::array<double, 2> two_frequencies(double stiffness, double mass, double inertia, double arm) {
   const double l = height;
   Eigen::Matrix2d k, m;
   k << 12 * stiffness / (l * l * l), -6 * stiffness / (l * l), -6 * stiffness / (l * l), 4 * stiffness / l;
-  // Of the tip: sideways and turning; the centre goes sideways by u + arm turn where turning is along the way.
+  // Of the tip: displacement u and rotation; the centre moves by u + arm rotation.
   m << mass, mass * arm, mass * arm, inertia + mass * arm * arm;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(k, m);
   return {std::sqrt(solver.eigenvalues()[0]) / (2 * M_PI), std::sqrt(solver.eigenvalues()[1]) / (2 * M_PI)};
@@ -86,7 +86,7 @@ TEST_CASE("a block that is a footing stands on the ground with its faces and car
   foot.block = box(-1, 0, 1, 0.5), foot.place = {0, 0.25};
   scene.builder.add_body(spec);
   const Model<2> model = scene.builder.build();
-  // The post begins where its way leaves the block.
+  // The post begins where its axis leaves the block.
   CHECK(near(model.beams.front().arm[0].y(), 0.25, 1e-12));
   Simulation<2> sim(model);
   const StageReport report = settle(sim, 20, 1e-7);

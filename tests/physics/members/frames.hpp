@@ -52,7 +52,7 @@ inline Model<2> of_frames(const Material& material, std::vector<BodySpec> specs)
   return builder.build();
 }
 
-/// A load on a body at a point of it, full at once or along `curve`.
+/// A load on a body at a point of it, with its full value at once or along `curve`.
 inline void add_load(Model<2>& model, const std::string& body, const Vec2& at, const Vec2& force, double moment = 0,
                      const LoadCurve& curve = {}) {
   PointLoadSpec spec;
@@ -63,7 +63,7 @@ inline void add_load(Model<2>& model, const std::string& body, const Vec2& at, c
 /// Degrees of freedom of a node.
 using NodeDofs = std::array<double, 3>;
 
-/// Of the beams' forces on every node.
+/// Sum of the beams' forces on every node.
 inline std::vector<NodeDofs> forces_at(const Model<2>& model, const State<2>& state) {
   Work<2> work;
   internal_forces(model, state, work);
@@ -77,8 +77,8 @@ inline double& dof_of(State<2>& state, int node, int k) {
   return k == 2 ? state.rotation[node] : state.position[node][k];
 }
 
-/// The free degrees of freedom (node, which), and the stiffness between them at `state`: central differences of the
-/// beams' forces.
+/// The free degrees of freedom (node, direction), and the tangent stiffness between them at `state` by central
+/// differences of the beams' forces.
 struct FreeStiffness {
   std::vector<std::pair<int, int>> dofs;
   Eigen::MatrixXd matrix;

@@ -1,11 +1,11 @@
-// Stages of implicit steps for the physics tests, and one mass on one law.
+// Stages of implicit steps for the physics tests, and a single mass on a single law.
 #pragma once
 
 #include "physics/scene.hpp"
 
 namespace trilith::testing {
 
-/// Steps of length dt as they are, however much of their energies they miss.
+/// Fixed steps of length dt, whatever their energy error.
 inline StageOptions implicit_stage(const AlphaScheme& scheme, double duration, double dt) {
   StageOptions o;
   o.duration = duration, o.dt = dt, o.implicit = scheme;
@@ -13,14 +13,14 @@ inline StageOptions implicit_stage(const AlphaScheme& scheme, double duration, d
   return o;
 }
 
-/// The same, halved where they miss their energies.
+/// Steps of length dt that are halved if their energy error is too large.
 inline StageOptions adaptive_stage(const AlphaScheme& scheme, double duration, double dt) {
   StageOptions o = implicit_stage(scheme, duration, dt);
   o.tolerance = 1e-8, o.accuracy = 1e-3;
   return o;
 }
 
-/// A mass that moves along x alone, without weight, held to a fixed base by one law.
+/// A mass that moves along x alone, without weight, connected to a fixed base by one law.
 struct MassOnLaw {
   DirectionLaw law;
   double mass = 1, velocity = 0, load = 0;  ///< [kg], [m/s], [N]
@@ -44,7 +44,7 @@ struct MassOnLaw {
   }
 };
 
-/// Displacement of the mass at every instant of a stage, the first one too [m].
+/// Displacement of the mass at every instant of a stage, with the first one [m].
 inline std::vector<double> history_of(const MassOnLaw& what, const StageOptions& stage) {
   Simulation<2> sim(what.model());
   const int node = node_of(sim.model(), "mass");

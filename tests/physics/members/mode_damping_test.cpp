@@ -1,4 +1,4 @@
-// Shares of critical damping of modes, against their closed forms.
+// Modal damping ratios against their closed forms.
 #include "modal/mode_damping.hpp"
 
 #include "assembly/start.hpp"
@@ -16,7 +16,7 @@ std::vector<ModeDamping> damping_of(const Model<2>& model, int count, std::vecto
   return mode_damping(model, state, found);
 }
 
-/// A block that hangs on nothing but its joint: no weight, full contact is kept by a bond that does not break.
+/// A block connected by its joint alone: no weight; an unbreakable bond keeps full contact.
 Model<2> block_on_mortar(double beta, double mass_damping) {
   Scene scene(Bonded{1e9, 4e8, 0.6, beta, 1e12, 1e12});
   scene.set_gravity({0, 0});

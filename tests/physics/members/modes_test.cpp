@@ -12,7 +12,7 @@ struct Settled {
   State<2> state;
 };
 
-/// Cubes or blocks on top of each other on a fixed base, of a thickness out of plane, settled under weak gravity.
+/// A stack of cubes or blocks on a fixed base, with an out-of-plane thickness, settled under weak gravity.
 Settled settled_stack(double width, double height, int count, double gravity) {
   ModelBuilder builder;
   builder.thickness = width;

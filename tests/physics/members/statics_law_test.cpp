@@ -1,4 +1,4 @@
-// Statics with laws that remember their way, with deformable bodies, and with input that makes no sense.
+// Statics with history-dependent laws, with deformable bodies, and with invalid input.
 #include "base/error.hpp"
 #include "near.hpp"
 #include "physics/members/implicit.hpp"
@@ -8,7 +8,7 @@
 namespace trilith::testing {
 namespace {
 
-/// A block of 100 kg, 1 m long, with 1 N to the right low on it.
+/// A block of 100 kg, 1 m long, with a force of 1 N to the right near its bottom.
 Model<2> pulled_block() {
   Scene scene(Frictional{1e9, 5e8, 0.6, 1e-5});
   scene.fixed("base", box(-5, -1, 5, 0));
@@ -142,7 +142,7 @@ TEST_CASE("statics refuses what makes no sense") {
   CHECK_THROWS_AS(follow_loads(model, state, o), InputError);
   o.first = 1, o.control = PathControl::displacement;
   CHECK_THROWS_AS(follow_loads(model, state, o), InputError);
-  o.followed = {{{0, 0}, 1}};  // the base, which is held
+  o.followed = {{{0, 0}, 1}};  // the base, which is fixed
   CHECK_THROWS_AS(follow_loads(model, state, o), InputError);
   EquilibriumOptions rest;
   rest.tolerance = 0;

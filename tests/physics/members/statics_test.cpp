@@ -1,11 +1,11 @@
-// Paths of frames and blocks under growing loads: limit points, snap-back, large bending.
+// Equilibrium paths of frames and blocks under growing loads: limit points, snap-back, large bending.
 #include "near.hpp"
 #include "physics/members/statics_frames.hpp"
 
 namespace trilith::testing {
 namespace {
 
-/// The path by arcs of `first` [m] until the followed displacement of node `n` is beyond `to`; down is positive.
+/// The path by arcs of `first` [m] until the followed displacement of node `n` is beyond `to`; positive down.
 LoadPath arc_path(const Model<2>& model, int n, double first, double longest, double to) {
   State<2> state = initial_state(model);
   LoadPathOptions o;
@@ -57,7 +57,7 @@ TEST_CASE("F4: by arc length Lee's frame snaps back beyond its first limit load 
   CHECK(near(path.limits[0].displacement, .4873, 0.005));
   CHECK(near(path.limits[1].factor, -9232.5, 0.005));
   CHECK(near(path.limits[1].displacement, .5822, 0.005));
-  // Between the two limits the place of the load goes back on its way.
+  // Between the two limit points the loaded point moves backwards.
   double farthest = 0, back = 0;
   for (const PathPoint& p : path.points) {
     if (p.factor < path.limits[1].factor) break;

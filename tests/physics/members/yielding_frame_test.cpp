@@ -1,4 +1,4 @@
-// Members of frames that yield, run by the engine: plastic collapse, hinges that are lost, fibres, energy books.
+// Yielding frame members in the engine: plastic collapse, hinges with ultimate rotation, fibres, energy ledger.
 #include "model/io/state_words.hpp"
 #include "near.hpp"
 #include "physics/members/implicit.hpp"
@@ -9,14 +9,14 @@
 namespace trilith::testing {
 namespace {
 
-/// Steps as long as they are, for loads that come on slowly.
+/// Fixed steps, for slowly growing loads.
 StageOptions slow_stage(double duration) {
   StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), duration, 0.02);
   stage.tolerance = 1e-8;
   return stage;
 }
 
-/// How far the portal's corner and mid-span have gone, a second after loads of `share` have come on [m].
+/// Displacement of the portal's corner and of mid-span, one second after loads of `share` reach their full value [m].
 double gone_under(const YieldingPortal& portal, double share) {
   Simulation<2> sim(portal.model(share));
   sim.run(slow_stage(3));

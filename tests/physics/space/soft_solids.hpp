@@ -23,7 +23,7 @@ inline SolidSpec fixed_box(const std::string& name, const Polyhedron& box) {
   return spec;
 }
 
-/// Bodies of one soft material with one law between all.
+/// Bodies of one soft material with one contact law for all pairs.
 inline SolidModelBuilder soft_world(const ContactLaw& law, double young, double poisson, double damping = 0,
                                     double density = 2000) {
   SolidModelBuilder builder;

@@ -40,7 +40,7 @@ inline Model<2> alone(const Material& material, BodySpec spec) {
   return builder.build();
 }
 
-/// Node of the model that stands at `at` at the start.
+/// Node of the model at the start position `at`.
 inline int node_at(const Model<2>& model, const Vec2& at) {
   int best = 0;
   for (int n = 0; n < model.nodes(); ++n)
@@ -49,8 +49,8 @@ inline int node_at(const Model<2>& model, const Vec2& at) {
   return best;
 }
 
-/// Small displacements under steady nodal forces [N], held where supports say so: K u = f with K from the elements'
-/// forces themselves, one column for each unit displacement.
+/// Small displacements under constant nodal forces [N], with fixed supports: K u = f with K from the elements' forces,
+/// one column for each unit displacement.
 inline std::vector<Vec2> solve_small(const Model<2>& model, const std::vector<Vec2>& load) {
   const double size = 1e-7 * model.body_radius[0];
   State<2> state = initial_state(model);

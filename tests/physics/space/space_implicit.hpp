@@ -8,7 +8,7 @@
 
 namespace trilith::testing {
 
-/// Steps of length dt as they are, however much of their energies they miss.
+/// Fixed steps of length dt, whatever their energy error.
 inline StageOptions steps_in_space(const AlphaScheme& scheme, double duration, double dt) {
   StageOptions o;
   o.duration = duration, o.dt = dt, o.implicit = scheme;
@@ -16,7 +16,7 @@ inline StageOptions steps_in_space(const AlphaScheme& scheme, double duration, d
   return o;
 }
 
-/// The same, halved where they miss their energies.
+/// Steps of length dt that are halved if their energy error is too large.
 inline StageOptions careful_steps(double duration, double dt) {
   StageOptions o = steps_in_space(AlphaScheme::hht(-0.05), duration, dt);
   o.tolerance = 1e-8, o.accuracy = 1e-3;
@@ -40,7 +40,7 @@ RunListener<3> after_each_step(F&& f) {
   return listener;
 }
 
-/// Of a node about its own place, in the axes of the world [kg m2/s].
+/// Inertia of a node about its own position, in world axes [kg m2/s].
 inline Vec3 turning_momentum(const Model<3>& model, const State<3>& state, std::size_t n) {
   return momentum_of(model.inertia[n], state.rotation[n], state.spin[n]);
 }

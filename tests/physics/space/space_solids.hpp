@@ -40,7 +40,7 @@ inline Model<3> alone_in_space(const Material& material, SolidSpec spec) {
   return builder.build();
 }
 
-/// The elements of a box whose inner nodes are moved by up to `by` at random, the nodes of its skin left.
+/// The elements of a box whose inner nodes are displaced by up to `by` at random; skin nodes keep their positions.
 inline SpaceMesh distorted_box(const Vec3& sides, const std::array<int, 3>& divisions, ElementShape shape, double by) {
   const Vec3 low = Vec3::Zero();
   SpaceMesh mesh = mesh_of(box_solid(low, sides), {BodyKind::mesh, divisions, ElementShape::brick}, "box");

@@ -1,4 +1,4 @@
-// Spheres in motion: they roll, slip, bounce, spin and collide as mechanics has it.
+// Spheres in motion: rolling, slipping, bouncing, spinning and colliding against closed forms.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -25,12 +25,12 @@ double mass_of_ball(double r = radius) {
   return density * 4.0 / 3 * std::numbers::pi * r * r * r;
 }
 
-/// How deep a ball lies on a plane by its weight: m g = kn pi R e^2 but for e / R.
+/// Penetration of a ball at rest on a plane: m g = kn pi R e^2 except for a share of e / R [m].
 double resting_depth(double kn, double weight) {
   return std::sqrt(weight / (kn * std::numbers::pi * radius));
 }
 
-/// A ball on a floor that is tilted by `angle`, lying as deep as the part of its weight across the floor has it.
+/// A ball on a floor tilted by `angle`, with the penetration of its weight's component normal to the floor.
 SolidRun on_slope(double angle, double mu, const Vec3& velocity = Vec3::Zero(), double kn = 1e10) {
   SpaceBuilder space;
   space.gravity(tilted_gravity(angle, 0));
@@ -118,8 +118,8 @@ TEST_CASE("without damping a ball bounces as high as it fell and with it as its 
     space.contact(0, 0, frictional(kn, kn, 0, beta), "bounces");
     SolidRun run(space.build(), 2e-6);
     run.run(0.02);
-    // m e'' = - F, F = kn pi (e')^2 (3 R' - 2 e') / 3 with e' = e + beta e' on the way out, and area beta e' on the way
-    // in.
+    // m d2e/dt2 = -F with the cap force F = kn pi e^2 (3 R - 2 e) / 3. During loading the damping adds kn beta (de/dt)
+    // times the area; during unloading e and R are reduced by beta |de/dt|.
     double e = 0, v = speed;
     const double dt = 1e-7, m = mass_of_ball();
     const auto cap = [&](double d, double r) { return d > 0 ? std::numbers::pi / 3 * d * d * (3 * r - 2 * d) : 0; };
