@@ -25,9 +25,9 @@ double residual(const HeldJoint& j) {
   return j.put_in + j.stored_at_first - j.stored() - j.fracture - j.friction - j.damping;
 }
 
-/// Mean penetration over the full length of a strip with end penetrations c0 and c1, with its mortar crushed [m]. The
-/// stress is a constant block if the strip is fully closed, otherwise a triangle whose mean over its length is the
-/// strength.
+/// Mean elastic penetration over the full length of a strip with end penetrations c0 and c1, once its mortar is crushed
+/// [m]. Its distribution is a trapezoid if the strip is fully closed, otherwise a triangle. The mean over the closed
+/// length is `strength`, the penetration at the strength [m].
 double crushed_mean(double c0, double c1, double strength) {
   const double high = std::max(c0, c1), low = std::min(c0, c1), slope = high - low;
   const double pressed_whole = 0.5 * (c0 + c1) - strength, pressed_at_end = high - 2 * strength;

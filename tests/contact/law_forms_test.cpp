@@ -15,8 +15,9 @@ using namespace trilith::testing;
 
 namespace {
 
-/// Tolerance relative to penetrations over the blocks' length of 1 m. Strips along the edges, where another face is the
-/// nearest, are as wide as the penetration, and the pressure of a nonlinear law is sampled at the end of the contact.
+/// Relative tolerance, above the ratio of the penetration to the blocks' length of 1 m. Strips along the edges, where
+/// another face is the nearest, are as wide as the penetration, and the pressure of a nonlinear law is sampled at the
+/// end of the contact.
 constexpr double trial_within = 1e-3;
 constexpr double trial_overlap = 2e-5, trial_speed = 0.2, trial_step = 1e-3;
 

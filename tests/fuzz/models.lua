@@ -72,7 +72,7 @@ function fuzz.make(name, dim)
   return all
 end
 
--- Prints whether the model is built and accepts no more parts.
+-- Prints the number of the program if the model is built, so that it accepts no more parts.
 function fuzz.tell_built(all, number)
   local takes = pcall(function() all.model:material { name = "later", density = 1000 } end)
   if not takes then io.write("built ", number, "\n") end

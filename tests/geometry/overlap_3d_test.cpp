@@ -169,7 +169,7 @@ TEST_CASE("the cut that leaves the least first gives what cuts in turn give") {
     if (o.volume < 1e-6) continue;
     ++meeting;
     CHECK((o.centroid - all.centroid).norm() < 1e-9);
-    // a corner of many faces becomes several points by clipping, so the counts may differ
+    // a corner of many faces becomes several points by clipping, so the numbers of points may differ
     CHECK(buffer.faces.size() == in_turn.faces.size());
   }
   CHECK(meeting > 1500);

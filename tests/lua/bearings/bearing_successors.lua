@@ -91,7 +91,7 @@ for _, dim in ipairs { 2, 3 } do
   m:close()
 end
 
--- The successor is set later, for one direction or for all, and removed together with its origin.
+-- `becomes_from` is set later, for one direction or for all, and removed together with the successor.
 do
   local m, first = handed_on(2, nil)
   m:run { duration = 0.01, dt = 5e-4 }

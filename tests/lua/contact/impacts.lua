@@ -66,8 +66,8 @@ check("mesh 4.7", { speed = 4.7, body = { mesh = { 4, 3 } } })
 -- checked.
 if report then check("brick 4.7", { speed = 4.7, dim = 3, body = "brick" }) end
 
--- Bearings that close and open: a stone oscillates between two stops, hangs on a cable, and hits a dashpot once, which
--- must leave a given part of its speed. In the plane and in space.
+-- Bearings that close and open: a stone oscillates between two stops, or on a cable, or hits once a stop with a
+-- dashpot, which must leave a given part of its speed. In the plane and in space.
 local function struck_bearing(dim, law, seconds, options)
   local m = trilith.model { name = "stops", dim = dim, gravity = 0 }
   m:contact { between = { "*", "*" }, law = "none" }

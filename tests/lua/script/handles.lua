@@ -40,7 +40,7 @@ local takes = {
   ["bearing or law"] = { bearing = { as_it_is } },
 }
 
---- Parses "name number s = 3 sentence" as a key.
+--- Parses "name  number s = 3  sentence" as a key; columns are two or more spaces apart.
 local function read_key(line)
   local name, kind = line:match "^(%S+)%s%s+(%S.-)%s%s+%S"
   local wanted = not kind:find "[?=]"

@@ -53,7 +53,7 @@ for _, how in ipairs { { body = "rigid" }, { body = "rigid", E = 1e9 }, { model 
   near(b.uy, reference.fallen, 1e-4, "rest")
   assert(math.abs(b.rotation - reference.turned) < 1e-5, b.rotation)
 end
-do -- input for rigid bodies without deformation, also with elements; a body added later is read the same way
+do -- without `body` the mesh deforms, and so with body = "quad"; a body added later is read the same way
   local m = plane { E = 1e9 }
   local b = ell(m, nil, 0.05)
   assert(b.kind == "mesh" and #m.notes == 0, b.kind)

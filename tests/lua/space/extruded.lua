@@ -127,8 +127,8 @@ do
 end
 
 -- Elements: a tower under its weight and a lateral pull swings as in the plane, in plane strain and in plane stress. In
--- plane stress the model in space thickens too and is thin enough for it. Its foot is fixed, because friction under a
--- soft face is a single spring in space and one per half in the plane.
+-- plane stress the model in space is thin enough to thicken freely. Its foot is fixed, because friction under a soft
+-- face is a single spring in space and one per half in the plane.
 for _, plane in ipairs { "stress", "strain" } do
   for _, kind in ipairs { "quad", "mesh" } do
     local m = stack(friction, {}, { gravity = { 3, -9.81 }, thickness = 0.1 })
