@@ -12,6 +12,7 @@ import textwrap
 
 FENCE = re.compile(r"^\s*(```+|~~~+)")
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
+CASES = "scripts/verification/"  # listed by the pages of docs/verification
 MADE = ("docs/gallery/index.md", "docs/decisions/index.md", "scripts/index.md")
 
 
@@ -206,7 +207,8 @@ def script_page(path, source):
             return found[0]
         return f"[{title_of(read(os.path.join(source, to)))}]({os.path.relpath(to, os.path.dirname(path))})"
     linked_about = re.sub(r"docs/[\w/.\\-]+\.md", page, about)
-    return (f"---\norphan: true\n---\n# {os.path.relpath(path, 'scripts')}\n\n{linked_about}\n\nRun it with `trilith run {path}`.\n\n"
+    command = f"trilith verify {os.path.basename(path)[:-4]}" if path.startswith(CASES) else f"trilith run {path}"
+    return (f"---\norphan: true\n---\n# {os.path.relpath(path, 'scripts')}\n\n{linked_about}\n\nRun it with `{command}`.\n\n"
             f"```lua\n{text[len(head):].strip()}\n```\n"), " ".join(about.split())
 
 
@@ -265,7 +267,7 @@ def main(source, target):
         text, abouts[path] = script_page(path, source)
         write(os.path.join(target, path[:-4] + ".md"), text)
     numbered = [p for p in pages if re.match(r"docs/decisions/\d", p)]
-    made = {"scripts/index.md": list_of_scripts(scripts, abouts),
+    made = {"scripts/index.md": list_of_scripts([p for p in scripts if not p.startswith(CASES)], abouts),
             "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")])}
     if "docs/decisions/README.md" not in pages:
         made["docs/decisions/index.md"] = decisions(source, numbered)

@@ -18,6 +18,7 @@ enum ExitCode : int {
 void add_console(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
+void add_verify(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
 void add_manual(CLI::App& app, int& code);
