@@ -107,9 +107,9 @@ end
 
 return {
   title = "Limit loads of frames",
-  source = "Williams (1964), Quarterly Journal of Mechanics and Applied Mathematics 17; Lee, Manuel and Rossow " ..
+  source = "Williams (1964), Quarterly Journal of Mechanics and Applied Mathematics 17. Lee, Manuel and Rossow " ..
     "(1968), " ..
-    "Journal of the Engineering Mechanics Division 94(2); Neal (1977), The Plastic Methods of Structural Analysis, " ..
+    "Journal of the Engineering Mechanics Division 94(2). Neal (1977), The Plastic Methods of Structural Analysis, " ..
     "section 2.4, for the portals",
   formula = [[\lambda_\text{beam} = \frac{8 M_p}{V L}, \qquad \lambda_\text{sway} = \frac{4 M_p}{H h}, \qquad
 \lambda_\text{combined} = \frac{6 M_p}{H h + V L/2}]],
