@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cassert>
 #include <cmath>
 
 #include "base/quantity_text.hpp"
+#include "model/event_list.hpp"
 
 namespace trilith {
 namespace {
@@ -38,21 +39,13 @@ std::string joint_text(const Event& e) {
   return e.value != 0 ? fmt::format("{} at {:.3g} kN", in, 1e-3 * e.value) : in;
 }
 
+/// "became b" or "gave way: ...".
 template <int D>
-std::string failed_text(const Event& e, const Model<D>& model, std::string_view what) {
-  const std::string name = e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
-  const std::string by = e.value != 0 ? " at " + size_text(e.value) : "";
-  return fmt::format("bearing {} {}{}", name, what, by);
-}
-
-template <int D>
-std::string changed_text(const Event& e, const Model<D>& model) {
+std::string becomes_text(const Event& e, const Model<D>& model) {
   const Bearing<D>& b = model.bearings[e.bearing];
-  if (b.becomes_bearing >= 0)
-    return fmt::format("bearing {} became {}", b.name, model.bearings[b.becomes_bearing].name);
+  if (b.becomes_bearing >= 0) return fmt::format("became {}", model.bearings[b.becomes_bearing].name);
   const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
-  return fmt::format("bearing {} gave way: {} and {} touch{}", b.name, body_name(model, b.body_a),
-                     body_name(model, b.body_b), how);
+  return fmt::format("gave way: {} and {} touch{}", body_name(model, b.body_a), body_name(model, b.body_b), how);
 }
 
 /// The compression of an element with zero area is 1.
@@ -68,74 +61,46 @@ std::string ended_text(const std::string& text) {
   return fmt::format("{} ended ({})", text.substr(0, at), text.substr(at + 2));
 }
 
+std::string value_text(const Event& e) {
+  const std::string_view unit = info_of(e.type).value.unit;
+  if (unit == "m") return size_text(e.value);
+  if (unit == "N m") return moment_text(e.value);
+  if (unit == "J") return quantity_text(e.value, unit);
+  return fmt::format("{:.3g}{}{}", e.value, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+}
+
+/// Text of `word` of event_words.
+template <int D>
+std::string word_text(std::string_view word, const Event& e, const Model<D>& model) {
+  const bool turned = e.body_b >= 0 && stands(model, e.body_a) && !stands(model, e.body_b);
+  if (word == "a") return body_name(model, turned ? e.body_b : e.body_a);
+  if (word == "b") return body_name(model, turned ? e.body_a : e.body_b);
+  if (word == "body_a") return body_name(model, e.body_a);
+  if (word == "body_b") return body_name(model, e.body_b);
+  if (word == "bearing") return e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
+  if (word == "text") return e.text;
+  if (word == "value") return value_text(e);
+  if (word == "at") return e.value != 0 ? " at " + value_text(e) : "";
+  if (word == "mode") return joint_text(e);
+  if (word == "becomes") return becomes_text(e, model);
+  if (word == "strain") return strain_text(e.value);
+  assert(word == "ended");
+  return ended_text(e.text);
+}
+
 }  // namespace
 
 template <int D>
 std::string event_text(const Event& e, const Model<D>& model) {
-  const bool turned =
-      e.type != EventType::seat_lost && e.body_b >= 0 && stands(model, e.body_a) && !stands(model, e.body_b);
-  const std::string a = body_name(model, turned ? e.body_b : e.body_a);
-  const std::string b = body_name(model, turned ? e.body_a : e.body_b);
-  switch (e.type) {
-    case EventType::stage_begun:
-      return fmt::format("{} began", e.text);
-    case EventType::stage_ended:
-      return ended_text(e.text);
-    case EventType::bond_broken:
-      return fmt::format("bond of {} and {} broke{}", a, b, joint_text(e));
-    case EventType::bond_cracked:
-      return fmt::format("bond of {} and {} cracked{}", a, b, joint_text(e));
-    case EventType::joint_crushed:
-      return fmt::format("joint of {} and {} crushed{}", a, b, joint_text(e));
-    case EventType::bearing_yielded:
-      return failed_text(e, model, "yielded");
-    case EventType::bearing_failed:
-      return failed_text(e, model, "failed");
-    case EventType::bearing_changed:
-      return changed_text(e, model);
-    case EventType::member_yielded:
-      return fmt::format("{}: {} yielded under {}", a, e.text, moment_text(e.value));
-    case EventType::member_failed:
-      return fmt::format("{}: {} lost its moment after {:.3g} rad", a, e.text, e.value);
-    case EventType::member_removed:
-      return fmt::format("{}: {} was removed and let go of {}", a, e.text, quantity_text(e.value, "J"));
-    case EventType::contact_made:
-      return fmt::format("{} touched {}", a, b);
-    case EventType::contact_lost:
-      return fmt::format("{} left {}", a, b);
-    case EventType::seat_lost:
-      return fmt::format("{} lost its seat on {} ({})", a, b, e.text);
-    case EventType::impact:
-      return fmt::format("{} hit {} at {:.3g} m/s", a, b, e.value);
-    case EventType::body_at_rest:
-      return fmt::format("{} came to rest", a);
-    case EventType::body_left:
-      return fmt::format("{} left the bounds at {:.3g} m/s", a, e.value);
-    case EventType::body_passed:
-      return fmt::format("{} passed into {}: {} deep {}", a, b, size_text(e.value), e.text);
-    case EventType::element_overstrained:
-      return fmt::format("{} of {} {}", e.text, a, strain_text(e.value));
-    case EventType::stage_diverged:
-      return fmt::format("diverged, as {}", e.text);
-    case EventType::stage_unsettled:
-      return fmt::format("did not come to rest: {}", e.text);
-    case EventType::integrator_changed:
-      return e.text;
-    case EventType::body_added:
-      return fmt::format("{} was added", a);
-    case EventType::body_removed:
-      return fmt::format("{} was removed", a);
-    case EventType::bearing_added:
-    case EventType::bearing_removed:
-      return failed_text(e, model, e.type == EventType::bearing_added ? "was added" : "was removed");
+  std::string_view rest = info_of(e.type).sentence;
+  std::string out;
+  for (std::size_t at = rest.find('{'); at != std::string_view::npos; at = rest.find('{')) {
+    const std::size_t end = rest.find('}', at);
+    out += rest.substr(0, at);
+    out += word_text(rest.substr(at + 1, end - at - 1), e, model);
+    rest.remove_prefix(end + 1);
   }
-  return {};
-}
-
-std::optional<EventType> event_type_called(std::string_view name) {
-  for (int i = 0; i < event_types; ++i)
-    if (event_type_info[static_cast<std::size_t>(i)].name == name) return static_cast<EventType>(i);
-  return std::nullopt;
+  return out += rest;
 }
 
 template std::string event_text(const Event&, const Model<2>&);

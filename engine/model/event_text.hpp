@@ -1,11 +1,9 @@
 // Events as text, for the terminal, the results file and plots.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
-#include "model/event.hpp"
+#include "model/event_list.hpp"
 #include "model/model.hpp"
 
 namespace trilith {
@@ -14,11 +12,5 @@ namespace trilith {
 /// (rest)".
 template <int D>
 std::string event_text(const Event& event, const Model<D>& model);
-
-/// The event type with this name in scripts and results; empty if there is none.
-std::optional<EventType> event_type_called(std::string_view name);
-
-/// Slower impacts are omitted too where minor events are [m/s].
-inline constexpr double slow_impact = 2;
 
 }  // namespace trilith

@@ -5,25 +5,20 @@
 
 #include <algorithm>
 
+#include "model/event_list.hpp"
+
 namespace trilith {
-namespace {
 
-std::string words_of(const FaultCount& fault, Fault type) {
-  if (type != Fault::passed || fault.count == 1) return fault.first;
-  return fmt::format("{} times one body passed into another, first: {}", fault.count, fault.first);
+bool Verdict::counts(EventType type) {
+  return severity_of(type) == Severity::invalid || type == EventType::body_left;
 }
-
-}  // namespace
 
 void Verdict::add(EventType type, double time, double value, const std::string& text) {
   if (type == EventType::body_left) ++left_;
-  if (!has_trait(type, spoils_run) || type == EventType::body_left) return;
-  const Fault which = type == EventType::stage_diverged    ? Fault::diverged
-                      : type == EventType::stage_unsettled ? Fault::not_at_rest
-                                                           : Fault::passed;
-  FaultCount& fault = fault_[static_cast<std::size_t>(which)];
+  if (severity_of(type) != Severity::invalid) return;
+  FaultCount& fault = fault_[static_cast<std::size_t>(type)];
   if (fault.count++ > 0) return;
-  fault.time = which == Fault::diverged ? value : time;
+  fault.time = has_trait(type, valid_until) ? value : time;
   fault.first = text;
 }
 
@@ -41,8 +36,11 @@ double Verdict::sound_until() const {
 std::string Verdict::text(double zero) const {
   if (sound()) return "";
   std::vector<std::string> parts;
-  for (const Fault type : {Fault::diverged, Fault::passed, Fault::not_at_rest})
-    if (has(type)) parts.push_back(words_of(fault(type), type));
+  for (const EventTypeInfo& row : event_type_info) {
+    const FaultCount& found = fault(row.type);
+    if (found.count == 1) parts.push_back(found.first);
+    if (found.count > 1) parts.push_back(fmt::format("{} times {}, first: {}", found.count, row.heading, found.first));
+  }
   return fmt::format("not to be trusted after {:.4g} s: {}", sound_until() - zero, fmt::join(parts, "; "));
 }
 

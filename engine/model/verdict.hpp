@@ -3,18 +3,13 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "model/event.hpp"
 
 namespace trilith {
 
-/// Events that make a run unreliable.
-enum class Fault { diverged, not_at_rest, passed };
-inline constexpr int fault_types = 3;
-
-/// All faults of one type.
+/// All events of one type that make a run invalid.
 struct FaultCount {
   std::int64_t count = 0;
   double time = 0;    ///< time until which the run is reliable, from the first of them [s]
@@ -23,12 +18,14 @@ struct FaultCount {
 
 class Verdict {
  public:
-  /// Evaluates an event. `value`: Event::value, or the first figure of a results file; `text`: as from event_text. A
-  /// run in which bodies leave the bounds is still reliable.
+  /// Whether `add` counts events of this type: the invalid ones, and bodies that leave the bounds.
+  [[nodiscard]] static bool counts(EventType type);
+  /// Counts an event. `value`: Event::value, or the first figure of a results file; `text`: as from event_text. A run in
+  /// which bodies leave the bounds is still reliable.
   void add(EventType type, double time, double value, const std::string& text);
 
-  [[nodiscard]] const FaultCount& fault(Fault type) const { return fault_[static_cast<std::size_t>(type)]; }
-  [[nodiscard]] bool has(Fault type) const { return fault(type).count > 0; }
+  [[nodiscard]] const FaultCount& fault(EventType type) const { return fault_[static_cast<std::size_t>(type)]; }
+  [[nodiscard]] bool has(EventType type) const { return fault(type).count > 0; }
   [[nodiscard]] bool sound() const;
   /// Time until which the run is reliable [s]; 0 if it is reliable throughout.
   [[nodiscard]] double sound_until() const;
@@ -39,7 +36,7 @@ class Verdict {
   [[nodiscard]] std::int64_t left() const { return left_; }
 
  private:
-  std::vector<FaultCount> fault_ = std::vector<FaultCount>(fault_types);
+  std::vector<FaultCount> fault_ = std::vector<FaultCount>(event_types);
   std::int64_t left_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/quantity_text.hpp"
-#include "model/event_text.hpp"
+#include "model/event_list.hpp"
 #include "report/sections.hpp"
 #include "results/reading/event_tree.hpp"
 
@@ -19,10 +19,8 @@ constexpr std::size_t most_lines = 3000;  ///< in total; further impacts are onl
 constexpr int most_depth = 7;             ///< of nested lists
 
 std::string heading_of(const std::string& type) {
-  const auto known = std::find_if(event_type_info.begin(), event_type_info.end(),
-                                  [&](const EventTypeInfo& info) { return info.name == type; });
-  if (known == event_type_info.end()) return type;
-  return std::string(known->heading);
+  const EventTypeInfo* const known = event_info(type);
+  return known == nullptr ? type : std::string(known->heading);
 }
 
 void write_counts(const ReportSource& source, HtmlText& html) {
@@ -40,15 +38,6 @@ void write_counts(const ReportSource& source, HtmlText& html) {
                     fmt::format("{}", all.size()), source.clock(all.front()->time), source.clock(all.back()->time)});
   }
   if (!rows.empty()) html.table({"Event", "Largest", "Count", "First", "Last"}, rows, 2);
-}
-
-std::string mark_of(const results::EventRow& e) {
-  if (e.type == "bearing.failed" || e.type == "seat.lost") return "lost";
-  if (results::is_failure(e) || e.type == "body.passed" || e.type == "element.overstrained") return "failed";
-  if (e.type == "bearing.yielded" || e.type == "member.yielded" || e.type == "bond.cracked" ||
-      e.type == "joint.crushed")
-    return "yielded";
-  return e.type == "bearing.changed" ? "changed" : "plain";
 }
 
 /// "bonds broken" from "bond broken".
@@ -99,7 +88,7 @@ class TreeWriter {
 
   void line(std::size_t i, bool all, int depth, const char* sign) {
     const results::EventRow& e = tree_.rows[i];
-    html_.open("li", fmt::format(R"(class="{}")", mark_of(e))).element("time", source_.clock(e.time));
+    html_.open("li", fmt::format(R"(class="{}")", name_of(severity_of(e.type)))).element("time", source_.clock(e.time));
     html_.text(fmt::format(" {}{}", sign, text_of(e)));
     const std::vector<std::size_t>& effects = tree_.effects[i];
     if (effects.size() > 1 && depth < most_depth) {

@@ -41,10 +41,10 @@ figcaption { margin-top: 6px; font-size: 12.5px; color: #4a5058; }
 .tree li > ul, .tree li > details > ul { text-indent: 0; }
 .tree li::before { content: "●"; display: inline-block; width: 16px; text-indent: 0; font-size: 9px; color: #9aa1a9;
   vertical-align: 1px; }
-.tree li.failed::before, .tree li.lost::before { color: #d03a00; }
-.tree li.yielded::before { color: #e69f00; }
-.tree li.changed::before { color: #9c4f96; }
-.tree li.lost { font-weight: 600; }
+.tree li.failure::before, .tree li.loss::before, .tree li.invalid::before { color: #d03a00; }
+.tree li.damage::before { color: #e69f00; }
+.tree li.change::before { color: #9c4f96; }
+.tree li.loss, .tree li.invalid { font-weight: 600; }
 .tree li > ul { font-weight: 400; }
 .tree li.fold::before { content: ""; }
 .tree li.fold { color: #4a5058; font-weight: 400; }

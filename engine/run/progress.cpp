@@ -112,7 +112,8 @@ std::string stage_text(const StageReport& report, double wall) {
 
 bool EventLines::leaves_out(const Event& event) const {
   if (show_ != EventShow::important) return show_ == EventShow::none;
-  return has_trait(event.type, is_minor) || (event.type == EventType::impact && event.value < least_impact_);
+  return severity_of(event.type) == Severity::routine ||
+         (event.type == EventType::impact && event.value < least_impact_);
 }
 
 bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) {
@@ -158,7 +159,7 @@ std::vector<std::string> EventLines::tell(const Event& event, const Model<D>& mo
   // restored to an earlier instant, or to a model that no longer exists.
   std::map<std::int64_t, Cause>& causes = causes_[&model];
   causes.erase(causes.lower_bound(event.id), causes.end());
-  if (!has_trait(event.type, is_minor) && !is_stage) causes[event.id] = {event.time, text};
+  if (severity_of(event.type) != Severity::routine && !is_stage) causes[event.id] = {event.time, text};
   count_from(event, lines);
   if (leaves_out(event) || thins_out(event, lines)) return lines;
   std::string line = fmt::format("{:10.3f} s  {:<15}  {}", event.time - zero_, info_of(event.type).heading, text);

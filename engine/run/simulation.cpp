@@ -173,10 +173,10 @@ template <int D>
 void Simulation<D>::begin_stage(const StageOptions& options) {
   require_valid(options);
   assert(!running_);
-  if (verdict_.has(Fault::diverged))
+  if (verdict_.has(EventType::stage_diverged))
     throw InputError(
         fmt::format("stage '{}': cannot begin, as the run {}; go back to before that, or build the model anew",
-                    options.name, verdict_.fault(Fault::diverged).first));
+                    options.name, verdict_.fault(EventType::stage_diverged).first));
   stage_.emplace(options, state_.time);
   if (options.until_rest && options.within > 0) watch_->keep_places(state_);
   rest_ = {options.rest_share};

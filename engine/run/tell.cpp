@@ -21,7 +21,7 @@ Instant<D> Simulation<D>::instant() const {
 template <int D>
 void Simulation<D>::tell(Event event, const RunListener<D>& listener, const Instant<D>& now) {
   causes_.name(event);
-  if (has_trait(event.type, spoils_run)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
+  if (Verdict::counts(event.type)) verdict_.add(event.type, event.time, event.value, event_text(event, model_));
   if (listener.on_event) listener.on_event(event, now);
 }
 

@@ -10,7 +10,7 @@
 
 #include "draw/palette.hpp"
 #include "draw/scene/solid_joints.hpp"
-#include "model/event_text.hpp"
+#include "model/event_list.hpp"
 #include "results/file/body_mass.hpp"
 #include "results/reading/verdict.hpp"
 #include "view/joints.hpp"
@@ -18,22 +18,12 @@
 namespace trilith::view {
 namespace {
 
-const EventTypeInfo* info_of(const std::string& type) {
-  const auto at = std::find_if(event_type_info.begin(), event_type_info.end(),
-                               [&](const EventTypeInfo& known) { return known.name == type; });
-  return at == event_type_info.end() ? nullptr : at;
-}
-
-/// True for an event that is shown at first; an unknown type counts as important.
-bool is_of_note(const results::EventRow& event) {
-  const EventTypeInfo* const info = info_of(event.type);
-  if (info == nullptr) return true;
-  const auto type = static_cast<EventType>(info - event_type_info.begin());
-  return !has_trait(type, is_minor) && !(type == EventType::impact && event.first.value < slow_impact);
+bool is_shown_first(const results::EventRow& event) {
+  return is_of_note(event.type, event.first.value);
 }
 
 std::string heading_in_words(const std::string& type) {
-  const EventTypeInfo* const info = info_of(type);
+  const EventTypeInfo* const info = event_info(type);
   if (info != nullptr) return std::string(info->heading);
   std::string text = type;
   std::replace(text.begin(), text.end(), '.', ' ');
@@ -43,10 +33,10 @@ std::string heading_in_words(const std::string& type) {
 /// Sorted by time; beyond the limit, important events and the earliest others.
 std::vector<results::EventRow> chosen(std::vector<results::EventRow> events, double most) {
   if (static_cast<double>(events.size()) <= most) return events;
-  double room = most - static_cast<double>(std::count_if(events.begin(), events.end(), is_of_note));
+  double room = most - static_cast<double>(std::count_if(events.begin(), events.end(), is_shown_first));
   std::erase_if(events, [&](const results::EventRow& e) {
     // Tens of thousands of contacts made and lost are of little interest, so rests come before them.
-    return !is_of_note(e) && (e.type.starts_with("contact.") || --room < 0);
+    return !is_shown_first(e) && (e.type.starts_with("contact.") || --room < 0);
   });
   if (static_cast<double>(events.size()) > most) events.resize(static_cast<std::size_t>(most));
   return events;
@@ -197,11 +187,19 @@ void write_events(const std::vector<results::EventRow>& events, int dim, JsonTex
   json.key("types").begin_list();
   for (const results::EventRow& e : events)
     if (order.emplace(e.type, static_cast<int>(order.size())).second)
-      json.begin_list().text(e.type).text(heading_in_words(e.type)).end();
+      json.begin_list()
+          .text(e.type)
+          .text(heading_in_words(e.type))
+          .text(std::string(name_of(severity_of(e.type))))
+          .end();
   json.end().key("events").begin_list();
   for (const results::EventRow& e : events) {
     json.begin_list().number(static_cast<double>(e.id)).number(rounded(e.time, 1e6)).number(order[e.type]);
-    json.flag(is_of_note(e)).number(e.body_a).number(e.body_b).number(e.bearing).number(static_cast<double>(e.cause));
+    json.flag(is_shown_first(e))
+        .number(e.body_a)
+        .number(e.body_b)
+        .number(e.bearing)
+        .number(static_cast<double>(e.cause));
     json.number(e.has_place ? rounded(e.place[0], 1e4) : NAN).number(e.has_place ? rounded(e.place[1], 1e4) : NAN);
     json.text(e.text).begin_list();
     write_figure(e.first, json);

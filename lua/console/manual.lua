@@ -123,21 +123,18 @@ local function add_tables(manual, page)
   end
 end
 
---- The types of events: the engine's description of their values, with a sentence of a page for each.
+--- The types of events, from their rows in the engine.
 local function add_events(manual, page)
-  local sentences = {}
-  for line in page.events:gmatch "[^\n]+" do
-    local name, doc = line:match "^(%S+)%s+(%S.*)$"
-    sentences[name] = doc
-  end
   for _, event in ipairs(core.event_types()) do
-    local doc = sentences[event.name]
-      or error("manual: the event '" .. event.name .. "' has no sentence in lua/manual/events.lua", 0)
-    if event.place then doc = doc .. "; x, y: place" end
-    if event.mode then doc = doc .. "; mode: tension, shear or compression" end
+    local parts = { event.doc }
+    if event.value_doc ~= "" then parts[#parts + 1] = "value: " .. event.value_doc end
+    if event.text_doc ~= "" then parts[#parts + 1] = "text: " .. event.text_doc end
+    if event.place then parts[#parts + 1] = "x, y: place" end
+    if event.mode then parts[#parts + 1] = "mode: tension, shear or compression" end
+    parts[#parts + 1] = "severity: " .. event.severity
     manual.add { name = ('event "%s"'):format(event.name), owner = "event type", member = event.name, unit = event.unit,
-      doc = doc, type = event.value ~= "" and event.value or "no value", is_field = true, is_row = true, args = {},
-      keys = {}, with = {}, page = page.name }
+      doc = table.concat(parts, "; "), type = event.value ~= "" and event.value or "no value", is_field = true,
+      is_row = true, args = {}, keys = {}, with = {}, page = page.name }
   end
 end
 
@@ -172,7 +169,7 @@ function console.manual()
     for _, row in ipairs(page) do manual.add(read_entry(row, page, shared)) end
     if page.makers then add_makers(manual, page, shared) end
     if page.tables then add_tables(manual, page) end
-    if page.events then add_events(manual, page) end
+    if page.has_events then add_events(manual, page) end
   end
   manual.pages[#manual.pages + 1] = { name = "laws",
     title = "Laws of contacts, bearings, solids, fibres and hinges; sections of beams" }

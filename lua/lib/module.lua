@@ -41,9 +41,8 @@ end
 
 core.event.__tostring = function(event) return ("%.4f s  %s"):format(event.time, event.text) end
 
-local event_fields = { "type", "time", "id", "cause", "step", "value", "value_name", "x", "y", "z", "mode", "text",
-  "bodies",
-  "body", "bearing", "seat" }
+local event_fields = { "type", "severity", "time", "id", "cause", "step", "value", "value_name", "x", "y", "z", "mode",
+  "text", "bodies", "body", "bearing", "seat" }
 local is_event_field = {}
 for _, name in ipairs(event_fields) do is_event_field[name] = true end
 

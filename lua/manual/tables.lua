@@ -57,6 +57,7 @@ removed           number J  energy of bodies and bearings that were removed
 residual          number J  error of the energy balance]],
     event = [[
 type        text      type, such as "bearing.failed"
+severity    text      "routine", "notice", "change", "damage", "failure", "loss" or "invalid"
 time        number s  time
 id          integer   number, increasing from 0
 cause       integer?  id of the event that caused this one

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/event_list.hpp"
+
 namespace trilith::program {
 namespace {
 
@@ -27,9 +29,7 @@ void Live::tell_event(const Event& event, const Instant<D>& now) {
   }
   // The report of a stage contains more than its last event.
   if (quiet_ || event.type == EventType::stage_ended) return;
-  const bool strong = event.type == EventType::bearing_failed || event.type == EventType::member_failed ||
-                      event.type == EventType::member_removed || event.type == EventType::seat_lost ||
-                      event.type == EventType::body_passed || event.type == EventType::element_overstrained;
+  const bool strong = severity_of(event.type) >= Severity::loss;
   for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
 }
 

@@ -193,7 +193,7 @@ TEST_CASE("a stage that must come to rest and does not names its worst body and 
   REQUIRE(unsettled != nullptr);
   CHECK(unsettled->body_a >= 1);
   CHECK(hasty.report.reason.find("er is worst") != std::string::npos);  // lower or upper
-  CHECK(verdict.has(Fault::not_at_rest));
+  CHECK(verdict.has(EventType::stage_unsettled));
   const auto [quiet, accepted] = settle_for(0.05, false);
   CHECK(quiet.report.end == StageEnd::not_at_rest);
   CHECK(accepted.sound());

@@ -10,7 +10,7 @@
 #include "base/nearest.hpp"
 #include "draw/scene/results_picture.hpp"
 #include "model/energy.hpp"
-#include "model/event.hpp"
+#include "model/event_list.hpp"
 #include "results/reading/largest_value.hpp"
 
 namespace trilith::draw {
@@ -241,7 +241,7 @@ std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow
       for (const results::EventRow& e : events) marks.push_back({e.time, e.text});
       continue;
     }
-    const bool impacts = type == event_type_info[static_cast<std::size_t>(EventType::impact)].name;
+    const bool impacts = type == info_of(EventType::impact).name;
     const auto slower = [](const results::EventRow& a, const results::EventRow& b) {
       return a.first.value < b.first.value;
     };

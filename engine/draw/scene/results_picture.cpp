@@ -10,7 +10,7 @@
 #include "base/nearest.hpp"
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_solids.hpp"
-#include "model/event_text.hpp"
+#include "model/event_list.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
 #include "results/reading/verdict.hpp"
@@ -229,12 +229,7 @@ std::string event_before(const ResultsReader& reader, double time, double zero) 
 std::vector<results::EventRow> events_of_note(const ResultsReader& reader) {
   std::vector<results::EventRow> out;
   for (results::EventRow& e : reader.events()) {
-    const auto info = std::find_if(event_type_info.begin(), event_type_info.end(),
-                                   [&](const EventTypeInfo& known) { return known.name == e.type; });
-    const auto type = static_cast<EventType>(info - event_type_info.begin());
-    const bool slow = type == EventType::impact && e.first.value < slow_impact;
-    if (info != event_type_info.end() && !has_trait(type, is_minor) && type != EventType::stage_ended && !slow)
-      out.push_back(std::move(e));
+    if (event_info(e.type) != nullptr && is_of_note(e.type, e.first.value)) out.push_back(std::move(e));
   }
   return out;
 }

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "model/event_list.hpp"
+
 namespace trilith::results {
 namespace {
 
@@ -33,8 +35,7 @@ std::ptrdiff_t nearest_cause(const std::vector<EventRow>& all, const RowOf& in_a
 
 /// 0 for failures of the structure; the last rank for their consequences.
 int rank_of(const EventRow& event, bool first_failure) {
-  if (first_failure || event.type == "bearing.failed" || event.type == "member.failed" || event.type == "seat.lost")
-    return 0;
+  if (first_failure || severity_of(event.type) == Severity::loss) return 0;
   return event.type == "impact" ? 2 : 1;
 }
 
@@ -60,8 +61,8 @@ void choose(EventTree& tree, const std::vector<std::ptrdiff_t>& cause, std::size
 }  // namespace
 
 bool is_failure(const EventRow& event) {
-  return event.type == "bearing.failed" || event.type == "member.failed" || event.type == "seat.lost" ||
-         event.type == "bond.broken";
+  const Severity severity = severity_of(event.type);
+  return severity == Severity::failure || severity == Severity::loss;
 }
 
 EventTree event_tree(const std::vector<EventRow>& all, std::vector<EventRow> chosen, std::size_t room) {

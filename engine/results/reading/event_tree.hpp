@@ -18,7 +18,7 @@ struct EventTree {
   std::vector<bool> shown;             ///< of each row: shown at first; with a row all its causes are shown
 };
 
-/// True for the loss of a bearing, a seat or a bond.
+/// A bond, a support, a member or an element is lost.
 bool is_failure(const EventRow& event);
 
 /// The events of `chosen` (sorted by time, a part of `all`), each below the nearest chosen one in its chain of causes

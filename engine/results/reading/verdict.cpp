@@ -1,13 +1,13 @@
 #include "results/reading/verdict.hpp"
 
-#include "model/event_text.hpp"
+#include "model/event_list.hpp"
 
 namespace trilith::results {
 
 Verdict results_verdict(const std::vector<EventRow>& events) {
   Verdict verdict;
   for (const EventRow& e : events)
-    if (const auto type = event_type_called(e.type)) verdict.add(*type, e.time, e.first.value, e.text);
+    if (const EventTypeInfo* const row = event_info(e.type)) verdict.add(row->type, e.time, e.first.value, e.text);
   return verdict;
 }
 

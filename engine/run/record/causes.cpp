@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/event_list.hpp"
+
 namespace trilith {
 /// Numbers an event and sets its cause: the latest event of one of its bodies that can be a cause, otherwise the begin
 /// of the stage. The events of a run form a tree.

@@ -269,7 +269,7 @@ template <int D>
 void Recording<D>::event(const Event& event, const Instant<D>& now) {
   time_ = event.time;
   if (event.type == EventType::stage_begun) begin_stage(event, now);
-  const EventTypeInfo& info = event_type_info[static_cast<std::size_t>(event.type)];
+  const EventTypeInfo& info = info_of(event.type);
   results::EventRow row;
   row.id = event.id;
   row.time = event.time;
@@ -281,7 +281,7 @@ void Recording<D>::event(const Event& event, const Instant<D>& now) {
   row.bearing = event.bearing;
   row.has_place = has_trait(event.type, has_place);
   if (row.has_place) row.place[0] = event.x, row.place[1] = event.y, row.place[2] = event.z;
-  if (!info.value_name.empty()) row.first = {std::string(info.value_name), std::string(info.value_unit), event.value};
+  if (!info.value.name.empty()) row.first = {std::string(info.value.name), std::string(info.value.unit), event.value};
   if (has_trait(event.type, of_joint)) row.second = {"mode", "1", static_cast<double>(event.mode)};
   row.cause = event.cause;
   row.text = event_text(event, now.model);

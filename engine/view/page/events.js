@@ -3,17 +3,18 @@ import { upperBound } from "./run.js";
 import { byId, make, seconds } from "./words.js";
 
 const rowHeight = 44;
-const faults = ["body.passed", "element.overstrained"];
 
-/** Colour of an event's mark: failures, motions, and others. */
-export function eventColour(type, theme, palette) {
-  if (type.endsWith("failed") || type === "seat.lost" || faults.includes(type)) return theme.dark ? "#ff6a3c" : palette.failed;
-  if (type.startsWith("bond.")) return theme.dark ? "#ff8f6b" : "#d9653b";
-  if (type.endsWith(".yielded")) return palette.yielded;
-  if (type === "bearing.changed") return palette.changed;
-  if (type === "impact") return theme.accent;
-  return theme.quiet;
+/** The colour of an event's mark, by its severity; impacts have their own. */
+export function eventColour(event, theme, palette) {
+  if (isLoss(event)) return theme.dark ? "#ff6a3c" : palette.failed;
+  if (event.severity === "failure") return theme.dark ? "#ff8f6b" : "#d9653b";
+  if (event.severity === "damage") return palette.yielded;
+  if (event.severity === "change") return palette.changed;
+  return event.type === "impact" ? theme.accent : theme.quiet;
 }
+
+/** Something that carries is lost, or the run is not valid from here. */
+export const isLoss = (event) => event.severity === "loss" || event.severity === "invalid";
 
 export class EventsPanel {
   /** `app`: { run, seek, chooseEvent(event), theme }. */
@@ -69,7 +70,7 @@ export class EventsPanel {
   }
 
   row(event, index) {
-    const colour = eventColour(event.type, this.app.theme, this.app.run.palette);
+    const colour = eventColour(event, this.app.theme, this.app.run.palette);
     return make("button", { class: "event-row", style: `top:${index * rowHeight}px`, "data-row": index, "data-event": event.id,
       "data-type": event.type, "aria-current": index === this.current ? "true" : false, title: event.text, onclick: () => this.app.chooseEvent(event) },
     make("time", {}, seconds(event.time)), make("i", { style: `background:${colour}` }), make("span", {}, event.text));

@@ -266,7 +266,7 @@ class App {
   }
 
   drawFlashes(time) {
-    const colour = (e) => eventColour(e.type, this.theme, this.run.palette);
+    const colour = (e) => eventColour(e, this.theme, this.run.palette);
     const long = 0.5 * this.player.speed;  // [s] of the run
     if (this.player.playing)
       for (const e of this.player.notes) {

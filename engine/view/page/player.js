@@ -1,5 +1,5 @@
 // Progress of time: play, pause, speed, and the strip with stages and event marks.
-import { eventColour } from "./events.js";
+import { eventColour, isLoss } from "./events.js";
 import { byId, duration, make, seconds } from "./words.js";
 
 export const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8, 16];
@@ -132,13 +132,12 @@ export class Player {
       c.globalAlpha = i % 2 ? 0.9 : 0.45;
       c.fillRect(x(s.begin), box.height - 7, x(s.ended ? s.end : run.end) - x(s.begin), 5);
     });
-    const loud = (e) => e.type.endsWith("failed") || e.type === "seat.lost";
-    for (const e of [...this.notes].sort((a, b) => loud(a) - loud(b))) {
+    for (const e of [...this.notes].sort((a, b) => isLoss(a) - isLoss(b))) {
       if (e.type.startsWith("stage.")) continue;
-      c.globalAlpha = loud(e) ? 1 : this.notes.length > 300 ? 0.3 : 0.75;
-      c.fillStyle = eventColour(e.type, theme, run.palette);
-      const high = loud(e) ? box.height - 9 : (box.height - 9) * 0.6;
-      c.fillRect(x(e.time) - (loud(e) ? 1 : 0.5), box.height - 9 - high, loud(e) ? 2 : 1, high);
+      c.globalAlpha = isLoss(e) ? 1 : this.notes.length > 300 ? 0.3 : 0.75;
+      c.fillStyle = eventColour(e, theme, run.palette);
+      const high = isLoss(e) ? box.height - 9 : (box.height - 9) * 0.6;
+      c.fillRect(x(e.time) - (isLoss(e) ? 1 : 0.5), box.height - 9 - high, isLoss(e) ? 2 : 1, high);
     }
     c.globalAlpha = 1;
   }

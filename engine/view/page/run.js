@@ -9,7 +9,8 @@ function eventOf(row, index, types) {
   const [id, time, type, note, a, b, bearing, cause, x, y, text, figures, z] = row;
   const values = [];
   for (let i = 0; i + 2 < figures.length; i += 3) values.push({ name: figures[i], value: figures[i + 1], unit: figures[i + 2] });
-  return { index, id, time, type: types[type][0], heading: types[type][1], note, a, b, bearing, cause, x, y, z, text, values };
+  const [name, heading, severity] = types[type];
+  return { index, id, time, type: name, heading, severity, note, a, b, bearing, cause, x, y, z, text, values };
 }
 
 /** First index whose value is above `time`. */

@@ -5,6 +5,7 @@
 #include "bindings/core/open.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "build/plane/list.hpp"
+#include "model/event_list.hpp"
 #include "model/plausible_ranges.hpp"
 
 namespace trilith::script {
@@ -157,8 +158,8 @@ int event_names(lua_State* L) {
   return 1;
 }
 
-/// core.event_types(): for each kind of event its name, the meaning of its value, the unit, and whether it has a place
-/// and the mode of a joint.
+/// core.event_types(): rows of the types of events: name, severity, value, unit, value_doc, text_doc, doc, and whether
+/// one has a place and the mode of a joint.
 int event_types(lua_State* L) {
   lua_newtable(L);
   lua_Integer i = 0;
@@ -173,8 +174,12 @@ int event_types(lua_State* L) {
   for (const EventTypeInfo& e : event_type_info) {
     lua_newtable(L);
     text("name", e.name);
-    text("value", e.value_name);
-    text("unit", e.value_unit);
+    text("severity", name_of(e.severity));
+    text("value", e.value.name);
+    text("unit", e.value.unit);
+    text("value_doc", e.value.doc);
+    text("text_doc", e.text_doc);
+    text("doc", e.doc);
     flag("place", (e.traits & has_place) != 0);
     flag("mode", (e.traits & of_joint) != 0);
     lua_rawseti(L, -2, ++i);

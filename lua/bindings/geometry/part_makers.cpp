@@ -3,35 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "bindings/geometry/masonry_makers.hpp"
+#include "bindings/geometry/declared_reading.hpp"
 #include "bindings/geometry/part_reading.hpp"
-#include "build/plane/block.hpp"
 #include "build/plane/bridge.hpp"
 #include "build/plane/ground.hpp"
 
 namespace trilith::script {
 namespace {
-
-MakeParts read_block(Keys& k) {
-  Block b;
-  b.name = read_name(k, "");
-  k.refuse("size", "'size' is of blocks in space, of models with dim = 3; in the plane give width and height");
-  b.width = k.number("width", "m");
-  b.height = k.number("height", "m");
-  b.at = k.point("at", b.at);
-  b.anchor = k.choice("anchor", {"lower_left", "centre"}, 0) == 0 ? BlockAnchor::lower_left : BlockAnchor::centre;
-  b.angle = k.number("angle", "rad", b.angle);
-  return [b] { return MadeParts{{build_block(b)}}; };
-}
-
-MakeParts read_polygon(Keys& k) {
-  const std::string name = read_name(k, "");
-  const Polygon outline = k.points("outline");
-  return [name, outline] {
-    PolygonPart made = build_polygon(name, outline);
-    return MadeParts{{std::move(made.part)}, std::move(made.notes)};
-  };
-}
 
 MakeParts read_ground(Keys& k) {
   GroundProfile g;
@@ -89,26 +67,32 @@ MakeParts read_abutment(Keys& k) {
   return [a] { return MadeParts{.parts = {build_abutment(a)}, .tops = {top_of(a)}}; };
 }
 
-/// Reader of a builder that its declared numbers and a name describe.
+/// Whether scripts give the builder a name.
+template <class B>
+constexpr bool is_named() {
+  if constexpr (requires { B::is_named; })
+    return B::is_named;
+  else
+    return true;
+}
+
+/// Of a builder whose keys are declared.
 template <DeclaredBuilder B>
 MakeParts read_declared(Keys& k) {
   B builder;
-  builder.name = read_name(k, builder.name);
-  k.declared(builder);
-  return [builder] { return MadeParts{builder.parts()}; };
+  if (is_named<B>()) builder.name = read_name(k, builder.name);
+  read_declared_keys(k, builder);
+  return [builder] {
+    if constexpr (std::is_same_v<decltype(builder.parts()), BuiltParts>) {
+      BuiltParts made = builder.parts();
+      return MadeParts{std::move(made.parts), std::move(made.notes)};
+    } else {
+      return MadeParts{builder.parts()};
+    }
+  };
 }
 
 constexpr std::array read_by_hand{
-    PartMaker{"block", true, read_block, "a rectangle in any pose"},
-    PartMaker{"polygon", true, read_polygon, "a polygon of given points"},
-    PartMaker{"stack", false, read_stack, "blocks on top of each other"},
-    PartMaker{"harmonic_stack", false, read_harmonic_stack, "equal blocks that reach out over an edge"},
-    PartMaker{"arch", false, read_arch, "an arch of voussoirs: semicircular, segmental or pointed"},
-    PartMaker{"flying_buttress", false, read_flying_buttress, "half an arch that leans from a pier against a wall"},
-    PartMaker{"wall", false, read_wall, "a masonry wall of storeys, with openings, lintels and slabs"},
-    PartMaker{"rubble", false, read_rubble, "irregular stones that fill a polygon"},
-    PartMaker{"running_bond", false, read_running_bond, "a plain panel on a grid of half units, for limit loads"},
-    PartMaker{"bench_wall", false, read_bench_wall, "the wall that run times are measured on"},
     PartMaker{"ground", true, read_ground, "ground under a surface line"},
     PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},
     PartMaker{"abutment", true, read_abutment, "a stub abutment"},

@@ -30,8 +30,8 @@ struct PartMaker {
   std::string_view doc;
 };
 
-/// Builders with a separate reader come first, then the rows of build/plane/list.hpp.
-inline constexpr std::size_t part_maker_count = 13 + DeclaredBuilders::size;
+/// Those with a reader of their own come first, then the rows of build/plane/list.hpp.
+inline constexpr std::size_t part_maker_count = 3 + DeclaredBuilders::size;
 std::span<const PartMaker, part_maker_count> part_makers();
 /// m:span takes more than the part; bridge_binding.cpp adds it.
 inline constexpr std::string_view span_maker = "span";

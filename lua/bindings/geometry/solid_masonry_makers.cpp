@@ -1,7 +1,6 @@
 // Walls, buildings, vaults, domes and rubble in space, read from one table each.
 #include <algorithm>
 
-#include "bindings/geometry/masonry_makers.hpp"
 #include "bindings/geometry/part_reading.hpp"
 #include "bindings/geometry/solid_makers.hpp"
 #include "build/space/barrel_vault.hpp"

@@ -3,7 +3,7 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
-#include "model/event_text.hpp"
+#include "model/event_list.hpp"
 
 namespace trilith::script {
 namespace {
@@ -28,14 +28,15 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   model_index = lua_absindex(L, model_index);
   lua_checkstack(L, 10);
   const ScriptModel& m = handle<ModelBox>(L, model_index).get();
-  lua_createtable(L, 0, 14);
+  lua_createtable(L, 0, 15);
   set_text(L, "type", info_of(e.type).name);
+  set_text(L, "severity", name_of(severity_of(e.type)));
   set_number(L, "time", e.time);
   set_integer(L, "id", e.id);
   if (e.cause >= 0) set_integer(L, "cause", e.cause);
   set_integer(L, "step", e.step);
   set_number(L, "value", e.value);
-  set_text(L, "value_name", info_of(e.type).value_name);
+  set_text(L, "value_name", info_of(e.type).value.name);
   set_number(L, "x", e.x);
   set_number(L, "y", e.y);
   if (m.dim() == 3) set_number(L, "z", e.z);
