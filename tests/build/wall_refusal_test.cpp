@@ -18,7 +18,7 @@ TEST_CASE("a sill off the course lines is refused with the nearest ones, or move
         "takes the nearer one");
   Wall wall = plain_wall();
   wall.openings = {opening}, wall.snap = true;
-  const WallParts made = build_wall(wall);
+  const BuiltParts made = build_wall(wall);
   check_sound(made.parts);
   CHECK(made.notes ==
         std::vector<std::string>{

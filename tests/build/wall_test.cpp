@@ -202,7 +202,7 @@ TEST_CASE("joints add to the units, and a course may be given by its units") {
 TEST_CASE("short pieces are merged with the shorter neighbour, and a note counts them") {
   Wall wall = plain_wall();
   wall.openings = {{.x = 0.85, .sill = 0.2, .width = 0.8, .height = 0.6}};
-  const WallParts made = build_wall(wall);
+  const BuiltParts made = build_wall(wall);
   check_sound(made.parts);
   // course 2: joints at 0.2, 0.6 | opening 0.85 to 1.65 | 1.8, 2.2; course 3: 0.4, 0.8 | 2.0
   REQUIRE(made.notes.size() == 1);
@@ -293,7 +293,7 @@ TEST_CASE("any description is built without gap and overlap, or refused in one l
       continue;
     }
     ++built;
-    const WallParts made = build_wall(wall);
+    const BuiltParts made = build_wall(wall);
     check_sound(made.parts);
     double area = 0;
     for (const WallStorey& storey : wall.storeys) area += wall.length * (storey.courses * 0.2 + wall.slab_height);

@@ -43,16 +43,7 @@ double inner(const Arch& arch) {
 }
 
 void check_numbers(const Arch& arch, const std::string& owner) {
-  require_count(arch.voussoirs, 1, 10000, owner + ": number of voussoirs");
-  require_count(arch.sub_edges, 1, 1000, owner + ": number of sub-edges");
-  require_positive(arch.radius, owner + ": radius", "m");
-  require_positive(arch.thickness, owner + ": thickness", "m");
-  require_finite(arch.centre.x(), owner + ": centre x");
-  require_finite(arch.centre.y(), owner + ": centre y");
-  require_positive(arch.half_angle, owner + ": half opening angle", "rad");
-  require_not_negative(arch.offset, owner + ": offset of the centres", "m");
-  require_positive(arch.key, owner + ": key", "times the others' width");
-  require_not_negative(arch.jitter, owner + ": jitter", "m");
+  check_keys(arch, owner);
   if (arch.key != 1 && arch.voussoirs % 2 == 0)
     throw InputError(fmt::format("{}: a key is given, but {} voussoirs have no middle one; give an odd number", owner,
                                  arch.voussoirs));
@@ -208,7 +199,19 @@ void set_span_and_rise(Arch& arch, double span, double rise) {
   arch.radius = low + arch.thickness / 2;
 }
 
-std::vector<Part> build_arch(const Arch& arch) {
+Arch with_span_and_rise(Arch arch) {
+  if (arch.span.has_value() != arch.rise.has_value())
+    throw InputError(builder_title("arch", arch.name) + ": span and rise go together; give both or neither");
+  if (arch.span) set_span_and_rise(arch, *arch.span, *arch.rise);
+  return arch;
+}
+
+std::vector<Part> Arch::parts() const {
+  return build_arch(*this);
+}
+
+std::vector<Part> build_arch(const Arch& given) {
+  const Arch arch = with_span_and_rise(given);
   const std::string owner = builder_title("arch", arch.name);
   check(arch, owner);
   const Joints joints = moved_joints(arch, joint_angles(arch, owner));

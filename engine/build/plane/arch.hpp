@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "build/builder_keys.hpp"
 #include "build/plane/part.hpp"
 
 namespace trilith {
@@ -31,12 +32,49 @@ struct Arch {
   double jitter = 0;            ///< every joint between voussoirs, except at a pointed crown, is moved along the mid
                                 ///< line by up to this distance [m], below a quarter of a voussoir
   int seed = 1;                 ///< seed of the jitter: the same number gives the same bits everywhere
+  std::optional<double> span = std::nullopt, rise = std::nullopt;  ///< clear ones [m], above 0, instead of radius,
+                                                                   ///< half_angle and offset: see with_span_and_rise
+
+  static constexpr std::string_view kind = "arch";
+  static constexpr std::string_view sentence = "an arch of voussoirs: semicircular, segmental or pointed";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<Arch>;
+    return std::tuple(
+        K::Count{&Arch::voussoirs, "voussoirs", "number of voussoirs", 1, 10000},
+        K::Number{&Arch::radius, "radius", "m", "radius of the centre line", above_zero},
+        K::Number{&Arch::thickness, "thickness", "m", "thickness of the ring", above_zero},
+        K::Number{&Arch::half_angle, "half_angle", "rad", "half of the opening angle", above_zero, {"pi/2"}},
+        K::Number{&Arch::offset, "offset", "m", "offset of the two centres of a pointed arch", not_below_zero},
+        K::MaybeNumber{&Arch::span, "span", "m", "instead of radius: clear span, with rise", above_zero},
+        K::MaybeNumber{&Arch::rise, "rise", "m", "clear rise, with span", above_zero}, Together{"span", "rise"},
+        Instead{"span", {"radius", "half_angle", "offset"}, "span and rise", "radius, half_angle and offset"},
+        K::Number{&Arch::key, "key", "1", "width of the keystone over the width of the others", above_zero},
+        K::Count{&Arch::sub_edges, "sub_edges", "number of edges of each curved side", 1, 1000},
+        K::Point{&Arch::centre, "centre", "centre of the circle"},
+        K::Flag{&Arch::abutments, "abutments", "make abutments"},
+        K::Number{
+            &Arch::abutment_depth, "abutment_depth", "m", "depth of the abutments", any_number, {"the thickness"}},
+        K::Number{&Arch::abutment_margin,
+                  "abutment_margin",
+                  "m",
+                  "width of the abutments beyond the ring",
+                  any_number,
+                  {"half the thickness"}},
+        K::Number{&Arch::jitter, "jitter", "m", "largest random shift of joints", not_below_zero},
+        K::Count{&Arch::seed, "seed", "of the random numbers"});
+  }
+  /// build_arch.
+  [[nodiscard]] std::vector<Part> parts() const;
 };
 
 /// Sets radius, half angle and offset for a clear span and rise of the intrados [m]. The arch is segmental for a rise
 /// below half of the span, a semicircle for equality, and pointed with level springings above. The thickness must be
 /// set. Throws InputError for sizes that are not above 0.
 void set_span_and_rise(Arch& arch, double span, double rise);
+
+/// The arch that `span` and `rise` give; the same arch where they are absent.
+Arch with_span_and_rise(Arch arch);
 
 /// Parts "v1" (left) to "vn" (right), group "voussoirs", the middle one of an odd number also in group "key", and
 /// "left" and "right", group "abutments". Neighbouring voussoirs share the two corners of their joint to the bit. The

@@ -1,6 +1,7 @@
 #include "build/plane/block.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/portable.hpp"
@@ -9,18 +10,25 @@ namespace trilith {
 
 Part build_block(const Block& block) {
   const std::string owner = builder_title("block", block.name);
-  const double w = require_positive(block.width, owner + ": width", "m");
-  const double h = require_positive(block.height, owner + ": height", "m");
-  const double x = require_finite(block.at.x(), owner + ": x"), y = require_finite(block.at.y(), owner + ": y");
-  const double angle = require_finite(block.angle, owner + ": angle");
+  check_keys(block, owner);
+  const double w = block.width, h = block.height, x = block.at.x(), y = block.at.y();
   const bool centred = block.anchor == BlockAnchor::centre;
   const double left = centred ? -w / 2 : 0, right = centred ? w / 2 : w;
   const double low = centred ? -h / 2 : 0, high = centred ? h / 2 : h;
-  const auto [s, c] = portable::sine_cosine(angle);
+  const auto [s, c] = portable::sine_cosine(block.angle);
   Part part{block.name, {}, block.groups};
   for (const Vec2& p : {Vec2(left, low), Vec2(right, low), Vec2(right, high), Vec2(left, high)})
     part.outline.emplace_back(x + (c * p.x() - s * p.y()), y + (s * p.x() + c * p.y()));
   return part;
+}
+
+std::vector<Part> Block::parts() const {
+  return {build_block(*this)};
+}
+
+BuiltParts PolygonShape::parts() const {
+  PolygonPart made = build_polygon(name, outline);
+  return {{std::move(made.part)}, std::move(made.notes)};
 }
 
 PolygonPart build_polygon(const std::string& name, Polygon points, std::vector<std::string> groups) {

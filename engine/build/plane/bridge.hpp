@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/schema.hpp"
+#include "build/builder_keys.hpp"
 #include "build/plane/part.hpp"
 
 namespace trilith {
@@ -75,14 +75,13 @@ struct Span {
   static constexpr std::string_view kind = "span";
   static constexpr std::string_view sentence = "a deck between two places";
   static constexpr bool is_single = true;
-  static constexpr auto parameters() {
-    using P = Parameter<Span>;
-    return std::array{
-        P{&Span::x0, "x0", "m", no_default, -unbounded, unbounded, false, "axis of the left support"},
-        P{&Span::x1, "x1", "m", no_default, -unbounded, unbounded, false, "axis of the right support"},
-        P{&Span::end_gap, "end_gap", "m", 0, 0, unbounded, true, "from the axis to its end"},
-        P{&Span::soffit_level, "soffit_level", "m", no_default, -unbounded, unbounded, false, "its underside"},
-        P{&Span::depth, "depth", "m", no_default, 0, unbounded, false, "its height"}};
+  static constexpr auto keys() {
+    using K = KeysOf<Span>;
+    return std::tuple(K::Number{&Span::x0, "x0", "m", "axis of the left support", any_number, must_be_given},
+                      K::Number{&Span::x1, "x1", "m", "axis of the right support", any_number, must_be_given},
+                      K::Number{&Span::end_gap, "end_gap", "m", "from the axis to its end", not_below_zero},
+                      K::Number{&Span::soffit_level, "soffit_level", "m", "its underside", any_number, must_be_given},
+                      K::Number{&Span::depth, "depth", "m", "its height", above_zero, must_be_given});
   }
   /// The single part of build_span.
   [[nodiscard]] std::vector<Part> parts() const;

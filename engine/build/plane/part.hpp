@@ -16,6 +16,12 @@ struct Part {
   std::vector<std::string> groups;
 };
 
+/// Parts, and the changes to their description, one line each.
+struct BuiltParts {
+  std::vector<Part> parts;
+  std::vector<std::string> notes = {};
+};
+
 /// "wall.c3.u2" from "wall" and "c3.u2"; only "c3.u2" if the owner has no name.
 std::string part_name(std::string_view owner, std::string_view piece);
 

@@ -38,7 +38,7 @@ class Filling {
       : rubble_(rubble),
         owner_(builder_title("rubble", rubble.name)),
         bits_(static_cast<std::uint64_t>(static_cast<std::int64_t>(rubble.seed))) {
-    check_counts();
+    check_keys(rubble, owner_);
     // cells of about equal width and height in a space compressed along x become long ones in real space
     outline_ = stretched(check_polygon(rubble.outline, owner_).outline, 1 / rubble.aspect);
     size_ = std::sqrt(signed_area(outline_) / rubble.stones);
@@ -55,14 +55,6 @@ class Filling {
   }
 
  private:
-  void check_counts() const {
-    require_count(rubble_.stones, 1, 10000, owner_ + ": number of stones");
-    require_count(rubble_.relaxations, 0, 1000, owner_ + ": number of relaxations");
-    require_positive(rubble_.aspect, owner_ + ": aspect", "");
-    if (rubble_.aspect < 0.1 || rubble_.aspect > 10)
-      throw InputError(fmt::format("{}: aspect is {:g}, must be from 0.1 to 10", owner_, rubble_.aspect));
-  }
-
   void check_lengths() {
     const auto check = [&](double value, const char* what, double share) {
       require_not_negative(value, fmt::format("{}: {}", owner_, what), "m");
@@ -70,7 +62,6 @@ class Filling {
         throw InputError(fmt::format("{}: {} is {:g} m, must be at most {:g} of a stone's mean size, {:g} m", owner_,
                                      what, value, share, share * size_));
     };
-    require_finite(rubble_.least_edge, owner_ + ": least edge");
     least_edge_ = rubble_.least_edge < 0 ? size_ / 10 : rubble_.least_edge;
     check(least_edge_, "least edge", 0.3);
     check(rubble_.joint, "joint", 0.5);
@@ -187,6 +178,10 @@ class Filling {
 };
 
 }  // namespace
+
+std::vector<Part> Rubble::parts() const {
+  return build_rubble(*this);
+}
 
 std::vector<Part> build_rubble(const Rubble& rubble) {
   return Filling(rubble).run();

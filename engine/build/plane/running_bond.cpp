@@ -39,17 +39,10 @@ class Panel {
 
  private:
   void check_sizes() const {
-    require_count(bond_.columns, 1, 1'000'000, owner_ + ": number of columns");
-    require_count(bond_.courses, 1, 1'000'000, owner_ + ": number of courses");
+    check_keys(bond_, owner_);
     if (static_cast<double>(bond_.columns) * bond_.courses > 1e6)
       throw InputError(fmt::format("{}: {} columns in {} courses are more than 1000000 units", owner_, bond_.columns,
                                    bond_.courses));
-    require_positive(bond_.unit_width, owner_ + ": unit width", "m");
-    require_positive(bond_.unit_height, owner_ + ": unit height", "m");
-    require_not_negative(bond_.base_height, owner_ + ": base height", "m");
-    require_not_negative(bond_.base_margin, owner_ + ": base margin", "m");
-    require_finite(bond_.at.x(), owner_ + ": x");
-    require_finite(bond_.at.y(), owner_ + ": y");
   }
 
   /// Index of the grid line at x; a field off the grid is rejected, not moved.
@@ -67,9 +60,10 @@ class Panel {
   void add_field(const PanelField& given, std::string_view kind, int number) {
     const std::string what = number > 0 ? fmt::format("{}, lintel {}", owner_, number)
                                         : fmt::format("{}, opening {}", owner_, fields_.size() + 1);
+    const int last_course = given.last_course == 0 ? given.first_course : given.last_course;
     const GridField field{grid_line(given.from, what + ": left edge"), grid_line(given.to, what + ": right edge"),
                           require_count(given.first_course, 1, bond_.courses, what + ": first course"),
-                          require_count(given.last_course, given.first_course, bond_.courses, what + ": last course"),
+                          require_count(last_course, given.first_course, bond_.courses, what + ": last course"),
                           number};
     if (field.from >= field.to)
       throw InputError(
@@ -139,6 +133,10 @@ class Panel {
 };
 
 }  // namespace
+
+std::vector<Part> RunningBond::parts() const {
+  return build_running_bond(*this);
+}
 
 std::vector<Part> build_running_bond(const RunningBond& bond) {
   return Panel(bond).run();

@@ -7,17 +7,24 @@
 #include "base/error.hpp"
 
 namespace trilith {
+
+std::vector<Part> Stack::parts() const {
+  return build_stack(*this);
+}
+
+std::vector<Part> HarmonicStack::parts() const {
+  return build_harmonic_stack(*this);
+}
+
 std::vector<Part> build_stack(const Stack& stack) {
   const std::string owner = builder_title("stack", stack.name);
   if (stack.blocks.empty()) throw InputError(owner + ": has no blocks, needs at least 1");
-  double middle = require_finite(stack.at.x(), owner + ": x"), bottom = require_finite(stack.at.y(), owner + ": y");
+  check_keys(stack, owner);
+  double middle = stack.at.x(), bottom = stack.at.y();
   double below = 0;
   std::vector<Part> parts;
   for (const StackBlock& block : stack.blocks) {
     const std::string piece = fmt::format("b{}", parts.size() + 1), what = fmt::format("{}, block {}", owner, piece);
-    require_positive(block.width, what + ": width", "m");
-    require_positive(block.height, what + ": height", "m");
-    require_finite(block.offset, what + ": offset");
     const double reach = (block.width + below) / 2;
     if (!parts.empty() && std::abs(block.offset) >= reach)
       throw InputError(
@@ -36,16 +43,11 @@ std::vector<Part> build_stack(const Stack& stack) {
 
 std::vector<Part> build_harmonic_stack(const HarmonicStack& stack) {
   const std::string owner = builder_title("harmonic stack", stack.name);
-  require_count(stack.count, 1, 1000, owner + ": number of blocks");
-  require_positive(stack.length, owner + ": length", "m");
-  require_positive(stack.height, owner + ": height", "m");
-  require_not_negative(stack.table_height, owner + ": table height", "m");
-  require_not_negative(stack.factor, owner + ": factor", "");
+  check_keys(stack, owner);
   if (stack.factor >= 2)
     throw InputError(fmt::format("{}: factor is {:g}, must be below 2 or the top block does not rest on anything",
                                  owner, stack.factor));
-  Stack blocks{
-      stack.name, {require_finite(stack.at.x(), owner + ": x"), require_finite(stack.at.y(), owner + ": y")}, {}};
+  Stack blocks{stack.name, stack.at, {}};
   blocks.at.x() -= stack.length / 2;  // a block whose right end is aligned with the end of the table
   // From below: block k from the top projects by length / 2k beyond the next, times `factor`. At this distance all
   // blocks above it just balance on the edge.

@@ -39,7 +39,7 @@ class Laying {
       for (const WallField& field : storey.fields) lines_.at(field.from), lines_.at(field.to);
   }
 
-  WallParts run() {
+  BuiltParts run() {
     if (wall_.base_height > 0) {
       add("base", -wall_.base_margin, plan_.length + wall_.base_margin, -wall_.base_height, 0, {"base"});
     }
@@ -182,7 +182,11 @@ class Laying {
 
 }  // namespace
 
-WallParts build_wall(const Wall& wall) {
+BuiltParts Wall::parts() const {
+  return build_wall(*this);
+}
+
+BuiltParts build_wall(const Wall& wall) {
   return Laying(wall, plan_wall(wall)).run();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "build/builder_keys.hpp"
 #include "build/plane/part.hpp"
 
 namespace trilith {
@@ -13,6 +14,14 @@ struct WallStorey {
   int courses = 0;          ///< 0: as many as the height contains
   double height = 0;        ///< from the top of the part below to the top of its slab [m]; 0: determined by the courses
   double slab_height = -1;  ///< [m]; 0: no slab; negative: the wall's slab_height
+
+  static constexpr auto keys() {
+    using K = KeysOf<WallStorey>;
+    using S = WallStorey;
+    return std::tuple(K::Count{&S::courses, "courses", "number of courses"},
+                      K::Number{&S::height, "height", "m", "height with its slab", not_below_zero},
+                      K::Number{&S::slab_height, "slab_height", "m", "height of its slab"});
+  }
 };
 
 /// A door or window of one storey: an empty rectangle.
@@ -27,6 +36,21 @@ struct WallOpening {
   double lintel_bearing = -1;  ///< overlap of the lintel on each side [m]; negative: the wall's
   double sill_height = 0;      ///< of a block below the sill [m], whole courses; 0: none, units only
   double sill_bearing = 0;     ///< overlap of that block on each side [m]
+
+  static constexpr auto keys() {
+    using K = KeysOf<WallOpening>;
+    using O = WallOpening;
+    return std::tuple(K::EachCount{&O::storey, "storey", "storey from below, or several"},
+                      K::Number{&O::x, "x", "m", "left edge", any_number, must_be_given},
+                      K::Number{&O::sill, "sill", "m", "lower edge above the storey's first course"},
+                      K::Number{&O::width, "width", "m", "its width", any_number, must_be_given},
+                      K::Number{&O::height, "height", "m", "its height", any_number, must_be_given},
+                      K::Flag{&O::lintel, "lintel", "with a lintel"},
+                      K::Number{&O::lintel_height, "lintel_height", "m", "height of its lintel"},
+                      K::Number{&O::lintel_bearing, "lintel_bearing", "m", "bearing length of its lintel"},
+                      K::Number{&O::sill_height, "sill_height", "m", "height of a block under the sill"},
+                      K::Number{&O::sill_bearing, "sill_bearing", "m", "bearing length of that block"});
+  }
 };
 
 /// Treatment of a cut unit that is shorter than least_length.
@@ -60,12 +84,60 @@ struct Wall {
   double jitter = 0;  ///< every head joint is moved along its course by up to this distance [m], below a quarter of
                       ///< least_length; neighbours still share their face
   int seed = 1;       ///< seed of the jitter: the same number gives the same bits everywhere
-};
+  int courses = 0;    ///< of storeys that give neither courses nor height; see WallStorey
+  double storey_height = 0;  ///< likewise [m]
 
-/// Parts of a wall, and the changes to its description, one line each.
-struct WallParts {
-  std::vector<Part> parts;
-  std::vector<std::string> notes;
+  static constexpr std::string_view kind = "wall";
+  static constexpr std::string_view sentence = "a masonry wall of storeys, with openings, lintels and slabs";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<Wall>;
+    return std::tuple(
+        K::Point{&Wall::at, "at", "lower left corner"},
+        K::Number{&Wall::length, "length", "m", "length of the wall; or units", any_number, {"from units"}},
+        K::Count{&Wall::units, "units", "number of units in a course", -any_count, any_count, {"from length"}},
+        K::Number{&Wall::unit_length, "unit_length", "m", "length of a stretcher, with half of its joints", above_zero},
+        K::Number{&Wall::unit_height, "unit_height", "m", "height of a course", above_zero},
+        K::Number{
+            &Wall::header_length, "header_length", "m", "length of a header", not_below_zero, {"half a stretcher"}},
+        K::Number{&Wall::head_joint, "head_joint", "m", "thickness of head joints, added to the length of units",
+                  not_below_zero},
+        K::Number{&Wall::bed_joint, "bed_joint", "m", "thickness of bed joints, added to the height of units",
+                  not_below_zero},
+        K::Text{&Wall::bond, "bond", "running, stack, english, flemish, header or english_garden"},
+        K::Count{&Wall::first_row, "first_row", "first row of the bond pattern"},
+        K::Number{&Wall::least_length,
+                  "least_length",
+                  "m",
+                  "length of the shortest cut piece",
+                  not_below_zero,
+                  {"a quarter of a unit"}},
+        K::Choice<ShortPieces, 2>{
+            &Wall::short_pieces, "short_pieces", "treatment of shorter pieces", {"merge", "refuse"}},
+        K::Number{&Wall::jitter, "jitter", "m", "largest random shift of head joints", not_below_zero},
+        K::Count{&Wall::seed, "seed", "of the random numbers"},
+        K::Count{&Wall::courses,
+                 "courses",
+                 "number of courses in a storey; or",
+                 -any_count,
+                 any_count,
+                 {"from storey_height"}},
+        K::Number{&Wall::storey_height, "storey_height", "m", "height of a storey", not_below_zero, {"from courses"}},
+        K::CountOrList<WallStorey>{&Wall::storeys, "storeys", "storey",
+                                   "number of storeys, or a list of { courses = , height = , slab_height = }", 1000},
+        K::Number{&Wall::slab_height, "slab_height", "m", "height of the slab on each storey", not_below_zero},
+        K::Number{&Wall::slab_overhang, "slab_overhang", "m", "length of slabs beyond the wall", not_below_zero},
+        K::Number{&Wall::base_height, "base_height", "m", "height of the base", not_below_zero},
+        K::Number{&Wall::base_margin, "base_margin", "m", "length of the base beyond the wall", not_below_zero},
+        K::Number{&Wall::lintel_height, "lintel_height", "m", "height of lintels", not_below_zero, {"one course"}},
+        K::Number{
+            &Wall::lintel_bearing, "lintel_bearing", "m", "bearing length of lintels", not_below_zero, {"half a unit"}},
+        K::Flag{&Wall::snap, "snap", "move openings to the nearest joints"},
+        K::List<WallOpening>{&Wall::openings, "openings", "opening",
+                             "{ storey = , x = , sill = , width = , height = , lintel = , sill_height = }, ..."});
+  }
+  /// build_wall.
+  [[nodiscard]] BuiltParts parts() const;
 };
 
 /// Parts from the bottom up, left to right. Names and groups in storey 2:
@@ -83,6 +155,6 @@ struct WallParts {
 /// range, for sizes out of range and heights that are no whole number of courses. It also throws for openings outside
 /// the storey, overlapping, or off the course lines, for lintels without masonry below their ends, and for pieces that
 /// remain too short.
-WallParts build_wall(const Wall& wall);
+BuiltParts build_wall(const Wall& wall);
 
 }  // namespace trilith

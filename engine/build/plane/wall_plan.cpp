@@ -12,24 +12,6 @@ namespace {
 
 constexpr double whole_within = 1e-6;  ///< a height counts as whole courses within this share of a course
 
-void check_sizes(const Wall& wall, const std::string& owner) {
-  require_finite(wall.at.x(), owner + ": x");
-  require_finite(wall.at.y(), owner + ": y");
-  require_positive(wall.unit_length, owner + ": unit length", "m");
-  require_positive(wall.unit_height, owner + ": unit height", "m");
-  require_not_negative(wall.header_length, owner + ": header length", "m");
-  require_not_negative(wall.head_joint, owner + ": head joint", "m");
-  require_not_negative(wall.bed_joint, owner + ": bed joint", "m");
-  require_not_negative(wall.slab_height, owner + ": slab height", "m");
-  require_not_negative(wall.slab_overhang, owner + ": slab overhang", "m");
-  require_not_negative(wall.base_height, owner + ": base height", "m");
-  require_not_negative(wall.base_margin, owner + ": base margin", "m");
-  require_not_negative(wall.lintel_height, owner + ": lintel height", "m");
-  require_not_negative(wall.lintel_bearing, owner + ": lintel bearing", "m");
-  require_not_negative(wall.least_length, owner + ": least length", "m");
-  require_not_negative(wall.jitter, owner + ": jitter", "m");
-}
-
 double wall_length(const Wall& wall, const WallPlan& plan) {
   if (wall.length == 0 && wall.units == 0)
     throw InputError(plan.owner + ": give its length in m, or the number of whole units in a course");
@@ -46,7 +28,6 @@ int whole_courses(double height, double course_height) {
 
 /// Height or number of courses; if both are given they must agree.
 int count_courses(const WallStorey& storey, double slab, double course_height, const std::string& what) {
-  require_not_negative(storey.height, what + ": height", "m");
   if (storey.height == 0) return require_count(storey.courses, 1, 100'000, what + ": number of courses");
   const double clear = storey.height - slab;
   const int courses = whole_courses(clear, course_height);
@@ -67,10 +48,10 @@ int count_courses(const WallStorey& storey, double slab, double course_height, c
 void plan_storeys(const Wall& wall, WallPlan& plan) {
   if (wall.storeys.empty()) throw InputError(plan.owner + ": has no storey, needs at least 1");
   double bottom = 0, units = 0;
-  for (const WallStorey& storey : wall.storeys) {
+  for (WallStorey storey : wall.storeys) {
+    if (storey.courses == 0 && storey.height == 0) storey.courses = wall.courses, storey.height = wall.storey_height;
     const std::string what = fmt::format("{}, storey {}", plan.owner, plan.storeys.size() + 1);
     const double slab = storey.slab_height < 0 ? wall.slab_height : storey.slab_height;
-    require_finite(slab, what + ": slab height");
     StoreyPlan made;
     const int courses = count_courses(storey, slab, plan.course_height, what);
     // Each line is computed once, so that all parts that meet there have the same bits.
@@ -236,7 +217,7 @@ std::vector<WallStrip> strips_of(const std::vector<WallField>& fields) {
 WallPlan plan_wall(const Wall& wall) {
   WallPlan plan{};
   plan.owner = builder_title("wall", wall.name);
-  check_sizes(wall, plan.owner);
+  check_keys(wall, plan.owner);
   plan.course_height = wall.unit_height + wall.bed_joint;
   plan.units.stretcher = wall.unit_length + wall.head_joint;
   plan.units.header = wall.header_length == 0 ? plan.units.stretcher / 2 : wall.header_length + wall.head_joint;

@@ -15,19 +15,7 @@ namespace {
 constexpr double quarter = std::numbers::pi / 2;
 
 void check(const FlyingButtress& f, const std::string& owner) {
-  require_count(f.voussoirs, 1, 10000, owner + ": number of voussoirs");
-  require_count(f.sub_edges, 1, 1000, owner + ": number of sub-edges");
-  require_positive(f.span, owner + ": span", "m");
-  require_positive(f.rise, owner + ": rise", "m");
-  require_positive(f.thickness, owner + ": thickness", "m");
-  require_finite(f.springing.x(), owner + ": springing x");
-  require_finite(f.springing.y(), owner + ": springing y");
-  require_not_negative(f.radius, owner + ": radius", "m");
-  require_not_negative(f.slope, owner + ": slope of the coping", "rad");
-  require_not_negative(f.pier_width, owner + ": pier width", "m");
-  require_not_negative(f.pier_height, owner + ": pier height", "m");
-  require_not_negative(f.wall_width, owner + ": wall width", "m");
-  require_not_negative(f.wall_height, owner + ": wall height", "m");
+  check_keys(f, owner);
   if (f.slope >= quarter)
     throw InputError(
         fmt::format("{}: slope of the coping is {:g} rad, must be below pi/2; give it against the "
@@ -141,6 +129,10 @@ Part make_wall(const FlyingButtress& f, const Vec2& head) {
 }
 
 }  // namespace
+
+std::vector<Part> FlyingButtress::parts() const {
+  return build_flying_buttress(*this);
+}
 
 std::vector<Part> build_flying_buttress(const FlyingButtress& f) {
   const std::string owner = builder_title("flying buttress", f.name);

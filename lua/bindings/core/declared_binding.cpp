@@ -4,6 +4,7 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/open.hpp"
 #include "bindings/core/table_fields.hpp"
+#include "bindings/geometry/declared_reading.hpp"
 #include "build/plane/list.hpp"
 #include "model/event_list.hpp"
 #include "model/plausible_ranges.hpp"
@@ -99,15 +100,14 @@ int laws(lua_State* L) {
 /// Keys of a builder in the format of the manual: one line each of name, kind and sentence.
 template <DeclaredBuilder B>
 std::string builder_keys() {
-  const std::string name = B{}.name;
-  std::string text = name.empty() ? "name  text?  its name" : fmt::format("name  text = \"{}\"  its name", name);
-  for (const Parameter<B>& p : B::parameters())
-    text += fmt::format("\n{}  number{}{}{}  {}", p.name, p.unit == "1" ? "" : " ", p.unit == "1" ? "" : p.unit,
-                        p.required() ? "" : fmt::format(" = {:g}", p.preset), p.sentence);
-  return text;
+  const std::string name = B{}.name, doc = B::is_single ? "name" : "prefix of names";
+  const std::string first =
+      name.empty() ? fmt::format("name  text?  {}\n", doc) : fmt::format("name  text = \"{}\"  {}\n", name, doc);
+  if constexpr (requires { B::is_named; }) return declared_key_lines<B>();
+  return first + declared_key_lines<B>();
 }
 
-/// core.builders(): rows of the manual's `makers` for the builders that declared numbers describe.
+/// core.builders(): rows of the manual's `makers` for the builders whose keys are declared.
 int builders(lua_State* L) {
   lua_newtable(L);
   lua_Integer row = 0;
