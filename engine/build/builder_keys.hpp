@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -37,9 +38,9 @@ struct Range {
   }
   [[nodiscard]] std::string text() const {
     if (least == -unbounded) return "a finite number";
-    const char* const low = includes_least ? "not below" : "above";
-    return most < unbounded ? fmt::format("{} {:g} and at most {:g}", low, least, most)
-                            : fmt::format("finite and {} {:g}", low, least);
+    if (most == unbounded) return fmt::format("finite and {} {:g}", includes_least ? "not below" : "above", least);
+    return includes_least ? fmt::format("from {:g} to {:g}", least, most)
+                          : fmt::format("above {:g} and at most {:g}", least, most);
   }
 };
 inline constexpr int any_count = 1'000'000'000;
@@ -143,33 +144,49 @@ constexpr void for_each_key(F&& f) {
   std::apply([&](const auto&... key) { (f(key), ...); }, B::keys());
 }
 
+/// "unit length" from "unit_length": a key in messages.
+inline std::string key_words(std::string_view key) {
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+inline void check_number(const std::string& owner, std::string_view key, double v, std::string_view unit,
+                         const Range& range) {
+  if (range.allows(v)) return;
+  throw InputError(fmt::format("{}: {} is {}{}{}, must be {}", owner, key_words(key),
+                               std::isnan(v) ? "nan" : fmt::format("{:g}", v), unit == "1" ? "" : " ",
+                               unit == "1" ? "" : unit, range.text()));
+}
+
 /// Throws InputError where a number of `value` or of its entries is outside its range. `owner` begins the message.
 template <DeclaresKeys B>
+void check_keys(const B& value, const std::string& owner);
+
+template <class B, class Key>
+void check_key(const B& value, const std::string& owner, const Key& key) {
+  using Kinds = KeysOf<B>;
+  const auto& member = value.*(key.member);
+  if constexpr (std::is_same_v<Key, typename Kinds::Number>) {
+    check_number(owner, key.name, member, key.unit, key.range);
+  } else if constexpr (std::is_same_v<Key, typename Kinds::MaybeNumber>) {
+    if (member) check_number(owner, key.name, *member, key.unit, key.range);
+  } else if constexpr (std::is_same_v<Key, typename Kinds::Count>) {
+    if (member < key.least || member > key.most)
+      throw InputError(fmt::format("{}: {} is {}, must be a whole number from {} to {}", owner, key_words(key.name),
+                                   member, key.least, key.most));
+  } else if constexpr (std::is_same_v<Key, typename Kinds::Point>) {
+    if (!member.allFinite()) throw InputError(fmt::format("{}: {} must be finite", owner, key_words(key.name)));
+  } else if constexpr (requires { key.entry; }) {
+    int number = 0;
+    for (const auto& entry : member) check_keys(entry, fmt::format("{}, {} {}", owner, key.entry, ++number));
+  }
+}
+
+template <DeclaresKeys B>
 void check_keys(const B& value, const std::string& owner) {
-  const auto check = [&](std::string_view name, double v, std::string_view unit, const Range& range) {
-    if (!range.allows(v))
-      throw InputError(fmt::format("{}: '{}' is {}{}, must be {}", owner, name,
-                                   std::isnan(v) ? "nan" : fmt::format("{:g}", v),
-                                   unit == "1" ? "" : fmt::format(" {}", unit), range.text()));
-  };
   for_each_key<B>([&](const auto& key) {
-    if constexpr (requires { key.range; }) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(value.*(key.member))>, double>)
-        check(key.name, value.*(key.member), key.unit, key.range);
-      else if (const auto& given = value.*(key.member); given)
-        check(key.name, *given, key.unit, key.range);
-    } else if constexpr (requires { key.least; }) {
-      const int count = value.*(key.member);
-      if (count < key.least || count > key.most)
-        throw InputError(fmt::format("{}: '{}' is {}, must be a whole number from {} to {}", owner, key.name, count,
-                                     key.least, key.most));
-    } else if constexpr (requires { key.entry; }) {
-      int number = 0;
-      for (const auto& entry : value.*(key.member))
-        check_keys(entry, fmt::format("{}, {} {}", owner, key.entry, ++number));
-    } else if constexpr (requires(const Vec2& p) { value.*(key.member) == p; }) {
-      if (!(value.*(key.member)).allFinite()) throw InputError(fmt::format("{}: '{}' must be finite", owner, key.name));
-    }
+    if constexpr (requires { key.member; }) check_key(value, owner, key);
   });
 }
 

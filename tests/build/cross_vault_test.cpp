@@ -98,5 +98,5 @@ TEST_CASE("cross vaults that cannot be are refused") {
   CHECK(says(refusal_of([] { build_cross_vault({.half_bay = 1, .stone_length = 1}); }),
              "half bay is 1 m, must be at least 1.075 m"));
   CHECK(says(refusal_of([] { build_cross_vault({.arch = {.voussoirs = 0}, .stone_length = 1}); }),
-             "number of voussoirs is 0"));
+             "arch: voussoirs is 0"));
 }

@@ -150,11 +150,11 @@ TEST_CASE("rubble that cannot be built is refused") {
     return refusal_of([&] { build_rubble(rubble); });
   };
   CHECK(says(with([](Rubble& r) { r.outline = {{0, 0}, {1, 1}}; }), "rubble 'r': outline has 2 different points"));
-  CHECK(says(with([](Rubble& r) { r.stones = 0; }), "number of stones is 0"));
+  CHECK(says(with([](Rubble& r) { r.stones = 0; }), "stones is 0"));
   CHECK(says(with([](Rubble& r) { r.aspect = 20; }), "aspect is 20, must be from 0.1 to 10"));
   CHECK(
       says(with([](Rubble& r) { r.least_edge = 1; }), "least edge is 1 m, must be at most 0.3 of a stone's mean size"));
   CHECK(says(with([](Rubble& r) { r.joint = 1; }), "joint is 1 m, must be at most 0.5"));
   CHECK(says(with([](Rubble& r) { r.jitter = NAN; }), "jitter is nan"));
-  CHECK(says(with([](Rubble& r) { r.relaxations = -1; }), "number of relaxations is -1"));
+  CHECK(says(with([](Rubble& r) { r.relaxations = -1; }), "relaxations is -1"));
 }

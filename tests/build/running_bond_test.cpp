@@ -112,7 +112,7 @@ TEST_CASE("panels that cannot be built are refused, fields off the grid with the
                    {.columns = 6, .courses = 10, .openings = {{0.8, 1.6, 4, 7}}, .lintels = {{0.6, 1.8, 7, 7}}});
              }),
              "lintel 1: lies on an opening or lintel given before"));
-  CHECK(says(refusal_of([] { build_running_bond({.columns = 0}); }), "number of columns is 0"));
+  CHECK(says(refusal_of([] { build_running_bond({.columns = 0}); }), "columns is 0"));
   CHECK(says(refusal_of([] { build_running_bond({.columns = 2000, .courses = 2000}); }), "more than 1000000 units"));
   CHECK(says(refusal_of([] { build_running_bond({.unit_width = 0}); }), "unit width is 0 m"));
   CHECK(says(refusal_of([] { build_running_bond({.base_height = -1}); }), "base height is -1 m"));
