@@ -49,14 +49,15 @@ void made_event(const Model<3>& model, State<3>& state, Work<3>& work, int row) 
 
 /// Largest opening of the patches of a joint in its present position, with its committed memory [m].
 template <class K>
-double widest_opening(const K& law, const JointMemory& before, std::uint32_t patches, const JointMotion& now) {
+double widest_opening(const K& law, JointMemory before, std::uint32_t patches, const JointMotion& now) {
+  divide(before);
   const JointPlan& plan = *before.plan;
   double widest = 0;
   for (std::size_t k = 0; k < plan.patch.size(); ++k) {
     if ((patches >> k & 1U) == 0) continue;
     const JointPatch& p = plan.patch[k];
-    const double slip = before.sound ? 0.0 : before.patch[k].slip;
-    const PatchOverlaps o(plan, p, now.moved.raised(opened_by(law, slip) - before.crushed[k]));
+    const PatchMemory& m = before.patch[k];
+    const PatchOverlaps o(plan, p, now.moved.raised(opened_by(law, m.slip) - m.crushed));
     for (const Vec2& x : plan.corners(p)) widest = std::max(widest, -o.asked(p, x));
   }
   return widest;

@@ -155,6 +155,26 @@ TEST_CASE("softening mortar gives off its fracture energies where it is parted a
   CHECK(near(rubbed.friction, 0.7 * sigma * area * (1e-3 - 0.7 * sigma / 8e9), 1e-2));
 }
 
+TEST_CASE("an intact joint stores no patches, and one that has cracked all of its plan") {
+  HeldJoint joint(soft_mortar(1e10, 1e10, 0.7, 3e5, 2e5, 20, 60), 0.5, 0.4, 1e-5);
+  CHECK(joint.joint().plan->patches == most_patches);
+  joint.to(Vec3(1e-6, 0, 1e-6));
+  CHECK(joint.joint().sound);
+  CHECK(joint.joint().plan->patch.empty());
+  CHECK(joint.joint().plan->corner.empty());
+  CHECK(joint.joint().patch.empty());
+  const JointPlan whole = *joint.joint().plan;
+  joint.to(Vec3(0, 0, 5e-5));
+  CHECK_FALSE(joint.joint().sound);
+  const JointPlan& divided = *joint.joint().plan;
+  REQUIRE(divided.patch.size() == most_patches);
+  CHECK(joint.joint().patch.size() == most_patches);
+  CHECK(divided.whole.area == whole.whole.area);
+  CHECK(divided.laid.force == whole.laid.force);
+  CHECK(divided.laid.energy == whole.laid.energy);
+  CHECK(divided.patches == whole.patches);
+}
+
 TEST_CASE("X3: bending of softening mortar between two rigid halves") {
   const double depth = 0.1, width = 0.2, strength = 3e6, kn = 1e13;
   HeldJoint joint(soft_mortar(kn, 1e13, 0.7, 1e7, strength, 100, 1000), depth, width);

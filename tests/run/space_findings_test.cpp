@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "contact/joint/joint_plan.hpp"
 #include "model/pose.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
 #include "near.hpp"
@@ -196,6 +197,7 @@ TEST_CASE("damage of a joint in space is the share of its area whose bond is los
   JointMemory* memory = state.contacts.joint_at(static_cast<std::size_t>(row));
   REQUIRE(memory != nullptr);
   memory->sound = false;
+  divide(*memory);
   memory->bonds &= ~0b11U;  // two of sixteen patches of one size
   CHECK(near(joint_damage(top, state), 2.0 / 16, 1e-9));
   memory->patch[2].damage.fill(0.4);

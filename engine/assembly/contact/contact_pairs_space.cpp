@@ -19,6 +19,7 @@ void match_solids(const SolidHistory& state, Work<3>& work) {
   now.key.resize(work.pairs.size());
   now.memory.resize(work.pairs.size());
   now.joint_of.clear(), now.joint.clear();
+  now.joint.reserve(state.joint.size());
   std::size_t old = 0;
   for (std::size_t row = 0; row < now.size(); ++row) {
     now.key[row] = contact_key(work.pairs[row].piece_a, work.pairs[row].piece_b);

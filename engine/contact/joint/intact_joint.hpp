@@ -42,6 +42,7 @@ inline double intact_shear_energy(const JointPlan& plan, const Vec3& elastic, do
 
 /// Distributes the joint's shear to its patches.
 inline void spread_shear(JointMemory& joint) {
+  divide(joint);
   const JointPatch& whole = joint.plan->whole;
   joint.sound = false;
   for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) {
@@ -88,7 +89,6 @@ bool step_intact(const JointPlan& plan, const JointMotion& motion, const K& law,
     if (!(-law.kn * least < law.tension) || !(strength > 0) || !(most < strength * strength)) return false;
     if (after.plan != before.plan) after.plan = before.plan;
     after.moved = motion.moved, after.bonds = before.bonds, after.sound = true;
-    if constexpr (K::crushes) after.crushed = before.crushed;
     sums.pressed = intact_stress(plan, motion.moved);
     if (law.beta > 0) sums.damping = over_all(whole, LinearOverlap().plus(motion.rate, law.beta));
     sums.shear = after.total.head<2>(), sums.shear_elastic = after.elastic.head<2>();

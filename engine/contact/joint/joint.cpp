@@ -15,7 +15,7 @@ namespace {
 constexpr double longest_slide = 0.01;
 
 std::uint32_t all_bonds(const JointPlan& plan) {
-  return (1U << plan.patch.size()) - 1U;
+  return (1U << plan.patches) - 1U;
 }
 
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
@@ -42,10 +42,9 @@ void step_as_here(JointStep<K>& step) {
 
 /// A step patch by patch, for a joint that may have been intact before.
 template <class K>
-JointSums step_by_patches(const JointPlan& plan, const JointMotion& motion, const K& law, const JointMemory& joint,
-                          JointMemory& after) {
+JointSums step_by_patches(const JointMotion& motion, const K& law, const JointMemory& joint, JointMemory& after) {
   const auto run = [&](const JointMemory& before) {
-    JointStep<K> step(plan, motion, law, before, after);
+    JointStep<K> step(*before.plan, motion, law, before, after);
     step_as_here(step);
     return step.sums;
   };
@@ -124,7 +123,7 @@ template <class K>
 PatchStress stress_of(const JointMemory& joint, std::size_t k, const K& law) {
   const JointPatch& p = joint.plan->patch[k];
   const PatchMemory& m = joint.patch[k];
-  const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - joint.crushed[k]));
+  const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - m.crushed));
   return elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m));
 }
 
@@ -180,7 +179,7 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
   return with_kernel(use, [&]<class K>(const K& law) {
     JointSums sums;
     if (!joint.sound || !step_intact(plan, motion, law, joint, after, sums))
-      sums = step_by_patches(plan, motion, law, joint, after);
+      sums = step_by_patches(motion, law, joint, after);
     JointResponse out;
     SolidResponse& contact = out.contact;
     add_up(sums, plan, motion, law.kn, a, contact);
@@ -239,9 +238,11 @@ JointMemory set_joint(const FaceOverlap3& faces, const BodyMotion& a, const Body
     return Vec3(motion.x.dot(force), motion.y.dot(force), plan->radius * motion.normal.dot(force));
   };
   JointMemory joint;
-  joint.plan = plan, joint.bonds = all_bonds(*plan), joint.sound = true;
+  joint.bonds = all_bonds(*plan), joint.sound = true;
   joint.elastic = along_axes(before.shear.elastic), joint.total = along_axes(before.shear.total);
+  joint.plan = plan;
   apply_setting_shear(joint, law);
+  if (joint.sound) leave_out_patches(*plan);
   return joint;
 }
 

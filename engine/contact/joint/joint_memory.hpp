@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/space.hpp"
 
@@ -40,8 +41,9 @@ struct PatchMemory {
   PatchNumbers damage{};                  ///< lost share of the strength
   double active = 0;                      ///< area that carries shear [m2]
   double slip = 0;                        ///< accumulated sliding distance, mean of its points [m]
+  double crushed = 0;                     ///< crushed depth of its mortar [m]
 
-  /// Calls f with each number in turn. `Self`: const or not.
+  /// Calls f with each number but `crushed` in turn. `Self`: const or not.
   template <class Self, class F>
   static void fields(Self& m, F&& f) {
     for (auto* numbers : {&m.elastic_x, &m.elastic_y, &m.total_x, &m.total_y, &m.damage})
@@ -50,22 +52,27 @@ struct PatchMemory {
   }
 };
 
-/// History of a joint. Without a plan there is no joint, and the solids are in ordinary contact.
+/// History of a joint. Without a plan there is no joint, and the solids are in ordinary contact. An intact joint stores
+/// no patches, neither here nor in its plan, because nearly all joints are intact. divide() creates them.
 struct JointMemory {
-  std::shared_ptr<const JointPlan> plan;  ///< its geometry when it set; never changes
+  std::shared_ptr<const JointPlan> plan;  ///< its geometry when it set
   LinearOverlap moved;                    ///< overlap gained from setting to the last step
   std::uint32_t bonds = 0;                ///< bit k: patch k is at least partly bonded
   /// Intact: nothing has cracked or slid, so the shear is linear over the whole joint. `elastic` and, with damping,
-  /// `total` hold the force along both axes and the couple about the centroid [N], [N m]; the patches hold zeros.
+  /// `total` hold the force along both axes and the couple about the centroid [N], [N m].
   bool sound = false;
   Vec3 elastic = Vec3::Zero(), total = Vec3::Zero();
-  std::array<PatchMemory, most_patches> patch;
-  std::array<double, most_patches> crushed{};  ///< crushed depth of each patch's mortar [m]
+  std::vector<PatchMemory> patch;  ///< [patch] unused while the joint is intact
 
   [[nodiscard]] bool empty() const { return plan == nullptr; }
   [[nodiscard]] bool bonded(int k) const { return (bonds >> k & 1U) != 0; }
   /// Largest crushed depth of a patch [m].
-  [[nodiscard]] double most_crushed() const { return *std::max_element(crushed.begin(), crushed.end()); }
+  [[nodiscard]] double most_crushed() const {
+    double most = 0;
+    if (sound) return most;
+    for (const PatchMemory& p : patch) most = std::max(most, p.crushed);
+    return most;
+  }
 };
 
 }  // namespace trilith

@@ -26,25 +26,31 @@ Vec2 longest_side(std::span<const Vec2> corners) {
   return best.normalized();
 }
 
-/// Keeps the part to the left of the line through `from` along `along`.
-std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& from, const Vec2& along) {
-  std::vector<Vec2> kept;
+/// Stores in `kept` the part to the left of the line through `from` along `along`.
+void keep_left(const std::vector<Vec2>& polygon, const Vec2& from, const Vec2& along, std::vector<Vec2>& kept) {
+  kept.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
     const double at_p = cross(along, Vec2(p - from)), at_q = cross(along, Vec2(q - from));
     if (at_p >= 0) kept.push_back(p);
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
   }
-  return kept;
 }
 
-/// The part of a convex polygon in a rectangle: clipped by its four sides, one after the other.
-std::vector<Vec2> in_cell(const std::vector<Vec2>& polygon, const Vec2& low, const Vec2& high) {
-  std::vector<Vec2> cut = left_part(polygon, low, Vec2::UnitX());
-  cut = left_part(cut, Vec2(high.x(), low.y()), Vec2::UnitY());
-  cut = left_part(cut, high, -Vec2::UnitX());
-  return left_part(cut, Vec2(low.x(), high.y()), -Vec2::UnitY());
-}
+/// The part of a convex polygon in a rectangle: clipped by its four sides, one after the other. Reuses its buffers.
+class CellPart {
+ public:
+  const std::vector<Vec2>& of(const std::vector<Vec2>& polygon, const Vec2& low, const Vec2& high) {
+    keep_left(polygon, low, Vec2::UnitX(), other_);
+    keep_left(other_, Vec2(high.x(), low.y()), Vec2::UnitY(), cut_);
+    keep_left(cut_, high, -Vec2::UnitX(), other_);
+    keep_left(other_, Vec2(low.x(), high.y()), -Vec2::UnitY(), cut_);
+    return cut_;
+  }
+
+ private:
+  std::vector<Vec2> cut_, other_;
+};
 
 /// The linear function over a patch with the integral and the first moments of the positive part of `standing`.
 LinearOverlap laid_on(const LinearOverlap& standing, const JointPatch& patch, std::span<const Vec2> corners) {
@@ -108,10 +114,11 @@ void divide_joint(JointPlan& plan) {
   Vec2 low = plan.outline[0], high = low;
   for (const Vec2& p : plan.outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const Vec2 cell = (high - low) / patches_along;
+  CellPart part;
   for (int j = 0; j < patches_along; ++j)
     for (int i = 0; i < patches_along; ++i) {
       const Vec2 from = low + cell.cwiseProduct(Vec2(i, j)), to = low + cell.cwiseProduct(Vec2(i + 1, j + 1));
-      const std::vector<Vec2> polygon = in_cell(plan.outline, from, to);
+      const std::vector<Vec2>& polygon = part.of(plan.outline, from, to);
       const OutlineMoments moments(polygon);
       if (polygon.size() < 3 || !(moments.area > least_patch * all.area)) continue;
       JointPatch patch;
@@ -120,6 +127,20 @@ void divide_joint(JointPlan& plan) {
       complete(plan, patch, moments);
       plan.patch.push_back(patch);
     }
+  plan.patches = static_cast<int>(plan.patch.size());
+}
+
+void leave_out_patches(JointPlan& plan) {
+  plan.corner = {}, plan.patch = {};
+}
+
+void divide(JointMemory& joint) {
+  if (joint.plan->patch.empty()) {
+    const auto plan = std::make_shared<JointPlan>(*joint.plan);
+    divide_joint(*plan);
+    joint.plan = plan;
+  }
+  joint.patch.resize(joint.plan->patch.size());
 }
 
 /// The axes of a joint: origin at the centroid of the shared polygon, x along its larger principal axis (the longest

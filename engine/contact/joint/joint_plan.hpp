@@ -83,21 +83,23 @@ inline PatchStress over_all(const JointPatch& p, const LinearOverlap& f) {
   return {force, force * p.middle + own, 0.5 * (force * mean + f.slope.dot(own)), p.area};
 }
 
+/// Geometry of a joint. The patches and their corners exist only while the joint is divided.
 struct JointPlan {
   JointSeat in_a, in_b;          ///< the same position in the world at setting
   LinearOverlap standing;        ///< overlap of the faces at setting
   int face_a = -1, face_b = -1;  ///< faces of deforming solids that the seats follow; -1: the whole body
   std::vector<Vec2> outline;     ///< the shared polygon, counter-clockwise [m]
   // Derived quantities:
-  std::vector<Vec2> corner;
-  std::vector<JointPatch> patch;
-  JointPatch whole;         ///< of all patches: area, centroid and second moments
-  PatchStress laid;         ///< resultants of the bonds at setting, over the whole joint
-  double width = 0;         ///< square root of the area [m]
-  double radius = 0;        ///< radius of gyration about the origin [m]
-  double friction_arm = 0;  ///< mean distance of the area from the origin [m]
-  bool filled = false;      ///< true if any patch is filled
-  double most_laid = 0;     ///< largest overlap acting on the bond of a filled patch at setting [m]
+  int patches = 0;                ///< number of patches of the divided joint
+  std::vector<Vec2> corner;       ///< of all patches; empty until the joint is divided
+  std::vector<JointPatch> patch;  ///< empty until the joint is divided
+  JointPatch whole;               ///< of all patches: area, centroid and second moments
+  PatchStress laid;               ///< resultants of the bonds at setting, over the whole joint
+  double width = 0;               ///< square root of the area [m]
+  double radius = 0;              ///< radius of gyration about the origin [m]
+  double friction_arm = 0;        ///< mean distance of the area from the origin [m]
+  bool filled = false;            ///< true if any patch is filled
+  double most_laid = 0;           ///< largest overlap acting on the bond of a filled patch at setting [m]
 
   /// Lower bound of the overlap that the bond's strength is checked with at a corner of the outline at setting [m].
   [[nodiscard]] double least_at(const Vec2& p) const { return filled ? 0 : standing(p); }
@@ -108,10 +110,16 @@ struct JointPlan {
   }
 };
 
-/// Plans a joint of two faces in their present position.
+/// Plans a joint of two faces in their present position, and divides it into patches.
 JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyMotion& b);
 
 /// Computes the derived quantities from seats, initial overlap and outline, which must be a convex polygon.
 void divide_joint(JointPlan& plan);
+
+/// Removes the patches. What remains is all that an intact joint needs.
+void leave_out_patches(JointPlan& plan);
+
+/// Divides the plan of a joint if it is not divided, and gives each patch a history.
+void divide(JointMemory& joint);
 
 }  // namespace trilith

@@ -63,6 +63,7 @@ class JointStep {
   TRILITH_INLINE void run() {
     if (after_.plan != before_.plan) after_.plan = before_.plan;
     after_.moved = motion_.moved, after_.sound = false;
+    after_.patch.resize(plan_.patch.size());
     after_.bonds = motion_.turn.squaredNorm() > longest_bond_turn * longest_bond_turn ? 0U : before_.bonds;
     const double widest = widest_opening();
     if constexpr (is_brittle<K>) after_.bonds &= ~lost_bonds(widest);
@@ -89,7 +90,7 @@ class JointStep {
     for (std::size_t k = 0; k < plan_.patch.size(); ++k) {
       if (!before_.bonded(static_cast<int>(k))) continue;
       const JointPatch& p = plan_.patch[k];
-      const PatchOverlaps o = overlaps(k, motion_.moved, before_.crushed[k]);
+      const PatchOverlaps o = overlaps(k, motion_.moved, before_.patch[k].crushed);
       double opening = -std::numeric_limits<double>::max();
       if (law_.kn * widest > law_.tension)
         for (const Vec2& x : plan_.corners(p)) opening = std::max(opening, -o.asked(p, x));
@@ -123,7 +124,7 @@ class JointStep {
     PatchMemory& is = after_.patch[k];
     const bool was_bonded = before_.bonded(static_cast<int>(k));
     const double deeper = crush(k, was_bonded);
-    const PatchOverlaps o = overlaps(k, motion_.moved, after_.crushed[k]);
+    const PatchOverlaps o = overlaps(k, motion_.moved, is.crushed);
     is.damage = was.damage;
     if (is_softening<K> && was_bonded && (widest > first_opening() || after_.bonds == 0)) open_patch(k, o);
     const bool bonded = after_.bonded(static_cast<int>(k));
@@ -148,12 +149,12 @@ class JointStep {
   /// Crushes a patch as its overlap requires; returns the increase of its depth [m].
   TRILITH_INLINE double crush(std::size_t k, bool bonded) {
     if constexpr (K::crushes) {
-      const double before = before_.crushed[k];
+      const double before = before_.patch[k].crushed;
       if (law_.crushing > 0) {
         const PatchOverlaps o = overlaps(k, motion_.moved, before);
-        after_.crushed[k] = crushed_patch(law_, plan_, plan_.patch[k], bonded ? o.bond : o.faces, before);
+        after_.patch[k].crushed = crushed_patch(law_, plan_, plan_.patch[k], bonded ? o.bond : o.faces, before);
       }
-      return after_.crushed[k] - before;
+      return after_.patch[k].crushed - before;
     }
     return 0;
   }
@@ -187,8 +188,8 @@ class JointStep {
   /// crushing dissipates part of that pressure.
   [[nodiscard]] double dissipated(std::size_t k, PatchStress now, bool crushes) const {
     const JointPatch& p = plan_.patch[k];
-    const PatchOverlaps then = overlaps(k, before_.moved, before_.crushed[k]),
-                        here = overlaps(k, motion_.moved, after_.crushed[k]);
+    const PatchOverlaps then = overlaps(k, before_.moved, before_.patch[k].crushed),
+                        here = overlaps(k, motion_.moved, after_.patch[k].crushed);
     PatchStress first =
         elastic_stress(plan_, p, then, before_.bonded(static_cast<int>(k)), holds_of(law_, before_.patch[k]));
     PatchStress last =

@@ -62,6 +62,7 @@ void apply_setting_shear(JointMemory& joint, const ContactLaw& law) {
   const PressedPlaces pressed(plan);
   if (!(pressed.polar > least_radius * least_radius * plan.radius * plan.radius * pressed.sum)) return;
   joint.sound = false;
+  divide(joint);
   for (std::size_t k = 0; k < plan.patch.size(); ++k) {
     const JointPatch& p = plan.patch[k];
     PatchMemory& m = joint.patch[k];

@@ -53,7 +53,7 @@ class JointBonds {
   void each_of(std::size_t k) {
     const JointPatch& patch = plan_.patch[k];
     const PatchMemory& m = joint_.patch[k];
-    const PatchOverlaps o(plan_, patch, joint_.moved.raised(opened_by(law_, m.slip) - joint_.crushed[k]));
+    const PatchOverlaps o(plan_, patch, joint_.moved.raised(opened_by(law_, m.slip) - m.crushed));
     const double per = law_.ks * 0.25 * m.active;
     for (std::size_t i = 0; i < patch_points; ++i) {
       if (!(m.damage[i] < 1)) continue;

@@ -181,7 +181,7 @@ void walk_patches(File& file, Joint& joint, std::uint32_t patches) {
 /// The crushed depths of its patches, if there are any.
 template <class File, class Joint>
 void walk_crushed(File& file, Joint& joint, std::uint32_t patches) {
-  for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.crushed[k]);
+  for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.patch[k].crushed);
 }
 constexpr std::uint32_t crushed_mark = 1U << 15U;
 
@@ -200,7 +200,7 @@ void Writer::contacts(const SolidHistory& s) {
     if (s.memory[row].empty()) continue;
     const JointMemory* joint = s.joint_at(row);
     const bool has = joint != nullptr && !joint->empty();
-    auto patches = has ? static_cast<std::uint32_t>(joint->plan->patch.size()) : 0U;
+    auto patches = has ? static_cast<std::uint32_t>(joint->plan->patches) : 0U;
     key(s.key[row]);
     walk_solid_memory(*this, s.memory[row], patches);
     if (!has) continue;
@@ -225,11 +225,16 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
   std::uint32_t marks = 0;
   pair(marks, s.bonds);
   plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
-  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 16 != 0)
-    fail("has a joint that does not fit its faces");
+  const bool crushed = (marks & crushed_mark) != 0;
   s.plan = plan, s.sound = (marks & 1U) == 1;
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 16 != 0 || (s.sound && crushed))
+    fail("has a joint that does not fit its faces");
+  if (s.sound)
+    leave_out_patches(*plan);
+  else
+    divide(s);
   walk_patches(*this, s, patches);
-  if ((marks & crushed_mark) != 0) walk_crushed(*this, s, patches);
+  if (crushed) walk_crushed(*this, s, patches);
 }
 
 void Reader::contacts(SolidHistory& s) {

@@ -33,7 +33,6 @@ void take_plan(const JointPlan& plan, const Model<3>& model, const NearPair& pai
 /// Mean loss of strength of the points of a patch.
 double damage_of(const JointMemory& memory, std::size_t patch) {
   if (!memory.bonded(static_cast<int>(patch))) return 1;
-  if (memory.sound) return 0;
   const PatchNumbers& damage = memory.patch[patch].damage;
   return std::accumulate(damage.begin(), damage.end(), 0.0) / patch_points;
 }
@@ -120,6 +119,7 @@ double joint_damage(const FaceJoint& joint, const State<3>& state) {
   const int row = state.contacts.find(joint.contact);
   const JointMemory* memory = row < 0 ? nullptr : state.contacts.joint_at(static_cast<std::size_t>(row));
   if (memory == nullptr || memory->empty()) return 1;
+  if (memory->sound) return 0;
   double lost = 0, all = 0;
   for (std::size_t k = 0; k < memory->plan->patch.size(); ++k) {
     const double area = memory->plan->patch[k].area;

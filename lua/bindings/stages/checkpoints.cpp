@@ -16,7 +16,9 @@ std::size_t bytes_of_contacts(const ContactHistory& c) {
   return bytes_in(c.key, c.memory, c.law_row, c.law_memory);
 }
 std::size_t bytes_of_contacts(const SolidHistory& c) {
-  return bytes_in(c.key, c.memory, c.joint_of, c.joint);
+  std::size_t patches = 0;
+  for (const JointMemory& joint : c.joint) patches += bytes_in(joint.patch);
+  return patches + bytes_in(c.key, c.memory, c.joint_of, c.joint);
 }
 
 /// The next integer multiple of `every` [s], so that two branches have checkpoints at the same times with any step
