@@ -194,7 +194,7 @@ TEST_CASE("X3: bending of softening mortar between two rigid halves") {
     most = std::max(most, std::abs(joint.last.moment.y()));
   }
   const double ratio = most / (strength * width * depth * depth / 6);
-  CHECK(near(ratio, 2.3472, 1.5e-2));  // eight points over the depth: 2.378
+  CHECK(near(ratio, 2.3472, 5e-3));  // eight points over the depth: 2.355
 }
 
 TEST_CASE("T10: a square under pressure begins to slide at its corners and reaches its limit by and by") {

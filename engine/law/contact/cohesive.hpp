@@ -183,6 +183,21 @@ struct Cohesive::Kernel : Mortar {
     const T left = (last_opening - opening) * (1.0 / range);
     return larger(T{}, smaller(before, left));
   }
+  /// The same for openings that are evenly distributed from `low` to `high` [m]: the bond then carries the mean of their
+  /// stresses.
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T strength_left_over(T low, T high, T before) const {
+    constexpr double least_spread = 1e-6;  // share of the opening
+    const T zero{}, first = zero + first_opening(), last = zero + last_opening, range = last - first;
+    const T from = larger(low, zero), to = larger(high, zero);
+    const T e0 = smaller(from, first), e1 = smaller(to, first);
+    const T s0 = smaller(larger(from, first), last), s1 = smaller(larger(to, first), last);
+    const T elastic = (e1 - e0) * (e1 + e0), softening = first * (s1 - s0) * (2.0 * last - s0 - s1) / range;
+    const Mask<T> spread = to - from > least_spread * to;
+    const T hold = (elastic + softening) / select(spread, (to - from) * (to + from), zero + 1.0);
+    const T left = larger(zero, smaller(before, hold * last / (first + hold * range)));
+    return select(spread, left, strength_left(0.5 * (low + high), before));
+  }
   /// Stiffness share of an open bond with the strength share `strength`.
   template <class T>
   [[nodiscard]] TRILITH_INLINE T held(T strength) const {
