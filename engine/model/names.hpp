@@ -32,10 +32,14 @@ void require_new(const Rows& rows, const std::string& name, std::string_view kin
 class RowNames {
  public:
   template <class Rows>
-  void require_new(const Rows& rows, const std::string& name, std::string_view kind) {
+  [[nodiscard]] bool contains(const Rows& rows, const std::string& name) {
     if (rows.size() < known_) names_.clear(), known_ = 0;
     for (; known_ < rows.size(); ++known_) names_.insert(rows[known_].name);
-    if (names_.contains(name))
+    return names_.contains(name);
+  }
+  template <class Rows>
+  void require_new(const Rows& rows, const std::string& name, std::string_view kind) {
+    if (contains(rows, name))
       throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
   }
 

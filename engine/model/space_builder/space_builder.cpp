@@ -76,8 +76,7 @@ bool touches_something(const Model<3>& model, int surface) {
   return false;
 }
 
-void check_solid_body(const Model<3>& model, const SolidBody& body) {
-  if (model.find_body(body.name) >= 0) throw InputError(fmt::format("there is a body '{}' already", body.name));
+void check_solid_body(const SolidBody& body) {
   if (body.pieces.empty() && body.spheres.empty())
     throw InputError(fmt::format("body '{}' has no piece; it needs at least one", body.name));
   for (std::size_t s = 0; s < body.spheres.size(); ++s)
@@ -140,8 +139,12 @@ SolidMass mass_of(const SolidMoments& moments, double density) {
 }
 
 /// A solid becomes one node at its centroid, with its principal axes, and its pieces about the node.
+void SpaceBuilder::require_new_body(const std::string& name) {
+  if (names_.contains(model_.bodies, name)) throw InputError(fmt::format("there is a body '{}' already", name));
+}
+
 int SpaceBuilder::add(const SolidBody& body) {
-  check_solid_body(model_, body);
+  require_new_body(body.name), check_solid_body(body);
   for (std::size_t p = 0; p < body.pieces.size(); ++p)
     check_convex(body.pieces[p], fmt::format("body '{}', piece {}", body.name, p + 1));
   SolidMass mass =

@@ -7,6 +7,7 @@
 
 #include "geometry/space/polyhedron.hpp"
 #include "model/model.hpp"
+#include "model/names.hpp"
 #include "model/space_builder/space_frame.hpp"
 #include "model/space_builder/space_solid.hpp"
 
@@ -65,11 +66,13 @@ class SpaceBuilder {
   struct Pairing {
     int a, b, law;
   };
+  void require_new_body(const std::string& name);
   void add_node(const SolidBody& body, const SolidMass& mass);
   void add_pieces(const SolidBody& body, const SolidMass& mass);
   void add_piece(const ConvexSolid& piece, int node, int body);
 
   Model<3> model_;
+  RowNames names_;  ///< of the bodies
   std::vector<Pairing> pairings_;
 };
 

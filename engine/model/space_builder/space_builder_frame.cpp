@@ -289,7 +289,7 @@ ConvexSolid block_piece(const SpaceFrameBody& body, std::size_t joint, const Uni
 }  // namespace
 
 int SpaceBuilder::add(const SpaceFrameBody& body) {
-  if (model_.find_body(body.name) >= 0) throw InputError("there is a body '" + body.name + "' already");
+  require_new_body(body.name);
   const auto index = static_cast<int>(model_.bodies.size());
   Body row;
   row.name = body.name, row.kind = BodyKind::frame, row.surface = body.surface;

@@ -52,7 +52,7 @@ double set_spin(const SpaceMeshBody& body, int first, Model<3>& model) {
 }  // namespace
 
 int SpaceBuilder::add(const SpaceMeshBody& body) {
-  if (model_.find_body(body.name) >= 0) throw InputError("there is a body '" + body.name + "' already");
+  require_new_body(body.name);
   const SpaceMesh& mesh = body.mesh.mesh;
   const auto index = static_cast<int>(model_.bodies.size());
   Body row;
