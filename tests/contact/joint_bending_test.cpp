@@ -20,7 +20,7 @@ struct LawShape {
   }
 };
 
-/// Largest of what `moment(turn)` gives for rising turns.
+/// Largest moment(turn) for increasing turns.
 template <class F>
 double largest(double to, int steps, F&& moment) {
   double most = 0;
@@ -34,7 +34,8 @@ double last_turn(const LawShape& law, double axial) {
   return 1.5 * law.last + 8 * std::abs(axial);
 }
 
-/// Capacity over that of an elastic joint that breaks at its edge, by strips. `axial`: mean stress over the strength.
+/// Capacity by strips, over the capacity of an elastic joint that breaks at its edge. `axial`: mean stress over the
+/// strength.
 double capacity_by_strips(const LawShape& law, double axial) {
   constexpr int strips = 2000;
   const auto sums = [&](double middle, double turn) {
@@ -57,7 +58,7 @@ double capacity_by_strips(const LawShape& law, double axial) {
          });
 }
 
-/// The same of a joint with the sides x and y that is bent about `axis` (0: x, 1: y) in the sense `sign`.
+/// Capacity of a joint with the sides x and y that is bent about `axis` (0: x, 1: y) in the direction `sign`.
 double capacity_of_joint(const LawShape& shape, double x, double y, int axis, int sign, double axial) {
   const double kn = 1e10, strength = 3e5, peak = strength / kn, depth = axis == 0 ? y : x, area = x * y;
   HeldJoint joint(soft_mortar(kn, 1e10, 0.7, 1e8, strength, 0.5 * strength * shape.last * peak, 1e5), x, y);

@@ -116,7 +116,7 @@ JointPlan plan_joint(const FaceOverlap3& faces, const BodyMotion& a, const BodyM
 /// Computes the derived quantities from seats, initial overlap and outline, which must be a convex polygon.
 void divide_joint(JointPlan& plan);
 
-/// Removes the patches. What remains is all that an intact joint needs.
+/// Removes the patches, which an intact joint does not need.
 void leave_out_patches(JointPlan& plan);
 
 /// Divides the plan of a joint if it is not divided, and gives each patch a history.
