@@ -102,7 +102,7 @@ class JointStep {
     return gone != 0 && !law_.by_point ? ~0U : gone;
   }
 
-  /// Damage by opening. A patch whose points have all failed has lost its bond. A point stands for a quarter of its
+  /// Damage by opening. A patch whose points have all failed has lost its bond. A point represents a quarter of its
   /// patch. The centre of this quarter lies sqrt(3)/2 as far out as the point, and the opening varies over it by
   /// sqrt(3/4 variance of the four). This is exact for a rectangle that bends about one of its axes.
   TRILITH_INLINE void open_patch(std::size_t k, const PatchOverlaps& o) {
