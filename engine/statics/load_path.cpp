@@ -192,7 +192,7 @@ void LoadPathWalk<D>::follow() {
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
     if (!goes_on_softening && !arc(now)) {
       size = cut_of_path * now, ++out_.cuts;
-      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || jump() || leap(now))) continue;
+      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || approach() || jump() || leap(now))) continue;
       size = std::min(first, std::max(length_of(last_way_), shortest));
     }
     failed = 0;

@@ -15,6 +15,9 @@ constexpr double cut_of_detour = 0.25, share_of_overshoot = 0.1;
 constexpr double idle_share = 1e-3;
 /// Energy differences are taken over this share of the step.
 constexpr double share_of_step = 1e-4;
+/// A step towards the loss of a bond covers all but `share_before_loss` of the way to it. It is not taken if this way
+/// is shorter than `near_loss` of the last step.
+constexpr double share_before_loss = 0.02, near_loss = 0.05;
 
 }  // namespace
 
@@ -243,6 +246,16 @@ bool LoadPathWalk<D>::dissipate(double size) {
   return true;
 }
 
+/// Takes a step that ends just before the loss of a brittle bond. The largest load of a brittle joint lies there, and
+/// not at the last arc before it.
+template <int D>
+bool LoadPathWalk<D>::approach() {
+  if (last_way_.size() == 0) return false;
+  const double last = length_of(last_way_), way = last * reach(last_way_, last_rise_, least_energy());
+  set_factor(last_factor_), trial_.go_back();
+  return std::isfinite(way) && way > near_loss * last && step((1 - share_before_loss) * way);
+}
+
 /// Crosses the loss of a brittle bond, where the path itself jumps. The first bond along the path is broken alone, and
 /// equilibrium is found again at the same displacement. Further bonds break only if that equilibrium requires it.
 template <int D>
@@ -296,6 +309,8 @@ template bool LoadPathWalk<2>::arc(double);
 template bool LoadPathWalk<3>::arc(double);
 template bool LoadPathWalk<2>::dissipate(double);
 template bool LoadPathWalk<3>::dissipate(double);
+template bool LoadPathWalk<2>::approach();
+template bool LoadPathWalk<3>::approach();
 template bool LoadPathWalk<2>::jump();
 template bool LoadPathWalk<3>::jump();
 template bool LoadPathWalk<2>::leap(double);

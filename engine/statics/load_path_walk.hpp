@@ -41,6 +41,7 @@ class LoadPathWalk {
   bool step(double size, bool reversed = false);
   bool arc(double size);
   bool dissipate(double size);
+  bool approach();
   bool jump();
   bool leap(double size);
   [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
