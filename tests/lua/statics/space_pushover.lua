@@ -1,5 +1,5 @@
--- Load paths in space against closed forms, by displacement in time and by arcs: a dry block and a dry wall out of
--- their plane, a bonded pier, a softening pier, a post and a portal of members.
+-- Load paths in space against closed forms, by displacement in time and by arcs. The structures are a dry block, a dry
+-- wall that is pushed out of its plane, a bonded pier, a softening pier and a post.
 local trilith = require "trilith"
 local near = require "near_expected"
 local g = 9.80665
@@ -11,8 +11,8 @@ local function model(law)
   return m
 end
 
--- A rigid body of weight W and thickness t that is pushed at the height a by F leans on a toe whose pressure is a
--- triangle of the length c = sqrt(2 W/(kn L turn)), L the length of the edge, and has come W and F nearer by its turn.
+-- A rigid body of weight W and thickness t, pushed at the height a by F, leans on its toe. The pressure there is a
+-- triangle of length c = sqrt(2 W/(kn L turn)), with L the length of the edge. The rotation reduces the lever of W.
 local function rocking(weight, t, h, a, kn, edge)
   local most = 0
   for turn = 1e-6, 0.02, 1e-6 do
@@ -127,7 +127,7 @@ for _, control in ipairs { "time", "arc" } do
   near("softening pier, " .. control, r.peak_force, softening_capacity(energy), 0.01)
 end
 
--- A post with a hinge at its foot that yields at its own moment about either axis.
+-- A post with a hinge at its foot. The hinge has another yield moment about each axis.
 for _, case in ipairs { { axis = "x", moment = 1e5 }, { axis = "y", moment = 2e5 } } do
   for _, control in ipairs { "time", "arc" } do
     local m = trilith.model { name = "post", dim = 3, gravity = 0 }
