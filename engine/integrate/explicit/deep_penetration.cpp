@@ -12,6 +12,7 @@
 #include "broad_phase/moving_piece.hpp"
 #include "broad_phase/pairs.hpp"
 #include "broad_phase/swept_pairs.hpp"
+#include "integrate/explicit/body_depth.hpp"
 #include "integrate/explicit/tunnelling_limit.hpp"
 #include "model/pose.hpp"
 
@@ -96,8 +97,26 @@ double holding_stiffness(const Model<2>& model, const State<2>& state, int p, in
   return twice / (length * most * most);
 }
 
+/// How much of their bodies' thickness two pieces may share [m].
+double deepest_of_bodies(const Model<2>& model, int p, int q) {
+  return deep_penetration_share * std::min(thickness_at(model, p), thickness_at(model, q));
+}
+
+/// Depth of two bodies at two of their pieces [m].
+double depth_of_bodies(const Model<2>& model, const Work<2>& work, int p, int q) {
+  return std::max(body_depth(model, work, p, q, 0), passed_depth(model, work, p, q));
+}
+
+/// Depth and text of two bodies with an element that is thin against its body.
+void tell_bodies(const Model<2>& model, int p, int q, double depth, const Two& two, Event& e) {
+  e.value = depth;
+  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; take a stiffer law", two.closing_speed(),
+                       deepest_of_bodies(model, p, q) / deep_penetration_share);
+}
+
 /// Adds the event of a deep pair and stores the pair in State::passed. The faster body is named first.
-void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, std::vector<Event>& told) {
+void tell(const Model<2>& model, State<2>& state, const Work<2>& work, int p, int q, const Two& two,
+          std::vector<Event>& told) {
   const PieceOverlap& overlap = two.overlap;
   const ContactKey key = bodies_of(model, p, q);
   state.passed.insert(std::lower_bound(state.passed.begin(), state.passed.end(), key), key);
@@ -111,6 +130,9 @@ void tell(const Model<2>& model, State<2>& state, int p, int q, const Two& two, 
   e.text =
       fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", two.closing_speed(),
                   deepest_allowed(model, p, q) / deep_penetration_share, holding_stiffness(model, state, p, q, two));
+  const double depth = depth_of_bodies(model, work, p, q);
+  if (is_thin_for(model, work, p, q, deepest_of_bodies(model, p, q)) && depth > overlap.depth)
+    tell_bodies(model, p, q, depth, two, e);
   told.push_back(e);
 }
 
@@ -145,6 +167,19 @@ bool is_beneath(const Model<2>& model, const Work<2>& work, int owner, int other
   return false;
 }
 
+/// Remaining penetration of elements that are thin against their bodies: the overlap of the bodies counts. Until an
+/// element has passed another one, their own surfaces show that the bodies are not deep. A contact that ended because
+/// the surfaces have passed each other is too deep.
+double thin_room_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row, double allowed) {
+  const int p = work.pairs[row].piece_a, q = work.pairs[row].piece_b;
+  const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
+  const double least = touches ? std::min(piece_width(model, work, p), piece_width(model, work, q)) : unbounded;
+  if (is_told(model, state, p, q)) return least;
+  if (!touches) return passed_depth(model, work, p, q) > 0 ? -allowed : least;
+  const double depth = body_depth(model, work, p, q, 0.5 * allowed);
+  return depth > allowed ? allowed - depth : least;
+}
+
 /// Penetration that remains for the pieces of a row [m]; negative if they are too deep and not yet reported. For pieces
 /// below half of the limit the result is at least half of the limit. For pieces that do not touch it is unbounded: they
 /// are checked when they begin to touch.
@@ -152,7 +187,10 @@ double room_of(const Model<2>& model, const State<2>& state, const Work<2>& work
   const NearPair& pair = work.pairs[row];
   const int p = pair.piece_a, q = pair.piece_b;
   const double allowed = deepest_allowed(model, p, q), half = 0.5 * allowed;
-  if ((work.contacts.memory[row].state & contact_touching) == 0) return unbounded;
+  const double of_bodies = deepest_of_bodies(model, p, q);
+  const bool touches = (work.contacts.memory[row].state & contact_touching) != 0;
+  if (is_thin_for(model, work, p, q, of_bodies)) return thin_room_of(model, state, work, row, of_bodies);
+  if (!touches) return unbounded;
   if (pair.facing > 0 && beneath_face(model, work, pair) <= half) return half;
   if (is_beneath(model, work, p, q, half) || is_beneath(model, work, q, p, half)) return half;
   if (is_told(model, state, p, q)) return half;
@@ -195,7 +233,7 @@ void tell_deep(const Model<2>& model, State<2>& state, Work<2>& work, std::vecto
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {
     if (work.clear_until[row] == too_deep) {
       const int p = work.pairs[row].piece_a, q = work.pairs[row].piece_b;
-      if (!is_told(model, state, p, q)) tell(model, state, p, q, Two(model, state, p, q), told);
+      if (!is_told(model, state, p, q)) tell(model, state, work, p, q, Two(model, state, p, q), told);
       work.clear_until[row] = clear_until(work, row, 0.5 * deepest_allowed(model, p, q));
     }
     work.clear_path = std::min(work.clear_path, work.clear_until[row]);
@@ -232,12 +270,12 @@ void look_at_new(const Model<2>& model, const State<2>& state, Work<2>& work) {
 constexpr int most_looks = 10000;
 
 /// Checks two pieces along the last step.
-void look_back(const Model<2>& model, State<2>& state, int p, int q, std::vector<Event>& told) {
+void look_back(const Model<2>& model, State<2>& state, const Work<2>& work, int p, int q, std::vector<Event>& told) {
   const double allowed = deepest_allowed(model, p, q), growth = allowed * depth_per_step / deep_penetration_share;
   double left = state.last_dt;
   for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
-    if (two.room(allowed) < 0) return tell(model, state, p, q, two, told);
+    if (two.room(allowed) < 0) return tell(model, state, work, p, q, two, told);
     // Follows the step from its begin with the velocities at its end. This is exactly the path of a leapfrog step,
     // including rotation.
     const double time = time_to_depth(two.a, two.b, left, growth);
@@ -256,7 +294,7 @@ std::vector<Event> report_deep_penetration(const Model<2>& model, State<2>& stat
   // Only pieces that move farther than their thickness can pass through within one step.
   if (!goes_slowly(model, work, state.last_dt, 1))
     for (const auto& [p, q] : swept_pairs(model, state, work, -state.last_dt, 1))
-      if (!is_told(model, state, p, q)) look_back(model, state, p, q, told);
+      if (!is_told(model, state, p, q)) look_back(model, state, work, p, q, told);
   look_at_new(model, state, work);
   if (!(work.travel < work.clear_path)) look_now(model, state, work, told);
   return told;
