@@ -204,6 +204,22 @@ TEST_CASE("files that are no results are named for what they are") {
   CHECK(says(message_of_opening(folder / "text.h5"), "is not an HDF5 file"));
 }
 
+TEST_CASE("a part whose run was stopped before its first rows says so in one line") {
+  const Folder folder;
+  write_rows(folder / "run.h5", 3);
+  const std::string whole = bytes_of(folder / "run.h5");
+  for (const std::size_t length : {0, 1, 8, 48, 100, 1000, 4096, 5000, 8192}) {
+    for (const bool zeros : {false, true}) {
+      const std::string left = zeros ? std::string(length, '\0') : whole.substr(0, length);
+      write_text(folder / "cut.h5.part", left);
+      const std::string message = message_of_opening(folder / "cut.h5");
+      INFO(length, " bytes, ", zeros ? "zeros: " : "of a file: ", message);
+      CHECK(message.find("its run was stopped before the first rows were written") != std::string::npos);
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("a results file cut at any length is an error, never a crash, and never a shorter result") {
   const Folder folder;
   write_rows(folder / "run.h5", 60);

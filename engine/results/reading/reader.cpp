@@ -38,6 +38,16 @@ void require_ours(hid_t file) {
                                   format_version));
 }
 
+/// Why the part of a run cannot be read. The model and the tables are in it once its first rows are to come.
+std::string unfinished_text(const std::filesystem::path& path, const std::string& why) {
+  if (is_being_written(path))
+    return fmt::format("cannot be read yet, as its run has just begun; try again in a moment ({})", why);
+  return fmt::format(
+      "cannot be read: its run was stopped before the first rows were written, or the file is damaged; run the script "
+      "again ({})",
+      why);
+}
+
 std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b, double weight) {
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + weight * (b[i] - a[i]);
@@ -90,15 +100,23 @@ class ResultsReader::Body {
 
   void open() {
     guarded([&] {
-      require_hdf5(path);
-      file = {};
-      file = open_written(path);
-      require_ours(file.get());
-      finished = h5::read_int(file.get(), "finished") == 1;
-      header = read_header(file.get());
-      committed = read_committed(file.get());
-      times = numbers("/frames/time", committed.frames);
+      try {
+        open_begun();
+      } catch (const h5::Failure& failure) {
+        if (path.extension() != ".part") throw;
+        throw h5::Failure(unfinished_text(path, failure.what()));
+      }
     });
+  }
+  void open_begun() {
+    require_hdf5(path);
+    file = {};
+    file = open_written(path);
+    require_ours(file.get());
+    finished = h5::read_int(file.get(), "finished") == 1;
+    header = read_header(file.get());
+    committed = read_committed(file.get());
+    times = numbers("/frames/time", committed.frames);
   }
 
   std::vector<double> numbers(const std::string& set, std::int64_t rows) const {
