@@ -16,6 +16,7 @@
 #include "assembly/implicit_turn.hpp"
 #include "assembly/tangent/tangent.hpp"
 #include "base/error.hpp"
+#include "base/no_solution.hpp"
 
 namespace trilith {
 namespace {
@@ -118,7 +119,7 @@ Pairs lowest_pairs(const Pencil& p, int count) {
   solver.init();
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
-    throw InputError(fmt::format("modes: {} of {} were found and no more; ask for fewer", found, count));
+    throw NoSolution(fmt::format("modes: {} of {} were found and no more; ask for fewer", found, count));
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "bindings/core/guard.hpp"
+#include "bindings/core/no_solution_error.hpp"
 #include "bindings/core/open.hpp"
 #include "interrupt.hpp"
 #include "script_run.hpp"
@@ -89,11 +90,13 @@ int write_error(lua_State* L) {
   return write_to(L, stderr);
 }
 
-/// terminal.told(): called before an error is printed; ends the handling of an interrupt.
+/// terminal.told(message): an error is printed; if it is an interrupt, the interrupt ends here. True if the message is
+/// of a search without a solution.
 int told(lua_State* L) {
   quench_interrupt();
   if (session_of(L).editor.terminal()) forget_interrupts();
-  return 0;
+  lua_pushboolean(L, script::is_no_solution(L, text_at(L, 1)) ? 1 : 0);
+  return 1;
 }
 
 /// terminal.quit(code, why): ends the program; results are complete if `why` is "".
@@ -171,9 +174,10 @@ bool ConsoleSession::top(lua_State* L) {
   lua_getfield(L, LUA_REGISTRYINDEX, console_table);
   lua_getfield(L, -1, "top");
   lua_replace(L, -2);
-  script::call(L, 0, 1);
-  const bool good = lua_toboolean(L, -1) != 0;
-  lua_pop(L, 1);
+  script::call(L, 0, 2);
+  const bool good = lua_toboolean(L, -2) != 0;
+  no_solution = no_solution || lua_toboolean(L, -1) != 0;
+  lua_pop(L, 2);
   return good;
 }
 

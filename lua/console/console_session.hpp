@@ -17,7 +17,8 @@ class ConsoleSession : public script::Console {
   bool was_interrupted() override;
   void open(lua_State* L, const std::string& why) override;
 
-  /// The console at the top level, until it is left. False if a chunk failed.
+  /// The console at the top, until it is left. False where a chunk failed. A chunk with a search without a
+  /// solution sets `no_solution` instead.
   bool top(lua_State* L);
   /// Pushes a message handler for lua_pcall that keeps the locals of the failed function.
   static void push_handler(lua_State* L);
@@ -30,7 +31,8 @@ class ConsoleSession : public script::Console {
   static void on_interrupt(lua_State* L, lua_Debug* at);
 
   LineEditor editor;
-  std::string failure;  ///< reason for which the script before the console ended early; "": it did not
+  std::string failure;  ///< why the script before the console ended early; "": it did not
+  bool no_solution = false;
 
  private:
   script::Host& host_;

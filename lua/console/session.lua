@@ -160,7 +160,7 @@ end
 --- A message handler: the message without the console's own part of the traceback, and without a meaningless place. It
 --- keeps the locals of the failed function.
 function console.told(message)
-  terminal.told()
+  console.unsolved = terminal.told(message)
   keep_failed()
   message = terminal.traced(message)
   local lines = {}
@@ -192,12 +192,12 @@ local function show_results(session, ...)
   end
 end
 
---- Runs a chunk and shows its results. False if it failed.
+--- Runs a chunk and shows its results. False where it failed, and then whether a search in it had no solution.
 local function run(session, chunk)
   local results = table.pack(xpcall(chunk, told))
   if not results[1] then
     terminal.write_error(results[2] .. "\n")
-    return false
+    return false, console.unsolved
   end
   local shown, message = xpcall(show_results, told, session, table.unpack(results, 2, results.n))
   if not shown then terminal.write_error(message .. "\n") end
@@ -243,8 +243,9 @@ local function loop(session)
       ends = 0
       -- Input during a pause is not part of the script: the results record it.
       if session.model then core.note(session.model, ("console at %.6g s: %s"):format(session.model.time, message)) end
-      local good = run(session, chunk)
-      all_good = good and all_good
+      local good, unsolved = run(session, chunk)
+      console.no_solution = console.no_solution or unsolved
+      all_good = (good or unsolved) and all_good
       core.arm_lines()
       local why = session.model and core.pause_reason(session.model) or ""
       if why ~= "" then terminal.write(("Paused: %s.\n"):format(why)) end
@@ -262,10 +263,11 @@ local function loop(session)
   console.failed = console.failed or not all_good
 end
 
---- The console at the top level, until it is left. True if no chunk has failed.
+--- The console at the top, until it is left. True where no chunk has failed, and whether a search of one had no
+--- solution.
 function console.top()
   loop(new_session("> ", {}, coroutine.running()))
-  return not console.failed
+  return not console.failed, console.no_solution
 end
 
 --- The console at a pause of `model`, or (nil) of a script: returns when it continues.

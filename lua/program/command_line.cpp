@@ -64,7 +64,8 @@ void describe_command_line(CLI::App& app, int& code) {
       "folder and the paths on the command line; --trust opens it.\n"
       "trilith doctor says where the program, its Lua module and its records lie, and whether they work.\n"
       "Exit codes: 0 all went well, 1 wrong input, an error in a script or in a case of a study,\n"
-      "2 wrong words on the command line, 3 a run that is not to be trusted (it says why), 130 interrupted.");
+      "2 wrong words on the command line, 3 a run that is not to be trusted or a model without solution (it says "
+      "which), 130 interrupted.");
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);

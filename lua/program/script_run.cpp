@@ -9,6 +9,7 @@
 #include "base/whole_file.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/guard.hpp"
+#include "bindings/core/no_solution_error.hpp"
 #include "bindings/core/parameter_list.hpp"
 #include "bindings/readings/figures_reading.hpp"
 #include "interrupt.hpp"
@@ -32,6 +33,19 @@ int report_error(script::Host& host, const std::string& message) {
   host.finish(message);
   fmt::print(stderr, "{}\n", terminal_text(message));
   return report_untrusted_runs(host) ? not_trusted : wrong_input;
+}
+
+/// The verdict where no run of the script has one of its own.
+constexpr const char* no_solution_verdict =
+    "not to be trusted: the script ended, as its model has no solution that was asked for; see the line above";
+
+/// Exit code of a script that an error has ended, maybe a search without a solution.
+int report_failure(lua_State* L, script::Host& host) {
+  const std::string message = message_at_top(L);
+  const int code = report_error(host, message);
+  if (code != wrong_input || !script::is_no_solution(L, message)) return code;
+  fmt::print(stderr, "{}\n", no_solution_verdict);
+  return not_trusted;
 }
 
 /// A hook. No script can catch the end of the program; an interrupt is an error, and so is a signal within a stage,
@@ -61,7 +75,7 @@ int run_script(script::Host& host) {
   lua_State* L = state.get();
   const InterruptScope scope(L, on_signal);
   host.interrupted = is_interrupted;
-  if (load_script(L, host) != LUA_OK) return report_error(host, message_at_top(L));
+  if (load_script(L, host) != LUA_OK) return report_failure(L, host);
   bool good = lua_pcall(L, 0, 1, 1) == LUA_OK;
   if (host.list_parameters) {
     const std::string message = good ? "" : message_at_top(L);
@@ -78,7 +92,7 @@ int run_script(script::Host& host) {
   }
   if (!good && (host.study.only > 0 || host.study.list))
     good = message_at_top(L).find(script::script_is_done) != std::string::npos;
-  if (!good) return report_error(host, message_at_top(L));
+  if (!good) return report_failure(L, host);
   if (host.study.only > 0 && !host.study.begun)
     return report_error(host, fmt::format("{} has no study, so no case {}", host.script, host.study.only));
   if (!host.given_used && !host.given.empty())

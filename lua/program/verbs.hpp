@@ -10,7 +10,7 @@ enum ExitCode : int {
   ended_well = 0,
   wrong_input = 1,
   wrong_usage = 2,
-  not_trusted = 3,  ///< a run diverged, did not come to rest as required, or had bodies that passed through each other
+  not_trusted = 3,  ///< a run has a verdict (model/verdict.hpp) or its model has no solution (base/no_solution.hpp)
   interrupted = 130
 };
 

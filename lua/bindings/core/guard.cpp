@@ -12,12 +12,15 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/no_solution.hpp"
 #include "base/terminal_text.hpp"
+#include "bindings/core/no_solution_error.hpp"
 
 namespace trilith::script {
 namespace {
 
 constexpr const char* whole_message = "trilith.whole_message";
+constexpr const char* no_solution = "trilith.no_solution";
 constexpr const char* error_object = "trilith.error_object";
 /// Prefix of the chunk names of the built-in library, to distinguish them from the user's.
 constexpr std::string_view library_prefix = "=trilith/";
@@ -149,6 +152,13 @@ void mark_whole(lua_State* L) {
   lua_setfield(L, LUA_REGISTRYINDEX, whole_message);
 }
 
+bool is_no_solution(lua_State* L, const std::string& message) {
+  lua_getfield(L, LUA_REGISTRYINDEX, no_solution);
+  const std::string said = text_at(L, -1);
+  lua_pop(L, 1);
+  return !said.empty() && message.find(said) != std::string::npos;
+}
+
 int run_guarded(lua_State* L, lua_CFunction body) {
   try {
     const Call call;
@@ -162,6 +172,10 @@ int run_guarded(lua_State* L, lua_CFunction body) {
     push_message(L, lack_of_memory(L), false);
   } catch (const std::length_error&) {
     push_message(L, lack_of_memory(L), false);
+  } catch (const NoSolution& e) {
+    push_message(L, e, false);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, LUA_REGISTRYINDEX, no_solution);
   } catch (const std::exception& e) {
     push_message(L, e, false);
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_solution.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/interrupt_watch.hpp"
 #include "bindings/stages/pushover_parts.hpp"
@@ -189,7 +190,7 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
   State<D> state = sim.state();
   const LoadPath path = follow_loads(model, state, how);
   if (path.end == PathEnd::no_rest)
-    throw InputError(
+    throw NoSolution(
         "pushover: there is no rest to begin from; find it by m:consolidate{ integrator = \"static\" }, "
         "which tells what fails");
   recorder.finish(path, way);

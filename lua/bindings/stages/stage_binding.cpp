@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_solution.hpp"
 #include "base/portable.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/loads/drive_reading.hpp"
@@ -103,7 +104,7 @@ int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const Stag
   tell_scaling(L, m, report);
   if (report.end != StageEnd::diverged && report.end != StageEnd::unstable && !report.found.empty())
     tell_note(L, m, fmt::format("{}: {}", o.name, report.found));
-  if (report.end == StageEnd::not_converged) throw InputError(fmt::format("{}: {}", o.name, report.reason));
+  if (report.end == StageEnd::not_converged) throw NoSolution(fmt::format("{}: {}", o.name, report.reason));
   push_report(L, report);
   return 1;
 }
@@ -186,16 +187,16 @@ int consolidate(lua_State* L) {
   const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
   tell_scaling(L, m, report);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
-    throw InputError(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
+    throw NoSolution(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
   if (by_statics && report.end == StageEnd::unstable && !or_go_on)
-    throw InputError(fmt::format(
+    throw NoSolution(fmt::format(
         "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true goes on "
         "all the same",
         o.name, report.reason));
   // An explicit stage beyond strain_limit still moves, and its verdict reports it; statics was requested to find rest.
   if (by_statics && report.end == StageEnd::diverged && !or_go_on)
-    throw InputError(fmt::format("{} did not come to rest: {}", o.name, report.reason));
+    throw NoSolution(fmt::format("{} did not come to rest: {}", o.name, report.reason));
   const auto note = [&](const std::string& said) {
     m.note(said);
     if (host(L).observer != nullptr) host(L).observer->note(said);

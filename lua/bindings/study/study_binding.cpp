@@ -4,10 +4,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/no_solution.hpp"
 #include "base/units.hpp"
 #include "base/whole_file.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/interrupt_watch.hpp"
+#include "bindings/core/no_solution_error.hpp"
 #include "bindings/readings/figures_reading.hpp"
 #include "bindings/study/study_order.hpp"
 #include "bindings/study/study_reading.hpp"
@@ -101,7 +103,8 @@ int run_parted_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t in
   } catch (const std::exception& e) {
     h.finish(e.what());
     fmt::print(stderr, "{}\n", e.what());
-    return h.untrusted_runs().empty() ? 1 : 3;
+    const bool has_none = dynamic_cast<const NoSolution*>(&e) != nullptr || is_no_solution(L, e.what());
+    return has_none || !h.untrusted_runs().empty() ? 3 : 1;
   }
   h.finish("");
   write_whole_file(folder / figures_file, figures_text(h.figures));

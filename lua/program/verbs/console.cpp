@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "base/terminal_text.hpp"
+#include "bindings/core/guard.hpp"
+#include "bindings/core/no_solution_error.hpp"
 #include "console/console_session.hpp"
 #include "program/assignment.hpp"
 #include "program/interrupt.hpp"
@@ -31,6 +33,7 @@ void run_before(lua_State* L, script::Host& host, ConsoleSession& session) {
   if (host.observer != nullptr) host.observer->clear();
   if (!good) {
     session.failure = message_at_top(L);
+    session.no_solution = script::is_no_solution(L, session.failure);
     fmt::print(stderr, "{}\n", terminal_text(session.failure));
   } else if (!host.given_used && !host.given.empty()) {
     fmt::print(stderr, "{} declares no parameters, so '{}' has no place; see trilith.params\n", host.script,
@@ -59,12 +62,13 @@ int run(const Options& options) {
   host.interrupted = is_interrupted;
   if (session.editor.terminal()) fmt::print("Trilith {}. `help` says what there is, Ctrl-D leaves.\n", TRILITH_VERSION);
   if (!host.script.empty()) run_before(L, host, session);
-  const bool good = session.top(L) && session.failure.empty();
+  const bool before = session.failure.empty() || session.no_solution, good = session.top(L) && before;
   if (ending_signal() != 0) return close_by_signal(host);
   host.finish(session.failure);
   live.clear();
   if (!session.editor.terminal() && interrupts() > 0) return interrupted;
-  return good || session.editor.terminal() ? ended_well : wrong_input;
+  if (session.editor.terminal()) return ended_well;
+  return !good ? wrong_input : session.no_solution ? not_trusted : ended_well;
 }
 
 }  // namespace
