@@ -34,6 +34,11 @@ class Verdict {
   [[nodiscard]] std::string text(double zero = 0) const;
   /// Number of bodies that left the bounds.
   [[nodiscard]] std::int64_t left() const { return left_; }
+  /// Calls each(member) for all members.
+  template <class Each>
+  void each_number(Each&& each) {
+    each(fault_), each(left_);
+  }
 
  private:
   std::vector<FaultCount> fault_ = std::vector<FaultCount>(event_types);

@@ -51,6 +51,8 @@ struct NextStep {
   double safety = 0;   ///< see State::safety
   double longest = 0;  ///< longest stable step if it was estimated now, otherwise 0 [s]
 };
+class ByteReader;
+class ByteWriter;
 class Watch;
 template <int D>
 class Tangent;
@@ -114,6 +116,21 @@ class Simulation {
   /// Goes back to a snapshot of this simulation. Within at_border: to one of the running stage, which then goes on from
   /// there. Between stages: its stage waits for resume().
   void restore(const Snapshot<D>& snapshot);
+
+  // For restart files (run/restart/simulation_bytes.cpp).
+  /// Writes the state of the run at a step border or between stages: all but the model and the options of the stage.
+  void write(ByteWriter& out) const;
+  /// Returns to the instant of write(). Throws InputError if the model differs from the one at that instant. `options`:
+  /// options of the running stage, which resume() continues; nullptr: no stage ran.
+  void read(ByteReader& in, const StageOptions* options);
+  /// Replaces the state for the present model, and drops all that depends on the previous one.
+  void put_state(State<D> state);
+  /// Stores the present positions as the initial ones of a stage with these options (Watch::keep_places).
+  void keep_places(const StageOptions& options);
+  /// Applies a change as RunListener::change_model does at a step border.
+  void apply(const std::function<bool(Model<D>&)>& change);
+  /// True if a stage was asked to end at the next step border.
+  [[nodiscard]] bool stopping() const { return stop_.load(std::memory_order_relaxed); }
 
   /// Removes the bonds of all joints, or creates bonds where faces meet now: see assembly/start.hpp. Not while a stage
   /// runs.

@@ -67,6 +67,14 @@ class Watch {
   [[nodiscard]] const Travel& displaced() const { return displaced_; }
   /// Range until bonds may come near their strength, see integrate/explicit/bond_step.hpp.
   BondRoom& bonds() { return bonds_; }
+  /// Calls each(number) for all members but positions and bonds, which are found again.
+  template <class Each>
+  void each_number(Each&& each) {
+    each(element_room_), each(beam_room_), each(bounds_room_), each(sound_until_), each(counts_);
+    for (double& term : from_.value) each(term);
+    each(free_dofs_), each(given_speed_), each(most_energy_), each(off_), each(most_put_in_), each(looked_speed_);
+    each(next_look_);
+  }
 
  private:
   template <int D>

@@ -1,4 +1,4 @@
--- Commands of the console: continue, stop, quit, where, frame. Each is a function; alone on a line it is called.
+-- Commands of the console: continue, stop, quit, where, frame, save. Each is a function; alone on a line it is called.
 local console, core, terminal = ...
 
 local function frame_line(session, i)
@@ -46,6 +46,14 @@ function console.add_words(session)
     if not session.frames[i] then core.fail(("frame: there are frames 1 to %d"):format(#session.frames)) end
     session.frame = i
     terminal.write(frame_line(session, i))
+  end
+
+  --- Writes the present instant to a file, for `trilith -i --from FILE`.
+  function words.save(file, model)
+    model = model or session.model
+    if not model then core.fail 'save: no run pauses here; give the model, as in save("end.instant", m)' end
+    core.save(model, file)
+    terminal.write(("%s contains the instant %.6g s; open it with trilith -i --from %s\n"):format(file, model.time, file))
   end
 
   console.add_help(session)

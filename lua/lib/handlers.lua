@@ -17,6 +17,9 @@ local handler_type = {
 }
 
 local function new_handler(model, what, call, list)
+  core.effect(model)
+  local called = core.own(model).called
+  called[#called + 1] = call
   local handler = setmetatable({ model = model, what = what, call = call, list = list }, handler_type)
   if list then list[#list + 1] = handler end
   return handler
@@ -113,6 +116,7 @@ function model_methods.off(model, handler)
   if handler.model ~= model then core.fail "off: the handler belongs to another model" end
   if handler.off then core.fail(("off: the handler of %s is off already"):format(handler.what)) end
   handler.off = true
+  core.effect(model)
 end
 
 local follow = model_methods.history
@@ -122,5 +126,6 @@ function model_methods.history(model, options)
   local own = core.own(model)
   own.history_count = (own.history_count or 0) + 1
   own.samples[own.history_count] = core.timed(rawget(options, "of"), "history")
+  if type(rawget(options, "of")) == "function" then own.called[#own.called + 1] = rawget(options, "of") end
   return history
 end

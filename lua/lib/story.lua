@@ -70,6 +70,7 @@ core.made[#core.made + 1] = function(model, own)
   local waiting = {} -- in the order in which the stories began to wait
 
   local function resume(story, ...)
+    core.effect(model)
     local good, wanted = coroutine.resume(story, ...)
     if not good then error(core.traced(story, wanted), 0) end
     if coroutine.status(story) == "dead" then return end

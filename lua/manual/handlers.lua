@@ -16,6 +16,10 @@ f         function  function of the model]], gives = "table",
     example = "m:on_step(function(model) if model.speed > 10 then model:stop() end end)" },
   { "model:off", "Removes a handler.", args = "handler  table  result of on, every or on_step",
     example = 'local h = m:on("impact", print)\nm:off(h)' },
+  { "model:keep", "Saves a table with each checkpoint on disk; a resumed run restores it. Returns the table.",
+    also = "restart, checkpoint, resume", args = "state  table  numbers, texts, booleans, bodies, bearings, seats and tables of these", gives = "table",
+    example = "local state = m:keep { impacts = 0 }\n"
+      .. 'm:on("impact", function() state.impacts = state.impacts + 1 end)' },
   { "model:story", "Runs f(model) alongside the model: up to its first m:wait at once, then on at each event it "
     .. "waits for.", args = "f  function  function of the model",
     example = "m:story(function() m:wait(0.05); print(m.time) end)" },

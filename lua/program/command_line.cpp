@@ -70,6 +70,7 @@ void describe_command_line(CLI::App& app, int& code) {
   app.failure_message(failure_text);
   add_console(app, code);
   add_run(app, code);
+  add_resume(app, code);
   add_study(app, code);
   add_verify(app, code);
   add_draw(app, code);

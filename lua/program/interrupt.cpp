@@ -43,19 +43,22 @@ void disarm(lua_State* L) {
   if (aside.thread == L) aside = {};
 }
 
+void note_time() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  first_second = now.tv_sec;
+  first_nanosecond = now.tv_nsec;
+}
+
 extern "C" void on_interrupt(int signal) {
-  if (count == 0) {
-    std::timespec now{};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    first_second = now.tv_sec;
-    first_nanosecond = now.tv_nsec;
-  }
+  if (count == 0) note_time();
   count = count + 1;
   if (count >= most) std::signal(signal, SIG_DFL);
   if (running_thread != nullptr) arm(running_thread);
 }
 
 extern "C" void on_ending(int signal) {
+  if (ending == 0 && count == 0) note_time();
   if (ending == 0) ending = signal;
   std::signal(signal, signal == SIGTERM ? SIG_DFL : SIG_IGN);
   if (running_thread != nullptr) arm(running_thread);

@@ -34,7 +34,7 @@ class InterruptScope {
 
 /// Number of unhandled interrupts.
 int interrupts();
-/// Wall clock after the first of them [s].
+/// Wall clock after the first of them, or after the ending signal [s].
 double since_interrupt();
 /// Marks all as handled.
 void forget_interrupts();

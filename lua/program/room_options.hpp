@@ -18,6 +18,11 @@ struct RoomOptions {
   [[nodiscard]] std::vector<std::string> words() const;
 };
 
+template <class File>
+void each_field(File& file, RoomOptions& o) {
+  file.item(o.trust), file.item(o.memory), file.item(o.seconds), file.item(o.folders);
+}
+
 void add_room_options(CLI::App& verb, RoomOptions& options);
 
 /// Closes the room of `host`, unless it is trusted, and sets its limits. Script, parameters, results file and folder of

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "bindings/core/guard.hpp"
 #include "bindings/core/no_solution_error.hpp"
 #include "bindings/core/parameter_list.hpp"
+#include "bindings/model/script_model.hpp"
 #include "bindings/readings/figures_reading.hpp"
 #include "interrupt.hpp"
 #include "script_state.hpp"
@@ -52,6 +54,11 @@ int report_failure(lua_State* L, script::Host& host) {
 /// which must end first.
 void on_signal(lua_State* L, lua_Debug* at) {
   script::Host& host = script::host(L);
+  // A handler may finish, so that the checkpoint contains a whole step; one that hangs is interrupted.
+  constexpr double patience = 2;  // [s]
+  const auto finishes = [](const auto& model) { return model->finishes_step(); };
+  if (since_interrupt() < patience && std::ranges::any_of(host.recorded, finishes))
+    return wait_with_interrupt(L, 10000);
   if (ending_signal() != 0 && host.running == 0) end_by_signal(host);
   raise_interrupt(L, at);
 }
@@ -71,6 +78,7 @@ int take_figures(lua_State* L) {
 
 int run_script(script::Host& host) {
   read_script(host);
+  host.restart.call.text = host.script_text;
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
   const InterruptScope scope(L, on_signal);

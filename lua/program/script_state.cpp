@@ -32,6 +32,7 @@ int exit_script(lua_State* L) {
 /// print(...), on separate lines: the status is removed first. Upvalues: the host, and Lua's print.
 int print_apart(lua_State* L) {
   const auto& host = *static_cast<script::Host*>(lua_touserdata(L, lua_upvalueindex(1)));
+  if (host.silent) return 0;
   if (host.observer != nullptr) host.observer->clear();
   lua_pushvalue(L, lua_upvalueindex(2));
   lua_insert(L, 1);

@@ -17,6 +17,7 @@ enum ExitCode : int {
 /// A verb sets `code` after it has run.
 void add_console(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
+void add_resume(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
 void add_verify(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);

@@ -30,6 +30,12 @@ class EnergyCheck {
   [[nodiscard]] double share() const { return input_ > 0 ? residual_ / input_ : 0; }
   /// The last sample of the ledger.
   [[nodiscard]] const Energy& last() const { return last_; }
+  /// Calls each(number) for all members.
+  template <class Each>
+  void each_number(Each&& each) {
+    each(input_), each(residual_);
+    for (double& term : last_.value) each(term);
+  }
 
  private:
   double input_ = 0, residual_ = 0;

@@ -17,6 +17,7 @@ namespace {
 void fill_up(std::vector<double>& values, const std::vector<double>& whole) {
   if (values.size() < whole.size())
     values.insert(values.end(), whole.begin() + static_cast<std::ptrdiff_t>(values.size()), whole.end());
+  values.resize(whole.size());  // of a continued run: bodies may have been added after its checkpoint
 }
 
 /// The fields of a frame in the order of `header`, by their names.
@@ -59,8 +60,15 @@ void copy_frame(Frame frame, const Header& before, const Header& header, Results
   to.append_frame(row);
 }
 
-void copy_histories(const ResultsReader& from, const Header& header, ResultsWriter& to) {
-  const std::vector<double> times = from.history_times();
+/// The first `count` rows of a table, or all if there are fewer.
+template <class Rows>
+Rows first_rows(Rows rows, std::int64_t count) {
+  if (static_cast<std::int64_t>(rows.size()) > count) rows.resize(static_cast<std::size_t>(count));
+  return rows;
+}
+
+void copy_histories(const ResultsReader& from, const Header& header, const RowCounts& rows, ResultsWriter& to) {
+  const std::vector<double> times = first_rows(from.history_times(), rows.histories);
   std::vector<std::vector<double>> columns;
   for (const Quantity& q : header.histories) {
     const auto& known = from.header().histories;
@@ -75,34 +83,44 @@ void copy_histories(const ResultsReader& from, const Header& header, ResultsWrit
   }
 }
 
-void copy_tables(const ResultsReader& from, ResultsWriter& to) {
-  for (EventRow& event : from.events()) to.append_event(std::move(event));
-  const EnergyTable energy = from.energy();
+void copy_tables(const ResultsReader& from, const RowCounts& rows, ResultsWriter& to) {
+  for (EventRow& event : first_rows(from.events(), rows.events)) to.append_event(std::move(event));
+  EnergyTable energy = from.energy();
+  energy.time = first_rows(std::move(energy.time), rows.energy);
   std::vector<double> terms(energy.terms.size());
   for (std::size_t i = 0; i < energy.time.size(); ++i) {
     for (std::size_t k = 0; k < terms.size(); ++k) terms[k] = energy.terms[k][i];
     to.append_energy(energy.time[i], terms, energy.residual[i]);
   }
-  for (const Note& note : from.notes()) to.append_note(note.time, note.text);
+  for (const Note& note : first_rows(from.notes(), rows.notes)) to.append_note(note.time, note.text);
 }
 
-void copy_modes(const ResultsReader& from, const Header& header, ResultsWriter& to) {
-  for (ModeRow& mode : from.modes()) {
+void copy_modes(const ResultsReader& from, const Header& header, const RowCounts& rows, ResultsWriter& to) {
+  for (ModeRow& mode : first_rows(from.modes(), rows.modes)) {
     fit_mode(header, mode);
     to.append_mode(mode);
   }
 }
 
-void copy_all(const ResultsReader& from, const Header& header, ResultsWriter& to) {
-  for (const StageRow& stage : from.stages()) {
-    to.begin_stage(stage.name, stage.kind, stage.begin);
-    if (stage.ended) to.end_stage(stage.end, stage.why);
+RowCounts all_rows() {
+  constexpr std::int64_t all = std::numeric_limits<std::int64_t>::max();
+  return {all, all, all, all, all, all, all, all};
+}
+
+/// `last_is_open`: the last stage is not ended, even if `from` contains its end.
+void copy_first_rows(const ResultsReader& from, const Header& header, const RowCounts& rows, bool last_is_open,
+                     ResultsWriter& to) {
+  const std::vector<StageRow> stages = first_rows(from.stages(), rows.stages);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    to.begin_stage(stages[i].name, stages[i].kind, stages[i].begin);
+    if (stages[i].ended && !(last_is_open && i + 1 == stages.size())) to.end_stage(stages[i].end, stages[i].why);
   }
-  for (std::size_t i = 0; i < from.frame_count(); ++i) copy_frame(from.frame(i), from.header(), header, to);
-  copy_histories(from, header, to);
-  copy_tables(from, to);
-  copy_modes(from, header, to);
-  for (MotionRow& motion : from.motions()) to.append_motion(std::move(motion));
+  const auto frames = std::min(from.frame_count(), static_cast<std::size_t>(rows.frames));
+  for (std::size_t i = 0; i < frames; ++i) copy_frame(from.frame(i), from.header(), header, to);
+  copy_histories(from, header, rows, to);
+  copy_tables(from, rows, to);
+  copy_modes(from, header, rows, to);
+  for (MotionRow& motion : first_rows(from.motions(), rows.motions)) to.append_motion(std::move(motion));
 }
 
 }  // namespace
@@ -112,6 +130,19 @@ void fit_mode(const Header& header, ModeRow& mode) {
   fill_up(mode.rotation, header.node_rotation);
   mode.displacement.resize(header.node_position.size());
   mode.turn.resize(header.node_inertia.size());
+}
+
+void continue_rows(const std::filesystem::path& from, const Header& header, const RowCounts& rows, bool last_is_open,
+                   ResultsWriter& to) {
+  const ResultsReader reader(from);
+  copy_first_rows(reader, header, rows, last_is_open, to);
+  const RowCounts now = to.rows();
+  if (now.frames != rows.frames || now.histories != rows.histories || now.events != rows.events ||
+      now.energy != rows.energy || now.stages != rows.stages || now.notes != rows.notes || now.modes != rows.modes ||
+      now.motions != rows.motions)
+    throw ResultsError(fmt::format(
+        "results file '{}': has fewer rows than its checkpoint states; it was changed after the run", from.string()));
+  to.flush();
 }
 
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options) {
@@ -126,7 +157,7 @@ ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions
     throw ResultsError(fmt::format("results file '{}': cannot be renamed: {}", part.string(), error.message()));
   try {
     ResultsWriter to(path, header, options);
-    copy_all(ResultsReader(kept), header, to);
+    copy_first_rows(ResultsReader(kept), header, all_rows(), false, to);
     to.flush();
     std::filesystem::remove(kept, error);
     return to;

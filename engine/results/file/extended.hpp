@@ -13,6 +13,12 @@ namespace trilith::results {
 /// whose name is in the message.
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options);
 
+/// Appends the first `rows` of the unfinished file `from` to `to`, which has the header `header` and no rows yet, and
+/// flushes. `header` contains all bodies, bearings and histories of `from`. `last_is_open`: the last stage has not
+/// ended. Throws ResultsError if `from` has fewer rows.
+void continue_rows(const std::filesystem::path& from, const Header& header, const RowCounts& rows, bool last_is_open,
+                   ResultsWriter& to);
+
 /// Extends a mode to the number of nodes of `header`: added nodes are in their initial position and do not move.
 void fit_mode(const Header& header, ModeRow& mode);
 

@@ -51,6 +51,7 @@ class ResultsWriter::Body {
   void flush();
   void finish();
   void require_open() const;
+  Committed counts() const;
   std::string kept_from_before() const { return file_->kept_from_before(); }
 
   std::filesystem::path path, part;
@@ -62,7 +63,6 @@ class ResultsWriter::Body {
   void discard();  // closes everything
   void flush_if_full();
   void write_rows();
-  Committed counts() const;
 
   WriterOptions options_;
   int dim_;
@@ -372,6 +372,10 @@ void ResultsWriter::flush() {
 }
 void ResultsWriter::finish() {
   body_->finish();
+}
+RowCounts ResultsWriter::rows() const {
+  const Committed c = body_->counts();
+  return {c.frames, c.histories, c.events, c.energy, c.stages, c.notes, c.modes, c.motions};
 }
 const std::filesystem::path& ResultsWriter::path() const {
   return body_->path;

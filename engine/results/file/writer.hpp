@@ -13,6 +13,17 @@
 
 namespace trilith::results {
 
+/// Number of rows of each table of a results file.
+struct RowCounts {
+  std::int64_t frames = 0, histories = 0, events = 0, energy = 0, stages = 0, notes = 0, modes = 0, motions = 0;
+};
+/// For restart files, see base/bytes.hpp.
+template <class File>
+void each_field(File& file, RowCounts& rows) {
+  file.item(rows.frames), file.item(rows.histories), file.item(rows.events), file.item(rows.energy);
+  file.item(rows.stages), file.item(rows.notes), file.item(rows.modes), file.item(rows.motions);
+}
+
 struct WriterOptions {
   bool sync = true;  ///< flush() also synchronises the disk, against loss of power
 };
@@ -59,6 +70,8 @@ class ResultsWriter {
   /// Flushes, writes the clean file and renames it to path(). Nothing can be appended afterwards.
   void finish();
 
+  /// Number of rows of each table, flushed or not.
+  RowCounts rows() const;
   /// Path of the finished file.
   const std::filesystem::path& path() const;
   /// Present path of the rows.

@@ -20,6 +20,11 @@ class Causes {
   void grow(std::size_t bodies) { last_.resize(bodies, -1); }
   /// Sets `id` and `cause` of `event`.
   void name(Event& event);
+  /// Calls each(member) for all members.
+  template <class Each>
+  void each_number(Each&& each) {
+    each(last_), each(stage_), each(next_);
+  }
 
  private:
   std::vector<std::int64_t> last_;  // [body] id of the last event that can be a cause, or -1

@@ -16,6 +16,9 @@
 
 namespace trilith {
 
+class ByteReader;
+class ByteWriter;
+
 template <int D>
 class Recording {
  public:
@@ -51,6 +54,14 @@ class Recording {
   void extend(const Model<D>& model, const State<D>& state, std::vector<RecordedHistory<D>> histories);
   /// This file continues `before`: its residual counts from the same start.
   void continue_ledger(const Recording& before);
+  // For restart files (run/record/recording_bytes.cpp).
+  /// Writes the counts of all rows, flushed or not, and the state of the recording.
+  void write(ByteWriter& out);
+  /// Flushes all rows.
+  void flush();
+  /// Continues an interrupted recording from the data of write(), and copies its rows from the unfinished file `rows`.
+  /// Nothing may have been recorded before.
+  void read(ByteReader& in, const std::filesystem::path& rows);
   /// Adds natural modes, all found at the same instant (run/record/recorded_modes.hpp).
   void modes(std::vector<results::ModeRow> found);
   /// Adds a line of text to the run, at the time of the last row.
@@ -77,7 +88,8 @@ class Recording {
   void take_bearings(const Instant<D>& now);
   void take_stress(const Instant<D>& now);
   void flush_when_due();
-  void flush();
+  template <class File>
+  void walk(File& file);
 
   RecordedFields<D> fields_;
   RecordingOptions<D> options_;

@@ -59,6 +59,13 @@ void make_folders(const std::filesystem::path& folder) {
   if (error) throw InputError(fmt::format("study: folder {} cannot be made: {}", folder.string(), error.message()));
 }
 
+bool has_checkpoints(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".restart") return true;
+  return false;
+}
+
 class StudyRun {
  public:
   StudyRun(const StudyOrder& order, const StudyWatch& watch)
@@ -240,9 +247,10 @@ class StudyRun {
     return run_processes(orders, jobs(), watch);
   }
 
-  /// Clears the folder, so that nothing of an earlier run is mistaken for results of this one.
+  /// Clears the folder, so that nothing of an earlier run is mistaken for results of this one. A folder with
+  /// checkpoints stays: the case decides whether it can continue from them.
   void begin(std::size_t i) {
-    std::filesystem::remove_all(outcomes_[i].folder);
+    if (order_.fresh || !has_checkpoints(outcomes_[i].folder)) std::filesystem::remove_all(outcomes_[i].folder);
     make_folders(outcomes_[i].folder);
     ++running_;
   }

@@ -77,6 +77,17 @@ int step_handler(lua_State* L) {
   return 0;
 }
 
+/// core.effect(model): a lasting change, which a resumed run repeats.
+int effect(lua_State* L) {
+  ++model_at(L).effects;
+  return 0;
+}
+/// core.keeps(model): the script has called m:keep.
+int keeps(lua_State* L) {
+  model_at(L).keeps_tables = true;
+  return 0;
+}
+
 /// core.own(model): the model's own table.
 int own(lua_State* L) {
   push_own_table(L, 1);
@@ -200,6 +211,8 @@ void open_core(lua_State* L) {
   set_function(L, "timer", guarded<timer>);
   set_function(L, "wake", guarded<wake>);
   set_function(L, "step_handler", guarded<step_handler>);
+  set_function(L, "effect", guarded<effect>);
+  set_function(L, "keeps", guarded<keeps>);
   set_function(L, "own", guarded<own>);
   set_function(L, "bearing", guarded<bearing>);
   set_function(L, "seat", guarded<seat>);

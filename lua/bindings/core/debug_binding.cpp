@@ -133,6 +133,15 @@ int resume(lua_State* L) {
   return 1;
 }
 
+/// core.save(model, path): writes the present instant, for trilith -i --from.
+int save(lua_State* L) {
+  if (lua_type(L, 2) != LUA_TSTRING) throw InputError("save: takes the name of a file, as in save \"shake.instant\"");
+  const std::string path = text_at(L, 2);
+  lua_settop(L, 1);
+  save_instant(L, this_model(L), path);
+  return 0;
+}
+
 /// core.note(model, text): adds a note to the results file.
 int note(lua_State* L) {
   this_model(L).note(lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "");
@@ -276,6 +285,7 @@ void open_debug(lua_State* L) {
   set_function(L, "pause_reason", guarded<pause_reason>);
   set_function(L, "resume", guarded<resume>);
   set_function(L, "note", guarded<note>);
+  set_function(L, "save", guarded<save>);
   set_function(L, "records", guarded<records>);
   set_function(L, "timed", guarded<timed>);
   set_function(L, "has_console", guarded<has_console>);

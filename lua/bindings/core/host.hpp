@@ -11,6 +11,7 @@
 
 #include "assembly/step_times.hpp"
 #include "bindings/core/room.hpp"
+#include "bindings/restart/restart_files.hpp"
 #include "model/verdict.hpp"
 #include "results/file/results.hpp"
 #include "run/stage.hpp"
@@ -75,6 +76,7 @@ struct StudyChoice {
   std::optional<StudyRise> rise;      ///< an incremental analysis; none: from the script
   std::vector<int> some;              ///< run only these cases, from 1, as a task of a cluster; empty: all
   std::vector<std::string> on_slurm;  ///< for Slurm: the command of this study, without the options of where it runs
+  double checkpoint = -1;             ///< wall clock between checkpoints of a case [s]; below 0: default
   int per_task = 0;                   ///< cases of a Slurm task; 0: enough for some minutes
 };
 
@@ -106,6 +108,8 @@ struct Host {
   double script_memory = 0;                       ///< limit of Lua memory [bytes]; 0: no limit
   double script_seconds = 0;                      ///< limit of Lua code between two calls into the engine [s]; 0: no
                                                   ///< limit
+  RestartChoice restart;                          ///< checkpoints of runs
+  bool silent = false;                            ///< output of the script was printed before
   RunObserver* observer = nullptr;
   Console* console = nullptr;  ///< nullptr: no pauses
   int running = 0;             ///< number of running stages

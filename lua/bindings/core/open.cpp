@@ -61,6 +61,11 @@ int fill(lua_State* L) {
   open_study(L);
   lua_newtable(L);
   open_core(L);
+  lua_pushglobaltable(L);
+  lua_pushvalue(L, -1);
+  lua_setfield(L, -3, "globals");
+  copy_table(L);
+  lua_setfield(L, -2, "first_globals");
   return 2;
 }
 

@@ -150,6 +150,7 @@ void SimulatedModel<D>::extend_recording() {
 
 template <int D>
 void SimulatedModel<D>::follow_more() {
+  ++effects;
   extend_recording();
 }
 

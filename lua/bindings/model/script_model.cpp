@@ -50,6 +50,7 @@ void Host::finish(const std::string& error) {
 std::vector<std::string> Host::close(const std::string& error) {
   std::vector<std::string> lines;
   for (const auto& model : std::exchange(recorded, {})) {
+    if (!error.empty() && interrupted != nullptr && interrupted()) model->end_by_signal();
     std::string said = model->finish(error);
     if (!said.empty()) lines.push_back(std::move(said));
   }

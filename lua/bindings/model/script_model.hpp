@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bindings/core/host.hpp"
+#include "bindings/restart/restart_book.hpp"
 #include "bindings/stages/checkpoints.hpp"
 #include "model/builder/builder.hpp"
 #include "run/simulation.hpp"
@@ -38,6 +39,12 @@ struct ScriptListener {
   std::function<void(double time, double last_dt)> on_step;  ///< [s]
   std::function<void()> on_history;                          ///< before samples are taken
   std::function<void()> at_border;                           ///< empty: no pauses
+  // For restart files: repeats a call that changed something; tables of m:keep as bytes, and back; names state of the
+  // script that is not restored.
+  std::function<void(const HandlerCall&)> replay;
+  std::function<std::string()> kept, unkept;
+  std::function<void()> watch_state;  ///< from the start of the stage
+  std::function<void(const std::string&)> keep_again;
 };
 
 /// Numbers of a simulation that are available without evaluation.
@@ -77,9 +84,13 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   std::optional<Branch> undone;     ///< the part that the last rewind() removed
   double wake_at = unbounded;       ///< time at which a story must be resumed [s]
   bool has_step_handler = false;
-  std::uint32_t wanted_events = 0;  ///< bit of each EventType with a handler
-  bool adds_later = false;          ///< additions are deferred: parts that are stable only together
-  std::string pause_reason;         ///< reason for a pause at the next step border; "": no pause
+  std::uint32_t wanted_events = 0;       ///< bit of each EventType with a handler
+  bool adds_later = false;               ///< additions are deferred: parts that are stable only together
+  std::unique_ptr<RestartBook> restart;  ///< from which another process can continue the run
+  bool keeps_tables = false;             ///< the script has called m:keep
+  std::uint64_t effects = 0;             ///< increases with each lasting change by a handler
+  std::int64_t resumed_steps = 0;        ///< of the running stage, before the interruption
+  std::string pause_reason;              ///< reason for a pause at the next step border; "": no pause
 
   [[nodiscard]] virtual int dim() const = 0;
   [[nodiscard]] std::string title() const { return name.empty() ? "model" : "model '" + name + "'"; }
@@ -90,7 +101,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual bool recording() const = 0;
 
   /// Called before an addition: see catch_up.
-  void adding() { ++additions_; }
+  void adding() { ++additions_, ++effects; }
   /// Transfers additions into a built model: now, or at the next step border while a stage runs. Throws InputError if
   /// they are invalid in the present state; then they are removed.
   virtual void catch_up() = 0;
@@ -179,6 +190,17 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   void pause(const std::function<void()>& ask);
   /// The run was interrupted: results are left unfinished, unless a later stage succeeds.
   void break_off(const std::string& why) { broken_ = why; }
+  /// Stores a call of a handler that changed something; nullptr: queued changes take effect now.
+  virtual void keep_change(const HandlerCall* call) = 0;
+  /// A signal ends the run: stores the checkpoints in memory.
+  virtual void end_by_signal() = 0;
+  /// Writes the present instant to one file, which a console can open. Throws InputError if the script does not reach
+  /// the instant without the console.
+  virtual void save_instant(const std::filesystem::path& file, const ScriptListener& listener) = 0;
+  /// True if a signal ends the stage at the step border, after a checkpoint.
+  [[nodiscard]] bool finishes_step() const {
+    return restart && restart->keeps() && restart->by_steps && !restart->signalled;
+  }
   /// Ends the recording, if any; see Host::finish. Returns a text on the file; "" if there is none.
   virtual std::string finish(const std::string& error) = 0;
   /// Verdict on the reliability of the run so far.

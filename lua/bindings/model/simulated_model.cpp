@@ -83,6 +83,7 @@ double SimulatedModel<D>::residual() {
 
 template <int D>
 void SimulatedModel<D>::change(std::function<void(Model<D>&)> what) {
+  ++effects;
   if (running_ && !paused_) {
     changes_.push_back(std::move(what));
     return;
@@ -157,13 +158,19 @@ void SimulatedModel<D>::begin_recording(Host& host) {
     results->file = std::exchange(host.results_file, "");
   }
   if (!results) return;
+  if (host.restart.from) {  // keeps the results of the run that saved the instant
+    const std::filesystem::path path = results->file;
+    results->file = (path.parent_path() / (path.stem().string() + ".from" + path.extension().string())).string();
+  }
   if (!host.case_folder.empty())
     results->file = (host.case_folder / std::filesystem::path(results->file).filename()).string();
   make_folder_of(host.room.writable(results->file, "results"));
   recording_begun_ = true;
+  open_restart(host);
   open_recording(host);
-  for (const std::string& text : notes()) recording_->note(text);
-  for (auto& found : std::exchange(waiting_modes_, {})) recording_->modes(std::move(found));
+  for (const std::string& text : notes()) note(text);
+  for (auto& found : std::exchange(waiting_modes_, {}))
+    if (!restoring()) recording_->modes(std::move(found));
   keep_until_finish(host);
 }
 
@@ -175,6 +182,7 @@ void SimulatedModel<D>::keep_until_finish(Host& host) {
 
 template <int D>
 void SimulatedModel<D>::record_modes(std::vector<results::ModeRow> found, Host& host) {
+  if (restoring()) return;
   if (recording_) return recording_->modes(std::move(found));
   if (recording_begun_ || (!results && host.results_file.empty())) return;
   waiting_modes_.push_back(std::move(found));
@@ -201,7 +209,8 @@ void SimulatedModel<D>::open_recording(Host& host) {
 }
 
 template <int D>
-RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunObserver* observer) {
+RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, Host& host) {
+  RunObserver* const observer = host.observer;
   RunListener<D> all;
   if (recording_) {  // replaced after a rewind
     all.on_frame = [this](const Instant<D>& now) { recording_->frame(now); };
@@ -227,8 +236,9 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, RunO
     script.on_step(now.state.time, now.state.last_dt);
   };
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
-  if (script.at_border || checkpoints.on)
-    all.at_border = [this, &script] {
+  if (script.at_border || checkpoints.on || restart)
+    all.at_border = [this, &script, &host] {
+      if (restart) keep_checkpoint(script, host);
       // At the end of the removed run this one is compared with it: this checkpoint is stored with it, before its own,
       // because checkpoints of this run may be dropped.
       const bool meets = undone && !undone->passed && time() >= undone->checkpoints.back().time();
@@ -262,6 +272,7 @@ void SimulatedModel<D>::take_histories(double time) {
 template <int D>
 bool SimulatedModel<D>::apply_changes(Model<D>& model) {
   if (changes_.empty() && caught_up_ == additions_) return false;
+  keep_change(nullptr);
   const int free_before = model.free_dofs();
   if (caught_up_ != additions_) extend();
   std::vector<std::function<void(Model<D>&)>> now;
@@ -285,6 +296,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   for (; host.observer != nullptr && notes_shown_ < notes().size(); ++notes_shown_)
     host.observer->note(notes()[notes_shown_]);
   begin_recording(host);
+  if (host.restart.in_memory) open_restart(host);
   StageOptions options = asked;
   if (!histories.empty()) options.history_interval = results ? results->histories : history_interval;
   if (recording_) {
@@ -303,10 +315,16 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     host.profile.laws = s.model().law_names;
   }
   const auto go = [&] {
-    const RunListener<D> all = listen_with(listener, host.observer);
-    if (statics == nullptr) return s.run(options, all);
+    const RunListener<D> all = listen_with(listener, host);
+    if (restart) begin_kept_stage(options, statics == nullptr, host.restart.script_ended);
+    std::optional<StageReport> report;
+    if (restart) report = restored_stage(options, listener, all, host);
     const auto* const own = std::get_if<const LoadWay<D>*>(&way);
-    return s.settle(options, *statics, all, own == nullptr ? nullptr : *own);
+    if (!report)
+      report =
+          statics == nullptr ? s.run(options, all) : s.settle(options, *statics, all, own == nullptr ? nullptr : *own);
+    if (restart) end_kept_stage(*report, listener, host);
+    return *report;
   };
   return guarded_run(go, host);
 }
@@ -319,6 +337,8 @@ StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& g
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
     ~Scope() {
+      if (model.restart) model.restart->at_work = model.restart->replaying = false;
+      model.resumed_steps = 0;
       *model.verdict_ = model.simulation_->verdict();
       model.running_ = false;
       model.pause_reason.clear();  // of a step border that this stage did not reach
@@ -334,6 +354,7 @@ StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& g
     broken_.clear();
   } catch (const std::exception& e) {
     broken_ = e.what();
+    if (restart && !(host.interrupted != nullptr && host.interrupted())) restart->off = "a stage failed";
     throw;
   }
   host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -350,47 +371,7 @@ void SimulatedModel<D>::run_on(const RunLimit& limit, const ScriptListener& list
     SimulatedModel& model;
     ~Scope() { model.paused_ = true; }
   } scope{*this};
-  simulation_->run_on(listen_with(listener, host.observer), limit);
-}
-
-namespace {
-
-/// Text: energy that was dissipated, as shares of the supplied energy, the largest first.
-std::string given_off_text(const EnergyCheck& check) {
-  std::vector<std::pair<double, std::string_view>> shares;
-  for (int i = 0; i < energy_terms; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
-    if (energy_term_info[k].dissipated && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
-  }
-  std::sort(shares.rbegin(), shares.rend());
-  std::string text;
-  for (const auto& [share, name] : shares)
-    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; given off: " : ", ", 100 * share, name);
-  return text;
-}
-
-}  // namespace
-
-template <int D>
-std::string SimulatedModel<D>::finish(const std::string& error) {
-  const bool modes_alone = !recording_ && !waiting_modes_.empty() && error.empty();
-  if (modes_alone) begin_recording(*modes_host_);
-  if (!recording_) return "";
-  const std::unique_ptr<Recording<D>> recording = std::move(recording_);
-  std::string why = error.empty() ? broken_ : error;
-  if (why.empty() && verdict_->has(EventType::stage_diverged)) why = verdict_->fault(EventType::stage_diverged).first;
-  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
-  if (!why.empty()) {
-    recording->abandon(why);
-    return fmt::format("results so far, unfinished, are in {}", recording->part().string());
-  }
-  recording->finish();
-  if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
-  const EnergyCheck& check = recording->energy_check();
-  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
-                     recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),
-                     given_off_text(check));
+  simulation_->run_on(listen_with(listener, host), limit);
 }
 
 template class SimulatedModel<2>;

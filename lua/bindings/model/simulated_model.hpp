@@ -105,6 +105,9 @@ class SimulatedModel : public ScriptModel {
   /// wait for it, and create a file themselves if no stage follows.
   void record_modes(std::vector<results::ModeRow> found, Host& host);
   std::string finish(const std::string& error) override;
+  void keep_change(const HandlerCall* call) override;
+  void end_by_signal() override;
+  void save_instant(const std::filesystem::path& file, const ScriptListener& listener) override;
 
  protected:
   /// The model of the builder. Unsupported parts are checked at the begin of the first stage, because a bearing may
@@ -131,7 +134,22 @@ class SimulatedModel : public ScriptModel {
   void replay(Recording<D>& recording);
   StageReport guarded_run(const std::function<StageReport()>& go, Host& host);
   [[nodiscard]] Checkpoint checkpoint();
-  RunListener<D> listen_with(const ScriptListener& script, RunObserver* observer);
+  // Checkpoints on the disk (bindings/restart/simulated_restart.cpp).
+  void open_restart(Host& host);
+  void begin_kept_stage(const StageOptions& options, bool by_steps, bool typed);
+  void end_kept_stage(const StageReport& report, const ScriptListener& listener, Host& host);
+  void keep_checkpoint(const ScriptListener& listener, Host& host);
+  [[nodiscard]] std::optional<StageReport> restored_stage(const StageOptions& options, const ScriptListener& listener,
+                                                          const RunListener<D>& all, Host& host);
+  [[nodiscard]] std::optional<StageReport> go_to_moment(const std::string& name, const StageOptions& options,
+                                                        const ScriptListener& listener, bool is_last);
+  void replay_changes(int last, const std::vector<Event>& all, const ScriptListener& listener);
+  [[nodiscard]] std::string moment(const StageReport* ended, const ScriptListener& listener);
+  void store_restart(Host& host);
+  void tell_restart(Host& host, const std::string& text);
+  [[nodiscard]] std::string close_restart(bool whole);
+  [[nodiscard]] bool restoring() const { return restart && restart->restoring; }
+  RunListener<D> listen_with(const ScriptListener& script, Host& host);
   void take_histories(double time);
   bool apply_changes(Model<D>& model);
   void extend();

@@ -54,6 +54,7 @@ double SimulatedModel<D>::rewind(double time, Host& host) {
   if (paused_) require_same_stage(simulation_->stage()->report.begun, found);
   if (paused_ && watch)
     throw InputError("rewind: a pushover samples its curve as it goes and cannot go back; end it first with stop");
+  if (restart) restart->off = "the run went back in time";
   const double left = simulation_->state().time, to = found.time();
   Branch branch;
   branch.from = to;
@@ -125,12 +126,12 @@ StageReport SimulatedModel<D>::resume(const ScriptListener& listener, Host& host
   if (running_) throw InputError("continue: a stage runs already");
   if (!simulation_ || simulation_->stage() == nullptr)
     throw InputError("continue: no stage waits to go on; begin one with run, consolidate or shake");
-  return guarded_run([&] { return simulation_->resume(listen_with(listener, host.observer)); }, host);
+  return guarded_run([&] { return simulation_->resume(listen_with(listener, host)); }, host);
 }
 
 template <int D>
 void SimulatedModel<D>::note(const std::string& text) {
-  if (recording_) recording_->note(text);
+  if (recording_ && !restoring()) recording_->note(text);
 }
 
 template Checkpoint SimulatedModel<2>::checkpoint();

@@ -23,7 +23,8 @@ class Handlers {
     lua_checkstack(L, 40);
     push_own_table(L, 1);
     const int own = lua_gettop(L);
-    for (const char* name : {"dispatch", "tick", "wake", "stepped", "sample"}) {
+    for (const char* name :
+         {"dispatch", "tick", "wake", "stepped", "sample", "kept", "keep_again", "unkept", "watch_state"}) {
       lua_pushstring(L, name);
       lua_rawget(L, own);
     }
@@ -43,9 +44,7 @@ class Handlers {
   void event(const Event& e) {
     if ((model_.wanted_events >> static_cast<unsigned>(e.type) & 1U) == 0) return;
     if (leaves()) return;
-    begin(dispatch);
-    push_event(L_, 1, e);
-    run(1);
+    call_function({dispatch, true, e, 0, {}});
   }
 
   void step(double time, double dt) {
@@ -54,19 +53,10 @@ class Handlers {
       if (model_.timers[i].due() > time + 0.5 * dt) continue;
       model_.timers[i].next =
           static_cast<std::int64_t>((time + 0.5 * dt - model_.timers[i].start) / model_.timers[i].interval) + 1;
-      begin(tick);
-      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
-      run(1);
+      call_function({tick, false, {}, static_cast<std::int64_t>(i) + 1, {}});
     }
-    if (model_.wake_at <= time + 1e-12) {
-      model_.wake_at = unbounded;
-      begin(wake);
-      run(0);
-    }
-    if (model_.has_step_handler) {
-      begin(stepped);
-      run(0);
-    }
+    if (model_.wake_at <= time + 1e-12) call_function({wake, false, {}, 0, {}});
+    if (model_.has_step_handler) call_function({stepped, false, {}, 0, {}});
   }
 
   /// Opens the console if requested; in a nested run it is open already, so the run only pauses.
@@ -74,10 +64,13 @@ class Handlers {
     if (host_.console->was_interrupted()) model_.pause_reason = "interrupted";
     if (nested || model_.pause_reason.empty()) return;
     const std::string why = std::exchange(model_.pause_reason, "");
+    const std::uint64_t before = model_.effects;
+    if (model_.restart) model_.restart->effects_at_pause = before;
     model_.pause([&] {
       lua_pushvalue(L_, 1);
       host_.console->open(L_, why);
     });
+    if (model_.restart && model_.effects != before) model_.restart->off = "the model was changed at the console";
   }
 
   /// The handlers as a listener, which refers to this object.
@@ -86,6 +79,17 @@ class Handlers {
     l.on_event = [this](const Event& e) { event(e); };
     l.on_step = [this](double time, double dt) { step(time, dt); };
     l.on_history = [this] { sample_functions(); };
+    l.replay = [this](const HandlerCall& c) {
+      host_.silent = true;
+      keep_tables(c.kept);
+      call_function(c);
+      lua_settop(L_, first_ + functions - 1);
+      host_.silent = false;
+    };
+    l.kept = [this] { return model_.keeps_tables ? text_of(kept) : ""; };
+    l.unkept = [this] { return text_of(unkept); };
+    l.watch_state = [this] { static_cast<void>(text_of(watch_state)); };
+    l.keep_again = [this](const std::string& bytes) { keep_tables(bytes); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
     return l;
   }
@@ -108,19 +112,52 @@ class Handlers {
       if (h.sample) continue;
       if (leaves()) return;
       const int top = lua_gettop(L_);
-      begin(sample);
-      lua_pushinteger(L_, static_cast<lua_Integer>(i) + 1);
-      if (run(1, 1)) h.values.push_back(number_of(h));
+      if (call_function({sample, false, {}, static_cast<std::int64_t>(i) + 1, {}})) h.values.push_back(number_of(h));
       lua_settop(L_, top);
     }
   }
 
  private:
-  enum Function { dispatch, tick, wake, stepped, sample };
-  void begin(Function f) { lua_pushvalue(L_, first_ + f); }
+  enum Function { dispatch, tick, wake, stepped, sample, kept, keep_again, unkept, watch_state, functions };
+  void begin(int f) { lua_pushvalue(L_, first_ + f); }
+
+  /// Calls a function of the library. If it has a lasting effect, the call is stored for a restart. The value of
+  /// `sample` remains on the stack. Returns false after an interrupt.
+  bool call_function(const HandlerCall& c) {
+    if (c.function == wake) model_.wake_at = unbounded;
+    const std::uint64_t before = model_.effects;
+    HandlerCall kept_call = c;
+    if (model_.keeps_tables && model_.finishes_step()) kept_call.kept = text_of(kept);
+    begin(c.function);
+    if (c.has_event) push_event(L_, 1, c.event);
+    if (c.function == tick || c.function == sample) lua_pushinteger(L_, c.index);
+    const bool good = run(arguments(c), c.function == sample ? 1 : 0);
+    if (good && model_.effects != before) model_.keep_change(&kept_call);
+    return good;
+  }
+  static int arguments(const HandlerCall& c) {
+    return c.has_event || c.function == tick || c.function == sample ? 1 : 0;
+  }
+
+  /// Restores the tables of m:keep.
+  void keep_tables(const std::string& bytes) {
+    begin(keep_again);
+    lua_pushlstring(L_, bytes.data(), bytes.size());
+    call(L_, 1, 0);
+  }
+
+  /// Calls a function that returns a text.
+  std::string text_of(Function f) {
+    begin(f);
+    call(L_, 0, 1);
+    std::string text = lua_type(L_, -1) == LUA_TSTRING ? text_at(L_, -1) : "";
+    lua_pop(L_, 1);
+    return text;
+  }
 
   /// True if an interrupt or a signal ends the stage: at its next border, as stopped, and without further Lua code.
   bool leaves() {
+    if (model_.finishes_step()) return false;
     if (host_.console != nullptr || !interrupted()) return false;
     model_.stop();
     return true;
@@ -195,7 +232,7 @@ class Fallen {
  public:
   Fallen(const ScriptModel& model, const StageUntil& until) : model_(model), until_(until), start_(model.heights()) {}
   [[nodiscard]] bool look() {
-    if (until_.drop <= 0 || ++steps_ % steps_between_looks != 0) return false;
+    if (until_.drop <= 0 || (++steps_ + model_.resumed_steps) % steps_between_looks != 0) return false;
     const std::vector<double> now = model_.heights();
     int down = 0;
     for (std::size_t b = 0; b < start_.size(); ++b) down += start_[b] - now[b] > until_.drop ? 1 : 0;
@@ -219,13 +256,13 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
     model.build();
     Fallen fallen(model, until);
     std::string met;
-    std::int64_t taken = 0;
+    std::int64_t taken = 0;  // after an interruption
     if (until.steps > 0 || until.function != 0 || until.drop > 0)
       listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
         inner(time, dt);
         if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
         if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
-        if (!met.empty() || (until.steps > 0 && ++taken >= until.steps)) model.stop();
+        if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps)) model.stop();
       };
     StageReport report = model.run(options, listener, h);
     if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
@@ -283,93 +320,17 @@ StageReport resume_stage(lua_State* L, ScriptModel& model) {
                 [&](Handlers& /*handlers*/, const ScriptListener& listener) { return model.resume(listener, h); });
 }
 
+void save_instant(lua_State* L, ScriptModel& model, const std::filesystem::path& file) {
+  Host& h = host(L);
+  Handlers handlers(L, model, h);
+  model.save_instant(h.room.writable(file, "save"), handlers.listener(true));
+}
+
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit) {
   Host& h = host(L);
   limit.leave = [&model] { return !model.pause_reason.empty(); };
   Handlers handlers(L, model, h);
   model.run_on(limit, handlers.listener(true), h);
-}
-
-namespace {
-
-/// tostring(report): "shake ended (time) after 12 s in 100740 steps".
-int report_text(lua_State* L) {
-  if (lua_type(L, 1) != LUA_TTABLE) throw InputError("report: no report");
-  const auto raw = [&](const char* key) {
-    lua_pushstring(L, key);
-    lua_rawget(L, 1);
-  };
-  const auto text = [&](const char* key) {
-    raw(key);
-    const std::string value = text_at(L, -1);
-    lua_pop(L, 1);
-    return value;
-  };
-  const auto number = [&](const char* key) {
-    raw(key);
-    const double value = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return value;
-  };
-  std::string line = fmt::format("{} ended ({}) after {:.6g} s in {:.0f} steps", text("name"), text("ending"),
-                                 number("ended") - number("begun"), number("steps"));
-  if (const std::string reason = text("reason"); !reason.empty()) line += ": " + reason;
-  lua_pushlstring(L, line.data(), line.size());
-  return 1;
-}
-
-/// Access to an unknown field of a report. `mass_scaling` exists only if masses were scaled.
-int no_such_field(lua_State* L) {
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
-  if (name == "mass_scaling") return 0;
-  std::vector<std::string> known;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
-  throw InputError(fmt::format("report has no '{}'{}", name, name_hint(name, known)));
-}
-
-}  // namespace
-
-void push_report(lua_State* L, const StageReport& r) {
-  const auto number = [&](const char* key, double value) {
-    lua_pushnumber(L, value);
-    lua_setfield(L, -2, key);
-  };
-  lua_createtable(L, 0, 15);
-  lua_pushstring(L, r.name.c_str());
-  lua_setfield(L, -2, "name");
-  lua_pushstring(L, name_of(r.end));
-  lua_setfield(L, -2, "ending");
-  lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
-  lua_setfield(L, -2, "rests");
-  lua_pushstring(L, r.reason.c_str());
-  lua_setfield(L, -2, "reason");
-  lua_pushinteger(L, r.steps);
-  lua_setfield(L, -2, "steps");
-  number("begun", r.begun);
-  number("ended", r.ended);
-  number("shortest_dt", r.shortest_dt);
-  number("longest_dt", r.longest_dt);
-  number("speed", r.speed);
-  number("ratio", r.ratio);
-  lua_pushinteger(L, r.threads);
-  lua_setfield(L, -2, "threads");
-  number("thread_gain", r.thread_gain);
-  if (r.scaled) {
-    lua_createtable(L, 0, 6);
-    number("bodies", r.scaled->bodies);
-    number("share", r.scaled->share);
-    number("most", r.scaled->most);
-    number("before", r.scaled->before);
-    number("energy", r.scaled->energy);
-    number("kinetic", r.scaled->kinetic);
-    lua_setfield(L, -2, "mass_scaling");
-  }
-  if (luaL_newmetatable(L, "trilith.report") != 0) {
-    set_function(L, "__tostring", guarded<report_text>);
-    set_function(L, "__index", guarded<no_such_field>);
-  }
-  lua_setmetatable(L, -2);
 }
 
 }  // namespace trilith::script

@@ -31,6 +31,9 @@ StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& o
 /// Runs a stage that rewind has restored.
 StageReport resume_stage(lua_State* L, ScriptModel& model);
 
+/// Writes the present instant of the model at stack index 1 to a file: see ScriptModel::save_instant.
+void save_instant(lua_State* L, ScriptModel& model, const std::filesystem::path& file);
+
 /// Takes further steps of the stage of a paused model. A pause requested meanwhile ends them.
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit);
 

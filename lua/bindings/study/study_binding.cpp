@@ -188,6 +188,7 @@ StudyOrder order_of(Host& h, StudyPlan plan, const Wanted& wanted) {
   cases.script = wanted.has_function ? std::filesystem::path(h.script) : h.folder() / wanted.script;
   if (wanted.has_function) cases.fixed = h.arguments;
   cases.by_number = wanted.has_function;
+  cases.checkpoint = h.study.checkpoint;
   cases.trust = !h.room.closed();
   cases.memory = h.script_memory == default_script_memory ? 0 : h.script_memory;
   cases.seconds = h.script_seconds == default_script_seconds ? 0 : h.script_seconds;

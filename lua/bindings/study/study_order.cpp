@@ -23,6 +23,7 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
     if (cases.trust) command.emplace_back("--trust");
     if (cases.memory > 0) command.push_back(fmt::format("--script-memory={:.17g}", cases.memory));
     if (cases.seconds > 0) command.push_back(fmt::format("--script-seconds={:.17g}", cases.seconds));
+    if (cases.checkpoint >= 0) command.push_back(fmt::format("--checkpoint={:.17g}", cases.checkpoint));
     if (!cases.trust)
       for (const std::filesystem::path& room : cases.folders) command.push_back("--room=" + room.string());
     command.insert(command.end(), cases.fixed.begin(), cases.fixed.end());
@@ -33,6 +34,7 @@ StudyOrder study_order(StudyPlan plan, const CasesOfScript& cases) {
     // The number of cases at a time equals the number of processors: each uses one.
     command.emplace_back("--threads=1");
     command.emplace_back("--quiet");
+    command.emplace_back("--go-on");
     return command;
   };
   return order;
@@ -56,7 +58,8 @@ void list_cases(const StudyOrder& order) {
     std::string line = "trilith";
     const std::vector<std::string> command = order.command(i, case_folder(order, i));
     for (std::size_t w = 1; w < command.size(); ++w)
-      if (!command[w].starts_with("--room=")) line.append(" ").append(shell_word(command[w]));
+      if (!command[w].starts_with("--room=") && command[w] != "--go-on")
+        line.append(" ").append(shell_word(command[w]));
     fmt::print("{}\n", line);
   }
 }

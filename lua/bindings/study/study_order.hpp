@@ -13,6 +13,7 @@ struct CasesOfScript {
   bool by_number = false;          ///< the script selects its cases by number; otherwise it receives their parameters
   bool trust = false;              ///< the cases run without a closed room
   double memory = 0, seconds = 0;  ///< limits of each case as in Host; 0: default
+  double checkpoint = -1;          ///< wall clock between checkpoints of a case [s]; below 0: default
   std::vector<std::filesystem::path> folders;  ///< that the cases may use in a closed room
 };
 

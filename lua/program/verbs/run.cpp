@@ -1,15 +1,18 @@
 // trilith run SCRIPT [NAME=VALUE ...]
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
+#include "base/bytes.hpp"
 #include "base/team.hpp"
+#include "base/whole_file.hpp"
+#include "bindings/restart/restart_files.hpp"
 #include "program/assignment.hpp"
-#include "program/live.hpp"
 #include "program/positive.hpp"
 #include "program/profile_text.hpp"
-#include "program/room_options.hpp"
+#include "program/run_options.hpp"
 #include "program/script_run.hpp"
 #include "program/since_option.hpp"
 #include "program/verbs.hpp"
@@ -17,15 +20,49 @@
 namespace trilith::program {
 namespace {
 
-struct RunOptions {
-  std::string script, results, folder, since;
-  std::vector<std::string> given;
-  EventShow events = EventShow::important;
-  double least_impact = slow_impact;
-  bool quiet = false, list = false, profile = false;
-  int only = 0, threads = 0;
-  RoomOptions room;
-};
+/// True if the checkpoints in the folder of a case belong to this run; otherwise clears the folder.
+bool is_of_this_run(const RunOptions& options, const script::RestartCall& now) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(options.folder, error)) {
+    if (entry.path().extension() != ".restart") continue;
+    try {
+      const std::string bytes = script::RestartFiles(entry.path()).get("call");
+      ByteReader in(bytes, "restart file 'call'");
+      const auto before = in.get<script::RestartCall>();
+      if (before.build == now.build && before.text == now.text && before.given == now.given &&
+          before.number == now.number && before.folder == now.folder)
+        return true;
+    } catch (const InputError&) {  // damaged, or of another version
+      continue;
+    }
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(options.folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "log.txt" && name != "errors.txt") std::filesystem::remove_all(entry.path(), error);
+  }
+  return false;
+}
+
+/// Restart options, and how to run the script again.
+script::RestartChoice restart_of(const RunOptions& options) {
+  script::RestartChoice restart;
+  restart.every = options.list ? 0 : options.checkpoint;
+  script::RestartCall& call = restart.call;
+  std::error_code error;
+  call.build = script::this_build();
+  call.folder = std::filesystem::current_path(error).string();
+  call.script = options.script, call.named_results = options.results, call.case_folder = options.folder;
+  if (options.goes_on) call.text = text_of_file(options.script, "script", script::largest_script);
+  call.given = options.given, call.number = options.only;
+  ByteWriter room;
+  room.item(options.room);
+  call.room = room.take();
+  call.threads = options.threads, call.every = options.checkpoint;
+  restart.resumes = options.resumes || (options.goes_on && is_of_this_run(options, call));
+  return restart;
+}
+
+}  // namespace
 
 int run_as_asked(const RunOptions& options) {
   Live live(stdout, EventLines(options.events, options.least_impact, options.since), options.quiet);
@@ -44,6 +81,7 @@ int run_as_asked(const RunOptions& options) {
   host.command_line = "trilith run " + options.script;
   for (const std::string& g : options.given) host.command_line += " " + g;
   set_room(host, options.room);
+  host.restart = restart_of(options);
   const int code = run_script(host);
   live.clear();
   if (live.waits() && !options.list)
@@ -54,7 +92,12 @@ int run_as_asked(const RunOptions& options) {
   return code;
 }
 
-}  // namespace
+void add_checkpoint_option(CLI::App& verb, double& seconds, const std::string& usual) {
+  verb.add_option("--checkpoint", seconds,
+                  "wall clock between checkpoints, from which trilith resume continues [s]; 0: none; " + usual)
+      ->type_name("SECONDS")
+      ->check(CLI::Validator(is_not_negative, "", ""));
+}
 
 void add_run(CLI::App& app, int& code) {
   auto options = std::make_shared<RunOptions>();
@@ -91,6 +134,8 @@ void add_run(CLI::App& app, int& code) {
           "where neither this, nor the script, nor TRILITH_THREADS says")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, most_threads));
+  add_checkpoint_option(*verb, options->checkpoint, fmt::format("{:g} where not given", usual_checkpoint));
+  verb->add_flag("--go-on", options->goes_on)->group("");
   verb->add_flag("--profile", options->profile,
                  "say where the time went: parts of the step, contact laws, Lua callbacks");
   add_room_options(*verb, options->room);

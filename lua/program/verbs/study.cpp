@@ -14,6 +14,7 @@
 #include "program/live.hpp"
 #include "program/positive.hpp"
 #include "program/room_options.hpp"
+#include "program/run_options.hpp"
 #include "program/script_run.hpp"
 #include "program/verbs.hpp"
 
@@ -84,6 +85,7 @@ StudyOrder order_of(const StudyOptions& o) {
   cases.program = program_path();
   cases.script = o.script;
   cases.fixed = o.given;
+  cases.checkpoint = o.choice.checkpoint;
   cases.trust = o.room.trust;
   cases.memory = std::max(o.room.memory, 0.0), cases.seconds = std::max(o.room.seconds, 0.0);
   StudyOrder order = script::study_order(product_plan(parameters), cases);
@@ -99,6 +101,7 @@ StudyOrder order_of(const StudyOptions& o) {
 std::vector<std::string> own_command(const StudyOptions& o) {
   std::vector<std::string> words{program_path(), "study", o.script};
   for (const std::string& w : o.room.words()) words.push_back(w);
+  if (o.choice.checkpoint >= 0) words.push_back(fmt::format("--checkpoint={:.17g}", o.choice.checkpoint));
   words.insert(words.end(), o.given.begin(), o.given.end());
   for (const std::string& v : o.over) words.insert(words.end(), {"--over", v});
   if (!o.out.empty()) words.insert(words.end(), {"--output", o.out});
@@ -187,6 +190,7 @@ void add_study(CLI::App& app, int& code) {
                    "with --ida: a flag of the cases; where it is true, higher values are passed over")
       ->type_name("FIGURE");
   add_room_options(*verb, o->room);
+  add_checkpoint_option(*verb, o->choice.checkpoint, "of each case; as for trilith run where not given");
   verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
   verb->add_flag("--list", o->choice.list, "print the command of each case and end");
   verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");

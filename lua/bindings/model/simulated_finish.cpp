@@ -1,0 +1,55 @@
+// The end of a recording: the results file, and a line on the energy balance.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/quantity_text.hpp"
+#include "bindings/model/simulated_model.hpp"
+
+namespace trilith::script {
+namespace {
+
+/// Text: energy that was dissipated, as shares of the supplied energy, the largest first.
+std::string given_off_text(const EnergyCheck& check) {
+  std::vector<std::pair<double, std::string_view>> shares;
+  for (int i = 0; i < energy_terms; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
+    if (energy_term_info[k].dissipated && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
+  }
+  std::sort(shares.rbegin(), shares.rend());
+  std::string text;
+  for (const auto& [share, name] : shares)
+    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; given off: " : ", ", 100 * share, name);
+  return text;
+}
+
+}  // namespace
+
+template <int D>
+std::string SimulatedModel<D>::finish(const std::string& error) {
+  const bool modes_alone = !recording_ && !waiting_modes_.empty() && error.empty();
+  if (modes_alone) begin_recording(*modes_host_);
+  if (!recording_) return "";
+  const std::unique_ptr<Recording<D>> recording = std::move(recording_);
+  std::string why = error.empty() ? broken_ : error;
+  if (why.empty() && verdict_->has(EventType::stage_diverged)) why = verdict_->fault(EventType::stage_diverged).first;
+  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
+  if (!why.empty()) {
+    recording->abandon(why);
+    return fmt::format("results so far, unfinished, are in {}{}", recording->part().string(), close_restart(false));
+  }
+  recording->finish();
+  static_cast<void>(close_restart(true));
+  if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
+  const EnergyCheck& check = recording->energy_check();
+  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
+                     recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),
+                     given_off_text(check));
+}
+
+template std::string SimulatedModel<2>::finish(const std::string&);
+template std::string SimulatedModel<3>::finish(const std::string&);
+
+}  // namespace trilith::script
