@@ -53,7 +53,7 @@ function console.add_words(session)
     model = model or session.model
     if not model then core.fail 'save: no run pauses here; give the model, as in save("end.instant", m)' end
     core.save(model, file)
-    terminal.write(("%s contains the instant %.6g s; open it with trilith -i --from %s\n"):format(file, model.time, file))
+    terminal.write(("%s contains the instant %.6g s; trilith -i --from %s opens it\n"):format(file, model.time, file))
   end
 
   console.add_help(session)

@@ -204,7 +204,8 @@ core.made[#core.made + 1] = function(model, own)
     local parts = {}
     if #lost > 0 then
       parts[1] = "handlers change " .. sentence(lost, "the variable", "the variables")
-        .. "; a resumed run does not restore " .. (#lost == 1 and "it" or "them") .. "; put it into a table given to m:keep"
+        .. "; a resumed run does not restore " .. (#lost == 1 and "it" or "them")
+        .. "; put state of handlers into a table given to m:keep"
     end
     if #files > 0 then
       parts[#parts + 1] = sentence(files, "the open file", "the open files")

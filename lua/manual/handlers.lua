@@ -17,7 +17,8 @@ f         function  function of the model]], gives = "table",
   { "model:off", "Removes a handler.", args = "handler  table  result of on, every or on_step",
     example = 'local h = m:on("impact", print)\nm:off(h)' },
   { "model:keep", "Saves a table with each checkpoint on disk; a resumed run restores it. Returns the table.",
-    also = "restart, checkpoint, resume", args = "state  table  numbers, texts, booleans, bodies, bearings, seats and tables of these", gives = "table",
+    also = "restart, checkpoint, resume",
+    args = "state  table  numbers, texts, booleans, bodies, bearings, seats and tables of these", gives = "table",
     example = "local state = m:keep { impacts = 0 }\n"
       .. 'm:on("impact", function() state.impacts = state.impacts + 1 end)' },
   { "model:story", "Runs f(model) alongside the model: up to its first m:wait at once, then on at each event it "

@@ -1,5 +1,5 @@
--- A model that its handlers change while a stage runs: bodies come and go, a law changes, a body is freed. A story waits.
--- Handlers register another handler and a timer, and remove one.
+-- A model that its handlers change while a stage runs: bodies come and go, a law changes, a body is freed. A story
+-- waits. Handlers register another handler and a timer, and remove one.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/changes.h5", "results" }, duration = { 6, unit = "s", "of the stage" } }
 local m = trilith.model { name = "changes" }
