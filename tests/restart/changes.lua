@@ -15,7 +15,7 @@ m:block { name = "held", width = 0.4, height = 0.4, at = { 2, 1 }, material = "s
 m:results { file = p.out, frames = 0.05, histories = 0.01, energy = 0.05 }
 m:history { name = "top", body = m:body "b8", what = "y" }
 local state = m:keep { dropped = 0, off = false }
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 
 local function drop(x, y)
   state.dropped = state.dropped + 1

@@ -12,7 +12,7 @@ for i = 1, 6 do
 end
 m:results { file = p.out, frames = 0.05, histories = 0.01, energy = 0.05 }
 m:history { name = "top", body = m:body "b6", what = "x" }
-m:consolidate { ratio = 1e-4, fresh = true }
+m:consolidate { rest = { ratio = 1e-4 }, fresh = true }
 local wave = {}
 for i = 1, 300 do wave[i] = 7 * trilith.math.sin(0.07 * i) end
 wave[301] = 0
@@ -20,5 +20,5 @@ m:every(0.8, function()
   if #m:bodies { name = "late" } > 0 then return end
   m:block { name = "late", size = { 0.3, 0.3, 0.2 }, at = { 0.6, 0.6, 0.5 }, material = "stone", floating = true }
 end)
-m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, check = false }, duration = p.duration }
+m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }, duration = p.duration }
 print("hash " .. m.hash)

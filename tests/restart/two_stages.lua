@@ -18,11 +18,11 @@ m:on("impact", function(e)
 end)
 m:every(0.1, function() state.ticks = state.ticks + 1 end)
 m:history { name = "impacts", unit = "1", of = function() return state.impacts end }
-m:consolidate { ratio = 1e-4 }
+m:consolidate { rest = { ratio = 1e-4 } }
 print(("at rest at %.6f s, top at %.9f m"):format(m.time, m:body("b" .. p.blocks).y))
 local wave = {}
 for i = 1, 400 do wave[i] = 4 * trilith.math.sin(0.05 * i) end
 wave[401] = 0
-m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, check = false }, duration = p.duration }
+m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }, duration = p.duration }
 print("hash " .. m.hash, state.impacts, state.ticks)
 return { top = m:body("b" .. p.blocks).y, impacts = state.impacts, ticks = state.ticks }
