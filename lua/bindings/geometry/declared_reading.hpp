@@ -92,13 +92,15 @@ void check_rule(Keys& k, const Rule& rule) {
     for (const std::string_view other : rule.of) is_double = is_double || k.has(other);
     if (is_double && k.has(rule.key))
       k.problem(fmt::format("{} say what {} say; keep one of the two", rule.what, rule.others));
-  } else if constexpr (std::is_same_v<Rule, Refused>) {
-    k.refuse(rule.name, std::string(rule.why));
   }
 }
 
 template <DeclaresKeys B>
 void read_declared_keys(Keys& k, B& value) {
+  // First, so that its reason comes before a message on a missing key.
+  for_each_key<B>([&](const auto& key) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(key)>, Refused>) k.refuse(key.name, std::string(key.why));
+  });
   for_each_key<B>([&](const auto& key) {
     if constexpr (requires { key.member; }) read_key(k, value, key);
   });
