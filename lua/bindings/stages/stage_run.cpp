@@ -39,6 +39,7 @@ class Handlers {
   void end() {
     if (host_.console == nullptr && interrupted()) model_.break_off("interrupted");
     if (broken_off_) std::rethrow_exception(broken_off_);
+    if (model_.restart && model_.restart->signalled) throw ScriptError("interrupted");
   }
 
   void event(const Event& e) {
