@@ -26,8 +26,7 @@ double size_of_smaller(const Model<3>& model, const NearPair& p) {
 }
 
 bool holds_all_over(const JointMemory* joint) {
-  return joint != nullptr && !joint->empty() &&
-         std::popcount(joint->bonds) == joint->plan->patches;
+  return joint != nullptr && !joint->empty() && std::popcount(joint->bonds) == joint->plan->patches;
 }
 
 /// Elastic energy of a row, with or without joint [J].

@@ -20,8 +20,8 @@ class Verdict {
  public:
   /// Whether `add` counts events of this type: the invalid ones, and bodies that leave the bounds.
   [[nodiscard]] static bool counts(EventType type);
-  /// Counts an event. `value`: Event::value, or the first figure of a results file; `text`: as from event_text. A run in
-  /// which bodies leave the bounds is still reliable.
+  /// Counts an event. `value`: Event::value, or the first figure of a results file; `text`: as from event_text. A run
+  /// in which bodies leave the bounds is still reliable.
   void add(EventType type, double time, double value, const std::string& text);
 
   [[nodiscard]] const FaultCount& fault(EventType type) const { return fault_[static_cast<std::size_t>(type)]; }

@@ -34,7 +34,10 @@ TEST_CASE("a block without size or place is refused by name") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(says(refusal_of([] { build_block({.name = "a", .width = 0, .height = 1}); }), "block 'a': width is 0 m"));
   CHECK(says(refusal_of([] { build_block({.name = "a", .width = 1, .height = -1}); }), "height is -1 m"));
-  CHECK(says(refusal_of([=] { build_block({.name = "a", .width = 1, .height = 1, .at = {nan, 0}}); }), "at must be finite"));
+  CHECK(says(refusal_of([=] {
+               build_block({.name = "a", .width = 1, .height = 1, .at = {nan, 0}});
+             }),
+             "at must be finite"));
   CHECK(says(refusal_of([=] { build_block({.name = "a", .width = 1, .height = 1, .angle = nan}); }), "angle is nan"));
 }
 

@@ -16,6 +16,7 @@ m:consolidate { integrator = "static" }
 local wave = {}
 for i = 1, 300 do wave[i] = 3 * trilith.math.sin(0.1 * i) end
 wave[301] = 0
-m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }, duration = p.duration,
+local motion = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }
+m:shake { body = "base", x = motion, duration = p.duration,
           integrator = "implicit", dt = 0.005 }
 print("hash " .. m.hash)

@@ -20,5 +20,6 @@ m:every(0.8, function()
   if #m:bodies { name = "late" } > 0 then return end
   m:block { name = "late", size = { 0.3, 0.3, 0.2 }, at = { 0.6, 0.6, 0.5 }, material = "stone", floating = true }
 end)
-m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }, duration = p.duration }
+local motion = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }
+m:shake { body = "base", x = motion, duration = p.duration }
 print("hash " .. m.hash)

@@ -23,6 +23,7 @@ print(("at rest at %.6f s, top at %.9f m"):format(m.time, m:body("b" .. p.blocks
 local wave = {}
 for i = 1, 400 do wave[i] = 4 * trilith.math.sin(0.05 * i) end
 wave[401] = 0
-m:shake { body = "base", x = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }, duration = p.duration }
+local motion = trilith.motion { acceleration = wave, dt = 0.01, allow_drift = true }
+m:shake { body = "base", x = motion, duration = p.duration }
 print("hash " .. m.hash, state.impacts, state.ticks)
 return { top = m:body("b" .. p.blocks).y, impacts = state.impacts, ticks = state.ticks }

@@ -1,5 +1,5 @@
-// Sentence, severity and verdict follow from the row that docs/architecture.md adds. tests/rooms/add_an_event compiles it in a copy
-// of the tree that has the row.
+// Sentence, severity and verdict follow from the row that docs/architecture.md adds. tests/rooms/add_an_event compiles
+// it in a copy of the tree that has the row.
 #include <fmt/format.h>
 
 #include "model/event_text.hpp"

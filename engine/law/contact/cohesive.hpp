@@ -183,8 +183,8 @@ struct Cohesive::Kernel : Mortar {
     const T left = (last_opening - opening) * (1.0 / range);
     return larger(T{}, smaller(before, left));
   }
-  /// The same for openings that are evenly distributed from `low` to `high` [m]: the bond then carries the mean of their
-  /// stresses.
+  /// The same for openings that are evenly distributed from `low` to `high` [m]: the bond then carries the mean of
+  /// their stresses.
   template <class T>
   [[nodiscard]] TRILITH_INLINE T strength_left_over(T low, T high, T before) const {
     constexpr double least_spread = 1e-6;  // share of the opening

@@ -140,8 +140,6 @@ cases[1].plot = function()
     end
     return false
   end }
-  local top = {}
-  for i = 1, #u do top[i] = 19000 end
   return { title = "Loop of Bouc and Wen, exponent 1", x_label = "displacement", x_unit = "m", y_label = "force",
     y_unit = "N", { name = "computed", x = u, y = f },
     { name = "largest force, exact", kind = "points", x = { 0.1, -0.1 }, y = { 19000, -19000 } } }

@@ -71,7 +71,7 @@ cases[#cases + 1] = {
 }
 
 -- Plastic collapse of a portal with hinges of 100 kN m, under forces in proportion.
-local function portal(p, foot)
+local function portal(_, foot)
   local m = trilith.model { name = "portal", gravity = 0 }
   m:material { name = "m", density = 2700, E = 2.1e13 }
   local section, hinge = trilith.rectangle_section { width = 0.3, depth = 0.5 }, trilith.end_hinge { sagging = 1e5 }

@@ -1,6 +1,5 @@
 -- Natural frequencies of rigid blocks on joints, of shear frames and of hanging chains.
 local trilith = require "trilith"
-local pi, g = math.pi, 9.80665
 
 local function checks(list, tolerance)
   local rows = {}

@@ -1,6 +1,6 @@
 -- A mass on a spring whose support moves.
 local trilith = require "trilith"
-local g, pi = 9.80665, math.pi
+local pi = math.pi
 local mass = 1000
 
 -- Ground and mass, joined by a law along x; the mass moves along x alone.
@@ -80,7 +80,7 @@ for _, length in ipairs { 0.25, 0.5, 1 } do
   local function peak()
     local most, r = 0, W/w
     for i = 0, 20000 do
-      local t, x = i*1e-4, 0
+      local t, x = i*1e-4
       if math.abs(r - 1) < 1e-9 then
         x = t <= length and (trilith.math.sin(w*t) - w*t*trilith.math.cos(w*t))/2
           or pi/2*trilith.math.cos(w*(t - length))

@@ -1,7 +1,6 @@
 -- Pendulums in the plane and in space, hung on bearings that hold a point.
 local trilith = require "trilith"
 local deg = trilith.units "deg"
-local g, pi = 9.80665, math.pi
 local stiff = trilith.linear { stiffness = 1e9 }
 
 local cases = {}

@@ -97,13 +97,13 @@ for _, share in ipairs { 0.95, 1.05 } do
       m:material { name = "stone", density = 2000 }
       m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 4e12, ks = 2e12, mu = 0.7, beta = 2e-6 } }
       m:block { name = "ground", size = { 4, 4, 1 }, at = { -4, -4, -1 }, material = "stone", support = "fixed" }
-      local x, y, stones = -0.4, -0.2, nil
+      local x, y = -0.4, -0.2
       for i = p.blocks, 1, -1 do
         x, y = x + p.share*0.4/(2*i), y + p.share*0.2/(2*i)
         m:block { name = "block " .. i, size = { 0.4, 0.2, 0.1 }, at = { x, y, (p.blocks - i)*0.1 },
           material = "stone" }
       end
-      stones = m:bodies { name = "block *" }
+      local stones = m:bodies { name = "block *" }
       local function down() return stones.drift > 0.01 end
       m:consolidate { rest = { ratio = 1e-5, speed = 1e-5 }, duration = 1.5, grow = 0.001, or_go_on = true,
         until_true = down }
