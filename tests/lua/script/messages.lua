@@ -195,7 +195,7 @@ given.check {
   { function() m:arch { span = 4, rise = 1, radius = 3 } end,
     "arch: span and rise say what radius, half_angle and offset say; keep one of the two" },
   { function() m:rubble { outline = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, stones = 0, material = "stone" } end,
-    "rubble: 'stones' is 0, must be a whole number from 1 to 10000" },
+    "rubble: stones is 0, must be a whole number from 1 to 10000" },
   { function() m:wall { name = "w", length = 2, courses = 3, by_group = { slab = { weight = 1 } } } end,
     "wall 'w': by_group names 'slab', but there is no such group or part; known: units, storey 1, course 1, w, "
       .. "course 2, course 3" },
