@@ -9,6 +9,16 @@
 namespace trilith {
 namespace {
 
+/// The element of a body with a single one, otherwise null. Elements are stored body by body.
+template <class E>
+const E* only_element(const std::vector<E>& elements, int body) {
+  const auto at = std::lower_bound(elements.begin(), elements.end(), body,
+                                   [](const E& element, int b) { return element.body < b; });
+  if (at == elements.end() || at->body != body) return nullptr;
+  const auto next = at + 1;
+  return next != elements.end() && next->body == body ? nullptr : &*at;
+}
+
 template <int D>
 struct Lumped {
   Vec<D> centre = Vec<D>::Zero();
@@ -77,6 +87,16 @@ Eigen::Matrix3d brick_inertia(const BrickShape& s, const Vec3& from_mean) {
 
 }  // namespace
 
+bool is_one_element(const Model<2>& model, int body) {
+  const Body& b = model.bodies[body];
+  if (b.kind == BodyKind::quad) return true;
+  return b.kind == BodyKind::mesh && b.nodes <= 4 && only_element(model.elements, body) != nullptr;
+}
+bool is_one_element(const Model<3>& model, int body) {
+  const Body& b = model.bodies[body];
+  return b.kind == BodyKind::brick || (b.kind == BodyKind::mesh && b.nodes == 4);
+}
+
 template <int D>
 bool has_one_element_bodies(const Model<D>& model) {
   if (model.elements.empty() && model.space_elements.empty()) return false;
@@ -85,15 +105,14 @@ bool has_one_element_bodies(const Model<D>& model) {
   return false;
 }
 
-/// Inertia of a polygon whose corners are the nodes of its element.
+/// Inertia of a polygon whose nodes follow its outline.
 RotaryInertia<2> rotary_inertia(const Model<2>& model, const State<2>& state, int body) {
   const Body& b = model.bodies[body];
   const Lumped<2> lumped = lumped_inertia(model, state, b);
-  const Element& element = first_element(model.elements, body);
   double twice = 0, second = 0;
   for (int i = 0; i < b.nodes; ++i) {
-    const Vec2 p = state.position[element.node[i]] - lumped.centre,
-               q = state.position[element.node[(i + 1) % b.nodes]] - lumped.centre;
+    const Vec2 p = state.position[b.first_node + i] - lumped.centre,
+               q = state.position[b.first_node + (i + 1) % b.nodes] - lumped.centre;
     const double area = cross(p, q);
     twice += area, second += area * (p.squaredNorm() + p.dot(q) + q.squaredNorm());
   }
@@ -107,10 +126,10 @@ RotaryInertia<3> rotary_inertia(const Model<3>& model, const State<3>& state, in
   const Lumped<3> lumped = lumped_inertia(model, state, b);
   RotaryInertia<3> out{lumped.centre, lumped.inertia, {}};
   if (b.nodes == 4) return {lumped.centre, lumped.inertia, lumped.inertia / 5, 5};
-  const SpaceElement& element = first_element(model.space_elements, body);
+  const SpaceElement* element = only_element(model.space_elements, body);
   std::array<Vec3, 8> arm;
   Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < 8; ++i) arm[i] = state.position[element.node[i]], mean += 0.125 * arm[i];
+  for (std::size_t i = 0; i < 8; ++i) arm[i] = state.position[element->node[i]], mean += 0.125 * arm[i];
   for (Vec3& a : arm) a -= mean;
   const BrickShape shape(arm);
   if (shape.is_parallelepiped()) return {lumped.centre, lumped.inertia, lumped.inertia / 3, 3};

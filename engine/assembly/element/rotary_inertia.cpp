@@ -50,41 +50,13 @@ TurnVector<D> gyroscopic_part(const RotaryInertia<D>& of, const TurnVector<D>& m
   }
 }
 
-/// Terms of the lumped spin s besides y. The lumped masses lie farther out than the body and need its centripetal force
-/// only: forces (1 - c) D s x (s x r), with c = J/Jl. As B h = (1 - c) s, y contains B dh/dt - turned, where `turned`
-/// follows from the rotation of the axes in space. The work of these forces is the change of the rotary energy due to
-/// the change of Jl and J. Zero in space if J is no multiple of Jl.
-template <int D>
-struct Centripetal {
-  TurnVector<D> spin = TurnVector<D>::Zero(), turned = TurnVector<D>::Zero();
-  double lack = 0;  ///< 1 - c
-
-  Centripetal(const RotaryInertia<D>& of, const TurnVector<D>& momentum) {
-    if constexpr (D == 2) {
-      spin = momentum / of.lumped(0, 0), lack = 1 - of.own(0, 0) / of.lumped(0, 0);
-    } else if (of.multiple > 0) {
-      const Eigen::Matrix3d back = of.lumped.inverse();
-      spin = back * momentum, lack = 1 - 1 / of.multiple;
-      turned = lack * (back * cross(spin, momentum));
-    }
-  }
-  /// Force on a mass [kg] at an arm from the centre [N].
-  [[nodiscard]] Vec<D> on(double mass, const Vec<D>& arm) const {
-    if constexpr (D == 2)
-      return -lack * mass * spin[0] * spin[0] * arm;
-    else
-      return lack * mass * cross(spin, cross(spin, arm));
-  }
-};
-
 /// Computes y, with `free` = Jf and `sum` the moment of forces and of driven masses. Velocities refer to half a step
 /// before; the present angular momentum follows from its rate.
 template <int D>
 TurnVector<D> turning_answer(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
-                             const TurnMatrix<D>& free, const TurnVector<D>& sum,
-                             const TurnVector<D>& turned = TurnVector<D>::Zero()) {
+                             const TurnMatrix<D>& free, const TurnVector<D>& sum) {
   const TurnMatrix<D> off = of.taken_off(), left = (TurnMatrix<D>::Identity() - off * free).inverse();
-  TurnVector<D> y = left * (off * sum - turned);
+  TurnVector<D> y = left * (off * sum);
   if (D == 2 || of.multiple > 0) return y;
   TurnVector<D> momentum = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
   const TurnVector<D> guess = y + left * gyroscopic_part(of, momentum);
@@ -102,36 +74,16 @@ void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInert
     const Vec<D> f = force(n);
     for (int k = 0; k < D; ++k) moment += f[k] * turn_row(k, Vec<D>(state.position[n] - of.centre));
   }
-  TurnVector<D> momentum = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
   if constexpr (D == 2) {
     const double y = (1 / of.own(0, 0) - 1 / of.lumped(0, 0)) * moment[0];
-    momentum += 0.5 * state.last_dt * (of.lumped(0, 0) / of.own(0, 0)) * moment;
-    const Centripetal<2> turning(of, momentum);
-    for (int n = body.first_node; n < end; ++n) {
-      const Vec2 arm = state.position[n] - of.centre;
-      added[n] += model.mass[n] * cross(y, arm) + turning.on(model.mass[n], arm);
-    }
+    for (int n = body.first_node; n < end; ++n)
+      added[n] += model.mass[n] * cross(y, Vec2(state.position[n] - of.centre));
   } else {
-    momentum += 0.5 * state.last_dt * of.multiple * moment;
-    const Centripetal<3> turning(of, momentum);
-    const Vec3 y = of.multiple > 0 ? Vec3((of.multiple - 1) * (of.lumped.inverse() * moment) - turning.turned)
+    const Vec3 y = of.multiple > 0 ? Vec3((of.multiple - 1) * (of.lumped.inverse() * moment))
                                    : turning_answer<3>(model, state, of, body, of.lumped, moment);
-    for (int n = body.first_node; n < end; ++n) {
-      const Vec3 arm = state.position[n] - of.centre;
-      added[n] += model.mass[n] * cross(y, arm) + turning.on(model.mass[n], arm);
-    }
+    for (int n = body.first_node; n < end; ++n)
+      added[n] += model.mass[n] * cross(y, Vec3(state.position[n] - of.centre));
   }
-}
-
-/// Spin of a constrained body at the instant, half a step after its velocities.
-template <int D>
-Centripetal<D> turning_of_held(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of,
-                               const Body& body, const TurnMatrix<D>& free, const TurnVector<D>& sum) {
-  const TurnMatrix<D> off = of.taken_off();
-  const TurnVector<D> y = (TurnMatrix<D>::Identity() - off * free).inverse() * (off * sum);
-  TurnVector<D> momentum = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
-  momentum += 0.5 * state.last_dt * (sum + free * y);
-  return Centripetal<D>(of, momentum);
 }
 
 template <int D>
@@ -150,15 +102,7 @@ void add_to_held(const Model<D>& model, const State<D>& state, const RotaryInert
         sum += model.mass[n] * motions.driven(n, k) * row;
     }
   }
-  const Centripetal<D> turning = turning_of_held(model, state, of, body, free, sum);
-  for (int n = body.first_node; n < end; ++n) {
-    const Vec<D> arm = state.position[n] - of.centre, force = turning.on(model.mass[n], arm);
-    for (int k = 0; k < D; ++k) {
-      if (model.support[n][k] != Support::free) continue;
-      added[n][k] += force[k], sum += force[k] * turn_row(k, arm);
-    }
-  }
-  const TurnVector<D> y = turning_answer(model, state, of, body, free, sum, turning.turned);
+  const TurnVector<D> y = turning_answer(model, state, of, body, free, sum);
   for (int n = body.first_node; n < end; ++n)
     for (int k = 0; k < D; ++k)
       added[n][k] += model.mass[n] * turn_row(k, Vec<D>(state.position[n] - of.centre)).dot(y);
@@ -301,13 +245,10 @@ void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising
     };
     TurnVector<D> y = TurnVector<D>::Zero();
     if (rising) y = of.taken_off() * moment(state.acceleration);
-    const TurnVector<D> momentum = moment(state.velocity);
-    if (D == 3 && !(of.multiple > 0)) y += gyroscopic_part(of, momentum);
-    const Centripetal<D> turning(of, momentum);
-    y -= turning.turned;
+    if (D == 3 && !(of.multiple > 0)) y += gyroscopic_part(of, moment(state.velocity));
     for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
-      const Vec<D> arm = state.position[n] - of.centre, force = turning.on(model.mass[n], arm);
-      for (int k = 0; k < D; ++k) out[n][k] -= model.mass[n] * turn_row(k, arm).dot(y) + force[k];
+      const Vec<D> arm = state.position[n] - of.centre;
+      for (int k = 0; k < D; ++k) out[n][k] -= model.mass[n] * turn_row(k, arm).dot(y);
     }
   }
 }

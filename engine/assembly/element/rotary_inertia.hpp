@@ -18,11 +18,6 @@
 // T' D v, follows the moment only if B ( ) in y is replaced by B ( ) + Jl^-1 (J Jl^-1 (s x Jl s) - s x J s). The
 // additional term does no work. It is 0 if J is a multiple of Jl, as for parallelepipeds and tetrahedra.
 //
-// The lumped masses lie farther out than the body, so their centripetal force is too large. The share 1 - c of it, with
-// c = J/Jl, is added as forces (1 - c) D s x (s x r), and in space with -(1 - c) Jl^-1 (s x T' D v) in y. Their work is
-// the change of the rotary energy as the body deforms (Lagrange's equation of M with constant c, without the terms that
-// do no work). In space they are omitted if J is no multiple of Jl.
-//
 // Because K T = 0, the frequencies of the element are unchanged. Contacts with the frequency n on the lumped masses
 // have at most n Jl/J on the rotation. The step follows from max(n + e, n Jl/J), with e of the element.
 #pragma once
@@ -34,7 +29,6 @@
 #include "assembly/node_forces.hpp"
 #include "assembly/step_options.hpp"
 #include "model/model.hpp"
-#include "model/one_element.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
 
@@ -71,6 +65,10 @@ struct RotaryInertia {
   }
 };
 
+/// True for a body of one element with corrected rotary inertia: a quad or triangle, in space a brick or a tetrahedron
+/// of four nodes.
+bool is_one_element(const Model<2>& model, int body);
+bool is_one_element(const Model<3>& model, int body);
 template <int D>
 bool has_one_element_bodies(const Model<D>& model);
 
