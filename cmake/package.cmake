@@ -4,8 +4,8 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME trilith)
 set(CPACK_PACKAGE_VENDOR "Trilith contributors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION "Masonry, bridges on bearings, arches and columns are followed from rest through an earthquake
-to the last stone lying still. Models are Lua scripts, run by the program trilith or by lua5.4;
+set(CPACK_PACKAGE_DESCRIPTION "Masonry, bridges on bearings, arches and columns are simulated from rest through an
+earthquake to collapse. Models are Lua scripts, run by the program trilith or by lua5.4;
 results are one HDF5 file. The engine is a C++ library as well, found by find_package(Trilith).")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_SET_DESTDIR OFF)

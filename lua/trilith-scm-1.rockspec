@@ -5,10 +5,10 @@ package = "trilith"
 version = "scm-1"
 source = { url = "git+file://." }
 description = {
-  summary = "Structures of separate bodies, through an earthquake to the last stone",
+  summary = "Simulates structures of separate bodies, through an earthquake to collapse",
   detailed = [[
-    Masonry, bridges on bearings, arches and columns are followed from rest through an earthquake to the last stone
-    lying still. Models are Lua scripts; results are one HDF5 file.]],
+    Masonry, bridges on bearings, arches and columns are simulated from rest through an earthquake to collapse.
+    Models are Lua scripts; results are one HDF5 file.]],
   license = "MIT",
 }
 supported_platforms = { "linux" }

@@ -126,5 +126,5 @@ for _, b in ipairs(bridge.spans) do
   print(("%s has moved by %6.2f m along, %6.2f m across, %6.2f m up, and turned by %4.1f deg about z"):format(b.name,
     b.ux - base.ux, b.uy - base.uy, b.uz - base.uz, b.rotation_z/deg))
 end
-print(("%s after %.2f s; the ledger is out by %.2g %% of what was put in"):format(report.ending,
+print(("%s after %.2f s; the error of the energy balance is %.2g %% of the input"):format(report.ending,
   report.ended - report.begun, 100*math.abs(m.residual)/math.max(1, -m.energy.gravity + m.energy.support)))

@@ -22,7 +22,7 @@ def row(line, results, said):
         chain = [(e["time"] - start, e["bearing_name"].decode() or e["text"].decode().split("(")[1].split(")")[0],
                   WORDS[e["type"]]) for e in h["events"][:] if e["type"] in WORDS]
     told = "; ".join(f"{name} {word} {t:.1f}" for t, name, word in chain) or "no bearing fails, no seat is lost"
-    residual = said.split("energy ledger closes to ")[1].split(" of ")[0]
+    residual = said.split("error of the energy balance is ")[1].split(" of ")[0]
     rest = f"{shake['end'] - start:.1f}" if shake["ended"] and b"rest" in shake["why"] else "not at rest"
     return f"| {line} | {told} | {rest} | {residual} |"
 

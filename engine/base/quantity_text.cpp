@@ -10,6 +10,12 @@
 namespace trilith {
 namespace {
 
+/// A smaller quantity in SI units is rounding noise.
+constexpr double least_quantity = 1e-12;
+
+/// A smaller share is rounding noise.
+constexpr double least_share = 1e-8;
+
 /// A value that just reaches a prefix or a power of ten must not miss it by rounding.
 constexpr double slack = 1e-9;
 
@@ -25,8 +31,8 @@ struct Prefix {
   int power;
   const char* text;
 };
-constexpr std::array<Prefix, 8> prefixes = {
-    {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}}};
+constexpr std::array<Prefix, 9> prefixes = {
+    {{-12, "p"}, {-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}, {12, "T"}}};
 
 /// Units that take prefixes, with the largest usual prefix.
 struct Prefixable {
@@ -99,10 +105,22 @@ ShownUnit engineering_unit(double largest, std::string_view unit) {
 
 std::string quantity_text(double value, std::string_view unit, int digits) {
   if (!std::isfinite(value)) return "–";
+  if (std::abs(value) < least_quantity) value = 0;
   const ShownUnit shown = engineering_unit(value, unit);
   const std::string figure = figure_text(value / shown.size, digits);
   if (shown.text.empty()) return figure;
   return figure + (shown.text.starts_with("10") ? "·" : " ") + shown.text;
+}
+
+std::string percent_text(double share, int digits) {
+  if (!std::isfinite(share)) return "–";
+  if (std::abs(share) < least_share) return "0 %";
+  const double percent = 100 * share;
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(percent))));
+  std::string figure = fmt::format("{:.{}f}", percent, std::max(0, decimals));
+  if (figure.find('.') != std::string::npos) figure.erase(figure.find_last_not_of('0') + 1);
+  if (figure.ends_with('.')) figure.pop_back();
+  return figure + " %";
 }
 
 }  // namespace trilith

@@ -36,7 +36,7 @@ constexpr std::array units{
     Unit{"s", 1, time_, "second"},
     Unit{"ms", 1e-3, time_, "millisecond"},
     Unit{"min", 60, time_, "minute"},
-    Unit{"Hz", 1, frequency, "hertz, one in a second"},
+    Unit{"Hz", 1, frequency, "hertz, one per second"},
     Unit{"kg", 1, mass, "kilogram"},
     Unit{"t", 1e3, mass, "tonne, 1000 kg"},
     Unit{"lbm", pound, mass, "pound as a mass"},
@@ -61,7 +61,7 @@ constexpr std::array units{
     Unit{"kJ", 1e3, energy, "kilojoule"},
     Unit{"rad", 1, none, "radian"},
     Unit{"deg", std::numbers::pi / 180, none, "degree"},
-    Unit{"percent", 1e-2, none, "one in a hundred"},
+    Unit{"percent", 1e-2, none, "percent, one hundredth"},
 };
 
 /// Common names of units that have another name here.
@@ -107,7 +107,7 @@ const Unit& find_unit(std::string_view name, std::string_view expression) {
     if (u.name == name) return u;
   const std::string where = name == expression ? "" : fmt::format(" in '{}'", expression);
   if (name == "lb")
-    throw InputError(fmt::format("there is no unit 'lb'{}; say lbf for a force, lbm for a mass", where));
+    throw InputError(fmt::format("there is no unit 'lb'{}; write lbf for a force, lbm for a mass", where));
   const std::string best = meant_unit(name);
   if (best.empty())
     throw InputError(fmt::format("there is no unit '{}'{}; known: {}", name, where, fmt::join(unit_names(), ", ")));
@@ -116,7 +116,7 @@ const Unit& find_unit(std::string_view name, std::string_view expression) {
   std::erase(others, best);
   throw InputError(fmt::format(
       "there is no unit '{}'{}; did you mean '{}'?{}", name, where, best,
-      others.empty() || name.size() > 2 ? "" : fmt::format(" Others of its kind: {}", fmt::join(others, ", "))));
+      others.empty() || name.size() > 2 ? "" : fmt::format(" Other units of this kind: {}", fmt::join(others, ", "))));
 }
 
 /// By multiplication, so that a unit's factor has the same bits on every machine.
@@ -172,7 +172,7 @@ std::vector<std::string> unit_names(const Dimension& dimension) {
 /// From left to right: names with an exponent after them. Everything after a stroke divides, so kN/m s2 is kN/(m s2).
 UnitProduct parse_unit(std::string_view expression) {
   const std::string_view text = trimmed(expression);
-  if (text.empty()) throw InputError("an empty unit; say 1 for a pure number");
+  if (text.empty()) throw InputError("an empty unit; write 1 for a pure number");
   UnitProduct product;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
@@ -212,8 +212,8 @@ double parse_quantity(std::string_view text, std::string_view unit, std::string_
   if (own.empty()) return value * wanted.factor;
   const UnitProduct product = parse_unit(own);
   if (unit == "1" && !(product.dimension == wanted.dimension))
-    throw InputError(fmt::format("{} is '{}', which is in {}; must be a number without a unit, as it was declared",
-                                 what, text, si_unit(product.dimension)));
+    throw InputError(fmt::format("{} is '{}', which is in {}; must be a number without a unit, as declared", what, text,
+                                 si_unit(product.dimension)));
   if (!(product.dimension == wanted.dimension))
     throw InputError(fmt::format("{} is '{}', which is in {}; must be in {} or another unit of {}", what, text,
                                  si_unit(product.dimension), unit, si_unit(wanted.dimension)));

@@ -171,7 +171,7 @@ PictureFormat picture_format(const std::filesystem::path& path) {
   if (ending == ".svg") return PictureFormat::svg;
   if (ending == ".pdf") return PictureFormat::pdf;
   if (ending == ".png") return PictureFormat::png;
-  throw InputError(fmt::format("picture '{}': the ending '{}' names no picture format, must be .svg, .pdf or .png",
+  throw InputError(fmt::format("picture '{}': the extension '{}' is not a picture format, must be .svg, .pdf or .png",
                                path.string(), ending));
 }
 

@@ -34,7 +34,7 @@ double at_share(const BandDamping& band, double share) {
 void BandDamping::check() const {
   if (!(to > from))
     throw InputError(
-        fmt::format("band_damping: the band goes from {:g} to {:g} Hz, must end above its begin", from, to));
+        fmt::format("band_damping: the band is from {:g} to {:g} Hz, its end must be above its beginning", from, to));
   if (decades_of(*this) > apart * (DampingBranches::most - 1))
     throw InputError(fmt::format("band_damping: the band from {:g} to {:g} Hz is wider than {:g} decades", from, to,
                                  apart * (DampingBranches::most - 1)));
@@ -94,7 +94,7 @@ DampingBranches damping_branches(const BandDamping& band) {
   if (out.stiffening() > most_stiffening)
     throw InputError(
         fmt::format("band_damping: with {:g} from {:g} to {:g} Hz a member would be {:.2g} times as stiff above "
-                    "the band, more than {:g}; give less or a narrower band",
+                    "the band, more than {:g}; give a smaller ratio or a narrower band",
                     band.ratio, band.from, band.to, out.stiffening(), most_stiffening));
   return out;
 }

@@ -35,12 +35,13 @@ struct BandDamping {
   double to = 0;     ///< [Hz]
 
   static constexpr std::string_view name = "band_damping";
-  static constexpr std::string_view sentence = "the same ratio to critical damping over a band of frequencies";
+  static constexpr std::string_view sentence = "constant damping ratio over a band of frequencies";
   static constexpr auto parameters() {
     using P = Parameter<BandDamping>;
-    return std::array{P{&BandDamping::ratio, "ratio", "1", no_default, 0, 0.2, false, "share of critical damping"},
-                      P{&BandDamping::from, "from", "Hz", no_default, 0, unbounded, false, "where the band begins"},
-                      P{&BandDamping::to, "to", "Hz", no_default, 0, unbounded, false, "where it ends"}};
+    return std::array{
+        P{&BandDamping::ratio, "ratio", "1", no_default, 0, 0.2, false, "damping ratio"},
+        P{&BandDamping::from, "from", "Hz", no_default, 0, unbounded, false, "lower frequency of the band"},
+        P{&BandDamping::to, "to", "Hz", no_default, 0, unbounded, false, "upper frequency of the band"}};
   }
   /// Throws InputError where the band has no width, or is wider than the largest number of branches can cover.
   void check() const;

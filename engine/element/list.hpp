@@ -26,7 +26,7 @@ enum class Resistance : std::uint8_t { none, elements, beams };
 /// element/rigid/rigid.hpp, element/rigid/rigid_turn.hpp
 struct RigidKind {
   static constexpr BodyKind kind = BodyKind::rigid;
-  static constexpr std::string_view name = "rigid", sentence = "one node with rotation; no deformation of its own";
+  static constexpr std::string_view name = "rigid", sentence = "rigid; one node with rotation";
   static constexpr int nodes = 1;
   static constexpr SkinLayout skin = SkinLayout::one_node;
   static constexpr bool nodes_turn = true;

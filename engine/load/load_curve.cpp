@@ -24,13 +24,13 @@ LoadCurve ramp_curve(double start, double from, double to, double duration, bool
 
 void check_load_curve(const LoadCurve& curve, const std::string& owner) {
   if (curve.time.size() != curve.share.size())
-    throw InputError(fmt::format("{}: the course has {} times and {} shares, must have as many of either", owner,
+    throw InputError(fmt::format("{}: the load curve has {} times and {} shares, must be equal in number", owner,
                                  curve.time.size(), curve.share.size()));
   for (std::size_t i = 0; i < curve.time.size(); ++i) {
     require_finite(curve.time[i], fmt::format("{}: time {} of the load curve", owner, i + 1));
     require_finite(curve.share[i], fmt::format("{}: share {} of the load curve", owner, i + 1));
     if (i > 0 && !(curve.time[i] > curve.time[i - 1]))
-      throw InputError(fmt::format("{}: time {} of the load curve is {:g} s, must be above the one before, {:g} s",
+      throw InputError(fmt::format("{}: time {} of the load curve is {:g} s, must be above the previous one, {:g} s",
                                    owner, i + 1, curve.time[i], curve.time[i - 1]));
   }
 }

@@ -113,8 +113,8 @@ class TableReader {
       const auto value = number(words[i]);
       if (!value)
         lines_.fail(
-            fmt::format("value is '{}', must be a finite number; where numbers of the head stand above it, say how "
-                        "many lines the head has (skip = {})",
+            fmt::format("value is '{}', must be a finite number; if it is part of the header, give the number of "
+                        "header lines (skip = {})",
                         shown(words[i]), lines_.number()));
       table_.values.push_back(*value);
       table_.resolution[i] = std::min(table_.resolution[i], resolution_of(comma_ ? point_ : std::string(words[i])));
@@ -125,8 +125,8 @@ class TableReader {
   [[noreturn]] void fail_width(std::size_t size) {
     const int line = table_.ragged() ? last_line_ : lines_.number();
     lines_.fail(
-        fmt::format("row of line {} has {} columns, the first row of numbers (line {}) has {}; where the lines "
-                    "above it are a head, say how many (skip = {})",
+        fmt::format("row of line {} has {} columns, the first row of numbers (line {}) has {}; if the lines above it "
+                    "are a header, give their number (skip = {})",
                     line, size, first_line_, table_.width, line - 1));
   }
 
@@ -163,7 +163,7 @@ std::string listed(const NumberTable& table) {
   for (std::size_t c = 0; c < table.width; ++c) {
     double peak = 0;
     for (std::size_t i = 0; i < table.rows(); ++i) peak = std::max(peak, std::abs(table.at(i, c)));
-    const std::string about = grows(table, c) ? fmt::format("grows from {:g} to {:g}, as a time does", table.at(0, c),
+    const std::string about = grows(table, c) ? fmt::format("increases from {:g} to {:g}, like a time", table.at(0, c),
                                                             table.at(table.rows() - 1, c))
                                               : fmt::format("up to {:g}", peak);
     text += fmt::format("{}{}{} ({})", text.empty() ? "" : ", ", c + 1,
@@ -178,10 +178,10 @@ std::string listed(const NumberTable& table) {
   const std::string by_name = table.names.empty() || table.names[proposed].empty()
                                   ? ""
                                   : fmt::format(" or column = \"{}\"", table.names[proposed]);
-  lines.fail_whole(fmt::format("has {} columns: {}; say the one of the acceleration, as in column = {}{}{}",
+  lines.fail_whole(fmt::format("has {} columns: {}; name the column of the acceleration, as in column = {}{}{}",
                                table.width, listed(table), proposed + 1, by_name,
                                time == RecordColumns::none
-                                   ? " with the step dt, or column = \"rows\" where samples run on from line to line"
+                                   ? " with the step dt, or column = \"rows\" if samples continue from line to line"
                                    : ""));
 }
 
@@ -201,7 +201,7 @@ std::size_t column_named(const NumberTable& table, const std::string& given, con
     if (lower_case(table.names[c]) == lower_case(given) || plain_name(table.names[c]) == lower_case(given)) return c;
   if (table.names.empty())
     lines.fail_whole(
-        fmt::format("column = \"{}\", but its columns have no names; say the number: {}", shown(given), listed(table)));
+        fmt::format("column = \"{}\", but its columns have no names; give a number: {}", shown(given), listed(table)));
   lines.fail_whole(fmt::format("has no column '{}'{}", shown(given), name_hint(given, table.names)));
 }
 
@@ -219,8 +219,8 @@ NumberTable read_number_table(TextLines& lines, std::string_view text, const Pla
   if (form.decimal == 0)
     if (const std::string comma = decimal_comma_in(text, skip); !comma.empty())
       lines.fail_whole(
-          fmt::format("has numbers like '{}': read decimal commas with decimal = \",\", or say decimal = "
-                      "\".\" where a comma parts two columns",
+          fmt::format("has numbers like '{}': set decimal = \",\" for decimal commas, or decimal = \".\" if the comma "
+                      "separates two columns",
                       shown(comma)));
   TableReader reader(lines, form);
   while (const auto line = lines.next()) {
@@ -236,13 +236,14 @@ RecordColumns find_record_columns(const NumberTable& table, const PlainForm& for
   if (!asked.empty() && asked != "rows") {
     const std::size_t chosen = column_named(table, form.column, lines);
     const std::size_t time = growing_column(table, chosen);
-    if (time == none && !form.step) lines.fail_whole("has no column of times; say the step of the samples (dt)");
+    if (time == none && !form.step) lines.fail_whole("has no column of times; give the time step of the samples (dt)");
     if (table.ragged()) lines.fail("row has fewer columns than the first one");
     return {time, chosen};
   }
   const auto all = [&]() -> RecordColumns {
     if (!form.step)
-      lines.fail_whole(fmt::format("has {} column(s) and no time; say the step of the samples (dt)", table.width));
+      lines.fail_whole(
+          fmt::format("has {} column(s) and no time; give the time step of the samples (dt)", table.width));
     return {};
   };
   if (asked == "rows" || table.width == 1 || table.ragged()) return all();

@@ -65,7 +65,7 @@ GroundMotion parse_esm_motion(std::string_view text, const std::string& name) {
       continue;
     }
     if (!header.step || !header.count || !header.unit_is_cm)
-      lines.fail_whole("is an ESM file whose head lacks SAMPLING_INTERVAL_S, NDATA or UNITS");
+      lines.fail_whole("is an ESM file whose header lacks SAMPLING_INTERVAL_S, NDATA or UNITS");
     if (acceleration.size() == *header.count)
       lines.fail(fmt::format("more samples than the {} of NDATA", *header.count));
     acceleration.push_back(lines.require_number(line, "acceleration") * gal_in_g);
@@ -112,13 +112,13 @@ GroundMotion parse_knet_motion(std::string_view text, const std::string& name) {
       in_head = !lower_case(line).starts_with("memo");
       read_knet_line(line, header, lines);
       if (!in_head && (!(header.rate > 0) || !(header.factor > 0)))
-        lines.fail_whole("is a K-NET file whose head lacks Sampling Freq(Hz) or Scale Factor");
+        lines.fail_whole("is a K-NET file whose header lacks Sampling Freq(Hz) or Scale Factor");
       continue;
     }
     for (const std::string_view word : words_of(line))
       acceleration.push_back(lines.require_number(word, "sample") * header.factor);
   }
-  if (in_head) lines.fail_whole("is a K-NET file whose head does not end with 'Memo.'");
+  if (in_head) lines.fail_whole("is a K-NET file whose header does not end with 'Memo.'");
   const auto announced = static_cast<std::size_t>(std::clamp(std::floor(header.duration * header.rate), 0.0, 1e9));
   return motion_from_g(std::move(acceleration), announced, 1 / header.rate, {}, std::move(header.source), lines);
 }
@@ -128,17 +128,16 @@ GroundMotion parse_knet_motion(std::string_view text, const std::string& name) {
 [[noreturn]] GroundMotion refuse_volume(std::string_view text, const std::string& name) {
   TextLines(text, name)
       .fail_whole(
-          "is a volume of processed strong motion (COSMOS, CSMIP, USGS or GeoNet), which is not read: its head and its "
-          "blocks "
-          "of velocity and displacement are bare numbers. Export its acceleration as a PEER AT2 file, or cut that "
-          "block out "
-          "and give unit, dt and skip (lines of head, 0 if none)");
+          "is a volume of processed strong motion (COSMOS, CSMIP, USGS or GeoNet), which is not supported: its header "
+          "and its blocks of velocity and displacement are bare numbers. Export its acceleration as a PEER AT2 file, "
+          "or copy that block to a file and give unit, dt and skip (header lines, 0 if none)");
 }
 
 [[noreturn]] GroundMotion refuse_binary(std::string_view text, const std::string& name) {
   TextLines(text, name)
       .fail_whole(
-          "is a binary file (SAC, miniSEED, MATLAB or another), which is not read; export the acceleration as text");
+          "is a binary file (SAC, miniSEED, MATLAB or another), which is not supported; export the acceleration as "
+          "text");
 }
 
 bool has_any(std::string_view text, std::initializer_list<std::string_view> marks) {

@@ -35,7 +35,7 @@ void require_units_of_g(std::string_view line, const TextLines& lines) {
   const auto words = words_of(std::string_view(lower).substr(at + mark.size()), ",;");
   if (words.empty() || (words[0] != "g" && words[0] != "g."))
     lines.fail(
-        fmt::format("unit is '{}', must be G; convert the values to g and say so here, or give unit, dt and skip = 4",
+        fmt::format("unit is '{}', must be G; convert the values and this line to g, or give unit, dt and skip = 4",
                     words.empty() ? "" : shown(words[0])));
 }
 
@@ -60,7 +60,7 @@ void read_counts(std::string_view line, PeerHeader& header, TextLines& lines) {
   else if (at(2) == "npts" && at(3) == "dt")
     count = 0, step = 1;  // n dt NPTS DT
   else if (words.size() < 4 || at(0) != "npts" || at(2) != "dt" || at(3).empty())
-    lines.fail(fmt::format("must be like 'NPTS= 5372, DT= .0100 SEC', is '{}'", shown(line)));
+    lines.fail(fmt::format("must be like 'NPTS= 5372, DT= 0.0100 SEC', is '{}'", shown(line)));
   header.count = lines.require_count(at(count), "NPTS");
   header.step = lines.require_number(at(step), "DT") * step_unit(at(step + 1));
   if (!(header.step > 0)) lines.fail(fmt::format("DT is {:g} s, must be above 0", header.step));

@@ -46,14 +46,14 @@ double even_step(const std::vector<double>& times, double resolution, bool given
   const std::size_t n = times.size();
   if (n < 2) lines.fail_whole("has fewer than 2 samples");
   const double step = (times.back() - times.front()) / static_cast<double>(n - 1);
-  if (!(step > 0)) lines.fail_whole("has times that do not grow");
+  if (!(step > 0)) lines.fail_whole("has times that do not increase");
   const double rounded = 1.01 * resolution, allowed = std::max(0.1 * step, given ? rounded : 0);
   for (std::size_t i = 0; i < n; ++i) {
     const double due = times.front() + static_cast<double>(i) * step, off = std::abs(times[i] - due);
     if (off > allowed)
       lines.fail_whole(
           fmt::format("sample {} is at {:g} s, must be at {:g} s: the step must be uniform{}", i + 1, times[i], due,
-                      off > rounded ? "" : fmt::format("; times are rounded to {:g} s, so say dt", resolution)));
+                      off > rounded ? "" : fmt::format("; times are rounded to {:g} s, so give dt", resolution)));
   }
   return step;
 }
@@ -61,10 +61,9 @@ double even_step(const std::vector<double>& times, double resolution, bool given
 /// Rejects times that no record has in seconds: sample numbers, or another unit.
 [[noreturn]] void refuse_times(double step, double resolution, const TextLines& lines) {
   const bool numbers = resolution == 1 && std::abs(step - 1) < 1e-9;
-  lines.fail_whole(fmt::format("has times that grow by {:g} a sample, {}; say the step in seconds, as in dt = {:g}",
-                               step,
-                               numbers ? "as the numbers of samples do" : "too much for seconds: they look like ms",
-                               numbers ? 0.01 : step / 1000));
+  lines.fail_whole(fmt::format(
+      "has times that increase by {:g} per sample, {}; give the step in seconds, as in dt = {:g}", step,
+      numbers ? "like sample numbers" : "too much for seconds: they look like ms", numbers ? 0.01 : step / 1000));
 }
 
 /// True if a column of times names ms as its unit: "time ms", "t [msec]".
@@ -105,10 +104,9 @@ void refuse_number_of_head(const std::vector<double>& samples, double step, cons
                            : first >= 10 && is((n - 1) * step)       ? "the duration"
                                                                      : "";
   if (*what != 0)
-    lines.fail_whole(
-        fmt::format("begins with {:g}, which is {}; say how many lines of head it has (skip = 1), or skip = 0 "
-                    "where it is a sample",
-                    first, what));
+    lines.fail_whole(fmt::format(
+        "begins with {:g}, which is {}; give the number of header lines (skip = 1), or skip = 0 if it is a sample",
+        first, what));
 }
 
 /// The unit comes from the script, so an unphysical peak indicates a wrong unit.
@@ -135,8 +133,8 @@ GroundMotion parse_named_motion(std::string_view text, const std::string& name, 
   TextLines lines(text, name);
   if (!format.unit.empty() && unit_in_g(form.unit, name) != unit_in_g(std::string(format.unit), name))
     lines.fail_whole(
-        fmt::format("is {}, whose samples are in {}; unit is given as {}. Leave the unit out, or say how many "
-                    "lines of head are skipped (skip) to read it as plain columns",
+        fmt::format("is {}, whose samples are in {}; unit is given as {}. Leave the unit out, or give the number of "
+                    "header lines (skip) to read it as plain columns",
                     format.name, format.unit, form.unit));
   GroundMotion motion = parse_motion(text, name);
   if (form.step && std::abs(*form.step - motion.step()) > 1e-6 * motion.step())

@@ -16,7 +16,7 @@ namespace {
 /// Processing works on samples; a motion that was scaled or delayed by its factors would lose these.
 void require_as_read(const GroundMotion& motion, const char* what) {
   if (motion.amplitude_factor() == 1 && motion.start_time() == 0) return;
-  throw InputError(fmt::format("{}: motion '{}' is {} already; do this to the record as it was read, then {} it", what,
+  throw InputError(fmt::format("{}: motion '{}' is {} already; apply this to the original record, then {} it", what,
                                motion.description(), motion.start_time() == 0 ? "scaled" : "delayed",
                                motion.start_time() == 0 ? "scale" : "delay"));
 }
@@ -160,7 +160,7 @@ GroundMotion baseline_corrected(const GroundMotion& motion, int degree) {
     std::swap(before, now);
     std::swap(now, next);
   }
-  return processed(motion, a, motion.step(), fmt::format("baseline of degree {} out", degree));
+  return processed(motion, a, motion.step(), fmt::format("baseline of degree {} removed", degree));
 }
 
 /// Filters in both directions, so that no frequency is delayed; the pads contain the ringing beyond the record.

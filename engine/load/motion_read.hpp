@@ -24,7 +24,7 @@ inline constexpr double largest_credible_displacement = 100;  // [m]
 /// CSV: lines "# key: value" (units: g; dt: 0.02 s; npts: 2688; optional title, component, source agency, v0: -4.664
 /// cm/s, u0: 2.159 cm, pga, note), then one line "time_s,acceleration_g" per sample.
 ///
-/// AT2 (PEER): 4 header lines, the third with UNITS OF G, the fourth `NPTS= 5372, DT= .0100 SEC` or `5372 0.0100 NPTS,
+/// AT2 (PEER): 4 header lines, the third with UNITS OF G, the fourth `NPTS= 5372, DT= 0.0100 SEC` or `5372 0.0100 NPTS,
 /// DT`, or the names in one line and the numbers in the next. Then the samples [g], any number per line.
 ///
 /// ESM's ASCII form: lines "KEY: value" (SAMPLING_INTERVAL_S, NDATA, UNITS), then one sample [cm/s2] per line.

@@ -29,10 +29,10 @@ void require_credible_motion(const GroundMotion& motion, const TextLines& lines)
   const MotionPeaks peaks = motion_peaks(flat);
   const double v = std::abs(peaks.velocity.value), u = std::abs(peaks.displacement.value);
   if (v > largest_credible_velocity || u > largest_credible_displacement)
-    lines.fail_whole(
-        fmt::format("has a peak velocity of {:.3g} m/s and a peak displacement of {:.3g} m after a baseline "
-                    "correction, ground stays below {:g} m/s and {:g} m; check the step of {:g} s and the unit",
-                    v, u, largest_credible_velocity, largest_credible_displacement, motion.step()));
+    lines.fail_whole(fmt::format(
+        "has a peak velocity of {:.3g} m/s and a peak displacement of {:.3g} m after a baseline "
+        "correction, real ground motions stay below {:g} m/s and {:g} m; check the step of {:g} s and the unit",
+        v, u, largest_credible_velocity, largest_credible_displacement, motion.step()));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ Pairs lowest_pairs(const Pencil& p, int count) {
   solver.init();
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
-    throw NoSolution(fmt::format("modes: {} of {} were found and no more; ask for fewer", found, count));
+    throw NoSolution(fmt::format("modes: only {} of {} were found; ask for fewer", found, count));
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
@@ -195,7 +195,7 @@ std::vector<NaturalMode<D>> modes(const Model<D>& model, const State<D>& state, 
   Tangent<D> tangent;
   const Pencil pencil = pencil_of(model, state, tangent);
   const int size = tangent.coupling().size();
-  if (size == 0) throw InputError("modes: nothing is free to move");
+  if (size == 0) throw InputError("modes: no degree of freedom is free");
   // Lanczos with a basis close to the size of the matrix is not faster.
   const bool all = size <= few || count > size / 3;
   const Pairs pairs = all ? all_pairs(pencil) : lowest_pairs(pencil, count);

@@ -68,8 +68,8 @@ ElementShares element_shares(const Model<3>& model, int body, const Vec3& at, co
   const ElementShares shares = element_shares(model, body, at);
   if (shares.outside > beside)
     throw InputError(
-        fmt::format("{}: the point ({:g}, {:g}, {:g}) is not in '{}', which deforms, so there is nothing to "
-                    "tie it to; give a point in it or on it",
+        fmt::format("{}: the point ({:g}, {:g}, {:g}) is not in '{}', which deforms, so it cannot be attached; give a "
+                    "point in it or on it",
                     owner, at.x(), at.y(), at.z(), model.bodies[body].name));
   return shares;
 }

@@ -64,7 +64,7 @@ inline constexpr std::array<std::string_view, 12> event_words{
     "value",    ///< Event::value in its unit
     "at",       ///< " at " and the value; nothing where it is 0
     "mode",     ///< " in shear at 12 kN"
-    "becomes",  ///< "became b" or "gave way: ..." of a failed bearing
+    "becomes",  ///< "became b" or "was replaced: ..." of a failed bearing
     "strain",   ///< "was stretched by 12 %"
     "ended"     ///< "shaking ended (rest)", from "shaking: rest"
 };

@@ -39,13 +39,13 @@ std::string joint_text(const Event& e) {
   return e.value != 0 ? fmt::format("{} at {:.3g} kN", in, 1e-3 * e.value) : in;
 }
 
-/// "became b" or "gave way: ...".
+/// "became b" or "was replaced: ...".
 template <int D>
 std::string becomes_text(const Event& e, const Model<D>& model) {
   const Bearing<D>& b = model.bearings[e.bearing];
   if (b.becomes_bearing >= 0) return fmt::format("became {}", model.bearings[b.becomes_bearing].name);
   const std::string how = b.contact_after >= 0 ? " by " + model.law_names[b.contact_after] : "";
-  return fmt::format("gave way: {} and {} touch{}", body_name(model, b.body_a), body_name(model, b.body_b), how);
+  return fmt::format("was replaced: {} and {} touch{}", body_name(model, b.body_a), body_name(model, b.body_b), how);
 }
 
 /// The compression of an element with zero area is 1.

@@ -59,7 +59,7 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   load.at = Attachment<2>::to_node(b.first_node, Vec2::Zero());
   if (b.is_rigid()) return {load};
   if (spec.moment != 0 || spec.follows)
-    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
+    throw InputError(fmt::format("{}: the body deforms; give 'at', the point where the {} acts", owner,
                                  spec.moment != 0 ? "moment" : "force that follows"));
   return spread_load(model, body, load);
 }
@@ -70,8 +70,8 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
   require_finite(spec.value, owner + ": value");
   check_load_curve(spec.curve, owner);
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
-    throw InputError(
-        fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+    throw InputError(fmt::format(
+        "{}: a direction must be a nonzero vector, and is only for pressure that does not follow the face", owner));
   // A deformable body may have a different depth.
   double depth = model.thickness;  // the depth of contacts
   for (const Element& e : model.elements)

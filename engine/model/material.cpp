@@ -18,7 +18,7 @@ void check_material(const Material& material, const std::vector<Material>& other
   add_plausibility_note(notes, owner, "density", "kg/m3", material.density);
   if (material.band) {
     check_parameters(*material.band), material.band->check();
-    if (!material.solid) throw InputError(owner + ": band_damping is of its stiffness, and it has none; give E too");
+    if (!material.solid) throw InputError(owner + ": band_damping needs a stiffness; give E too");
   }
   if (material.solid) std::visit([&](const auto& l) { add_plausibility_notes(notes, owner, l); }, material.solid->law);
 }

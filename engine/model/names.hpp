@@ -15,7 +15,7 @@ namespace trilith {
 /// Throws InputError for an empty name, or one with more than `longest_name` bytes: each row of a results table is as
 /// wide as its longest name.
 inline void require_name(const std::string& name, std::string_view kind) {
-  if (name.empty()) throw InputError(fmt::format("{} without a name; give each one of its own", kind));
+  if (name.empty()) throw InputError(fmt::format("{} without a name; give each its own name", kind));
   require_printable(name, kind, longest_name);
 }
 
@@ -24,7 +24,7 @@ template <class Rows, class Name>
 void require_new(const Rows& rows, const std::string& name, std::string_view kind, Name&& name_of) {
   for (const auto& row : rows)
     if (name_of(row) == name)
-      throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
+      throw InputError(fmt::format("{} '{}' exists already; give each its own name", kind, name));
 }
 
 /// For very many rows that are added one by one: names are looked up, not compared with each row. Rows may be removed
@@ -40,7 +40,7 @@ class RowNames {
   template <class Rows>
   void require_new(const Rows& rows, const std::string& name, std::string_view kind) {
     if (contains(rows, name))
-      throw InputError(fmt::format("{} '{}' is there already; give each one of its own name", kind, name));
+      throw InputError(fmt::format("{} '{}' exists already; give each its own name", kind, name));
   }
 
  private:

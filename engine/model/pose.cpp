@@ -306,9 +306,8 @@ Attachment<2> tie_point(const Model<2>& model, int body, const Vec2& at, const s
   // Tolerance for rounding and rough input; a larger distance means that another position was intended.
   if (distance > 0.02 * model.body_radius[body])
     throw InputError(
-        fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from '{}', which deforms, so there is nothing to tie "
-                    "it to; give a "
-                    "point in it or on its edge, or make it body = \"rigid\"",
+        fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from '{}', which deforms, so it cannot be attached; "
+                    "give a point in it or on its edge, or make it body = \"rigid\"",
                     owner, at.x(), at.y(), distance, b.name));
   return attachment;
 }

@@ -134,7 +134,7 @@ std::vector<PushRow<D>> push_rows(const Model<D>& model, const std::vector<int>&
                                   const std::optional<std::type_identity_t<Vec<D>>>& at, PushPattern pattern,
                                   const std::type_identity_t<Vec<D>>& direction) {
   if (bodies.empty()) throw InputError("push: no body is given");
-  if (at && bodies.size() > 1) throw InputError("push: a point is one of a single body; several are given");
+  if (at && bodies.size() > 1) throw InputError("push: a point belongs to a single body, but several are given");
   const double lowest = lowest_of(model, bodies);
   double sum = 0;
   for (const int body : bodies) sum += share_of(model, body, pattern, lowest);
@@ -157,11 +157,11 @@ void add_push(Model<D>& model, const State<D>& state, const std::string& name, s
               const std::type_identity_t<Vec<D>>& direction, const std::shared_ptr<const GroundMotion>& motion) {
   for (const Push<D>& other : model.pushes) {
     if (other.name == name)
-      throw InputError(fmt::format("push: there is one called '{}' already; release it, or give another name", name));
+      throw InputError(fmt::format("push: push '{}' exists already; release it, or give another name", name));
     for (const PushRow<D>& mine : rows)
       for (const PushRow<D>& row : other.rows)
         if (row.node == mine.node)
-          throw InputError(fmt::format("push: body '{}' is pushed already by '{}'; release that first",
+          throw InputError(fmt::format("push: body '{}' is pushed already by '{}'; release that push first",
                                        model.bodies[body_of_node(model, row.node)].name, other.name));
   }
   Push<D> push;

@@ -155,16 +155,17 @@ void write_events(const ReportSource& source, HtmlText& html) {
   const results::EventTree tree = results::event_tree(source.events, tree_rows(source.of_note, left_out), open_lines);
   write_counts(source, html);
   if (tree.rows.empty()) {
-    html.element("p", "No bearing, seat or bond was lost, and nothing hit anything hard.");
+    html.element("p", "No bearing, seat or bond was lost, and no strong impact occurred.");
     return;
   }
   std::string note =
-      "Each event stands below the one that led to it, or after it with an arrow where it led to that one alone. "
+      "Each event is listed below its cause, or after it with an arrow if it is the only effect. "
       "Contacts "
       "made and lost, bodies at rest and impacts below " +
       fmt::format("{:g} m/s are left out", slow_impact);
   if (left_out > 0) note += fmt::format(", and {} of the slower impacts", left_out);
-  html.element("p", note + "; lines that begin with “and” sum up branches that unfold on a screen.", R"(class="note")");
+  html.element("p", note + "; lines that begin with “and” summarise branches that unfold on a screen.",
+               R"(class="note")");
   std::map<std::int32_t, std::vector<std::size_t>> by_stage;
   for (const std::size_t i : tree.roots) by_stage[tree.rows[i].stage].push_back(i);
   TreeWriter writer(source, tree, html);

@@ -145,7 +145,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   }
   std::vector<std::string> words;
   if (source.header.dim == 3 && source.header.face_count() == 0 && source.header.sphere_vertex.empty()) {
-    html.element("p", "The file tells of no faces of its solids, so that there are no pictures of them.");
+    html.element("p", "The file contains no faces of solids, so there are no pictures.");
     return;
   }
   draw::SceneChoice choice;
@@ -187,7 +187,7 @@ void write_histories(const ReportSource& source, HtmlText& html) {
     rows.push_back({h.quantity->name, h.quantity->description, quantity_text(h.most, unit),
                     source.clock(time_of_largest(times, h.values)), quantity_text(h.values.back(), unit)});
   }
-  html.table({"History", "What it is", "Largest", "At", "At the end"}, rows, 2);
+  html.table({"History", "Description", "Largest", "At", "At the end"}, rows, 2);
   const std::size_t left = source.header.histories.size() - names.size();
   if (left > 0)
     html.element("p", fmt::format("The {} largest; {} further histories are in the results file.", names.size(), left),
@@ -222,15 +222,15 @@ void write_energy(const ReportSource& source, HtmlText& html) {
     else
       ++none;
   }
-  add("residual", "what the terms leave unexplained", table.residual);
-  html.table({"Term", "What it is", "At the end", "Largest", "At"}, rows, 2);
+  add("residual", "error of the energy balance", table.residual);
+  html.table({"Term", "Description", "At the end", "Largest", "At"}, rows, 2);
   std::string note;
   if (most > 0)
-    note = fmt::format("The residual is at most {:.2g} % of the largest term. ",
-                       100 * results::largest_value(table.residual) / most);
+    note = fmt::format("The residual is at most {} of the largest term. ",
+                       percent_text(results::largest_value(table.residual) / most));
   if (none > 0) note += fmt::format("{} terms that are zero throughout are left out.", none);
   if (!note.empty()) html.element("p", note, R"(class="note")");
-  write_figure(html, "energy", "Energy by term over what was put in; below it the residual.", [&] {
+  write_figure(html, "energy", "Energy by term and the input; below them the residual.", [&] {
     draw::Chart chart = draw::results_energy_chart({&source.reader, ""}, draw::EnergyView::stacked, window_of(source));
     std::vector<double> times = table.time;
     for (double& t : times) t -= source.origin.zero;

@@ -111,7 +111,7 @@ void write_laws(const results::Header& header, HtmlText& html) {
   for (const LawUse& use : uses)
     rows.push_back({use.name, use.role, plain_law(use.text), use.users.empty() ? "–" : some_of(use.users, 4)});
   if (!rows.empty())
-    html.element("h3", "Materials and contact laws").table({"Name", "Role", "Law and numbers", "Between"}, rows, 4);
+    html.element("h3", "Materials and contact laws").table({"Name", "Role", "Law and parameters", "Between"}, rows, 4);
 }
 
 void write_bearings(const results::Header& header, HtmlText& html) {
@@ -133,7 +133,7 @@ void write_bearings(const results::Header& header, HtmlText& html) {
     rows.push_back({some_of(use.users, 12), plain_law(use.text)});
   }
   html.element("h3", fmt::format("Bearings: {}", header.bearings.size()))
-      .table({"Bearing", "Law and numbers"}, rows, 2);
+      .table({"Bearing", "Law and parameters"}, rows, 2);
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ void write_model(const ReportSource& source, HtmlText& html) {
   write_bodies(header, html);
   html.element(
       "p",
-      fmt::format("A model in {} dimensions; {} points upwards, angles turn anticlockwise, times are those since {}. "
+      fmt::format("A model in {} dimensions; {} points upwards, angles are anticlockwise, times count from {}. "
                   "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
                   "N, Pa, J. Contact stiffness is per area and length, Pa/m.",
                   header.dim, header.dim == 2 ? "y" : "z",

@@ -37,7 +37,7 @@ GroundMotion done_again(const GroundMotion& motion, const std::string& step) {
   if (const auto advance = number_after(step, "advanced ")) return motion.delayed(-*advance);
   if (const auto start = number_after(step, "from "))
     return step.ends_with("m/s") ? motion.with_start_velocity(*start) : motion.with_start_displacement(*start);
-  throw InputError(fmt::format("'{}' is nothing that is known to be done to a motion", step));
+  throw InputError(fmt::format("'{}' is not a known operation on a motion", step));
 }
 
 /// A line of the file: "DESCRIPTION on 'BODY' (x), from t = 1.5 s".
@@ -134,7 +134,7 @@ void write_stored(const ReportSource& source, const std::vector<results::MotionR
   html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration", "Missed by"}, rows, 1);
   html.element("p",
                "From the samples in the results file. Duration: from 5 to 95 % of the Arias intensity. Missed by: the "
-               "largest distance, over all frames, between where the body was and where its motion has it.",
+               "largest distance, over all frames, between the position of the body and its prescribed position.",
                R"(class="note")");
   if (!motions.empty()) write_motion_figure(html, motions, names);
 }
@@ -144,12 +144,13 @@ void write_missing(const std::vector<std::string>& texts, bool some_found, HtmlT
   html.open("ul");
   for (const std::string& text : texts) html.element("li", text);
   html.close();
-  html.element("p",
-               fmt::format("The results file holds what {} motions are, not their samples, and the records were not "
-                           "found where the report was made: peaks, intensity and spectrum are missing here; trilith "
-                           "motion FILE gives them.",
-                           some_found ? "these" : "the"),
-               R"(class="note")");
+  html.element(
+      "p",
+      fmt::format(
+          "The results file describes {} motions without their samples, and the records were not found when the report "
+          "was made. Peaks, intensity and spectrum are missing here; trilith motion FILE prints them.",
+          some_found ? "these" : "the"),
+      R"(class="note")");
 }
 
 }  // namespace
@@ -178,9 +179,8 @@ void write_motions(const ReportSource& source, HtmlText& html) {
   if (!motions.empty()) {
     html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration"}, rows, 1);
     html.element("p",
-                 "Duration: from 5 to 95 % of the Arias intensity. The results file holds what was done to the "
-                 "records, not their samples: for these figures the records "
-                 "were read again and the same was done to them.",
+                 "Duration: from 5 to 95 % of the Arias intensity. The results file holds the operations on the "
+                 "records, not their samples: for these figures the records were read and processed again.",
                  R"(class="note")");
     write_motion_figure(html, motions, names);
   }

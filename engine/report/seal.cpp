@@ -119,25 +119,25 @@ void write_seal(const ReportSource& source, const ReportProgress& progress, Html
               {"Results file", source.reader.path().filename().string() +
                                    (source.reader.finished() ? ", finished" : ", NOT finished")}},
              2);
-  html.element(
-      "p",
-      "The digests are of every bit of places, turns and events: the same script run by the same program on the "
-      "same platform gives the same digits.",
-      R"(class="note")");
+  html.element("p",
+               "The digests cover every bit of positions, rotations and events: the same script, run by the same "
+               "program on the same platform, gives the same digits.",
+               R"(class="note")");
 }
 
 void write_reproduction(const ReportSource& source, HtmlText& html) {
   const results::Provenance& from = source.header.provenance;
   html.element("h2", "How to run it again");
   if (from.command_line.empty())
-    html.element("p", "The file does not tell the command it was made by.");
+    html.element("p", "The file does not record the command that made it.");
   else
     html.open("pre", R"(class="command")").element("code", from.command_line).close();
   if (!from.git_commit.empty())
-    html.element("p",
-                 fmt::format("Built from commit {}, with {}. Paths are relative to where the command was given.",
-                             commit_text(from.git_commit), from.compiler),
-                 R"(class="note")");
+    html.element(
+        "p",
+        fmt::format("Built from commit {}, with {}. Paths are relative to the folder in which the command was run.",
+                    commit_text(from.git_commit), from.compiler),
+        R"(class="note")");
   if (from.script.empty()) {
     html.element("p", "The file does not hold the script.");
     return;

@@ -121,18 +121,18 @@ Moved moved_bodies(const ReportSource& source) {
 }
 
 std::string why_text(const std::string& why) {
-  if (why == "rest") return "with everything at rest";
-  if (why == "time") return "when its time was up";
-  return why.empty() ? "without a reason given" : "(" + why + ")";
+  if (why == "rest") return "at rest";
+  if (why == "time") return "at the end of its duration";
+  return why.empty() ? "without a recorded reason" : "(" + why + ")";
 }
 
 std::string ending(const ReportSource& source) {
   const std::vector<double>& times = source.reader.frame_times();
   const double reached = times.empty() ? 0 : times.back();
   if (source.reader.running())
-    return fmt::format("The run is still going on and is told here up to {}", source.clock(reached));
+    return fmt::format("The run is still in progress and is reported here up to {}", source.clock(reached));
   if (!source.reader.finished())
-    return fmt::format("The run was stopped before its end and is told here up to {}", source.clock(reached));
+    return fmt::format("The run was stopped before its end and is reported here up to {}", source.clock(reached));
   if (source.stages.empty() || !source.stages.back().ended)
     return fmt::format("The run ended at {}", source.clock(reached));
   const results::StageRow& last = source.stages.back();
@@ -157,13 +157,12 @@ std::string losses(const ReportSource& source) {
     parts.push_back(counted(n, "body", "bodies") + " left the bounds");
   const Moved bodies = moved_bodies(source);
   if (bodies.moved > 0)
-    parts.push_back(
-        fmt::format("{} of {} free bodies stood more than half their depth from where they began on the ground",
-                    bodies.moved, bodies.free));
+    parts.push_back(fmt::format("{} of {} free bodies moved by more than half their depth relative to the ground",
+                                bodies.moved, bodies.free));
   if (parts.empty() && results::results_verdict(source.events).sound()) parts.emplace_back("nothing failed");
   if (bodies.moved == 0 && bodies.free > 0)
-    parts.emplace_back("no body stood more than half its depth from where it began on the ground");
-  return parts.empty() ? "nothing is told of it" : listed(parts);
+    parts.emplace_back("no body moved by more than half its depth relative to the ground");
+  return parts.empty() ? "no losses are recorded" : listed(parts);
 }
 
 /// Name of the stage and time within it at the event.
@@ -177,7 +176,7 @@ std::string first_failure(const ReportSource& source) {
   const auto first = std::find_if(source.events.begin(), source.events.end(), results::is_failure);
   if (first == source.events.end()) return "No bearing, seat or bond was lost.";
   const std::string what = first->text.empty() ? first->type : first->text;
-  return fmt::format("The first failure came at {}{}: {}.", source.clock(first->time), within_stage(source, *first),
+  return fmt::format("The first failure occurred at {}{}: {}.", source.clock(first->time), within_stage(source, *first),
                      what);
 }
 
@@ -227,8 +226,8 @@ void write_head(const ReportSource& source, HtmlText& html) {
   if (!source.reader.finished())
     html.element("p",
                  source.reader.running()
-                     ? "Not finished: a run is writing this file. What follows is up to its last flush."
-                     : "Not finished: the run ended before its end. What follows is up to its last flush.",
+                     ? "Not finished: a run is writing this file. The report covers it up to its last flush."
+                     : "Not finished: the run stopped early. The report covers it up to its last flush.",
                  R"(class="warning")");
   const Verdict found = results::results_verdict(source.events);
   if (!found.sound())
@@ -239,7 +238,7 @@ void write_head(const ReportSource& source, HtmlText& html) {
     if (!note.text.starts_with(motion_note))
       remarks.push_back(fmt::format("{}: {}", source.clock(note.time), note.text));
   if (remarks.empty()) return;
-  html.element("h3", "Remarks of the program").open("ul");
+  html.element("h3", "Notes and warnings").open("ul");
   for (const std::string& remark : remarks) html.element("li", remark);
   html.close();
 }
@@ -248,9 +247,9 @@ void write_parameters(const ReportSource& source, HtmlText& html) {
   const std::vector<results::ParameterRow>& rows = source.header.provenance.parameters;
   if (rows.empty()) return;
   html.element("h2", "Parameters");
-  html.element("p", "As the script declares them; what differs from its default is bold.", R"(class="note")");
+  html.element("p", "As the script declares them; values that differ from their default are bold.", R"(class="note")");
   html.open("table").open("thead").open("tr");
-  for (const char* heading : {"Parameter", "Value", "Unit", "Default", "What it is"}) html.element("th", heading);
+  for (const char* heading : {"Parameter", "Value", "Unit", "Default", "Description"}) html.element("th", heading);
   html.close().close().open("tbody");
   for (const results::ParameterRow& row : rows) {
     html.open("tr").element("td", row.name).open("td");

@@ -87,9 +87,8 @@ template <int D>
 void Simulation<D>::scale_masses() {
   if (!stage_->options.mass_scaling) return;
   if (!model_.pushes.empty())
-    throw InputError(
-        fmt::format("stage '{}': push '{}' controls a displacement, which does not know of mass_scaling; keep one",
-                    stage_->options.name, model_.pushes.front().name));
+    throw InputError(fmt::format("stage '{}': push '{}' controls a displacement, which excludes mass_scaling; keep one",
+                                 stage_->options.name, model_.pushes.front().name));
   refresh();
   const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
   if (!due) return;
@@ -122,7 +121,8 @@ void Simulation<D>::choose_integrator() {
   refresh();
   if (state_.implicit()) {
     if (next_.dt >= least_gain * options.safety * next_.longest) return;
-    changed_ = fmt::format("goes on by explicit steps, as implicit ones came down to {:.2g} s", next_.dt);
+    changed_ =
+        fmt::format("continues with explicit steps, because implicit steps became as short as {:.2g} s", next_.dt);
     change_integrator(false);
   } else if (model_.pushes.empty() && longest >= least_gain * next_.dt &&
              passes_multiple(state_.time, state_.last_dt, tries_after * longest)) {
@@ -136,8 +136,8 @@ template <int D>
 void Simulation<D>::change_integrator(bool implicit) {
   if (implicit && !model_.pushes.empty())
     throw InputError(
-        fmt::format("stage '{}': push '{}' controls a displacement, which only explicit steps do; release "
-                    "it, or take integrator = \"explicit\"",
+        fmt::format("stage '{}': push '{}' controls a displacement, which needs explicit steps; release it, or use "
+                    "integrator = \"explicit\"",
                     stage_->options.name, model_.pushes.front().name));
   refresh();
   commit(model_, state_, work_, times_);
@@ -180,7 +180,7 @@ bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
     stuck_ = stuck_reason(model_, state_, step);
     return false;
   }
-  changed_ = fmt::format("goes on by explicit steps, as no implicit one of {:.2g} s or more was found",
+  changed_ = fmt::format("continues with explicit steps, because no implicit step of {:.2g} s or more converges",
                          std::min(dt, how.give_up));
   leave_implicit();
   advance(model_, state_, work_, {swept_.dt, rest_}, times_);

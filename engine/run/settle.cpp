@@ -21,7 +21,7 @@ namespace {
 template <int D>
 std::string loads_text(const LoadWay<D>* way) {
   if (way == nullptr || way->points.empty() || way->loads.empty()) return "under all loads (load factor 1)";
-  return fmt::format("as the load factor of '{}' came to {:.4g}", way->loads.front().name, way->points.back().factor);
+  return fmt::format("when the load factor of '{}' reached {:.4g}", way->loads.front().name, way->points.back().factor);
 }
 
 StageEnd rest_end(const Equilibrium& found) {
@@ -96,7 +96,7 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
       tell(stage_event(EventType::stage_begun, instant(), options.name), listener, instant());
     }
     std::optional<Divergence> diverged =
-        watch_->look_at_strains(instant(), way != nullptr ? loads_text(way) : "as the stage began");
+        watch_->look_at_strains(instant(), way != nullptr ? loads_text(way) : "at the start of the stage");
     Equilibrium found;
     if (!diverged) {
       found = find_equilibrium(model_, state_, how);

@@ -144,9 +144,7 @@ void Simulation<D>::require_step(const StageOptions& options) const {
   const double asked = options.implicit ? 0 : options.dt;
   if (asked > 0 && swept_.piece_a >= 0)
     throw InputError(
-        fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could go through "
-                    "another unseen: {}; "
-                    "leave dt out, and the step is cut short where it has to be",
+        fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could pass through another undetected: {}; leave dt out, and the step is shortened where needed",
                     options.name, options.dt, swept_.needed(), state_.time, explain_tunnelling_limit(model_, swept_)));
   if (next_.longest == 0 && next_.dt > 0) return;  // reused from an earlier estimate
   if (asked > 0 && asked > next_.longest)
@@ -158,8 +156,7 @@ void Simulation<D>::require_step(const StageOptions& options) const {
   if (next_.dt < shortest)
     throw InputError(fmt::format(
         "stage '{}': the step is {:.3g} s at t = {:.4g} s, must be at least {:.3g} s ({:g} s, and {:g} of the "
-        "stage's {:g} s), or it would hardly end; see what governs the step, and whether its stiffness "
-        "has the unit that was meant: {}",
+        "stage's {:g} s), or it would take too many steps. Check the unit of the stiffness that governs the step: {}",
         options.name, next_.dt, state_.time, shortest, shortest_step, shortest_share, options.duration,
         explain_step(model_, state_, work_)));
 }
@@ -175,7 +172,7 @@ void Simulation<D>::begin_stage(const StageOptions& options) {
   assert(!running_);
   if (verdict_.has(EventType::stage_diverged))
     throw InputError(
-        fmt::format("stage '{}': cannot begin, as the run {}; go back to before that, or build the model anew",
+        fmt::format("stage '{}': cannot begin, because the run {}; go back to an earlier time, or build a new model",
                     options.name, verdict_.fault(EventType::stage_diverged).first));
   stage_.emplace(options, state_.time);
   if (options.until_rest && options.within > 0) watch_->keep_places(state_);

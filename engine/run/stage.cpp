@@ -16,11 +16,10 @@ void require_valid_scaling(const StageOptions& o, const std::string& owner) {
   require_positive(o.mass_scaling->most, owner + ": mass_scaling: most", "1");
   if (o.dt > 0)
     throw InputError(
-        fmt::format("{}: dt is {:g} s and mass_scaling has a step of {:g} s; leave dt out, the step is that of "
-                    "mass_scaling",
+        fmt::format("{}: dt is {:g} s and mass_scaling has a step of {:g} s; leave dt out; mass_scaling sets the step",
                     owner, o.dt, o.mass_scaling->step));
   if (o.implicit)
-    throw InputError(owner + ": mass_scaling is of explicit steps, and implicit ones are as long without it; keep one");
+    throw InputError(owner + ": mass_scaling is for explicit steps; implicit steps do not need it; keep one");
 }
 
 }  // namespace
@@ -31,15 +30,14 @@ void require_valid(const StageOptions& o) {
   require_not_negative(o.dt, owner + ": dt", "s");
   if (!(o.safety > 0 && o.safety <= longest_safety))
     throw InputError(
-        fmt::format("{}: safety is {:g}, must be above 0 and at most {:g}: close to 1 a step is stable and yet "
-                    "too coarse to keep energy",
+        fmt::format("{}: safety is {:g}, must be above 0 and at most {:g}: close to 1 a step is stable but too coarse "
+                    "to conserve energy",
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
   if (o.implicit && o.rest_share > 0)
     throw InputError(
-        fmt::format("{}: damping is {:g}, which only explicit steps have; leave it out, or take "
-                    "integrator = \"explicit\"",
+        fmt::format("{}: damping is {:g}, which is for explicit steps; leave it out, or use integrator = \"explicit\"",
                     owner, o.rest_share));
   require_valid_scaling(o, owner);
   for (const double v : {o.frame_interval, o.history_interval, o.energy_interval})

@@ -15,13 +15,13 @@ namespace {
 /// "pier is worst, with 3.1e-03 of the largest force unbalanced (1e-05 is asked for)"
 template <int D>
 std::string unbalanced_text(const Instant<D>& now, const WorstBodies& worst) {
-  return fmt::format("{} is worst, with {:.2g} of the largest force unbalanced ({:g} is asked for)",
+  return fmt::format("{} is worst, with an out-of-balance ratio of {:.2g} ({:g} is required)",
                      now.model.bodies[worst.unbalanced].name, now.ratio, now.stage.still_ratio);
 }
 
 template <int D>
 std::string moving_text(const Instant<D>& now, const WorstBodies& worst) {
-  return fmt::format("{} is fastest, at {:.2g} m/s ({:g} m/s is asked for)", now.model.bodies[worst.fastest].name,
+  return fmt::format("{} is fastest, at {:.2g} m/s ({:g} m/s is required)", now.model.bodies[worst.fastest].name,
                      worst.speed, now.stage.still_speed);
 }
 
@@ -32,7 +32,7 @@ std::string unsettled_text(const Instant<D>& now, const WorstBodies& worst) {
   if (pulled && moves) return unbalanced_text(now, worst) + "; " + moving_text(now, worst);
   if (pulled) return unbalanced_text(now, worst);
   if (moves) return moving_text(now, worst);
-  return fmt::format("still for less than the {:g} s asked for", now.stage.still_hold);
+  return fmt::format("at rest for less than the required {:g} s", now.stage.still_hold);
 }
 
 }  // namespace
@@ -68,9 +68,8 @@ void set_end(StageReport& report, const Instant<D>& now, const std::optional<Div
     report.reason = unsettled_reason(now);
   } else if (end == StageEnd::all_left) {
     report.reason =
-        "all bodies that were free to move have left the bounds or were removed; where they are to be followed "
-        "farther, "
-        "give wider ones";
+        "all bodies that were free to move have left the bounds or were removed; to follow them farther, give wider "
+        "bounds";
   }
 }
 
@@ -80,8 +79,8 @@ void set_unstable(StageReport& report, const Model<D>& model, const Travel& trav
   report.found = fmt::format("unstable: {} {}", model.bodies[travel.body].name, travel_text(travel));
   const double needed = std::max({1.1 * travel.share, 1.1 * travel.fallen, 2 * within});
   report.reason = fmt::format(
-      "{}, and equilibrium is looked for within {:g} of a body's size from where it began; support it, or change the "
-      "geometry, friction or bonds that let it go; within = {:.2g} lets bodies go farther",
+      "{}, but equilibrium is sought within {:g} of a body's size from its start. Support it, or change the geometry, "
+      "friction or bonds there; within = {:.2g} allows larger motions",
       report.found, within, needed);
 }
 
@@ -103,7 +102,7 @@ Event diverged_event(const Instant<D>& now, const StageReport& report) {
 template <int D>
 std::string unsettled_reason(const Instant<D>& now) {
   const std::string what = unsettled_text(now, worst_bodies(now.model, now.work));
-  return what + "; give more duration, or look at how it moves: it may be unable to stand";
+  return what + "; give a longer duration, or check how it moves: it may be unstable";
 }
 
 /// Reason for which no step was found at any length: time, progress, and the body with the largest residual, or the two
@@ -113,13 +112,13 @@ std::string stuck_reason(const Model<D>& model, const State<D>& state, const Imp
   const auto body_of = [&](int piece) { return model.bodies[model.piece_body[piece]].name; };
   if (step.through_a >= 0)
     return fmt::format(
-        "every step from t = {:.6g} s on, down to {:.2g} s, takes '{}' and '{}' through each other; take a smaller dt, "
-        "look at how fast they go and how stiff their contact law is, or go on with integrator = \"explicit\"",
+        "every step from t = {:.6g} s on, down to {:.2g} s, takes '{}' and '{}' through each other. Use a smaller dt, "
+        "check their speeds and the stiffness of their contact law, or continue with integrator = \"explicit\"",
         state.time, step.dt, body_of(step.through_a), body_of(step.through_b));
   const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
   return fmt::format(
-      "no step from t = {:.6g} s on converges, down to {:.2g} s: {:.2g} of the largest force is left over, most of it "
-      "on {}; look at what touches or yields there, take a smaller dt or more damping, or go on with integrator = "
+      "no step from t = {:.6g} s on converges, down to {:.2g} s: the residual is {:.2g} of the largest force, most of "
+      "it on {}. Check contacts and yielding there, use a smaller dt or more damping, or continue with integrator = "
       "\"explicit\"",
       state.time, step.dt, step.left, where);
 }
@@ -133,17 +132,17 @@ std::string no_rest_reason(const Model<D>& model, const Equilibrium& found) {
   const std::string where = found.worst < 0 ? "nothing" : model.bodies[body_of_node(model, found.worst)].name;
   if (found.end == EquilibriumEnd::goes_off)
     return fmt::format(
-        "nothing holds {}, or it yields or bends so far: it goes farther than its own size; support it, bring the "
-        "loads "
-        "on by more shares, or let it move: integrator = \"explicit\"",
+        "{} has no support, or yields or bends so far that it moves farther than its own size. Support it, apply the "
+        "loads in more shares, or let it move: integrator = \"explicit\"",
         where);
-  const std::string left = fmt::format("{:.2g} of the largest force is left over after {} steps, most of it on {}",
+  const std::string left = fmt::format("the residual is {:.2g} of the largest force after {} steps, most of it on {}",
                                        found.left, found.steps, where);
   if (found.left < little_left)
-    return fmt::format("{}; tolerance = {:.0e} takes that for rest, integrator = \"explicit\" shows how it moves", left,
-                       2 * found.left);
+    return fmt::format("{}; tolerance = {:.0e} accepts that as rest, integrator = \"explicit\" shows how it moves",
+                       left, 2 * found.left);
   // A part that slides or falls does so under each share of the weight too.
-  const std::string slower = found.end == EquilibriumEnd::stuck ? ", shares = 10 brings the weight on more slowly" : "";
+  const std::string slower =
+      found.end == EquilibriumEnd::stuck ? ", shares = 10 applies the weight in smaller increments" : "";
   return fmt::format("{}; integrator = \"explicit\" shows how it moves{}", left, slower);
 }
 

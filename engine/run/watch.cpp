@@ -216,9 +216,9 @@ Divergence overstrained(const Instant<D>& now, const std::string& name, int body
   Event event = stage_event(EventType::element_overstrained, now, name);
   event.body_a = body, event.value = strain;
   event.set_place(place);
-  return {fmt::format("{} (its solid is made for {:g} %)", event_text(event, now.model), 100 * limit),
-          "take a stiffer solid or less load, let it come on more slowly, or give the material a larger strain_limit "
-          "where it is made for more",
+  return {fmt::format("{} (its material is valid up to {:g} %)", event_text(event, now.model), 100 * limit),
+          "use a stiffer material or less load, apply it more slowly, or give the material a larger strain_limit if it "
+          "is valid for more",
           now.state.time - now.state.last_dt, event};
 }
 
@@ -275,7 +275,7 @@ std::optional<Divergence> Watch::look_at_strains(const Instant<D>& now, const st
   if (!found) return found;
   found->found += ", " + under;
   found->advice =
-      "take a stiffer solid or less load, or give the material a larger strain_limit where it is made for more";
+      "use a stiffer material or less load, or give the material a larger strain_limit if it is valid for more";
   found->sound_until = now.begun;
   return found;
 }
@@ -296,9 +296,9 @@ std::string Watch::ledger_text() const {
   const double input = std::max(most_energy_, held(from_) + most_put_in_);
   if (!counts_ || !(std::abs(off_) > told_share * input)) return "";
   return fmt::format(
-      "its steps {} {}, {:.2g} % of the {} that were put in; blows ask for shorter ones: leave dt out, or "
-      "give a smaller dt, safety or accuracy",
-      off_ > 0 ? "gained" : "lost", quantity_text(std::abs(off_), "J"), 100 * std::abs(off_) / input,
+      "its steps {} {}, {} of the input of {}; impacts need shorter steps: leave dt out, or give a smaller dt, safety "
+      "or accuracy",
+      off_ > 0 ? "gained" : "lost", quantity_text(std::abs(off_), "J"), percent_text(std::abs(off_) / input),
       quantity_text(input, "J"));
 }
 
@@ -326,22 +326,23 @@ std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   };
   if (!std::isfinite(made))
     return Divergence{fmt::format("the energy is no longer a finite number; {}", fastest()),
-                      "take a smaller safety or less load",
+                      "use a smaller safety or less load",
                       sound_until_,
                       {}};
   if (made > most + trifle)
-    return Divergence{fmt::format("{} more energy is there than the {} that were put in; {}", quantity_text(made, "J"),
-                                  quantity_text(most, "J"), fastest()),
-                      "take a smaller safety, or see what is stiff and near it with explain_dt",
+    return Divergence{fmt::format("the energy balance gained {}, more than the input of {}; {}",
+                                  quantity_text(made, "J"), quantity_text(most, "J"), fastest()),
+                      "use a smaller safety, or find the stiff parts near it with explain_dt",
                       sound_until_,
                       {}};
   const double fall = now.model.gravity.field.norm() * (now.model.bounds.high - now.model.bounds.low).norm();
   const double limit = given_speed_ + std::sqrt(2 * fall) + sound_speed(now.model);
   if (now.speed > limit)
     return Divergence{
-        fmt::format("{}, where start, motions and fall give less and sound in its solid runs at {:.3g} m/s", fastest(),
-                    sound_speed(now.model)),
-        "look at loads and masses near it; a speed that is meant is given at the start",
+        fmt::format(
+            "{}, more than its start, motions, fall and the speed of sound in its material ({:.3g} m/s) can explain",
+            fastest(), sound_speed(now.model)),
+        "check loads and masses near it; give an intended speed as the velocity at the start",
         sound_until_,
         {}};
   if (std::abs(made) > std::max(trifle, std::abs(off_))) off_ = made;
@@ -357,7 +358,7 @@ template <int D>
 std::optional<Divergence> Watch::look(const Instant<D>& now, bool last) {
   if (!std::isfinite(now.speed) || !std::isfinite(now.work.unbalanced))
     return Divergence{"speeds or forces are no longer finite numbers",
-                      "take a smaller safety or less load",
+                      "use a smaller safety or less load",
                       counts_ ? sound_until_ : now.begun,
                       {}};
   if (auto found = look_at_elements(now)) return found;

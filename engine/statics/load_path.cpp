@@ -214,7 +214,7 @@ namespace {
 
 template <int D>
 void check_path(const LoadPathOptions<D>& o) {
-  require_finite(o.begin, "load path: factor at the begin");
+  require_finite(o.begin, "load path: factor at the beginning");
   require_finite(o.first, "load path: first step");
   require_positive(std::abs(o.first), "load path: size of the first step", "");
   require_positive(o.tolerance, "load path: tolerance", "");

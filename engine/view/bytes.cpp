@@ -97,7 +97,7 @@ std::string gunzipped(std::string_view bytes) {
     out.append(piece.data(), piece.size() - stream.avail_out);
   }
   inflateEnd(&stream);
-  if (state != Z_STREAM_END) throw std::runtime_error("no whole gzip stream");
+  if (state != Z_STREAM_END) throw std::runtime_error("not a complete gzip stream");
   return out;
 }
 

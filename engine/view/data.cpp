@@ -73,7 +73,7 @@ void write_series(const results::ResultsReader& reader, const ViewLimits& limits
   if (!energy.time.empty()) series.begin("energy", energy.time);
   if (!energy.time.empty())
     for (std::size_t i = 0; i < header.energy_terms.size(); ++i) series.add(header.energy_terms[i], energy.terms[i]);
-  if (!energy.time.empty()) series.add({"residual", "J", "what the terms leave unexplained"}, energy.residual);
+  if (!energy.time.empty()) series.add({"residual", "J", "error of the energy balance"}, energy.residual);
   json.end();
 }
 
@@ -83,7 +83,7 @@ std::string view_data(const results::ResultsReader& reader, const ViewLimits& li
                       const results::TimeOrigin& origin) {
   if (reader.header().dim == 3 && reader.header().face_count() == 0 && reader.header().sphere_vertex.empty())
     throw InputError(
-        fmt::format("'{}' tells of no faces of its solids, so that there is nothing to play", reader.path().string()));
+        fmt::format("'{}' contains no faces of solids, so there is nothing to show", reader.path().string()));
   ViewFrames frames = view_frames(reader, limits, progress);
   JsonText json;
   json.begin_object();

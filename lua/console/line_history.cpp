@@ -55,7 +55,7 @@ bool LineHistory::add(const std::string& line) {
   std::ofstream out(path_, std::ios::app);
   out << line << '\n' << std::flush;
   if (!out) {
-    complaint_ = fmt::format("the history of this console is not kept: cannot write {} ({})", path_.string(),
+    complaint_ = fmt::format("the history of this console is not saved: cannot write {} ({})", path_.string(),
                              std::strerror(errno));
     path_.clear();
   } else if (fresh) {

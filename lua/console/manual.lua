@@ -78,8 +78,9 @@ local function add_laws(manual)
     for name in pairs(laws) do names[#names + 1] = name end
     table.sort(names)
     for _, name in ipairs(names) do
-      local entry = { name = "trilith." .. name, owner = "trilith", member = name, doc = laws[name].doc, args = {},
-        keys = {}, with = {}, beside = {}, gives = law_kinds[i], page = "laws", takes_table = true }
+      local doc = laws[name].doc:gsub("^%l", string.upper)
+      local entry = { name = "trilith." .. name, owner = "trilith", member = name, doc = doc, args = {}, keys = {},
+        with = {}, beside = {}, gives = law_kinds[i], page = "laws", takes_table = true }
       if i == 1 then
         entry.keys[1] = { name = "name", type = "text", unit = "", optional = true, doc = "name in results" }
       end

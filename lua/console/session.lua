@@ -280,7 +280,7 @@ function console.pause(why, model)
   if frames[1] then
     terminal.write(("%s:%d, in %s. "):format(frames[1].source, frames[1].line, frames[1].name))
   end
-  terminal.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` says more.\n")
+  terminal.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` prints more.\n")
   console.has_paused = true
   local outer = core.leave_pause
   function core.leave_pause() session.left = true end

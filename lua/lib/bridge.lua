@@ -29,7 +29,7 @@ local function check_number(owner, row, key, preset)
   if value == nil then
     local near = core.hint(key, names_in(row)):match "did you mean '(.-)'"
     core.fail(("%s: '%s' is missing; %s"):format(owner, key,
-      near and ("is it what '%s' is to say?"):format(near) or "give a number in m"))
+      near and ("is it misspelled as '%s'?"):format(near) or "give a number in m"))
   end
   if type(value) ~= "number" or value ~= value or value == math.huge or value == -math.huge then
     core.fail(("%s: '%s' is %s, must be a finite number in m"):format(owner, key, what_is(value)))

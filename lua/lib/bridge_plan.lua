@@ -17,7 +17,7 @@ end
 local function girder_lines(given, half)
   local owner, lines = "bridge: girders", {}
   local g = read("girders", owner, given)
-  if g.at and (g.count or g.spacing) then fail(owner, "at is given, and count or spacing besides; keep one") end
+  if g.at and (g.count or g.spacing) then fail(owner, "both at and count or spacing are given; keep one") end
   if not g.at and not g.count then
     fail(owner, "'count' is missing; give count and spacing, or the places at = { y, ... }")
   end
@@ -28,7 +28,8 @@ local function girder_lines(given, half)
       fail(owner, "place %d of 'at' is %s, must be a finite number in m", k, what_is(y))
     end
     if k > 1 and y - lines[k - 1].y <= g.breadth then
-      fail(owner, "lines %d and %d at y = %g and %g m are apart by no more than a girder is broad, %g m; they go"
+      fail(owner, "lines %d and %d at y = %g and %g m are not farther apart than the breadth of a girder, %g m; they "
+        .. "are given"
         .. " from right to"
         .. " left", k - 1, k, lines[k - 1].y, y, g.breadth)
     end
@@ -48,13 +49,13 @@ local function shear_key_of(owner, given)
   local key = read("shear_key", owner, given)
   for _, name in ipairs { "gap", "height", "breadth" } do
     if key.law and key[name] then
-      fail(owner, "'%s' is of a key that is solid, and law of one that is a bearing; keep one", name)
+      fail(owner, "'%s' is for a solid key, and law is for a bearing; keep one", name)
     end
     if not key.law and not key[name] then
       fail(owner, "'%s' is missing; give gap, height and breadth, or a law", name)
     end
   end
-  if key.limit and not key.law then fail(owner, "'limit' is given, but no law that it would end; give law") end
+  if key.limit and not key.law then fail(owner, "'limit' is given, but no law to which it applies; give law") end
   return key
 end
 
@@ -66,9 +67,9 @@ local function foundation_of(owner, given)
   local found, any = read("foundation", owner, given), nil
   for _, name in ipairs(foundation_laws) do any = any or found[name] and name end
   for _, name in ipairs { "limit", "becomes" } do any = any or found.soil and found[name] and name end
-  if found.soil and any then fail(owner, "soil is given, and '%s' besides; keep one", any) end
+  if found.soil and any then fail(owner, "both soil and '%s' are given; keep one", any) end
   if found.limit and not found.becomes then
-    fail(owner, "'limit' is given, but not what is there afterwards; give becomes, a contact law")
+    fail(owner, "'limit' is given, but no contact law for afterwards; give becomes")
   end
   if not found.soil and not any then fail(owner, "gives neither soil nor a law; give soil, the shear modulus in Pa") end
   return found
@@ -78,7 +79,7 @@ end
 local function check_columns(owner, v)
   if v.columns > 1 and not v.column_spacing then fail(owner, "'column_spacing' is missing; give a number in m") end
   if v.cap_thickness == 0 then fail(owner, "'cap_thickness' is missing: columns carry the seats by a cap") end
-  if v.stem_breadth then fail(owner, "'stem_breadth' is of a wall; of columns it is column_breadth") end
+  if v.stem_breadth then fail(owner, "'stem_breadth' is for walls; for columns give column_breadth") end
   if not v.section and not v.column_breadth then fail(owner, "'column_breadth' is missing; give a number in m") end
   local reach = 0.5*(v.columns - 1)*(v.column_spacing or 0) + 0.5*(v.column_breadth or 0)
   if reach > 0.5*v.breadth + 1e-9 then
@@ -92,7 +93,7 @@ end
 --- Checks a bent whose columns are members.
 local function check_members(owner, v)
   if v.shear_key and not v.shear_key.law then
-    fail(owner, "a solid shear key stands on a rigid cap; on one of members give shear_key = { law = }")
+    fail(owner, "a solid shear key needs a rigid cap; on a cap of members give shear_key = { law = }")
   end
   if v.foundation and v.footing_weight == 0 then
     fail(owner, "'footing_weight' is missing: feet on springs of the ground need the mass of a footing; give a"
@@ -115,7 +116,7 @@ local function check_pier(owner, v)
     if v[key] and not v.columns then fail(owner, "'%s' is given, but no columns; give how many", key) end
   end
   for _, key in ipairs { "cap_section", v.footing_weight > 0 and "footing_weight" or nil } do
-    if v[key] and not v.section then fail(owner, "'%s' is of a bent of members, with section; leave it out", key) end
+    if v[key] and not v.section then fail(owner, "'%s' is for a bent of members, with section; leave it out", key) end
   end
   if v.columns then check_columns(owner, v) end
   if v.section then check_members(owner, v) end
@@ -166,7 +167,7 @@ local function read_support(plan, options, i)
   end
   if v.ground == nil then v.ground = b.ground end
   if v.foundation and v.ground == nil then
-    fail(owner, "has a foundation, but no ground that it is on; give ground = {} or the name of a body")
+    fail(owner, "has a foundation, but no ground under it; give ground = {} or the name of a body")
   end
   if v.ground ~= nil and v.support ~= nil then fail(owner, "both ground and support are given; keep one") end
   return v
@@ -190,7 +191,7 @@ end
 local function check_deck(owner, v)
   if v.section then
     for _, key in ipairs { "depth", "slab" } do
-      if v[key] then fail(owner, "'%s' is given besides section, of girders that are members; leave it out", key) end
+      if v[key] then fail(owner, "'%s' is given in addition to section, for girders of members; leave it out", key) end
     end
   elseif not v.depth then
     fail(owner, "'depth' is missing; give a number in m, or the section of its girders")
@@ -198,7 +199,7 @@ local function check_deck(owner, v)
     fail(owner, "slab is %g m, must be below the depth of %g m", v.slab, v.depth)
   end
   for _, key in ipairs { "density", "unit_weight", "mass", "weight" } do
-    if v.weight_per_length and v[key] then fail(owner, "weight_per_length is given, and %s besides; keep one", key) end
+    if v.weight_per_length and v[key] then fail(owner, "both weight_per_length and %s are given; keep one", key) end
   end
 end
 
@@ -207,12 +208,12 @@ local function diaphragm_of(owner, v, lines)
   owner = owner .. ": diaphragm"
   local d = read("diaphragm", owner, v.diaphragm)
   local of_members = v.section ~= nil
-  if #lines < 2 then fail(owner, "stands between girders, and there is one line alone; leave it out") end
+  if #lines < 2 then fail(owner, "is between girders, but there is only one line; leave it out") end
   if of_members and not d.section then fail(owner, "'section' is missing: the girders are members") end
   if of_members and (d.thickness or d.depth) then
-    fail(owner, "thickness or depth is given besides section; leave it out")
+    fail(owner, "thickness or depth is given in addition to section; leave it out")
   end
-  if not of_members and d.section then fail(owner, "'section' is of girders that are members; give thickness") end
+  if not of_members and d.section then fail(owner, "'section' is for girders that are members; give thickness") end
   if not of_members and not v.slab then fail(owner, "the deck is solid; give the slab on its girders") end
   if not of_members and not d.thickness then fail(owner, "'thickness' is missing; give a number in m") end
   d.depth = d.depth or not of_members and 0.75*(v.depth - v.slab)
@@ -282,14 +283,14 @@ local function lay_keys(plan, i)
     end
   end
   if key.from + key.breadth > 0.5*s.breadth + 1e-9 then
-    fail(s.owner, "breadth is %g m; shear keys beside the girders need %g m", s.breadth, 2*(key.from + key.breadth))
+    fail(s.owner, "breadth is %g m; shear keys next to the girders need %g m", s.breadth, 2*(key.from + key.breadth))
   end
 end
 
 local function check_names(rows, kind)
   local seen = {}
   for _, row in ipairs(rows) do
-    if seen[row.name] then fail(row.owner, "there are two %s of that name", kind) end
+    if seen[row.name] then fail(row.owner, "there are two %s with that name", kind) end
     seen[row.name] = true
   end
   return seen
@@ -319,7 +320,7 @@ function core.bridge_plan(model, options)
   check_names(plan.spans, "spans")
   local support_names = check_names(plan.supports, "supports")
   for _, v in ipairs(plan.spans) do
-    if support_names[v.name] then fail(v.owner, "there is a support of that name; give each one of its own") end
+    if support_names[v.name] then fail(v.owner, "there is already a support with that name; give each its own name") end
   end
   return plan
 end

@@ -26,7 +26,8 @@ local function add_block(model, plan, s, i)
   local before = plan.supports[i - 1]
   for _, y in ipairs { -broad, broad } do
     if before and before.ground_to and x - half - s.slope*y < before.ground_to - before.slope*y then
-      fail(s.owner, "its ground and that of '%s' would overlap; give a smaller margin than %g m", before.name, g.margin)
+      fail(s.owner, "its ground and the ground of '%s' would overlap; give a smaller margin than %g m", before.name,
+        g.margin)
     end
   end
   return model:body { name = s.name .. ".ground", groups = { "grounds" }, material = g.material or s.material,
@@ -227,8 +228,8 @@ function Bridge:motions(given)
     if not other then
       rows[#rows + 1], seen[body.name] = row, row
     elseif given.velocity or given.delay or other.x ~= row.x or other.y ~= row.y or other.z ~= row.z then
-      fail("motions", "'%s' is the ground of several supports and cannot move in several ways; give each a ground"
-        .. " of its own",
+      fail("motions", "'%s' is the ground of several supports and cannot follow several motions; give each its own"
+        .. " ground",
         body.name)
     end
   end

@@ -129,7 +129,7 @@ function Search:try(value)
   end
   if self.options.settle then
     local report = self.model:consolidate { integrator = "static", name = ("calibrate %d"):format(#self.tries + 1) }
-    if not report.rests then core.fail("calibrate: no rest was found on the way: " .. report.reason) end
+    if not report.rests then core.fail("calibrate: no equilibrium was found on the way: " .. report.reason) end
   end
   local frequency, mode = frequency_now(self.model, self.options)
   self.tries[#self.tries + 1] = { value = value, frequency = frequency, mode = mode }
@@ -200,7 +200,7 @@ local calibrate_keys = { "frequency", "vary", "mode", "shape", "between", "toler
 --- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps the result.
 function model_methods.calibrate(model, options)
   if model.dim ~= 2 then
-    core.fail(("calibrate: is of models in the plane, and model '%s' has dim = %d"):format(model.name, model.dim))
+    core.fail(("calibrate: is for models in the plane, but model '%s' has dim = %d"):format(model.name, model.dim))
   end
   check_keys("calibrate", options, calibrate_keys)
   local wanted = { frequency = positive("calibrate", "frequency", options.frequency, " Hz"), mode = options.mode or 1,
@@ -209,7 +209,7 @@ function model_methods.calibrate(model, options)
     core.fail(("calibrate: 'mode' is %s, must be a number from 1"):format(what_is(wanted.mode)))
   end
   if wanted.shape and (type(wanted.shape) ~= "table" or options.mode) then
-    core.fail "calibrate: 'shape' is the shape of a mode that m:modes gave, and takes the place of 'mode'"
+    core.fail "calibrate: 'shape' is the shape of a mode from m:modes and replaces 'mode'"
   end
   local varied = read_varied(model, options.vary)
   local tolerance = positive("calibrate", "tolerance", options.tolerance or 1e-4, "")

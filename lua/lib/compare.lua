@@ -43,8 +43,8 @@ local function event_changes(before, now)
 end
 
 local function change_line(change)
-  if not change.now then return ("  %-44s before at %.4f s, now not"):format(change.what, change.before) end
-  if not change.before then return ("  %-44s now at %.4f s, before not"):format(change.what, change.now) end
+  if not change.now then return ("  %-44s before at %.4f s, not now"):format(change.what, change.before) end
+  if not change.before then return ("  %-44s now at %.4f s, not before"):format(change.what, change.now) end
   return ("  %-44s before at %.4f s, now at %.4f s"):format(change.what, change.before, change.now)
 end
 
@@ -57,11 +57,11 @@ end
 
 local function text_of(found)
   if not found.now then
-    return ("the branches part at %.4f s, and have no time after it in common; the run taken back is kept from %.4f to "
-      .. "%.4f s: run on to there to compare them"):format(found.from, found.kept_from, found.kept_to)
+    return ("the branches separate at %.4f s and have no later time in common; the earlier branch is kept from %.4f to "
+      .. "%.4f s: continue to that time to compare them"):format(found.from, found.kept_from, found.kept_to)
   end
-  if found.same then return ("the same bits at %.4f s; the branches part at %.4f s"):format(found.now, found.from) end
-  local lines = { ("at %.4f s, compared with the run taken back (%.4f s); they part at %.4f s"):format(found.now,
+  if found.same then return ("identical at %.4f s; the branches separate at %.4f s"):format(found.now, found.from) end
+  local lines = { ("at %.4f s, compared with the earlier branch (%.4f s); they separate at %.4f s"):format(found.now,
     found.before, found.from) }
   add_some(lines, "bodies moved most", found.moved, function(row)
     return ("  %-24s %.4g m, turned %.3g rad"):format(row.body.name, row.distance, row.turn)
@@ -81,7 +81,7 @@ end
 --- m:compare(): { from, before, now, same, moved, events, histories }, and the same in words.
 function model_methods.compare(model)
   local found = core.compare(model)
-  if not found then core.fail "compare: no run was taken back; m:rewind(seconds), change something, and run on" end
+  if not found then core.fail "compare: there is no earlier branch; call m:rewind(seconds), then run on" end
   if found.now then
     found.events = event_changes(found.events_before, found.events_now)
     found.events_before, found.events_now = nil, nil

@@ -111,7 +111,7 @@ end
 --- m:off(handler): removes a handler of m:on, m:every or m:on_step.
 function model_methods.off(model, handler)
   if getmetatable(handler) ~= handler_type then
-    core.fail(("off: takes the handler that m:on, m:every or m:on_step gave; this is a %s"):format(type(handler)))
+    core.fail(("off: takes the handler returned by m:on, m:every or m:on_step; this is a %s"):format(type(handler)))
   end
   if handler.model ~= model then core.fail "off: the handler belongs to another model" end
   if handler.off then core.fail(("off: the handler of %s is off already"):format(handler.what)) end

@@ -11,7 +11,9 @@ local least_damping, usual_damping = 0.01, 0.1 -- shares of critical damping
 function checks.faults(model, add)
   local faults = core.faults(model)
   for i = 1, math.min(#faults, most_faults) do add(faults[i]) end
-  if #faults > most_faults then add(("and %d more that keep it from being built"):format(#faults - most_faults)) end
+  if #faults > most_faults then
+    add(("and %d more errors that prevent building the model"):format(#faults - most_faults))
+  end
   return #faults == 0
 end
 
@@ -27,11 +29,11 @@ function checks.damping(model, add, whole)
     local better = d and
       ("beta = %.2g s gives %g %% of critical"):format(2*usual_damping/d.frequency, 100*usual_damping)
     if law.beta == 0 then
-      add(("law '%s' has no damping (beta = 0): what strikes it bounces for ever; %s")
+      add(("law '%s' has no damping (beta = 0): bodies that strike it bounce for ever; %s")
         :format(law.name, better or "give beta = 2*zeta/omega"))
     elseif d and d.less > 0 then
       add(("law '%s' damps %d of %d contacts by less than %g %% of critical ('%s' and '%s' by %.2g %%, with "
-        .. "beta = %g s and omega = %.3g rad/s): what stands on them may rattle and walk; %s"):format(law.name, d.less,
+        .. "beta = %g s and omega = %.3g rad/s): bodies on them may rattle and drift; %s"):format(law.name, d.less,
         d.all, 100*least_damping, d.a.name, d.b.name, 100*d.share, law.beta, d.frequency, better))
     end
   end
@@ -47,7 +49,8 @@ function checks.laws(model, add)
   for _, law in ipairs(core.contact_laws(model)) do
     local name, tension = law.name, number_of(law, "tension")
     if tension and law.mu > 0 and tension > law.cohesion / law.mu then
-      add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that meant?")
+      add(("law '%s': tension %g Pa is above cohesion/mu = %g Pa, so shear fails first in pure tension; is that "
+        .. "intended?")
         :format(name, tension, law.cohesion / law.mu))
     end
     if law.ks > law.kn then
@@ -102,14 +105,14 @@ function checks.sinking(model, add)
     if not softest or law.kn < softest.kn then softest = law end
   end
   if not softest then
-    add "there is no contact law, so nothing touches anything; see m:contact{between = {\"*\", \"*\"}, law = ...}"
+    add "there is no contact law, so no bodies touch; see m:contact{between = {\"*\", \"*\"}, law = ...}"
     return
   end
   for body in model:bodies {} do
     local width, height = math.sqrt(body.area), math.sqrt(body.area)
     local sinks = body.mass*weight_of(model)/(softest.kn*width*model.thickness)
     if sinks > 1e-3*height then
-      add(("body '%s' sinks by about %.2g m into law '%s' under its own weight; raise kn"):format(body.name, sinks,
+      add(("body '%s' sinks by about %.2g m under its own weight (law '%s'); raise kn"):format(body.name, sinks,
         softest.name))
       return
     end
@@ -130,8 +133,9 @@ function checks.slipping(model, add, slip)
   for _, law in ipairs(core.contact_laws(model)) do
     local gives = law.mu*pressure/law.ks
     if gives > most then
-      add(("law '%s' gives by %.2g m before it slides ('%s' under its own weight), more than %g of a slip of %g m: "
-        .. "what is left of sliding to and fro will be off; ks = %.1g Pa/m, or say how far it slides, m:lint{ slip = }")
+      add(("law '%s' deforms by %.2g m before it slides ('%s' under its own weight), more than %g of a slip of %g m: "
+        .. "residual slip after cyclic sliding will be inaccurate; give ks = %.1g Pa/m, or the expected slip, "
+        .. "m:lint{ slip = }")
         :format(law.name, gives, heaviest.name, slip_share, slip or usual_slip, law.mu*pressure/most))
     end
   end
@@ -140,7 +144,7 @@ end
 function checks.bearings(model, add)
   for _, bearing in ipairs(model.bearings) do
     if not bearing.limited then
-      add(("bearing '%s' has no limit, so it never fails; is that meant?"):format(bearing.name))
+      add(("bearing '%s' has no limit, so it never fails; is that intended?"):format(bearing.name))
     end
   end
 end
@@ -149,7 +153,8 @@ function checks.rest(model, add)
   if model.time > 0 then return end
   local worst = model.worst
   if worst.ratio and worst.ratio > 0.05 then
-    add(("body '%s' does not rest as it stands (%.2g of the largest force is unbalanced); begin with m:consolidate()")
+    add(("body '%s' is not in equilibrium at the start (%.2g of the largest force is unbalanced); begin with "
+      .. "m:consolidate()")
       :format(worst.body.name, worst.ratio))
   end
 end

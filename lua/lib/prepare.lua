@@ -32,7 +32,7 @@ end
 
 setmetatable(_G, {
   __index = function(_, name)
-    error(("there is no global '%s'; look at its spelling, or declare it with local"):format(tostring(name)), 2)
+    error(("there is no global '%s'; check its spelling, or declare it with local"):format(tostring(name)), 2)
   end,
   __newindex = function(globals, name, value)
     if not is_main_or_c(2) then

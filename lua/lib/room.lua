@@ -42,7 +42,7 @@ function G.setmetatable(t, ...)
   local meta = ...
   if type(t) == "table" and type(meta) == "table" then
     if rawget(meta, "__gc") ~= nil then
-      fail("setmetatable: '__gc' is refused: no limit of time holds in it; use a variable declared <close>")
+      fail("setmetatable: '__gc' is refused: time limits do not apply in it; use a variable declared <close>")
     end
     local was = meta_of(t)
     if was ~= nil and not set_by_script[was] then fail("setmetatable: this table's metatable is locked") end
@@ -72,7 +72,7 @@ refuse_others("io", io, closed_io, { "it reaches files outside the folders of th
 local closed_os = keep(os, { "clock", "date", "time", "difftime", "exit" })
 closed_os.remove, closed_os.rename, closed_os.getenv = room.remove, room.rename, room.variable
 refuse_others("os", os, closed_os, { "it changes this process", execute = "it starts programs",
-  tmpname = "it makes a file outside the folders of the script; name one beside the results" })
+  tmpname = "it makes a file outside the folders of the script; name one next to the results" })
 
 -- Code: text only, from readable files.
 local function loaded_file(path, owner, ...)
@@ -87,7 +87,7 @@ function G.dofile(path)
 end
 
 local closed_string = rawget(G, "string")
-closed_string.dump = refusal("string.dump", "a script has no bytecode")
+closed_string.dump = refusal("string.dump", "bytecode is not allowed")
 
 -- Parts of require: the library's searchers, which a script cannot access, and the script's package.path.
 local searchers, path, preloaded = package.searchers, package.path, package.preload
@@ -101,7 +101,7 @@ searchers[2] = function(name)
   if not chunk then error(message, 0) end
   return chunk, file
 end
-refuse_others("package", package, closed_package, { "it loads code that is no script" })
+refuse_others("package", package, closed_package, { "it loads code other than Lua scripts" })
 set_meta(closed_package, { __metatable = "locked", __index = function(_, name)
   fail("package." .. (type(name) == "string" and name or "?") ..
     " is refused: modules are Lua files in package.path; `trilith run --trust SCRIPT` allows more")
@@ -112,7 +112,7 @@ local shown = { "currentline", "short_src", "source", "linedefined", "lastlinede
 local closed_debug = { traceback = traceback }
 function closed_debug.getinfo(at, ...)
   if type(at) ~= "number" and type(at) ~= "function" or select("#", ...) > 1 then
-    fail("debug.getinfo: takes a level or a function, and which fields")
+    fail("debug.getinfo: takes a level or a function, and a list of fields")
   end
   local found = getinfo(type(at) == "number" and at + 1 or at, "Sln")
   if not found then return nil end
@@ -120,7 +120,7 @@ function closed_debug.getinfo(at, ...)
   for _, name in next, shown do told[name] = found[name] end
   return told
 end
-refuse_others("debug", debug, closed_debug, { "it reaches into the insides of other functions" })
+refuse_others("debug", debug, closed_debug, { "it changes the inside of other functions" })
 
 function G.collectgarbage(option, ...)
   if option == nil or option == "collect" or option == "count" then return collect(option, ...) end

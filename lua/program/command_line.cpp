@@ -56,16 +56,15 @@ std::string failure_text(const CLI::App* app, const CLI::Error& error) {
 
 void describe_command_line(CLI::App& app, int& code) {
   app.name("trilith");
-  app.description("Structures of separate bodies, through an earthquake to the last stone");
+  app.description("Simulates structures of separate bodies, through an earthquake to collapse");
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
   app.footer(
-      "trilith alone opens a console; trilith -i SCRIPT runs a script and stays; trilith SCRIPT runs it.\n"
-      "A script runs in a closed room: it starts no programs and uses files only below its own folder, the current\n"
-      "folder and the paths on the command line; --trust opens it.\n"
-      "trilith doctor says where the program, its Lua module and its records lie, and whether they work.\n"
-      "Exit codes: 0 all went well, 1 wrong input, an error in a script or in a case of a study,\n"
-      "2 wrong words on the command line, 3 a run that is not to be trusted or a model without solution (it says "
-      "which), 130 interrupted.");
+      "Without arguments, trilith opens a console. trilith SCRIPT runs a script; trilith -i SCRIPT opens a console after\n"
+      "it. A script runs in a closed room: it starts no programs, and uses files only below its own folder, the current\n"
+      "folder and the paths on the command line. The option --trust lifts these limits.\n"
+      "trilith doctor prints where the program, its Lua module and its records are, and whether they work.\n"
+      "Exit code 0 means success, 1 wrong input or an error in a script or case, 2 a wrong command line, 130 interrupted.\n"
+      "Exit code 3 means a run that is not to be trusted, or a model without solution; the message names which.");
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);
@@ -109,8 +108,8 @@ std::vector<std::string> words_with_verb(const CLI::App& app, std::vector<std::s
   // Two letters resemble all other options of two letters.
   if (is_option) refuse_word("there is no option '{}'{}", first, first.size() > 2 ? name_hint(first, known) : "");
   if (std::filesystem::path(first).extension() == results_ending)
-    refuse_word("results are no script; try trilith info {}{}", first, "");
-  refuse_word("there is no verb '{}', and no script of that name{}", first, name_hint(first, known));
+    refuse_word("a results file is not a script; try trilith info {}{}", first, "");
+  refuse_word("there is no command '{}', and no script of that name{}", first, name_hint(first, known));
 }
 
 std::vector<const CLI::Option*> named_options(const CLI::App& verb) {

@@ -162,7 +162,7 @@ _{0} "$@"
 
 void add_completion(CLI::App& app, int& code) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* verb = app.add_subcommand("completion", "Print what a shell needs to complete verbs, options and files");
+  CLI::App* verb = app.add_subcommand("completion", "Print the completion of commands, options and files for a shell");
   verb->add_option("shell", *shell, "bash or zsh; as in: source <(trilith completion bash)")
       ->required()
       ->type_name("SHELL")

@@ -129,7 +129,7 @@ std::string signal_text() {
     case SIGXCPU:
       return "ended by SIGXCPU: the limit of CPU time was reached";
     case SIGPIPE:
-      return "ended by SIGPIPE: nobody reads its output any more";
+      return "ended by SIGPIPE: the reader of its output ended";
     default:
       return "interrupted";
   }

@@ -39,7 +39,7 @@ std::string place_text(const CLI::Option& o) {
 
 std::string entry(const std::string& head, const CLI::Option& o) {
   const bool said = o.get_default_str().empty();
-  const std::string otherwise = said ? "" : fmt::format(" ({} where not given)", roff(o.get_default_str()));
+  const std::string otherwise = said ? "" : fmt::format(" (default {})", roff(o.get_default_str()));
   return fmt::format(".TP\n{}\n{}{}\n", head, roff(o.get_description()), otherwise);
 }
 

@@ -42,7 +42,7 @@ std::string profile_text(const script::Profile& p) {
     if (t.part[i] > 0) text += row(step_part_names[i], t.part[i], t.all, steps, "a step");
     if (static_cast<StepPart>(i) == StepPart::faces) text += laws_text(p, steps);
   }
-  text += row("the loop, and this measuring", std::max(0.0, t.all - known), t.all, steps, "a step");
+  text += row("the loop, and this measurement", std::max(0.0, t.all - known), t.all, steps, "a step");
   std::vector<script::CallbackTime> calls = p.callbacks;
   std::stable_sort(calls.begin(), calls.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
   for (const script::CallbackTime& c : calls)

@@ -29,7 +29,7 @@ double bytes_of(const std::string& text) {
                                                        : 0;
   if (error != std::errc() || factor == 0 || !(value >= 0) || value * factor > 1e18)
     throw CLI::ValidationError("--script-memory",
-                               fmt::format("'{}' is no size; write 512MB or 8GB, or 0 for no limit", text));
+                               fmt::format("'{}' is not a size; write 512MB or 8GB, or 0 for no limit", text));
   return value * factor;
 }
 
@@ -70,14 +70,14 @@ std::vector<std::string> RoomOptions::words() const {
 
 void add_room_options(CLI::App& verb, RoomOptions& options) {
   verb.add_flag("--trust", options.trust,
-                "run the script without its closed room: it may start programs and use every file that you may");
+                "run the script without its closed room: it may start programs and use all your files");
   verb.add_option_function<std::string>(
           "--script-memory", [&options](const std::string& text) { options.memory = bytes_of(text); },
-          "memory that the script's Lua code may hold; 4 GiB where not given, 0 for no limit")
+          "memory that the script's Lua code may hold; default 4 GiB, 0 for no limit")
       ->type_name("SIZE");
   verb.add_option("--script-seconds", options.seconds,
-                  "time that the script, or one of its handlers, may run without a call into the engine [s]; 600 where "
-                  "not given, 0 for no limit")
+                  "time that the script, or one of its handlers, may run without a call into the engine [s]; default "
+                  "600, 0 for no limit")
       ->type_name("SECONDS")
       ->check(CLI::Validator(is_not_negative, "", ""));
   verb.add_option("--room", options.folders)

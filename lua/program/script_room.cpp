@@ -31,7 +31,7 @@ std::set<std::filesystem::path>& made_files() {
 
 std::filesystem::path path_at(lua_State* L, int index, const char* owner) {
   if (lua_type(L, index) != LUA_TSTRING)
-    throw InputError(fmt::format("{}: takes the path of a file as a text, not a {}", owner, luaL_typename(L, index)));
+    throw InputError(fmt::format("{}: needs the path of a file as a text, not a {}", owner, luaL_typename(L, index)));
   return script::text_at(L, index);
 }
 

@@ -104,7 +104,7 @@ int run_script(script::Host& host) {
   if (host.study.only > 0 && !host.study.begun)
     return report_error(host, fmt::format("{} has no study, so no case {}", host.script, host.study.only));
   if (!host.given_used && !host.given.empty())
-    return report_error(host, fmt::format("{} declares no parameters, so '{}' has no place; see trilith.params",
+    return report_error(host, fmt::format("{} declares no parameters, so '{}' cannot be set; see trilith.params",
                                           host.script, host.given.front()));
   if (signal_code() != 0) return close_by_signal(host);
   host.finish("");

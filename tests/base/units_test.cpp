@@ -47,13 +47,14 @@ TEST_CASE("no unit stands twice in the table, and every one parses to itself") {
 
 TEST_CASE("a wrong unit is refused with the nearest name") {
   CHECK_THROWS_WITH_AS(parse_unit("kips"), "there is no unit 'kips'; did you mean 'kip'?", InputError);
-  CHECK_THROWS_WITH_AS(parse_unit("lb"), "there is no unit 'lb'; say lbf for a force, lbm for a mass", InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("lb"), "there is no unit 'lb'; write lbf for a force, lbm for a mass", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("kip/feet"), doctest::Contains("there is no unit 'feet' in 'kip/feet'"), InputError);
   CHECK_THROWS_WITH_AS(parse_unit("in"),
-                       "there is no unit 'in'; did you mean 'inch'? Others of its kind: m, mm, cm, km, ft, yd",
+                       "there is no unit 'in'; did you mean 'inch'? Other units of this kind: m, mm, cm, km, ft, yd",
                        InputError);
   CHECK_THROWS_WITH_AS(parse_unit("KN"),
-                       "there is no unit 'KN'; did you mean 'kN'? Others of its kind: N, MN, lbf, kip", InputError);
+                       "there is no unit 'KN'; did you mean 'kN'? Other units of this kind: N, MN, lbf, kip",
+                       InputError);
   CHECK_THROWS_WITH_AS(parse_unit("sec"), "there is no unit 'sec'; did you mean 's'?", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("xy"), doctest::Contains("there is no unit 'xy'; known: m, mm, cm"), InputError);
   CHECK_THROWS_AS(parse_unit(""), InputError);
@@ -70,8 +71,7 @@ TEST_CASE("a quantity is read in its declared unit or in one of its own") {
   CHECK_THROWS_WITH_AS(parse_quantity("3ft", "g", "pga"),
                        "pga is '3ft', which is in m; must be in g or another unit of m/s2", InputError);
   CHECK_THROWS_WITH_AS(parse_quantity("0.8g", "1", "pga"),
-                       "pga is '0.8g', which is in m/s2; must be a number without a unit, as it was declared",
-                       InputError);
+                       "pga is '0.8g', which is in m/s2; must be a number without a unit, as declared", InputError);
   for (const char* bad : {"", "x", "nan", "inf", "1e999", "0.6 0.7", "0.6gg"})
     CHECK_THROWS_AS(parse_quantity(bad, "g", "pga"), InputError);
 }

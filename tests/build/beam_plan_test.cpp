@@ -140,8 +140,9 @@ TEST_CASE("rooms have beams of their own which share pockets of the wall between
   const SolidParts apart = build_building(rooms(0.15, 0.15));  // with 0.1 m of masonry between their ends
   check_sound(apart.parts);
   CHECK(near(volume_in(apart, "units"), plan_area * 1.6 - 3 * 4 * 0.2 * 0.2 * 0.15, 1e-12));
-  CHECK(says(refusal_of([&] { build_building(rooms(0.3, 0.2)); }),
-             "storey 1: beams, row 2: beam 4 from y = 0.566667 to 0.766667 m runs into beam 1; give each row a part"));
+  CHECK(says(
+      refusal_of([&] { build_building(rooms(0.3, 0.2)); }),
+      "storey 1: beams, row 2: beam 4 from y = 0.566667 to 0.766667 m runs into beam 1; give each row its own part"));
   CHECK(says(refusal_of([&] { build_building(rooms(0.17, 0.17)); }), "beam 4 from y = 0.566667 to 0.766667 m leaves"));
 }
 
@@ -197,7 +198,7 @@ TEST_CASE("beams lie on lintels, and over openings alone they are refused") {
   opening.height = 1.4, opening.lintel = false;
   CHECK(says(refusal_of([&] { build_building(building); }),
              "building 'B': storey 1: beams: beam 1 from x = 1.3 to 1.5 m lies over an opening of wall 'south', from "
-             "0.8 to 2 m, without a lintel under it; give that a lintel"));
+             "0.8 to 2 m, without a lintel under it; give the opening a lintel"));
   opening.lintel = true;
   CHECK(says(refusal_of([&] { build_building(building); }), "has its pocket on a lintel of wall 'south', from 0.6 to"));
   opening.height = 1.6;
@@ -247,12 +248,13 @@ TEST_CASE("beams that cannot lie are refused") {
   CHECK(says(refusal_of_beams({{.count = -1, .width = 0.1}}), "count is -1"));
   CHECK(says(refusal_of_beams({{.spacing = 0.1, .width = 0.2}}), "spacing is 0.1 m, must be at least the width"));
   CHECK(says(refusal_of_beams({{.spacing = 3, .width = 0.2}}),
-             "spacing is 3 m, more than there are from y = 0.2 to 3 m, 2.8 m; give less, or a count"));
+             "spacing is 3 m, more than the room from y = 0.2 to 3 m, 2.8 m; give a smaller spacing, or a count"));
   CHECK(says(refusal_of_beams({{.count = 15, .width = 0.2}}),
-             "15 beams of 0.2 m width need 3 m, and there are 2.8 m from"));
+             "15 beams of 0.2 m width need 3 m, but the room has 2.8 m, from"));
   CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2, .height = 0.3}}),
              "height is 0.3 m, must be a whole number of courses of 0.2 m; 0.2 or 0.4 m would fit"));
-  CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2, .height = 1.8}}), "must be at most that of the storey's"));
+  CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2, .height = 1.8}}),
+             "must be at most the height of the storey's"));
   CHECK(says(refusal_of_beams({{.count = 1, .width = 0.2, .bearing = 0.5}}),
              "beam 1 from y = 1.5 to 1.7 m has a bearing of 0.5 m, must be at most the thickness of wall 'west', 0.4"));
   CHECK(says(refusal_of_beams({{.count = 1, .width = 0.2, .bearing = 0}}), "bearing is 0 m"));
@@ -260,17 +262,16 @@ TEST_CASE("beams that cannot lie are refused") {
              "leaves 0.05 m of wall 'west' behind its end, less than the least length of a piece, 0.08 m"));
   CHECK(says(refusal_of_beams({{.count = 1, .width = 0.2, .from = Vec2(1, 1), .to = Vec2(1, 2)}}), "has no area"));
   CHECK(says(refusal_of_beams({{.count = 1, .width = 0.2, .from = Vec2(4, 0)}}),
-             "beam 1 from y = 1.5 to 1.7 m finds no wall at its end towards -x: from x = 4 to 6.2 m there is 'east' "
-             "alone; beams end in two walls across them"));
+             "beam 1 from y = 1.5 to 1.7 m has no wall at its end towards -x: from x = 4 to 6.2 m there is only "
+             "'east'; each end of a beam needs a wall across it"));
   CHECK(says(refusal_of_beams({{.count = 1, .width = 0.2, .from = Vec2(1, 0), .to = Vec2(2, 3)}}),
-             "finds no wall at its ends from x = 1 to 2 m"));
+             "has no wall at its ends from x = 1 to 2 m"));
   CHECK(says(refusal_of_beams({{.along_y = true, .count = 15, .width = 0.1}}), "lies in wall 'middle', which runs"));
   CHECK(says(refusal_of_beams({{.count = 2, .width = 0.2}, {.along_y = true, .count = 2, .width = 0.2}}),
              "row 2: beam 3 from x = 1.5 to 1.7 m runs into beam 1"));
-  CHECK(
-      says(refusal_of_beams({{.along_y = true, .count = 2, .spacing = 5.3, .width = 0.2}}),
-           "the pocket of beam 1 leaves a piece of 0.05 m in course 8 of wall 'south', from x = 0.2 to 0.25 m, shorter "
-           "than the least length of 0.08 m; move the beams by spacing"));
+  CHECK(says(refusal_of_beams({{.along_y = true, .count = 2, .spacing = 5.3, .width = 0.2}}),
+             "the pocket of beam 1 leaves a piece of 0.05 m in course 8 of wall 'south', from x = 0.2 to 0.25 m, "
+             "shorter than the least length of 0.08 m. Move the beams by spacing"));
   CHECK(says(refusal_of([] {
                SolidWall wall{.length = 4, .storeys = {{.courses = 3}}};
                wall.storeys[0].beams = std::vector<BeamRow>{{.count = 1, .width = 0.1}};

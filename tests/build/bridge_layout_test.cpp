@@ -125,7 +125,7 @@ TEST_CASE("what a support does not say, its top and the span's gap give") {
   CHECK(near(last.ends[1].edge.x(), 80, 1e-12));
   plan.gap = std::nullopt;
   CHECK(says(refusal_of([&] { static_cast<void>(bridge.lay(plan)); }),
-             "span 'S3': how wide the joint on support 'rock' is, is missing; give gap there, or here"));
+             "span 'S3': the width of the joint on support 'rock' is missing; give gap at the support or at the span"));
   plan.gap = 2;
   CHECK(says(refusal_of([&] { static_cast<void>(bridge.lay(plan)); }),
              "leaves no seat on support 'rock', whose top is 2 m long"));
@@ -193,8 +193,9 @@ TEST_CASE("each seat takes one span, and no deck overlaps another") {
   bridge.add(bridge.lay(first()));
   SpanPlan again = first();
   again.name = "S9";
-  CHECK(says(refusal_of([&] { static_cast<void>(bridge.lay(again)); }),
-             "span 'S9': the seat on 'A0' to the right of its joint carries span 'S1'; each takes one"));
+  CHECK(says(
+      refusal_of([&] { static_cast<void>(bridge.lay(again)); }),
+      "span 'S9': the seat on 'A0' to the right of its joint already carries span 'S1'; each seat carries one span"));
   bridge.add_support(top_of(Pier{.name = "P9", .x = 10, .ground_level = -6, .height = 6, .seat = 0.5, .gap = 0.2}));
   SpanPlan across = second();
   across.from = "P9";
@@ -204,7 +205,8 @@ TEST_CASE("each seat takes one span, and no deck overlaps another") {
 }
 
 TEST_CASE("seats, joints and bearing types that make no sense are refused by name") {
-  CHECK(says(refusal_of([] { build_pier({.name = "P1", .height = 5, .seat = 0.4}); }), "seat is 0.4 m, but how wide"));
+  CHECK(says(refusal_of([] { build_pier({.name = "P1", .height = 5, .seat = 0.4}); }),
+             "seat is 0.4 m, but the width of its joint"));
   CHECK(says(refusal_of([] {
                build_pier({.name = "P1", .height = 5, .stem_width = 1, .top_width = 2, .seat = 0.4, .gap = 0.1});
              }),
@@ -214,7 +216,7 @@ TEST_CASE("seats, joints and bearing types that make no sense are refused by nam
   CHECK(says(refusal_of([] { build_pier({.name = "P1", .height = 5, .seat = -0.4, .gap = 0.1}); }), "seat is -0.4 m"));
   Abutment a = left_abutment;
   a.seat = 0;
-  CHECK(says(refusal_of([&] { build_abutment(a); }), "abutment 'A0': its axis is given"));
+  CHECK(says(refusal_of([&] { build_abutment(a); }), "abutment 'A0': the axis is the middle of the joint"));
   a = left_abutment;
   a.back_wall_width = 3;
   CHECK(says(refusal_of([&] { build_abutment(a); }), "both back wall width, 3 m, and seat, 0.5 m, are given"));
@@ -226,6 +228,6 @@ TEST_CASE("seats, joints and bearing types that make no sense are refused by nam
              }),
              "support 'rock': its highest point, at y = 1 m, is a corner"));
   BridgeLayout bridge = layout();
-  CHECK(says(refusal_of([&] { bridge.add_bearing_type({"fixed"}); }), "bearing type 'fixed': is there already"));
+  CHECK(says(refusal_of([&] { bridge.add_bearing_type({"fixed"}); }), "bearing type 'fixed': exists already"));
   CHECK(says(refusal_of([&] { bridge.add_bearing_type({"low", -0.1}); }), "bearing type 'low': height is -0.1 m"));
 }

@@ -128,15 +128,15 @@ TEST_CASE("a building may be turned, and its floors have any outline") {
 TEST_CASE("a storey whose walls no slab carries is refused and one that a slab carries in part is told of") {
   Building building = house();
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
-  CHECK(says(
-      refusal_of([&] { build_building(building); }),
-      "wall 'south', storey 2: nothing of the slab below is under it, so that it hangs 0.2 m above the wall below; "
-      "let slab_outline reach under all walls, or leave it out"));
+  CHECK(says(refusal_of([&] { build_building(building); }),
+             "wall 'south', storey 2: the slab below does not reach under it, so it hangs 0.2 m above the wall below; "
+             "extend slab_outline under all walls, or leave it out"));
   building.slab_outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
   const std::vector<std::string> notes = build_building(building).notes;
   REQUIRE(notes.size() == building.walls.size());
   // 6.0 m of 6.2 m of its length, and half of its thickness
-  CHECK(says(notes[0], "wall 'south', storey 2: the slab below is under 48.4 % of its foot; the rest hangs 0.2 m"));
+  CHECK(
+      says(notes[0], "wall 'south', storey 2: the slab below reaches under 48.4 % of its foot; the rest hangs 0.2 m"));
   building.storeys[0].slab_height = 0;  // it stands on the walls below
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
   CHECK(build_building(building).notes.empty());
@@ -196,7 +196,7 @@ TEST_CASE("openings cut units, short pieces join their neighbours with a note") 
   wall.openings = {{.from = 1.25, .sill = 0.4, .width = 1, .height = 1}};
   const SolidParts made = build_solid_wall(wall);
   REQUIRE(made.notes.size() == 1);
-  CHECK(says(made.notes[0], "pieces shorter than 0.08 m were joined to the unit beside them"));
+  CHECK(says(made.notes[0], "pieces shorter than 0.08 m were merged with a neighbour"));
   CHECK(near(total_volume(made.parts), 0.2 * (4 * 2 - 1), 1e-12));
   check_sound(made.parts);
   wall.openings[0].sill = 0.45, wall.masonry.snap = true;
@@ -235,18 +235,18 @@ TEST_CASE("buildings that cannot be are refused") {
                b.walls[0].end = {6, 1};
              }),
              "wall 'south': runs from (0, 0) to (6, 1); walls of a plan run along"));
-  CHECK(says(refused([](Building& b) { b.walls[0].end = b.walls[0].start; }), "its ends are one point"));
+  CHECK(says(refused([](Building& b) { b.walls[0].end = b.walls[0].start; }), "its ends are the same point"));
   CHECK(says(refused([](Building& b) { b.walls[1].name = "south"; }), "there are two walls 'south'"));
   CHECK(says(refused([](Building& b) {
                b.walls.push_back({.start = {1, 0.1}, .end = {2, 0.1}});
              }),
-             "walls 'south' and 'w6' run along each other"));
+             "walls 'south' and 'w6' overlap along their length"));
   CHECK(says(refused([](Building& b) { b.walls[2].bond = "flemmish"; }),
              "there is no bond 'flemmish'; did you mean 'flemish'"));
   CHECK(says(refused([](Building& b) { b.storeys[1].height = 2.5; }),
              "storey 2: height is 2.5 m, which is 11.5 courses"));
   CHECK(says(refused([](Building& b) { b.walls[0].openings[0].sill = 0.05; }),
-             "opening 1: its sill is at 0.05 m, which is on no course line; the nearest is at 0 m"));
+             "opening 1: its sill is at 0.05 m, which is not a course line; the nearest is at 0 m"));
   CHECK(says(refused([](Building& b) { b.walls[0].openings[0].from = 2.2; }),
              "opening 1 reaches from 2.2 to 3.2 m in x, into the wall across"));
   CHECK(says(refused([](Building& b) { b.walls[0].openings[1].from = 5.4; }), "outside of the wall"));

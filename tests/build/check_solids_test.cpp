@@ -49,7 +49,7 @@ TEST_CASE("solids that are inside out are turned round, or told where repair is 
   CHECK(volume_of(parts[1]) < 0);
   const SolidFinding turned = only(check_solids(parts));
   CHECK(turned.repaired);
-  CHECK(turned.text == "solid 'b' is inside out; they were turned round");
+  CHECK(turned.text == "solid 'b' is inside out; they were reversed");
   CHECK(near(volume_of(parts[1]), 1, 1e-15));
   CHECK(check_solids(parts).empty());
 }

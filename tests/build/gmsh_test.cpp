@@ -72,7 +72,7 @@ TEST_CASE("a Gmsh file gives its triangles and quadrilaterals and the nodes they
 }
 
 TEST_CASE("what is wrong with a Gmsh file is said with its line") {
-  CHECK(message_of("") == "mesh 'x.msh': line 1: it does not begin with $MeshFormat, so it is no mesh of Gmsh");
+  CHECK(message_of("") == "mesh 'x.msh': line 1: it does not begin with $MeshFormat, so it is not a Gmsh mesh");
   CHECK(message_of(with(two_elements, "4.1 0 8", "2.2 0 8")).find("line 2: the format has version '2.2'") !=
         std::string::npos);
   CHECK(message_of(with(two_elements, "4.1 0 8", "4.1 1 8")).find("binary") != std::string::npos);
@@ -82,7 +82,7 @@ TEST_CASE("what is wrong with a Gmsh file is said with its line") {
   CHECK(message_of(with(two_elements, "1 1 0\n0 1", "1 1 0.5\n0 1")).find("z = 0 to 0.5") != std::string::npos);
   CHECK(message_of(with(two_elements, "2 0.5 0", "2 nan 0")).find("line 23: y of a node is 'nan'") !=
         std::string::npos);
-  CHECK(message_of(with(two_elements, "2 6 1 9", "2 7 1 9")).find("7 nodes are announced, 6 are there") !=
+  CHECK(message_of(with(two_elements, "2 6 1 9", "2 7 1 9")).find("announces 7 nodes, the file has 6") !=
         std::string::npos);
   CHECK(message_of(two_elements.substr(0, two_elements.find("$Elements"))).find("ends without") != std::string::npos);
   CHECK_THROWS_AS(read_gmsh("/no/such/file.msh"), InputError);
@@ -161,7 +161,7 @@ TEST_CASE("a Gmsh mesh in space without volumes, or with elements that are not k
       "mesh 'x': there is no tetrahedron, hexahedron or prism in it; mesh the volume (Mesh 3) before saving",
       InputError);
   CHECK_THROWS_WITH_AS((void)parse_gmsh_in_space(solid_file("3 1 7 1\n2 1 2 3 4 5\n"), "mesh 'x'"),
-                       "mesh 'x': line 22: elements of type 7 cannot be used; take hexahedra of eight nodes (5), "
+                       "mesh 'x': line 22: elements of type 7 cannot be used; use hexahedra of eight nodes (5), "
                        "prisms of six (6) and tetrahedra of four (4) or ten nodes (11)",
                        InputError);
 }

@@ -42,7 +42,7 @@ TEST_CASE("grounds that cannot be built are refused") {
   CHECK(says(refusal_of([] {
                build_ground_profile({.surface = {{0, 0}, {2, 0}, {1, 1}}, .base_level = -1});
              }),
-             "surface point 3 (1, 1) lies left of the one before"));
+             "surface point 3 (1, 1) lies left of the previous point"));
   CHECK(says(refusal_of([] { build_ground_profile({.surface = {{0, 0}, {0, 1}}, .base_level = -1}); }), "no area"));
   CHECK(says(refusal_of([] { stepped_surface({}, 1); }), "no steps"));
   CHECK(says(refusal_of([] { stepped_surface({{0, 0}, {5, 1}}, 5); }), "step 2: reaches from 5 m to 5 m"));

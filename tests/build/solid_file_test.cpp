@@ -141,7 +141,7 @@ TEST_CASE("solids that are inside out or partly so are turned round with a note"
   CHECK(volume_of(read.parts[1]) == 1);
   REQUIRE(read.notes.size() == 2);
   CHECK(says(read.notes[0], "solid 'a' was inside out"));
-  CHECK(says(read.notes[1], "solid 'b': 4 of 12 faces ran the wrong way"));
+  CHECK(says(read.notes[1], "solid 'b': 4 of 12 faces had the wrong orientation"));
 }
 
 TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
@@ -153,7 +153,7 @@ TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
   CHECK(read.parts[1].name == "solid");
   CHECK(read.parts[2].name == "a.2");
   REQUIRE(read.notes.size() == 1);
-  CHECK(says(read.notes[0], "there is a solid 'a' already, the next one became 'a.2'"));
+  CHECK(says(read.notes[0], "there is already a solid 'a'; the next one is named 'a.2'"));
   CHECK(near(volume_of(read.parts[1]), 0.5, 1e-15));
   CHECK(read.parts[1].pieces[0].faces.count() == 6);
 }
@@ -196,7 +196,7 @@ TEST_CASE("a thousand stones of rubble have nothing to find, and come back from 
   CHECK(near(total_volume(read.parts), 50, 1e-6));
   for (const SolidPart& part : read.parts) check_convex(part.pieces[0], part.name);
   REQUIRE(read.notes.size() == 2);
-  CHECK(says(read.notes[1], "solids with faces that are very narrow or not plane became the hulls of their corners"));
+  CHECK(says(read.notes[1], "solids with very narrow or non-planar faces were replaced by the hulls of their corners"));
 }
 
 TEST_CASE("files are read by their ending") {
@@ -204,7 +204,7 @@ TEST_CASE("files are read by their ending") {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "a.STL") << stl_of("a", cube);
   CHECK(read_solids(folder / "a.STL").parts.size() == 1);
-  CHECK(says(refusal_of([&] { read_solids(folder / "a.ply"); }), "its ending is '.ply'"));
+  CHECK(says(refusal_of([&] { read_solids(folder / "a.ply"); }), "its extension is '.ply'"));
   CHECK(says(refusal_of([&] { read_solids(folder / "b.obj"); }), "cannot read solids"));
   std::filesystem::remove_all(folder);
 }
@@ -215,27 +215,26 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
   CHECK(says(refusal_of([&] {
                parse_obj(obj_of({{"o a\n", open}}), {}, "file");
              }),
-             "file: solid 'a' is open: 4 edges belong to one face only, such as that from ("));
+             "file: solid 'a' is open: 4 edges belong to one face only, such as the edge from ("));
   // all other corners are visible from the first and the last one, so that the fans of triangles are exact
   const Polyhedron ell = extrusion(
       std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {-0.1, 0.5, 0}}, {0, 0, 1});
-  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
-             "solid 'L' is not convex: a face's corner at ("));
+  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }), "solid 'L' is not convex: a corner at ("));
   CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
              "give it as several convex objects in one group"));
   const auto obj = [](const char* text) { return refusal_of([&] { parse_obj(text, {}, "file"); }); };
-  CHECK(says(obj(""), "file: there is no solid in it"));
+  CHECK(says(obj(""), "file: there is no solid in the file"));
   CHECK(says(obj("v 0 0\n"), "file: line 1: z of a point is ''"));
   CHECK(says(obj("v 0 0 0\nf 1 2 3\n"), "line 2: a face names point 2, there are points 1 to 1"));
-  CHECK(obj("f 1 2 3\n") == "file: line 1: a face names point 1, and no point comes before it");
+  CHECK(obj("f 1 2 3\n") == "file: line 1: a face names point 1, but no point precedes it");
   CHECK(says(obj("v 0 0 1e13\n"), "file: line 1: a point at (0, 0, 1e+13) m, must be within 1e12 m of the origin"));
   CHECK(says(obj("v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners"));
   CHECK(says(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
   const auto stl = [](const std::string& text) { return refusal_of([&] { parse_stl(text, {}, "file"); }); };
-  CHECK(says(stl("hello"), "is no STL file"));
-  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends where 'normal' should be"));
+  CHECK(says(stl("hello"), "is not an STL file"));
+  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends before 'normal'"));
   CHECK(says(stl("solid a\n facet normal 0 0 1\nouter loop\nvertex 0 0 x"), "line 4: a coordinate is 'x'"));
-  CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in it"));
+  CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in the file"));
   CHECK(says(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));
   CHECK(says(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
 }
@@ -245,10 +244,9 @@ TEST_CASE("a solid that crosses itself is refused with the place and not made it
   const std::string attachment =
       "o tie\nv 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nv 1 0 1\nv 0 1 1\n"
       "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-  CHECK(
-      refusal_of([&] { parse_obj(attachment, {}, "file"); }) ==
-      "file: solid 'tie' crosses itself at (0.5, 0.5, 0) m, where two sides of one face cross; the surface of a solid "
-      "only closes around it: give each part that is convex as an object of its own");
+  CHECK(refusal_of([&] { parse_obj(attachment, {}, "file"); }) ==
+        "file: solid 'tie' intersects itself at (0.5, 0.5, 0) m, where two sides of one face cross; give each convex "
+        "part of it as its own object");
   std::string star = "o star\n";
   for (const int z : {0, 1})
     for (int i = 0; i < 5; ++i) {
@@ -256,7 +254,7 @@ TEST_CASE("a solid that crosses itself is refused with the place and not made it
       star += fmt::format("v {} {} {}\n", std::cos(angle), std::sin(angle), z);
     }
   star += "f 5 4 3 2 1\nf 6 7 8 9 10\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
-  CHECK(says(refusal_of([&] { parse_obj(star, {}, "file"); }), "file: solid 'star' crosses itself at (-0.381966, "));
+  CHECK(says(refusal_of([&] { parse_obj(star, {}, "file"); }), "file: solid 'star' intersects itself at (-0.381966, "));
 }
 
 TEST_CASE("a face that is there twice and a solid that is flat are called so") {
@@ -286,7 +284,7 @@ TEST_CASE("what is true of many solids of a file is one note") {
   CHECK(read.parts.size() == 1000);
   REQUIRE(read.notes.size() == 1);
   CHECK(read.notes[0] ==
-        "file: solid 'box0' was inside out; its faces were turned round (and so of 999 more of its solids)");
+        "file: solid 'box0' was inside out; its faces were reversed (and 999 more of its solids likewise)");
 }
 
 TEST_CASE("a binary file whose count is wrong, or that is cut short, says what it has room for") {
@@ -294,14 +292,13 @@ TEST_CASE("a binary file whose count is wrong, or that is cut short, says what i
   const auto stl = [](const std::string& bytes) { return refusal_of([&] { parse_stl(bytes, {}, "file"); }); };
   std::string more = sound, cut = sound.substr(0, sound.size() - 20);
   more[80] = 13;
-  CHECK(
-      stl(more) ==
-      "file: is cut short or no STL file: as its bytes 81 to 84 have it there are 13 triangles, which make 734 bytes, "
-      "and it has 684, room for 12; export it anew");
-  CHECK(says(stl(cut), "there are 12 triangles, which make 684 bytes, and it has 664, room for 11"));
-  CHECK(says(stl("xy"), "is no STL file: it does not begin with 'solid'"));
+  CHECK(stl(more) ==
+        "file: is cut short or not an STL file: bytes 81 to 84 announce 13 triangles, which need 734 bytes, but it has "
+        "684, room for 12; export it again");
+  CHECK(says(stl(cut), "announce 12 triangles, which need 684 bytes, but it has 664, room for 11"));
+  CHECK(says(stl("xy"), "is not an STL file: a text file begins with 'solid'"));
   CHECK(says(refusal_of([] { parse_obj(std::string("v 0 0\0 0\n", 9), {}, "file"); }),
-             "file: is no OBJ file: its byte 6 is 0, and OBJ files are text"));
+             "file: is not an OBJ file: its byte 6 is 0, but OBJ files are text"));
 }
 
 TEST_CASE("a file of a hundred thousand faces gives one line whether it is sound or open or hollow") {
@@ -324,7 +321,7 @@ TEST_CASE("a file of a hundred thousand faces gives one line whether it is sound
     }
     return refusal_of([&] { parse_obj(text, {}, "file"); });
   };
-  CHECK(says(ball(0, 0), "faces, at most 5000 are taken; make it coarser"));
-  CHECK(says(ball(0, 1), "file: solid 'ball' is open: 448 edges belong to one face only, such as that from ("));
-  CHECK(says(ball(0.1, 0), "file: solid 'ball' is not convex: a face's corner at ("));
+  CHECK(says(ball(0, 0), "faces, at most 5000 are allowed; make it coarser"));
+  CHECK(says(ball(0, 1), "file: solid 'ball' is open: 448 edges belong to one face only, such as the edge from ("));
+  CHECK(says(ball(0.1, 0), "file: solid 'ball' is not convex: a corner at ("));
 }

@@ -148,5 +148,6 @@ TEST_CASE("domes that cannot be are refused") {
   CHECK(says(refusal_of([] { build_dome({.sectors = 2}); }), "number of sectors is 2"));
   CHECK(says(refusal_of([] { build_dome({.radius = 1, .thickness = 2}); }), "thickness is 2 m, must be below twice"));
   CHECK(says(refusal_of([] { build_dome({.springing = 90}); }), "colatitude of the springing is 90 rad"));
-  CHECK(says(refusal_of([] { build_dome({.springing = 0.1, .crown = 0.2}); }), "must be below that of the springing"));
+  CHECK(says(refusal_of([] { build_dome({.springing = 0.1, .crown = 0.2}); }),
+             "must be below the colatitude of the springing"));
 }

@@ -68,8 +68,8 @@ TEST_CASE("openings and lintels on each other are refused") {
              "1.2 m"));
   wall.openings[0].lintel_bearing = 0.25;
   CHECK(says(refusal_of_wall(wall),
-             "opening 1 (storey 1): lintel reaches 0.25 m over each side and so over the next "
-             "opening; give less bearing"));
+             "opening 1 (storey 1): lintel reaches 0.25 m beyond each side and so over the next opening; give a "
+             "shorter bearing"));
   for (WallOpening& opening : wall.openings) opening.lintel_bearing = 0.1;
   CHECK(refusal_of_wall(wall) == "accepted");
 }

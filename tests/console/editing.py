@@ -89,9 +89,9 @@ def session_history_is_kept_between_sessions(place):
 def session_history_that_cannot_be_written_is_told_once(place):
     place.write("file", "")
     s = place.console(environment={"TRILITH_HISTORY": os.path.join(place.folder, "file", "history")})
-    s.ask("1 + 1", r"the history of this console is not kept: cannot write .*^2$")
+    s.ask("1 + 1", r"the history of this console is not saved: cannot write .*^2$")
     s.ask("2 + 1", r"^3$")
-    check(s.text.count("is not kept") == 1, "told twice")
+    check(s.text.count("is not saved") == 1, "told twice")
 
 
 def session_letters_of_other_alphabets(place):

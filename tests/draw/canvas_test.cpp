@@ -46,7 +46,7 @@ TEST_CASE("the ending chooses the picture format") {
   CHECK(picture_format("b.c.PDF") == PictureFormat::pdf);
   CHECK(picture_format("b.Png") == PictureFormat::png);
   CHECK_THROWS_WITH_AS(picture_format("out.jpg"),
-                       "picture 'out.jpg': the ending '.jpg' names no picture format, must be .svg, .pdf or .png",
+                       "picture 'out.jpg': the extension '.jpg' is not a picture format, must be .svg, .pdf or .png",
                        InputError);
   CHECK_THROWS_AS(picture_format("out"), InputError);
 }

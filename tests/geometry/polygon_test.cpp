@@ -104,7 +104,7 @@ TEST_CASE("a clockwise polygon is turned round with a note and keeps its first p
   const CheckedPolygon checked = check_polygon({{0, 0}, {0, 1}, {2, 1}, {2, 0}}, "body 'stone'");
   CHECK(checked.outline == Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   REQUIRE(checked.notes.size() == 1);
-  CHECK(says(checked.notes[0], "body 'stone': outline was given clockwise"));
+  CHECK(says(checked.notes[0], "body 'stone': outline was clockwise"));
 }
 
 TEST_CASE("repeated points are left out with a note, the closing one among them") {

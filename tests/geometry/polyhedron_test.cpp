@@ -194,8 +194,8 @@ TEST_CASE("the check of a solid says what is wrong, where and by how much") {
     s.faces = faces;
   };
   CHECK(solid_says(complaint([&](Polyhedron& s) { loops(s, 2, -1); }), "the surface is open: the edge from corner"));
-  CHECK(solid_says(complaint([&](Polyhedron& s) { loops(s, -1, 3); }), "one of them is turned round"));
-  CHECK(solid_says(complaint([&](Polyhedron& s) { loops(s, -1, 99); }), "volume is -6 m3, it is turned inside out"));
+  CHECK(solid_says(complaint([&](Polyhedron& s) { loops(s, -1, 3); }), "one of them is reversed"));
+  CHECK(solid_says(complaint([&](Polyhedron& s) { loops(s, -1, 99); }), "volume is -6 m3, so it is inside out"));
   CHECK(solid_says(complaint([](Polyhedron& s) { s.corners[6].z() += 0.01; }), "is not plane: corner"));
   CHECK(solid_says(complaint([](Polyhedron& s) { s.corners[6].z() = std::nan(""); }), "corner 7 is (3, 2, nan) m"));
   CHECK(solid_says(complaint([](Polyhedron& s) { s.corners.emplace_back(1, 1, 1); }), "corner 9 belongs to no face"));
@@ -205,7 +205,7 @@ TEST_CASE("the check of a solid says what is wrong, where and by how much") {
   CHECK(solid_says(complaint([](Polyhedron& s) {
                      for (Vec3& p : s.corners) p.z() = 0;
                    }),
-                   "next to nothing"));
+                   "too small for"));
   CHECK(solid_says(complaint([](Polyhedron& s) { s = angle_block(); }), "is not convex: corner"));
   CHECK(solid_says(complaint([](Polyhedron& s) { s = angle_block(); }), "lies 1 m outside of face"));
   CHECK_NOTHROW(check_polyhedron(angle_block(), "body"));

@@ -354,9 +354,9 @@ TEST_CASE("bearings in space: what is no bearing is refused in one line") {
   BearingSpecOf<3> spec = link({0.5, 0, 0}, {1.6, 0, 0});
   CHECK(refusal(spec).find("bearing 'link': has no law") == 0);
   spec.horizontal = Gap{1e5, 0.1, 0, 0};
-  CHECK(refusal(spec).find("horizontal is gap, which has no form for both directions") != std::string::npos);
+  CHECK(refusal(spec).find("horizontal is gap, which has no circular form for both directions") != std::string::npos);
   spec.horizontal = Linear{1e5, 0}, spec.law[1] = Linear{1e5, 0};
-  CHECK(refusal(spec).find("horizontal is given beside along or across") != std::string::npos);
+  CHECK(refusal(spec).find("both horizontal and along or across are given") != std::string::npos);
   spec.law[1] = std::monostate{}, spec.point_b = {40, 0, 0};
   CHECK(refusal(spec).find("its point (40, 0, 0) is") != std::string::npos);
   spec.point_b = {1.6, 0, 0}, spec.horizontal_limit = 0;
@@ -364,7 +364,7 @@ TEST_CASE("bearings in space: what is no bearing is refused in one line") {
   spec.horizontal_limit = unbounded, spec.becomes_bearing = "other";
   CHECK(refusal(spec).find("becomes 'other' at its limit, but has none") != std::string::npos);
   spec.horizontal_limit = 1;
-  CHECK(refusal(spec).find("becomes bearing 'other', which is not there") != std::string::npos);
+  CHECK(refusal(spec).find("becomes bearing 'other', which does not exist") != std::string::npos);
   spec.becomes_bearing = "", spec.body_b = "a";
   CHECK(refusal(spec).find("links body 'a' to itself") != std::string::npos);
 }

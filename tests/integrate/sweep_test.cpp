@@ -96,7 +96,7 @@ TEST_CASE("what a law cannot stop within half a thickness is told once and where
         CHECK(std::abs(e.x) <= 0.025 + 1e-9);
         CHECK(e.body_a == 1);
         CHECK(e.body_b == 0);
-        CHECK(e.text.find("would hold it") != std::string::npos);
+        CHECK(e.text.find("would prevent it") != std::string::npos);
       }
     }
 }

@@ -56,7 +56,7 @@ TEST_CASE("a load curve whose times do not rise or whose numbers are not finite 
   };
   CHECK(message_of({{0, 1, 3}, {1, 2, 3}}).empty());
   CHECK(message_of({{0, 1, 1}, {1, 2, 3}}) ==
-        "load 'p': time 3 of the load curve is 1 s, must be above the one before, 1 s");
+        "load 'p': time 3 of the load curve is 1 s, must be above the previous one, 1 s");
   CHECK(message_of({{0, 1}, {1, NAN}}).find("load 'p': share 2 of the load curve") == 0);
   CHECK(message_of({{INFINITY}, {1}}).find("load 'p': time 1 of the load curve") == 0);
   CHECK(message_of({{0}, {}}).find("1 times and 0 shares") != std::string::npos);

@@ -25,7 +25,8 @@ TEST_CASE("accelerations alone, any number to a line, need their step") {
   CHECK(motion.samples().size() == 5);
   CHECK(motion.step() == 0.005);
   CHECK(near(motion.samples()[3].acceleration, 0.4 * standard_gravity, 1e-14));
-  CHECK_THROWS_WITH_AS(parse_plain_motion(text, "a.txt", {"g", {}}), doctest::Contains("say the step"), InputError);
+  CHECK_THROWS_WITH_AS(parse_plain_motion(text, "a.txt", {"g", {}}), doctest::Contains("give the time step"),
+                       InputError);
 }
 
 TEST_CASE("what a plain record leaves unclear is refused with its line") {
@@ -39,5 +40,5 @@ TEST_CASE("what a plain record leaves unclear is refused with its line") {
   refused("0 1\n0.01 2 3\n", {"m/s2", {}}, "has 3 columns");
   refused("0 100\n0.01 200\n", {"m/s2", {}}, "peak is 20.4 g with unit = \"m/s2\", above 5 g; probably");
   refused("title\n", {"m/s2", {}}, "no numbers");
-  refused("1 1\n1 2\n", {"m/s2", {}}, "do not grow");
+  refused("1 1\n1 2\n", {"m/s2", {}}, "do not increase");
 }

@@ -112,7 +112,7 @@ TEST_CASE("a checkpoint of another model is refused, and the message says whethe
   CHECK(message_of(small_model(0.31), path).find("belongs to another model") != std::string::npos);
   Model<2> other = model;
   other.gravity.field.y() *= 0.5;
-  CHECK(message_of(other, path).find("under other supports, motions, gravity") != std::string::npos);
+  CHECK(message_of(other, path).find("with other supports, motions, gravity") != std::string::npos);
   CHECK(message_of(model, path).empty());
 }
 

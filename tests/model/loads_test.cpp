@@ -152,7 +152,7 @@ TEST_CASE("loads that make no sense are refused with the load, the body and what
   PointLoadSpec point;
   point.name = "P", point.force = Vec2(1, 0), point.moment = 2;
   CHECK(message_of([&] { make_point_load(mesh, 0, point); }) ==
-        "load 'P' on 'b': the body deforms; say with 'at' where the moment acts");
+        "load 'P' on 'b': the body deforms; give 'at', the point where the moment acts");
   point.at = Vec2(5, 5);
   CHECK(message_of([&] { make_point_load(mesh, 0, point); }).find("load 'P' on 'b': the point (5, 5) is") == 0);
   point.force.x() = NAN;
@@ -223,9 +223,9 @@ TEST_CASE("pushes share bodies by mass, evenly or by mass times height, and no n
   const auto rows = push_rows(model, {0, 1}, {}, PushPattern::mass, Vec2::UnitX());
   add_push(model, initial_state(model), "one", rows, Vec2::UnitX(), motion);
   CHECK(message_of([&] { add_push(model, initial_state(model), "one", rows, Vec2::UnitX(), motion); }) ==
-        "push: there is one called 'one' already; release it, or give another name");
+        "push: push 'one' exists already; release it, or give another name");
   CHECK(message_of([&] { add_push(model, initial_state(model), "two", rows, Vec2::UnitX(), motion); }) ==
-        "push: body 'b0' is pushed already by 'one'; release that first");
+        "push: body 'b0' is pushed already by 'one'; release that push first");
   set_support(model, 2, 0, Support::fixed);
   CHECK(message_of([&] {
           push_rows(model, {2}, {}, PushPattern::mass, Vec2::UnitX());

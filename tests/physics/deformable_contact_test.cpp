@@ -217,8 +217,8 @@ TEST_CASE("the ledger of shaken deformable bodies closes to 0.1 %") {
   StageOptions options;
   options.duration = 0.6, options.energy_interval = 0.005, options.safety = 0.2;
   sim.run(options, listener);
-  MESSAGE("residual ", 100 * check.share(), " % of ", check.input(), " J, given off by the elements' damping ", damping,
-          " J");
+  MESSAGE("residual ", 100 * check.share(), " % of ", check.input(), " J, dissipated by the elements' damping ",
+          damping, " J");
   CHECK(check.share() < 1e-3);
   CHECK(damping > 0);
 }

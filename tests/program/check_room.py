@@ -39,7 +39,7 @@ WAYS = [
     ("a file in a hidden folder", 'print(io.open(".git/config"):read "a")', "begin with a dot"),
     ("another script", 'io.open("helper.lua", "w"):close()', "files that programs run"),
     ("a program", 'io.open("tool", "w"):close()', "it is a program"),
-    ("a fifo", 'for line in io.lines "fifo" do print(line) end', "it is no plain file"),
+    ("a fifo", 'for line in io.lines "fifo" do print(line) end', "it is not a regular file"),
     ("lines", 'for line in io.lines "OUT/secret" do print(line) end', "io.lines"),
     ("input", 'io.input "OUT/secret" print(io.read "a")', "io.input"),
     ("output", 'io.output "OUT/hit" io.write "x"', "io.output"),

@@ -62,15 +62,14 @@ TEST_CASE("what shows finished results says so where a later run has left a part
     results::ResultsWriter writer(here / "span.h5", header);
     testing::SampleRow(header, 0).append_to(writer);
     for (const char* verb : verbs)
-      CHECK(note_of(verb).find("a later one is writing span.h5.part") != std::string::npos);
+      CHECK(note_of(verb).find("a later run is writing span.h5.part") != std::string::npos);
   }
   for (const char* verb : verbs) {
     const std::string note = note_of(verb);
     CHECK(note ==
-          "note: span.h5: these are the results of an earlier run; a later one ended before its end and left "
-          "span.h5.part\n");
+          "note: span.h5: these are the results of an earlier run; a later run stopped early and left span.h5.part\n");
   }
-  CHECK(ask(here.path, "info span.h5").says("a later one ended before its end and left span.h5.part"));
+  CHECK(ask(here.path, "info span.h5").says("a later run stopped early and left span.h5.part"));
   CHECK(note_of("draw span.h5.part").empty());
 }
 
@@ -84,7 +83,7 @@ TEST_CASE("trilith draw refuses times, stages, views and files that are not ther
   check_refused(ask(here, "draw span.h5 --stage shakin"), "'span.h5' has no stage 'shakin'; did you mean 'shaking'?");
   check_refused(ask(here, "draw span.h5 --view 1,2,3"), "must be four numbers");
   check_refused(ask(here, "draw span.h5 --view 1,2,0,5"), "must be above 0");
-  check_refused(ask(here, "draw span.h5 -o picture.gif"), "'.gif' names no picture format");
+  check_refused(ask(here, "draw span.h5 -o picture.gif"), "'.gif' is not a picture format");
   check_refused(ask(here, "draw span.h5 -o span.h5/such/folder.png"), "span.h5/such");
   CHECK_FALSE(std::filesystem::exists(here / "picture.gif"));
 }
@@ -150,7 +149,7 @@ TEST_CASE("times count from a stage or an event in plots, pictures, tables, the 
   CHECK(ask(here, "draw span.h5 --since shaking --at 0 -o since.png").code == 0);
   CHECK(ask(here, "draw span.h5 --names none -o bare.svg").code == 0);
   CHECK(ask(here, "report span.h5 --since shaking -o since.html").code == 0);
-  holds("since.html", "times are those since &#39;shaking&#39; began");
+  holds("since.html", "times count from when &#39;shaking&#39; began");
   const Said table = ask(here, "info span.h5 --events --since shaking");
   CHECK(table.out.starts_with("times count since 'shaking' began\n"));
   CHECK(table.says("    0.0000 s  stage.begun"));
@@ -296,7 +295,7 @@ TEST_CASE("trilith run tells events and stages in plain lines where there is no 
   CHECK(said.says("said by the script\n"));
   CHECK(said.says("fall ended (time) after 1 s in "));
   CHECK(said.says("results are in"));
-  CHECK(said.says("put in"));
+  CHECK(said.says("input by"));
   CHECK(ask(here.path, "info drop.h5").says("height = 0.5"));
   CHECK_FALSE(ask(here.path, "run drop.lua --impacts 100").says("hit base"));
   CHECK_FALSE(ask(here.path, "run drop.lua --events none").says("began"));

@@ -53,7 +53,7 @@ TEST_CASE("the report of the bridge prints on a few pages and names what failed 
   CHECK(ask(here.path, "report bridge.h5").out == "bridge.report.html\n");
   const std::string page = testing::bytes_of(here / "bridge.report.html");
   CHECK(page.size() < 1'500'000);
-  CHECK(page.find("The first failure came at") != std::string::npos);
+  CHECK(page.find("The first failure occurred at") != std::string::npos);
   CHECK(page.find("spectra of all motions") != std::string::npos);
   CHECK(page.find("could not be drawn") == std::string::npos);
   const std::string pdf =
@@ -78,11 +78,11 @@ TEST_CASE("a run that was stopped is reported, and trilith report says so") {
     o.duration = 0.1;
     o.frame_interval = 0.02;
     simulation.run(o, recording.listener());
-    CHECK(ask(here.path, "report early.h5").says("the run still goes on"));
+    CHECK(ask(here.path, "report early.h5").says("the run is in progress"));
     recording.abandon("the power went");
   }
   CHECK(ask(here.path, "report early.h5 -o stopped.html").says("the run was stopped"));
-  CHECK(testing::bytes_of(here / "stopped.html").find("the run ended before its end") != std::string::npos);
+  CHECK(testing::bytes_of(here / "stopped.html").find("the run stopped early") != std::string::npos);
 }
 
 TEST_CASE("a shake is reported from the samples in the results file and every body was where its motion has it") {
@@ -129,7 +129,7 @@ TEST_CASE("trilith report refuses what is no report and what is no results file"
   std::ofstream(here / "text.h5") << "no results";
   testing::check_refused(ask(here.path, "report text.h5"), "not an HDF5 file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
-  testing::check_refused(ask(here.path, "report empty.h5 -o page.pdf"), "ends with .html");
+  testing::check_refused(ask(here.path, "report empty.h5 -o page.pdf"), "end with .html");
   testing::check_refused(ask(here.path, "report empty.h5 -o text.h5/where/page.html"), "cannot write");
   const Said made = ask(here.path, "report empty.h5 -o new/folder/page.html");
   CHECK(made.out == "new/folder/page.html\n");

@@ -51,7 +51,8 @@ TEST_CASE("trilith draw refuses views, cuts and colours that make no sense, in o
   check_refused(ask(here, "draw stones.h5 --view 10,95"), "an elevation of -90 to 90");
   check_refused(ask(here, "draw stones.h5 --cut w=2"), "must be an axis and a place on it");
   check_refused(ask(here, "draw stones.h5 --cut x=abc"), "--cut");
-  check_refused(ask(here, "draw stones.h5 --view left --cut x=90"), "the cut leaves nothing to draw");
+  check_refused(ask(here, "draw stones.h5 --view left --cut x=90"),
+                "no body lies behind the cut, so there is nothing to draw");
   check_refused(ask(here, "draw stones.h5 --thrust stones"), "in the plane only");
   check_refused(ask(here, "draw plane.h5 --cut x=1"), "is of a model in the plane, which cannot be cut");
   check_refused(ask(here, "draw plane.h5 --view iso"), "must be four numbers");

@@ -215,7 +215,7 @@ TEST_CASE("a run that is still being written, or was stopped, is viewed as far a
     o.frame_interval = 0.02;
     simulation.run(o, recording.listener());
     const Said said = ask(here.path, "view early.h5");
-    CHECK(said.says("the run still goes on"));
+    CHECK(said.says("the run is in progress"));
     browse(here / "early.html", "tells_that_it_goes_on shows_a_body");
     recording.abandon("the power went");
   }
@@ -228,12 +228,12 @@ TEST_CASE("trilith view refuses what is no page and what is no results file") {
   const testing::Folder here;
   testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
-  testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "ends with .html");
+  testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "end with .html");
   testing::check_refused(ask(here.path, "view empty.h5 -o empty.h5/where/page.html"), "cannot write");
   CHECK(ask(here.path, "view empty.h5 -o new/folder/page.html").out == "new/folder/page.html\n");
   CHECK(ask(here.path, "view").code == 2);
   CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
   browse(here / "empty.html", "tells_that_there_is_no_frame");
   { results::ResultsWriter(here / "faceless.h5", testing::sample_header(2, 3)).finish(); }
-  testing::check_refused(ask(here.path, "view faceless.h5"), "tells of no faces of its solids");
+  testing::check_refused(ask(here.path, "view faceless.h5"), "contains no faces of solids");
 }

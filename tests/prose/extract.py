@@ -15,6 +15,10 @@ HTML = re.compile(r"(?P<comment><!--.*?-->|<(?:script|style)\b.*?</(?:script|sty
                   r"\b(?:title|placeholder|aria-label)=(?P<quoted>\"[^\"]*\")", re.S)
 LANGUAGES = {"html": HTML, "script": HASH, "cpp": C_LIKE, "hpp": C_LIKE, "in": C_LIKE, "js": SCRIPT, "lua": LUA, "py": HASH, "sh": HASH, "txt": HASH, "cmake": HASH}
 DRAWN = " " * 4
+# In literals of several lines, a row of keys or a line of code is a piece of its own.
+KEY = re.compile(r"(?<=')what(?=')|\bwhat(?= ?=)")
+ROW = re.compile(r"^\s*(?:[\w.\[\]/-]+\?? {2,}|local |for |if |print\(|\w+:\w+[ ({]|[.#:}@]|--|uniform |in )|[;{}(,|&\\]$|^\s*$")
+FIRST_COLUMN = re.compile(r"^\s*[\w.\[\]/-]+\?? {2,}")
 LEADER = re.compile(r"^\s*(?:///?!?<?|/\*+|\*+/|\*(?!\w)|--+\[*|#+)\s?|\*/\s*$|\]\]\s*$")
 
 
@@ -24,7 +28,7 @@ def plain(text):
     text = re.sub(r"\$\$?[^$]+\$\$?|\\\(.+?\\\)", "formula", text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"https?://\S+|<[^<>\n]*>|[\w./-]+\.(?:md|lua|[ch]pp|h5|py|svg|png|html|csv)\b", "link", text)
-    return re.sub(r"\{[^{} ]*\}|%[-+0-9.]*[a-z]", "1", text)
+    return KEY.sub("key", re.sub(r"\{[^{} ]*\}|%[-+0-9.]*[a-z]", "1", text))
 
 
 def sentences(pieces):
@@ -93,15 +97,15 @@ def code(source, extension, strings):
         body = hit[0] if is_comment else literal(string)
         for offset, line in enumerate(body.split("\n")):
             text = LEADER.sub("", line) if is_comment else line
-            if is_comment and text != line and text.startswith(DRAWN):
+            drawn = is_comment and text != line and text.startswith(DRAWN)
+            row = not is_comment and (ROW if "\n" in body else FIRST_COLUMN).search(line)
+            if drawn or row or is_comment and text.lstrip().startswith("- "):
                 yield from paragraph(pieces)
-                yield from paragraph([(number + offset, text.strip())])
                 pieces = []
-            else:
-                if is_comment and text.lstrip().startswith("- "):
-                    yield from paragraph(pieces)
-                    pieces = []
-                pieces.append((number + offset, text.strip() if is_comment else text))
+            pieces.append((number + offset, text.strip() if is_comment else FIRST_COLUMN.sub("", text) if row else text))
+            if drawn or row:
+                yield from paragraph(pieces)
+                pieces = []
     yield from paragraph(pieces)
 
 

@@ -28,7 +28,7 @@ PHRASES = [
     phrase("as-pays", r"\b(?:as pays|that pays|pays? off|pays? for|what pays|which pays|it pays)\b",
            "say 'chosen automatically', 'is faster', 'costs less than it saves'"),
     phrase("goes-by", r"\b(?:goes|go|went|going) (?:by|with)\b", "say 'uses', 'depends on', 'follows'"),
-    phrase("comes-to", r"\b(?:comes?|came|coming) to\b(?! (?:rest|a (?:stop|standstill|rest)|an end)\b)", "say 'reaches', 'equals', 'starts to'"),
+    phrase("comes-to", r"\b(?:comes?|came|coming) to\b(?! (?:rest|a (?:stop|standstill|rest)|an end)(?:\b|1))", "say 'reaches', 'equals', 'starts to'"),
     phrase("is-told", r"\b(?:is|are|was|were|be|been|being|gets?) (?:told|spoken of|heard of)\b", "say 'is reported', 'is printed'"),
     phrase("persons", r"\b(?:tells(?! apart)|speaks?|doubts|wants|hears?|reckons?)\b", "programs report, print, warn, reject, require"),
     phrase("since", r"\b(?:of|ever|long) since\b", "name the time, or say 'because'"),

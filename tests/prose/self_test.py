@@ -43,7 +43,9 @@ FILES = [
 STRINGS = [("cpp", 'f("the body who", "x", "it " "surely holds .5 m"); // what stands here', {("who", 1), ("leading-zero", 1)}),
            ("html", '<p class="who">a body who stands</p>\n<b title="it surely holds .5 m"></b>', {("who", 1), ("leading-zero", 2)}),
            ("script", "x=1 # a body who stands", set()),
-           ("lua", "error('a body who stands') -- what stands here", {("who", 1)})]
+           ("lua", "error('a body who stands') -- what stands here", {("who", 1)}),
+           ("lua", "f [[what  text?  a body who stands\nm:history { what = 'ux' }\nIt surely holds\nwhat stands.]]", {("who", 1), ("what", 3)}),
+           ("lua", "error(\"'what' is given here\")", set())]
 
 
 def of_file(extension, source, strings=False):

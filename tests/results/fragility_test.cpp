@@ -196,7 +196,7 @@ TEST_CASE("cases that leave the curve open are refused, and what is missing is s
   CHECK_THROWS_WITH_AS(fit_fragility(none), doctest::Contains("none of 5 cases"), InputError);
   CHECK_THROWS_WITH_AS(fit_fragility(all), doctest::Contains("all 5 cases"), InputError);
   CHECK_THROWS_WITH_AS(fit_fragility(parted), doctest::Contains("jumps between 0.5 and 0.7"), InputError);
-  CHECK_THROWS_WITH_AS(fit_fragility(falling), doctest::Contains("not happen more often"), InputError);
+  CHECK_THROWS_WITH_AS(fit_fragility(falling), doctest::Contains("not met more often"), InputError);
   CHECK_THROWS_AS(fit_fragility({}), InputError);
   CHECK_THROWS_AS(fit_fragility({{0.5, 0.2}}), InputError);
 }

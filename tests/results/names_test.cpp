@@ -107,7 +107,7 @@ TEST_CASE("a part without any row leaves nothing to keep and an unreadable one i
   CHECK_FALSE(fs::exists(folder / "run.unfinished1.h5"));
   const std::string torn = "\x89HDF\r\n\x1a\n torn";
   put_text(folder / "run.h5.part", torn);
-  CHECK(tells(run_rows(folder / "run.h5", 1, true), "(not readable as they are) are kept"));
+  CHECK(tells(run_rows(folder / "run.h5", 1, true), "(not readable without repair) are kept"));
   CHECK(bytes_of(folder / "run.unfinished1.h5") == torn);
 }
 

@@ -46,7 +46,7 @@ inline results::Header sample_header(int bodies = 3, int dim = 2) {
   header.with_velocity = true;
   header.provenance = {"-- bridge.lua\nlocal θ = 3\n",
                        "scripts/bridge.lua",
-                       "0.1.0",
+                       "1.0.0",
                        "abc123",
                        "g++ 12.2",
                        "Linux x86_64",

@@ -143,7 +143,7 @@ TEST_CASE("a path whose points are strained beyond the limit is told up to there
     CHECK(strained == 1);
     CHECK(frames > 3);
     CHECK(frames < way.points.size());
-    CHECK(report.reason.find("as the load factor of '" + way.loads.front().name + "' came to ") != std::string::npos);
+    CHECK(report.reason.find("when the load factor of '" + way.loads.front().name + "' reached ") != std::string::npos);
     CHECK_THROWS_AS(sim.settle(stage, {}, listener), InputError);
   }
 }

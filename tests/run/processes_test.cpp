@@ -44,7 +44,7 @@ TEST_CASE("processes end with their code or signal, and what they write is kept"
   CHECK(testing::bytes_of(folder / "a.err") == "err\n");
   CHECK(ends.of[1].trouble() == "ended with code 3");
   CHECK(ends.of[2].trouble() == "ended by signal 9 (Killed)");
-  CHECK(ends.of[3].trouble() == "the program could not begin");
+  CHECK(ends.of[3].trouble() == "the program could not be started");
 }
 
 TEST_CASE("no more processes run at a time than were asked for") {

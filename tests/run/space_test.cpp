@@ -166,7 +166,7 @@ TEST_CASE("overlapping and unsupported solids are refused by name") {
   CHECK_THROWS_WITH_AS(deep.build(), doctest::Contains("'deep' overlap by"), InputError);
   SolidModelBuilder high = small_wall();
   high.add_body(solid("high up", box_at({0.4, 0.2, 0.2}, {0, 0, 3})));
-  CHECK_THROWS_WITH_AS(high.build(), doctest::Contains("'high up' stands on nothing"), InputError);
+  CHECK_THROWS_WITH_AS(high.build(), doctest::Contains("'high up' has no support"), InputError);
   SolidModelBuilder unknown = small_wall();
   unknown.set_contact("stone", "brick", "dry");
   CHECK_THROWS_WITH_AS(unknown.build(), doctest::Contains("no material, group or body 'brick'"), InputError);

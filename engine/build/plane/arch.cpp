@@ -61,8 +61,8 @@ void check(const Arch& arch, const std::string& owner) {
                     owner, arch.half_angle, quarter));
   if (arch.offset >= inner(arch))
     throw InputError(
-        fmt::format("{}: offset of the centres is {:g} m, must be below the inner radius of {:g} m or the "
-                    "two sides do not meet",
+        fmt::format("{}: offset of the centres is {:g} m, must be below the inner radius of {:g} m; otherwise the two "
+                    "sides do not meet",
                     owner, arch.offset, inner(arch)));
   if (crown_angle(arch, inner(arch)) >= arch.half_angle)
     throw InputError(fmt::format("{}: half opening angle is {:g} rad, must be above {:g} rad, where the two sides meet",

@@ -44,8 +44,8 @@ class BeamRowPlan {
     }
     end_ = storey().courses();
     if (whole > end_)
-      throw InputError(fmt::format("{}: height is {:g} m, must be at most that of the storey's courses, {:g} m", owner_,
-                                   height, end_ * plan_.course));
+      throw InputError(fmt::format("{}: height is {:g} m, must be at most the height of the storey's courses, {:g} m",
+                                   owner_, height, end_ * plan_.course));
     first_ = end_ - static_cast<int>(whole);
   }
 
@@ -85,8 +85,8 @@ class BeamRowPlan {
     const double spacing = row_.spacing > 0 ? row_.spacing : room / count;
     if (const double all = (count - 1) * std::max(spacing, width) + width; all > room * (1 + 1e-9))
       throw InputError(
-          fmt::format("{}: {} {} of {:g} m width {} {:g} m, and there are {:g} m from {} = {:g} to {:g} m; "
-                      "give fewer, thinner or nearer ones",
+          fmt::format("{}: {} {} of {:g} m width {} {:g} m, but the room has {:g} m, from {} = {:g} to {:g} m; "
+                      "give fewer, narrower or closer beams",
                       owner_, count, count == 1 ? "beam" : "beams", width, count == 1 ? "needs" : "need", all, room,
                       across(), room_.low, room_.high));
     std::vector<Stretch> lines;
@@ -109,8 +109,8 @@ class BeamRowPlan {
     const double held = std::floor(room / row_.spacing + 1e-9);
     if (held < 1)
       throw InputError(
-          fmt::format("{}: spacing is {:g} m, more than there are from {} = {:g} to {:g} m, {:g} m; give "
-                      "less, or a count",
+          fmt::format("{}: spacing is {:g} m, more than the room from {} = {:g} to {:g} m, {:g} m; give a smaller "
+                      "spacing, or a count",
                       owner_, row_.spacing, across(), room_.low, room_.high, room));
     require_buildable(held, owner_);
     return static_cast<int>(held);
@@ -136,8 +136,8 @@ class BeamRowPlan {
       if (wall.across.low > span_.high + same_ || wall.across.high < span_.low - same_) continue;
       if (wall.along.low > line.low + same_ || wall.along.high < line.high - same_)
         throw InputError(
-            fmt::format("{} lies on wall '{}' with a part of its width, for that reaches from {:g} to {:g} "
-                        "m; move it by spacing, count, from or to",
+            fmt::format("{} lies on wall '{}' with only a part of its width, because the wall reaches from {:g} to "
+                        "{:g} m; move it by spacing, count, from or to",
                         beam, wall.name, wall.along.low, wall.along.high));
       found.push_back(&wall);
     }
@@ -149,11 +149,11 @@ class BeamRowPlan {
 
   [[noreturn]] void refuse_end(const std::vector<PlannedWall*>& found, const std::string& beam) const {
     const std::string reach = fmt::format("{} = {:g} to {:g} m", along(), span_.low, span_.high);
-    const char* const hint = "beams end in two walls across them; look at along, from and to";
-    if (found.empty()) throw InputError(fmt::format("{} finds no wall at its ends from {}; {}", beam, reach, hint));
+    const char* const hint = "each end of a beam needs a wall across it; check along, from and to";
+    if (found.empty()) throw InputError(fmt::format("{} has no wall at its ends from {}; {}", beam, reach, hint));
     const Stretch& face = found[0]->across;
     const bool above = face.low + face.high < span_.low + span_.high;
-    throw InputError(fmt::format("{} finds no wall at its end towards {}{}: from {} there is '{}' alone; {}", beam,
+    throw InputError(fmt::format("{} has no wall at its end towards {}{}: from {} there is only '{}'; {}", beam,
                                  above ? "+" : "-", along(), reach, found[0]->name, hint));
   }
 
@@ -174,7 +174,7 @@ class BeamRowPlan {
       if (wall.axis == axis_ && overlaps(wall.across, made.across, same_) && overlaps(wall.along, made.along, same_))
         throw InputError(
             fmt::format("{} lies in wall '{}', which runs along it from {} = {:g} to {:g} m; move it by spacing or "
-                        "count, or give each room a row of its own, with from and to",
+                        "count, or give each room its own row, with from and to",
                         beam, wall.name, across(), wall.across.low, wall.across.high));
   }
 
@@ -187,7 +187,7 @@ class BeamRowPlan {
       if (made.first < other.end && other.first < made.end && overlaps(made.along, along, same_) &&
           overlaps(made.across, across, same_))
         throw InputError(
-            fmt::format("{} runs into beam {}; give each row a part of the plan of its own, with from and to, and a "
+            fmt::format("{} runs into beam {}; give each row its own part of the plan, with from and to, and a "
                         "bearing of at most half the wall between them",
                         beam, number));
     }
@@ -197,7 +197,7 @@ class BeamRowPlan {
     for (const Stretch& junction : wall.junctions)
       if (overlaps(made.across, junction, same_))
         throw InputError(
-            fmt::format("{} has its pocket in wall '{}' where a wall meets that from {:g} to {:g} m; move "
+            fmt::format("{} has its pocket in wall '{}' where another wall meets it, from {:g} to {:g} m; move "
                         "it by spacing, count, from or to",
                         beam, wall.name, junction.low, junction.high));
     refuse_voids(wall, made, beam);
@@ -223,10 +223,10 @@ class BeamRowPlan {
     if (std::abs(other.along.low - made.along.low) <= same_ && std::abs(other.along.high - made.along.high) <= same_ &&
         other.first == made.first)
       return;
-    throw InputError(fmt::format(
-        "{} meets the pocket of beam {} in wall '{}', from {:g} to {:g} m; beams that end in one wall from both "
-        "sides lie in one line, as wide and high as each other, or beside each other",
-        beam, other.beam, wall.name, other.along.low, other.along.high));
+    throw InputError(
+        fmt::format("{} meets the pocket of beam {} in wall '{}', from {:g} to {:g} m. Two beams that end in a wall "
+                    "from both sides must be in line with the same width and height, or side by side",
+                    beam, other.beam, wall.name, other.along.low, other.along.high));
   }
 
   /// Rejects openings and lintels in the courses of a pocket, and openings that end directly below it.
@@ -255,7 +255,7 @@ class BeamRowPlan {
 
   [[noreturn]] void refuse_hollow(const std::string& where, const std::string& beam) const {
     throw InputError(
-        fmt::format("{} lies over {}, without a lintel under it; give that a lintel, or move the beam by "
+        fmt::format("{} lies over {}, without a lintel under it; give the opening a lintel, or move the beam by "
                     "spacing, count, from or to",
                     beam, where));
   }

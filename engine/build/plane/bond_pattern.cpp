@@ -13,16 +13,19 @@ namespace {
 // Quarter laps of English and Flemish bond result from a closer next to the corner header (the usual arrangement, as in
 // BS 5606 and handbooks of bricklaying).
 constexpr std::array patterns{
-    BondPattern{"running", "stretchers, each over the joint of two below", {{{"", "S", ""}, {"B", "S", ""}}}, 2},
-    BondPattern{"stack", "stretchers, joint over joint", {{{"", "S", ""}}}, 1},
-    BondPattern{"english", "a course of stretchers, a course of headers", {{{"", "S", ""}, {"HC", "H", "CH"}}}, 2},
+    BondPattern{
+        "running", "stretchers, each centred over a joint of the course below", {{{"", "S", ""}, {"B", "S", ""}}}, 2},
+    BondPattern{"stack", "stretchers, with aligned joints", {{{"", "S", ""}}}, 1},
+    BondPattern{
+        "english", "courses of stretchers alternate with courses of headers", {{{"", "S", ""}, {"HC", "H", "CH"}}}, 2},
     BondPattern{"flemish",
-                "stretcher and header in turn, each header over the middle of a stretcher",
+                "alternating stretchers and headers, each header centred over a stretcher",
                 {{{"", "SH", ""}, {"HC", "SH", "CH"}}},
                 2},
-    BondPattern{"header", "headers alone, each over the joint of two below", {{{"", "H", ""}, {"C", "H", ""}}}, 2},
+    BondPattern{
+        "header", "headers only, each centred over a joint of the course below", {{{"", "H", ""}, {"C", "H", ""}}}, 2},
     BondPattern{"english_garden",
-                "three courses of stretchers in running bond, a course of headers",
+                "three courses of stretchers in running bond, then a course of headers",
                 {{{"", "S", ""}, {"B", "S", ""}, {"", "S", ""}, {"HC", "H", "CH"}}},
                 4},
 };

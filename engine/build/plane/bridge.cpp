@@ -37,7 +37,7 @@ void check_seat(double seat, const std::optional<double>& gap, const std::string
   if (gap) require_not_negative(*gap, owner + ": gap", "m");
   if (seat > 0 && !gap)
     throw InputError(
-        fmt::format("{}: seat is {:g} m, but how wide the joint beside it is, is missing; give gap too", owner, seat));
+        fmt::format("{}: seat is {:g} m, but the width of its joint is missing; give gap too", owner, seat));
 }
 
 }  // namespace
@@ -93,7 +93,8 @@ Abutment with_seats(const Abutment& abutment) {
   check_seat(abutment.seat, abutment.gap, owner);
   Abutment a = abutment;
   if (a.axis && !(a.seat > 0))
-    throw InputError(owner + ": its axis is given, the middle of the joint; give seat and gap too, or x");
+    throw InputError(
+        owner + ": the axis is the middle of the joint, so it needs seat and gap; give both, or x instead of axis");
   if (a.seat > 0) {
     if (a.back_wall_width > 0)
       throw InputError(fmt::format("{}: both back wall width, {:g} m, and seat, {:g} m, are given; keep one", owner,
@@ -127,8 +128,9 @@ Part build_abutment(const Abutment& given) {
     throw InputError(fmt::format("{}: back wall is {:g} m high and {:g} m wide; give both or neither", owner,
                                  abutment.back_wall_height, abutment.back_wall_width));
   if (abutment.back_wall_width >= abutment.width)
-    throw InputError(fmt::format("{}: back wall width is {:g} m, must be below the width of {:g} m or no seat is left",
-                                 owner, abutment.back_wall_width, abutment.width));
+    throw InputError(
+        fmt::format("{}: back wall width is {:g} m, must be below the width of {:g} m; otherwise no seat is left",
+                    owner, abutment.back_wall_width, abutment.width));
   // for the right side: x increases away from the span
   //
   //             +----+ top

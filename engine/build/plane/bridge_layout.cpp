@@ -21,7 +21,8 @@ SupportJoint joint_on(const SupportTop& top, const std::optional<double>& gap, c
   if (top.joint) return *top.joint;
   if (!gap)
     throw InputError(
-        fmt::format("{}: how wide the joint on support '{}' is, is missing; give gap there, or here", owner, top.name));
+        fmt::format("{}: the width of the joint on support '{}' is missing; give gap at the support or at the span",
+                    owner, top.name));
   SupportJoint joint{.gap = *gap};
   const double length = top.right - top.left;
   // A pier has the joint in the middle of its top and a seat on either side; an abutment has it at the back wall.
@@ -115,8 +116,8 @@ SupportTop top_of(const std::string& name, const Polygon& outline) {
     if (std::abs(a.y() - high) <= same_level && std::abs(b.y() - high) <= same_level)
       return {name, SupportKind::pier, high, std::min(a.x(), b.x()), std::max(a.x(), b.x())};
   }
-  throw InputError(fmt::format(
-      "support '{}': its highest point, at y = {:g} m, is a corner; a span lies on a level face", name, high));
+  throw InputError(fmt::format("support '{}': its highest point, at y = {:g} m, is a corner; a span needs a level face",
+                               name, high));
 }
 
 bool BridgeLayout::has_support(const std::string& name) const {
@@ -137,7 +138,7 @@ void BridgeLayout::add_bearing_type(const BearingType& type) {
   const std::string owner = builder_title("bearing type", type.name);
   require_not_negative(type.height, owner + ": height", "m");
   for (const BearingType& other : types_)
-    if (other.name == type.name) throw InputError(owner + ": is there already; give each one a name of its own");
+    if (other.name == type.name) throw InputError(owner + ": exists already; give each type its own name");
   types_.push_back(type);
 }
 
@@ -181,8 +182,9 @@ void BridgeLayout::require_free(const LaidSpan& span, const std::string& owner) 
   for (const LaidSpan& other : spans_) {
     for (const std::size_t side : {0, 1})
       if (other.ends[side].support == span.ends[side].support)
-        throw InputError(fmt::format("{}: the seat on '{}' to the {} of its joint carries span '{}'; each takes one",
-                                     owner, span.ends[side].support, side_names[1 - side], other.deck.name));
+        throw InputError(fmt::format(
+            "{}: the seat on '{}' to the {} of its joint already carries span '{}'; each seat carries one span", owner,
+            span.ends[side].support, side_names[1 - side], other.deck.name));
     const Box2 theirs = bounding_box(other.deck.outline);
     if (box.low.x() < theirs.high.x() && theirs.low.x() < box.high.x() && box.low.y() < theirs.high.y() &&
         theirs.low.y() < box.high.y())

@@ -42,8 +42,8 @@ void check_shape(const std::vector<Sphere>& spheres, const std::string& owner) {
     }
     if (nearest > 1e-9 * own.radius)
       throw InputError(
-          fmt::format("{}: sphere {} touches none of the others, by {:.3g} m; spheres of a clump touch or "
-                      "overlap, so move it nearer or make it larger",
+          fmt::format("{}: sphere {} is {:.3g} m away from all others; spheres of a clump touch or overlap, so move it "
+                      "closer or make it larger",
                       owner, i + 1, nearest));
   }
 }
@@ -65,8 +65,8 @@ class Pouring {
     require_place(pour.low, owner_ + ": low corner"), require_place(pour.high, owner_ + ": high corner");
     if (!(pour.least > 0) || !(pour.most >= pour.least) || !(pour.most <= 1e12))
       throw InputError(
-          fmt::format("{}: radius is from {:g} to {:g} m, must be above 0 and the first no more than the "
-                      "second; try radius = {{ 0.01, 0.02 }}",
+          fmt::format("{}: radius is from {:g} to {:g} m, must be above 0, and the first at most the second; try "
+                      "radius = {{ 0.01, 0.02 }}",
                       owner_, pour.least, pour.most));
     if (!(pour.share >= 0 && pour.share <= 1))
       throw InputError(fmt::format("{}: share is {:g}, must be from 0 to 1", owner_, pour.share));
@@ -97,8 +97,8 @@ class Pouring {
       const double side = pour_.high[k] - pour_.low[k];
       if (!(side >= width))
         throw InputError(
-            fmt::format("{}: its box is {:g} m wide in {}, a grain of {:g} m needs {:g}; make it wider or "
-                        "the grains smaller",
+            fmt::format("{}: its box is {:g} m wide in {}, but a grain of {:g} m needs {:g}; make the box wider or the "
+                        "grains smaller",
                         owner_, side, along[static_cast<std::size_t>(k)], 2 * pour_.most, width));
       cells_[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::min(side / width, 1e6));
       room *= static_cast<double>(cells_[static_cast<std::size_t>(k)]);
@@ -106,8 +106,8 @@ class Pouring {
     }
     if (room < pour_.count)
       throw InputError(
-          fmt::format("{}: its box has room for {:.0f} grains of up to {:g} m, {} are asked for; make the "
-                      "box higher, or count at most {:.0f}",
+          fmt::format("{}: its box has room for {:.0f} grains of up to {:g} m, but count asks for {}; make the box "
+                      "higher, or count at most {:.0f}",
                       owner_, room, 2 * pour_.most, pour_.count, room));
   }
 

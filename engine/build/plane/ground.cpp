@@ -20,7 +20,7 @@ PolygonPart build_ground_profile(const GroundProfile& profile) {
     if (surface[i].y() <= profile.base_level)
       throw InputError(fmt::format("{} is not above the base level {:g} m; lower the base", what, profile.base_level));
     if (i > 0 && surface[i].x() < surface[i - 1].x())
-      throw InputError(what + " lies left of the one before; give the points from left to right");
+      throw InputError(what + " lies left of the previous point; give the points from left to right");
   }
   Polygon outline{{surface.front().x(), profile.base_level}, {surface.back().x(), profile.base_level}};
   outline.insert(outline.end(), surface.rbegin(), surface.rend());

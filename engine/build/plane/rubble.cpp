@@ -75,8 +75,8 @@ class Filling {
     for (std::size_t trial = 0; points_.size() < stones; ++trial) {
       if (trial == most_trials * stones)
         throw InputError(
-            fmt::format("{}: no room is found for {} stones, as its outline fills next to nothing of the "
-                        "box around it; give a wider one, or fewer stones",
+            fmt::format("{}: no room is found for {} stones, because the outline fills too little of the box around "
+                        "it; give a wider outline, or fewer stones",
                         owner_, rubble_.stones));
       const double x = random_between(bits_, box.low.x(), box.high.x());
       const double y = random_between(bits_, box.low.y(), box.high.y());

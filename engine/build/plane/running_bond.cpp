@@ -71,7 +71,7 @@ class Panel {
     for (const GridField& other : fields_)
       if (field.from < other.to && other.from < field.to && field.first <= other.last && other.first <= field.last)
         throw InputError(
-            fmt::format("{}: lies on an opening or lintel given before; leave a {} only where units are", what, kind));
+            fmt::format("{}: overlaps an earlier opening or lintel; a {} can only replace units", what, kind));
     fields_.push_back(field);
   }
 

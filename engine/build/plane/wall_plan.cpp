@@ -162,8 +162,8 @@ void plan_lintel(const Wall& wall, WallPlan& plan, const WallOpening& given, con
   const WallField block = plan_block(plan, storey, opening, FieldKind::lintel, courses, bearing, what);
   if (!is_masonry(storey, block.from, opening.from, opening.last) ||
       !is_masonry(storey, opening.to, block.to, opening.last))
-    throw InputError(
-        fmt::format("{} reaches {:g} m over each side and so over the next opening; give less bearing", what, bearing));
+    throw InputError(fmt::format(
+        "{} reaches {:g} m beyond each side and so over the next opening; give a shorter bearing", what, bearing));
   storey.fields.push_back(block);
 }
 

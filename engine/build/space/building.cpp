@@ -89,8 +89,8 @@ class BuildingCourses {
       floor(s);
     }
     if (joined_ > 0)
-      out_.notes.push_back(fmt::format("{}: {} pieces shorter than {:g} m were joined to the unit beside them",
-                                       plan_.owner, joined_, plan_.least));
+      out_.notes.push_back(fmt::format("{}: {} pieces shorter than {:g} m were merged with a neighbour", plan_.owner,
+                                       joined_, plan_.least));
     const UnitQuaternion rotation = checked_turn({.axis = {0, 0, 1}, .angle = b_.angle}, plan_.owner);
     for (SolidPart& part : out_.parts) place_part(part, rotation, b_.at);
     return std::move(out_);
@@ -165,7 +165,7 @@ class BuildingCourses {
       if (pocket->along.high == run.low || pocket->along.low == run.high)
         throw InputError(fmt::format(
             "{}: storey {}: beams: the pocket of beam {} leaves a piece of {:g} m in course {} of wall '{}', from {} = "
-            "{:g} to {:g} m, shorter than the least length of {:g} m; move the beams by spacing, count, from or to, or "
+            "{:g} to {:g} m, shorter than the least length of {:g} m. Move the beams by spacing, count, from or to, or "
             "give a smaller least_length",
             plan_.owner, s + 1, pocket->beam, run.high - run.low, c + 1, wall.name, wall.axis == 0 ? "x" : "y", run.low,
             run.high, plan_.least));

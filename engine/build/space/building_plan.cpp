@@ -16,10 +16,11 @@ namespace {
 
 // Headers of the second course lie over the middle of the unit below: a stretcher in English and Flemish bond.
 constexpr std::array leaf_patterns{
-    LeafBond{"stretcher", "stretchers as thick as the wall, each over the joint of two below", "S", "S", 0.5, 0, 1},
-    LeafBond{"header", "headers through the wall, each over the joint of two below", "H", "H", 0, 0.5, 1},
-    LeafBond{"english", "a course of two leaves of stretchers, a course of headers", "S", "H", 0, 0.5, 2},
-    LeafBond{"flemish", "two stretchers side by side and a header in turn", "SH", "SH", 0.5, 0.5, 2},
+    LeafBond{"stretcher", "stretchers as thick as the wall, each centred over a joint of the course below", "S", "S",
+             0.5, 0, 1},
+    LeafBond{"header", "headers through the wall, each centred over a joint of the course below", "H", "H", 0, 0.5, 1},
+    LeafBond{"english", "courses of two leaves of stretchers alternate with courses of headers", "S", "H", 0, 0.5, 2},
+    LeafBond{"flemish", "pairs of stretchers side by side alternate with headers", "SH", "SH", 0.5, 0.5, 2},
 };
 
 const LeafBond& find_leaf_bond(std::string_view name, std::string_view owner) {
@@ -151,8 +152,7 @@ class Planner {
       planned.name = wall.name;
       for (const PlannedWall& other : plan_.walls)
         if (other.name == wall.name)
-          throw InputError(
-              fmt::format("{}: there are two walls '{}'; give each a name of its own", plan_.owner, wall.name));
+          throw InputError(fmt::format("{}: there are two walls '{}'; give each its own name", plan_.owner, wall.name));
       plan_.walls.push_back(planned);
       lay_out(wall, plan_.walls.size() - 1);
     }
@@ -165,11 +165,11 @@ class Planner {
       require_finite(end->x(), owner + ": x of an end"), require_finite(end->y(), owner + ": y of an end");
     const Vec2 way = wall.end - wall.start;
     const double length = way.cwiseAbs().maxCoeff();
-    if (length == 0) throw InputError(fmt::format("{}: its ends are one point", owner));
+    if (length == 0) throw InputError(fmt::format("{}: its ends are the same point", owner));
     if (way.cwiseAbs().minCoeff() > 1e-9 * length)
       throw InputError(
-          fmt::format("{}: runs from ({:g}, {:g}) to ({:g}, {:g}); walls of a plan run along x or y, turn "
-                      "the whole plan by its angle",
+          fmt::format("{}: runs from ({:g}, {:g}) to ({:g}, {:g}); walls of a plan run along x or y; rotate the whole "
+                      "plan by its angle",
                       owner, wall.start.x(), wall.start.y(), wall.end.x(), wall.end.y()));
     p.axis = std::abs(way.x()) == length ? 0 : 1;
     p.forward = way[p.axis] > 0;
@@ -216,10 +216,9 @@ class Planner {
     for (std::size_t i = 0; i < plan_.walls.size(); ++i)
       for (std::size_t j = i + 1; j < plan_.walls.size(); ++j)
         if (plan_.walls[i].axis == plan_.walls[j].axis && share_room(plan_.walls[i], plan_.walls[j]))
-          throw InputError(
-              fmt::format("{}: walls '{}' and '{}' run along each other in the same room; give walls in "
-                          "one line as one, or move one of them",
-                          plan_.owner, plan_.walls[i].name, plan_.walls[j].name));
+          throw InputError(fmt::format(
+              "{}: walls '{}' and '{}' overlap along their length; give walls in line as one wall, or move one of them",
+              plan_.owner, plan_.walls[i].name, plan_.walls[j].name));
   }
 
   void junctions() {
@@ -238,8 +237,8 @@ class Planner {
       const double nearest = whole * plan_.course;
       if (!b_.masonry.snap)
         throw InputError(
-            fmt::format("{} is at {:g} m, which is on no course line; the nearest is at {:g} m, or set snap", what,
-                        height, nearest));
+            fmt::format("{} is at {:g} m, which is not a course line; the nearest is at {:g} m; or set snap = true",
+                        what, height, nearest));
       plan_.notes.push_back(
           fmt::format("{} was moved from {:g} m to the course line at {:g} m", what, height, nearest));
     }
@@ -269,7 +268,7 @@ class Planner {
     const PlannedStorey& storey = plan_.storeys[s];
     const int sill = line_at(opening.sill, storey, owner + ": its sill");
     const int head = line_at(opening.sill + opening.height, storey, owner + ": its head");
-    if (head <= sill) throw InputError(fmt::format("{}: its sill and head are one course line", owner));
+    if (head <= sill) throw InputError(fmt::format("{}: its sill and head are on the same course line", owner));
     const double near_edge = wall.forward ? start + opening.from : start - opening.from - opening.width;
     const Stretch along{near_edge, near_edge + opening.width};
     add_void(wall, {along, sill, head, false}, s, owner);
@@ -339,12 +338,11 @@ class Planner {
     const double gap = plan_.storeys[s - 1].top - plan_.storeys[s - 1].line.back();
     if (!(carried > 1e-6 * foot))
       throw InputError(
-          fmt::format("{}: nothing of the slab below is under it, so that it hangs {:g} m above the wall "
-                      "below; let slab_outline reach under all walls, or leave it out",
+          fmt::format("{}: the slab below does not reach under it, so it hangs {:g} m above the wall below; extend "
+                      "slab_outline under all walls, or leave it out",
                       what, gap));
     plan_.notes.push_back(
-        fmt::format("{}: the slab below is under {:.3g} % of its foot; the rest hangs {:g} m above the "
-                    "wall below",
+        fmt::format("{}: the slab below reaches under {:.3g} % of its foot; the rest hangs {:g} m above the wall below",
                     what, 100 * carried / foot, gap));
   }
 

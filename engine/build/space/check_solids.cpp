@@ -22,14 +22,14 @@ constexpr int most_faces_for_edges = 200;
 
 /// Reason for which a surface is no closed solid, or "".
 std::string broken_loops(const Polyhedron& solid) {
-  if (solid.faces.count() < 4) return fmt::format("has {} faces, a solid has at least 4", solid.faces.count());
+  if (solid.faces.count() < 4) return fmt::format("has {} faces, needs at least 4", solid.faces.count());
   for (const Vec3& p : solid.corners)
     if (!(p.cwiseAbs().array() <= 1e12).all()) return "has a corner that is not finite or beyond 1e12 m";
   for (int f = 0; f < solid.faces.count(); ++f) {
     if (solid.faces[f].size() < 3) return fmt::format("has face {} with {} corners", f + 1, solid.faces[f].size());
     for (const int i : solid.faces[f])
       if (i < 0 || i >= static_cast<int>(solid.corners.size()))
-        return fmt::format("has face {} with corner {}, which is not there", f + 1, i + 1);
+        return fmt::format("has face {} with corner {}, which does not exist", f + 1, i + 1);
   }
   return {};
 }
@@ -91,7 +91,7 @@ class SolidChecker {
     if (shells.count > 1 || shells.whole[0] == 0)
       return find(SolidFault::hollow, part, piece, 0,
                   shells.count > 1 ? fmt::format("is {} separate shells, not one solid", shells.count)
-                                   : std::string("has no inside: its faces cannot be turned so that they agree"));
+                                   : std::string("encloses no volume: its faces cannot be oriented consistently"));
     if (!turned(solid, shells, part, piece)) return;
     if (check_.repair) across = edges_across(solid.faces);
     if (has_no_measure(solid, size, part, piece)) return;
@@ -110,9 +110,9 @@ class SolidChecker {
     if (wrong == 0) return true;
     const auto all = static_cast<std::ptrdiff_t>(shells.turn.size());
     const std::string what = wrong == all ? std::string("is inside out")
-                                          : fmt::format("has {} of {} faces that run the wrong way", wrong, all);
+                                          : fmt::format("has {} of {} faces with the wrong orientation", wrong, all);
     find(SolidFault::inverted, part, piece, static_cast<double>(wrong),
-         what + (check_.repair ? "; they were turned round" : "; give their corners the other way round"), -1,
+         what + (check_.repair ? "; they were reversed" : "; give their corners in the opposite order"), -1,
          check_.repair);
     if (check_.repair) {
       // in place, so that corners keep their indices
@@ -130,13 +130,13 @@ class SolidChecker {
   bool has_no_measure(const Polyhedron& solid, double size, int part, int piece) {
     for (int f = 0; f < solid.faces.count(); ++f)
       if (!(area_vector(solid.corners, solid.faces[f]).norm() > 1e-16 * size * size)) {
-        find(SolidFault::degenerate, part, piece, 0, fmt::format("has face {} of no area", f + 1));
+        find(SolidFault::degenerate, part, piece, 0, fmt::format("has face {} without an area", f + 1));
         return true;
       }
     const double volume = solid_moments(solid).volume;
     if (volume > kFlatFace * size * size * size) return false;
     find(SolidFault::degenerate, part, piece, volume,
-         fmt::format("has a volume of {:.3g} m3, which is next to nothing", volume));
+         fmt::format("has a volume of {:.3g} m3, too small for a solid", volume));
     return true;
   }
 
@@ -156,7 +156,7 @@ class SolidChecker {
            fmt::format("is a sliver: {:.3g} m thick and {:.3g} m long", thickness, size));
     else if (shortest < check_.edge * size)
       find(SolidFault::sliver, part, piece, shortest,
-           fmt::format("has an edge of {:.3g} m, next to nothing beside its {:.3g} m", shortest, size));
+           fmt::format("has an edge of {:.3g} m, too short for its size of {:.3g} m", shortest, size));
   }
 
   void keep(const Polyhedron& solid, double size, int part, int piece) {
@@ -215,10 +215,9 @@ class SolidChecker {
     const double work = static_cast<double>(a.solid.shape.faces.count()) * static_cast<double>(b.placed.corners.size());
     if (work > most_pair_work) {
       touch(a, b);
-      return find(
-          SolidFault::unchecked, b.part, b.piece, 0,
-          fmt::format("and {} have so many faces that their overlap was not looked for", title(a.part, a.piece)),
-          a.part);
+      return find(SolidFault::unchecked, b.part, b.piece, 0,
+                  fmt::format("and {} have so many faces that their overlap was not checked", title(a.part, a.piece)),
+                  a.part);
     }
     const double size = std::min(a.solid.size, b.solid.size), apart = distance(a, b, check_.reach * size);
     if (apart > check_.reach * size) return;

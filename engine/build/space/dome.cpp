@@ -26,8 +26,8 @@ void check_dome(const Dome& dome, const std::string& owner) {
                                  owner, dome.springing));
   if (dome.crown >= dome.springing)
     throw InputError(
-        fmt::format("{}: colatitude of the crown is {:g} rad, must be below that of the springing, {:g} rad", owner,
-                    dome.crown, dome.springing));
+        fmt::format("{}: colatitude of the crown is {:g} rad, must be below the colatitude of the springing, {:g} rad",
+                    owner, dome.crown, dome.springing));
   require_finite(dome.phase, owner + ": phase");
   require_place(dome.centre, owner + ": centre");
 }

@@ -17,10 +17,9 @@ constexpr double quarter = std::numbers::pi / 2;
 void check(const FlyingButtress& f, const std::string& owner) {
   check_keys(f, owner);
   if (f.slope >= quarter)
-    throw InputError(
-        fmt::format("{}: slope of the coping is {:g} rad, must be below pi/2; give it against the "
-                    "horizontal, in radians",
-                    owner, f.slope));
+    throw InputError(fmt::format(
+        "{}: slope of the coping is {:g} rad, must be below pi/2; give the angle from the horizontal, in radians",
+        owner, f.slope));
 }
 
 /// The intrados: a circle through (0, 0) and (span, rise), and the angles of its ends from the vertical through its
@@ -36,13 +35,13 @@ Circle intrados(const FlyingButtress& f, const std::string& owner) {
   if (f.radius == 0 && f.rise > f.span)
     throw InputError(
         fmt::format("{}: rise is {:g} m, above the span of {:g} m, so no arc is level at the head and "
-                    "springs outwards from the pier; give less rise, or a radius",
+                    "springs outwards from the pier; give a smaller rise, or a radius",
                     owner, f.rise, f.span));
   const double least = chord2 / (2 * f.span);
   if (f.radius > 0 && (radius < level || radius < least))
     throw InputError(
-        fmt::format("{}: radius is {:g} m, must be at least {:g} m, or the arc would fall towards the wall "
-                    "or spring inwards from the pier",
+        fmt::format("{}: radius is {:g} m, must be at least {:g} m; with less, the arc would fall towards the wall or "
+                    "spring inwards from the pier",
                     owner, radius, std::max(level, least)));
   // Below and to the right of the middle of the chord.
   const Vec2 along = Vec2(f.span, f.rise) / std::sqrt(chord2);
@@ -104,8 +103,8 @@ void check(const FlyingButtress& f, const Circle& circle, const Ring& ring, cons
     const bool beside = i == 0 || ring.high[i].x() > ring.high[i - 1].x();
     if (length > 0.01 * f.thickness && beside) continue;
     throw InputError(
-        fmt::format("{}: a coping of slope {:g} rad meets the intrados {:.3g} m from the pier; give less "
-                    "slope (at most some {:.2g} rad), or more thickness",
+        fmt::format("{}: a coping of slope {:g} rad meets the intrados {:.3g} m from the pier; give a smaller slope "
+                    "(at most about {:.2g} rad), or a larger thickness",
                     owner, f.slope, ring.low[i].x(), portable::atan2(f.rise, f.span)));
   }
 }

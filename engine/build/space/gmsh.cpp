@@ -32,7 +32,7 @@ class Words {
     skip_blanks();
     const std::size_t from = at_;
     while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
-    if (from == at_) fail(fmt::format("the file ends where {} should be", what));
+    if (from == at_) fail(fmt::format("the file ends before {}", what));
     return text_.substr(from, at_ - from);
   }
   std::int64_t whole(const char* what) {
@@ -60,7 +60,7 @@ class Words {
   }
   void expect(std::string_view tag) {
     const std::string_view w = word("a section's end");
-    if (w != tag) fail(fmt::format("'{}' where {} should be", shown(w), tag));
+    if (w != tag) fail(fmt::format("'{}' instead of {}", shown(w), tag));
   }
   void skip_section(std::string_view name) {
     const std::string end = fmt::format("$End{}", name);
@@ -117,10 +117,9 @@ struct GmshNodes {
 void read_format(Words& words) {
   const std::string_view version = words.word("the version");
   if (version != "4.1")
-    words.fail(fmt::format("the format has version '{}', this reader takes 4.1; save it as Version 4 ASCII",
-                           version.substr(0, 20)));
-  if (words.whole("the file type") != 0)
-    words.fail("the file is binary, this reader takes text; save it as Version 4 ASCII");
+    words.fail(
+        fmt::format("the format has version '{}', must be 4.1; save it as Version 4 ASCII", version.substr(0, 20)));
+  if (words.whole("the file type") != 0) words.fail("the file is binary, must be text; save it as Version 4 ASCII");
   words.whole("the data size");
   words.expect("$EndMeshFormat");
 }
@@ -133,13 +132,13 @@ void read_nodes(Words& words, GmshNodes& nodes) {
   for (std::int64_t b = 0; b < blocks; ++b) {
     const std::int64_t dim = words.whole("a block's dimension");
     words.whole("a block's tag");
-    const bool parametric = words.whole("the mark for parameters") != 0;
+    const bool parametric = words.whole("the parametric flag") != 0;
     const std::int64_t count = words.count("the number of nodes of a block");
     const std::size_t first = nodes.place.size();
     for (std::int64_t i = 0; i < count; ++i) {
       const std::int64_t tag = words.whole("a node tag");
       if (!nodes.index.emplace(tag, static_cast<int>(first + static_cast<std::size_t>(i))).second)
-        words.fail(fmt::format("node {} is there twice", tag));
+        words.fail(fmt::format("node {} is given twice", tag));
     }
     for (std::int64_t i = 0; i < count; ++i) {
       const double x = words.number("x of a node"), y = words.number("y of a node");
@@ -149,7 +148,7 @@ void read_nodes(Words& words, GmshNodes& nodes) {
     }
   }
   if (static_cast<std::int64_t>(nodes.place.size()) != all)
-    words.fail(fmt::format("{} nodes are announced, {} are there", all, nodes.place.size()));
+    words.fail(fmt::format("the header announces {} nodes, the file has {}", all, nodes.place.size()));
   words.expect("$EndNodes");
 }
 
@@ -158,7 +157,7 @@ const ElementType& known_type(const Words& words, const std::array<ElementType, 
                               std::int64_t type) {
   for (const ElementType& t : types)
     if (t.type == type) return t;
-  words.fail(fmt::format("elements of type {} cannot be used; take {}", type, usable));
+  words.fail(fmt::format("elements of type {} cannot be used; use {}", type, usable));
 }
 
 /// Points and lines serve the construction of the mesh and are skipped.
@@ -203,13 +202,13 @@ void read_elements(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
         const std::int64_t tag = words.whole("a node of an element");
         const auto node = nodes.index.find(tag);
         if (node == nodes.index.end())
-          words.fail(fmt::format("a {} names node {}, which is not there", type.name, tag));
+          words.fail(fmt::format("a {} names node {}, which does not exist", type.name, tag));
         element[k] = node->second;
       }
       add_element(type, element, mesh);
     }
   }
-  if (found != all) words.fail(fmt::format("{} elements are announced, {} are there", all, found));
+  if (found != all) words.fail(fmt::format("the header announces {} elements, the file has {}", all, found));
   words.expect("$EndElements");
 }
 
@@ -243,7 +242,7 @@ template <class AnyMesh>
 void read_file(std::string_view text, std::string_view owner, GmshNodes& nodes, AnyMesh& mesh) {
   Words words(text, owner);
   if (words.at_end() || words.word("$MeshFormat") != "$MeshFormat")
-    words.fail("it does not begin with $MeshFormat, so it is no mesh of Gmsh");
+    words.fail("it does not begin with $MeshFormat, so it is not a Gmsh mesh");
   read_format(words);
   bool has_nodes = false, has_elements = false;
   while (!words.at_end()) {
@@ -254,7 +253,7 @@ void read_file(std::string_view text, std::string_view owner, GmshNodes& nodes, 
     else if (section == "$Elements" && has_nodes && !has_elements)
       read_elements(words, nodes, mesh), has_elements = true;
     else if (section == "$Nodes" || section == "$Elements")
-      words.fail(fmt::format("{} comes twice or before $Nodes", section));
+      words.fail(fmt::format("{} appears twice or before $Nodes", section));
     else
       words.skip_section(section.substr(1));
   }

@@ -81,8 +81,8 @@ class ObjReader {
     object_ = objects_.of(name), current_ = -1;
     if (static_cast<std::size_t>(object_) < known && again_.empty())
       again_ = fmt::format(
-          "{}: line {}: object '{}' begins again; its faces go on with those before, as one body. Give "
-          "it a name of its own, or set shells_are_bodies to make each closed shell a body",
+          "{}: line {}: object '{}' appears again; its faces are added to the earlier ones, as one body. Give it its "
+          "own name, or set shells_are_bodies to make each closed shell a body",
           owner_, number_, name);
   }
 
@@ -139,7 +139,7 @@ class ObjReader {
     const int count = static_cast<int>(points_.size());
     if (error != std::errc() || end != w.data() + w.size())
       fail(fmt::format("a corner of a face is '{}', must be the number of a point", w.substr(0, 40)));
-    if (count == 0) fail(fmt::format("a face names point {}, and no point comes before it", i));
+    if (count == 0) fail(fmt::format("a face names point {}, but no point precedes it", i));
     if (i == 0 || i > count || i < -count)
       fail(fmt::format("a face names point {}, there are points 1 to {} so far", i, count));
     return i > 0 ? i - 1 : count + i;
@@ -243,8 +243,8 @@ SolidParts parse_obj(std::string_view text, const SolidFile& how, std::string_vi
   constexpr std::string_view behind("\x1a\0 \t\r\n", 6);  // bytes that some programs append to a file
   text = text.substr(0, text.find_last_not_of(behind) + 1);
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-    throw InputError(
-        fmt::format("{}: is no OBJ file: its byte {} is 0, and OBJ files are text; save it as OBJ", owner, zero + 1));
+    throw InputError(fmt::format("{}: is not an OBJ file: its byte {} is 0, but OBJ files are text; save it as OBJ",
+                                 owner, zero + 1));
   ObjReader reader(without_byte_order_mark(text), how, owner);
   SolidParts made = solids_of_file(reader.run(), how, owner);
   if (!reader.again().empty()) made.notes.push_back(reader.again());

@@ -88,17 +88,17 @@ class SolidMaker {
   }
 
   SolidParts take() {
-    if (out_.parts.empty()) throw InputError(fmt::format("{}: there is no solid in it; it has no faces", owner_));
+    if (out_.parts.empty()) throw InputError(fmt::format("{}: there is no solid in the file: it has no faces", owner_));
     for (const ToldOnce& told : told_)
-      if (told.more > 0) out_.notes[told.note] += fmt::format(" (and so of {} more of its solids)", told.more);
+      if (told.more > 0) out_.notes[told.note] += fmt::format(" (and {} more of its solids likewise)", told.more);
     if (planed_ > 0)
       out_.notes.push_back(fmt::format("{}: faces of {} solids were made plane, corners moved by up to {:.3g} m",
                                        owner_, planed_, moved_));
     if (hulls_ > 0)
-      out_.notes.push_back(fmt::format(
-          "{}: {} solids with faces that are very narrow or not plane became the hulls of their corners, with "
-          "triangles where corners are in no plane",
-          owner_, hulls_));
+      out_.notes.push_back(
+          fmt::format("{}: {} solids with very narrow or non-planar faces were replaced by the hulls of their corners, "
+                      "with triangles where corners are not in a plane",
+                      owner_, hulls_));
     return std::move(out_);
   }
 
@@ -119,7 +119,7 @@ class SolidMaker {
     for (int k = 2; !names_.insert(name).second; ++k) name = fmt::format("{}.{}", wanted, k);
     if (name != wanted && !given.empty())
       tell(FileNote::same_name,
-           fmt::format("{}: there is a solid '{}' already, the next one became '{}'", owner_, wanted, name));
+           fmt::format("{}: there is already a solid '{}'; the next one is named '{}'", owner_, wanted, name));
     return name;
   }
 
@@ -149,8 +149,8 @@ class SolidMaker {
   static void refuse_crowded(const Polyhedron& surface, const std::string& title) {
     if (const CrowdedEdge edge = crowded_edge(surface.faces); edge.faces > 0)
       throw InputError(
-          fmt::format("{} has an edge with {} faces, from {} to {} m, and in the surface of a solid each edge has two; "
-                      "take out faces that are there twice or lie within it",
+          fmt::format("{} has an edge with {} faces, from {} to {} m, but each edge of a solid has two; remove faces "
+                      "that are given twice or lie inside it",
                       title, edge.faces, place_text(surface.corners[static_cast<std::size_t>(edge.from)]),
                       place_text(surface.corners[static_cast<std::size_t>(edge.to)])));
   }
@@ -180,8 +180,8 @@ class SolidMaker {
     const auto open = std::count(across.begin(), across.end(), -1);
     if (open == 0)
       throw InputError(
-          fmt::format("{} has no inside: its faces cannot be turned so that they agree, or more than two "
-                      "share an edge; give each solid as an object of its own",
+          fmt::format("{} encloses no volume: its faces cannot be oriented consistently, or more than two share an "
+                      "edge; give each solid as its own object",
                       title));
     refuse_crowded(surface, title);
     int face = 0;
@@ -193,21 +193,20 @@ class SolidMaker {
     const auto corner = [&](int place) {
       return surface.corners[static_cast<std::size_t>(surface.faces.corner[static_cast<std::size_t>(place)])];
     };
-    throw InputError(fmt::format(
-        "{} is open: {} edges belong to one face only, such as that from {} to {} m; {}", title, open,
-        place_text(corner(first)), place_text(corner(next)),
-        weld > 0 ? fmt::format("its corners do not meet exactly, and it closes with weld = {:g} (share of its "
-                               "size within which corners are one)",
-                               weld)
-                 : "close it in the program it comes from"));
+    throw InputError(fmt::format("{} is open: {} edges belong to one face only, such as the edge from {} to {} m; {}",
+                                 title, open, place_text(corner(first)), place_text(corner(next)),
+                                 weld > 0 ? fmt::format("its corners do not coincide exactly; weld = {:g} closes it "
+                                                        "(corners within this share of its size are merged)",
+                                                        weld)
+                                          : "close it in the program that made it"));
   }
 
   void note_turned(const Shells& shells, const std::string& title) {
     const auto turned = std::count(shells.turn.begin(), shells.turn.end(), 1);
     if (turned == static_cast<std::ptrdiff_t>(shells.turn.size()))
-      tell(FileNote::inside_out, fmt::format("{} was inside out; its faces were turned round", title));
+      tell(FileNote::inside_out, fmt::format("{} was inside out; its faces were reversed", title));
     else if (turned > 0)
-      tell(FileNote::partly_turned, fmt::format("{}: {} of {} faces ran the wrong way and were turned round", title,
+      tell(FileNote::partly_turned, fmt::format("{}: {} of {} faces had the wrong orientation and were reversed", title,
                                                 turned, shells.turn.size()));
   }
 
@@ -215,9 +214,8 @@ class SolidMaker {
     const auto crossing = crossing_faces(closed, how_.flat * solid_size(closed.corners));
     if (!crossing) return;
     throw InputError(fmt::format(
-        "{} crosses itself at {} m, where {}; the surface of a solid only closes around it: give each part that is "
-        "convex as an object of its own",
-        title, place_text(crossing->at),
+        "{} intersects itself at {} m, where {}; give each convex part of it as its own object", title,
+        place_text(crossing->at),
         crossing->a == crossing->b ? "two sides of one face cross" : "two of its faces pass through each other"));
   }
 
@@ -242,13 +240,13 @@ class SolidMaker {
     if (hollow.by > 4 * how_.flat * size) {
       refuse_crossing(closed, title);
       throw InputError(
-          fmt::format("{} is not convex: a face's corner at {} m stands {:.3g} m out of the plane of the face "
-                      "beside it; give it as several convex objects in one group",
+          fmt::format("{} is not convex: a corner at {} m lies {:.3g} m outside the plane of the adjacent face; give "
+                      "it as several convex objects in one group",
                       title, place_text(hollow.at), hollow.by));
     }
     if (solid.faces.count() > most_faces)
-      throw InputError(fmt::format("{} has {} faces, at most {} are taken; make it coarser", title, solid.faces.count(),
-                                   most_faces));
+      throw InputError(fmt::format("{} has {} faces, at most {} are allowed; make it coarser", title,
+                                   solid.faces.count(), most_faces));
     if (!is_convex_solid(solid)) refuse_crossing(closed, title);
     if (is_rough(solid, size)) make_plane(solid, size, title);
     check_convex(solid, title);
@@ -269,8 +267,8 @@ class SolidMaker {
     if (solid.corners.size() > most_hull_corners ||
         !(become_hull(solid, kFlatFace / 4) || become_hull(solid, how_.flat) || become_hull(solid, 10 * how_.flat)))
       throw InputError(
-          fmt::format("{} has faces that are not plane, by too much to put right: corners would move by "
-                      "{:.3g} m; give it in double precision, or with fewer narrow faces",
+          fmt::format("{} has faces that are too far from plane to be corrected: corners would move by {:.3g} m; "
+                      "export it in double precision, or with fewer narrow faces",
                       title, moved));
     ++hulls_;
   }
@@ -328,7 +326,7 @@ class SolidMaker {
 
 std::string why_beyond_reach(const Vec3& place) {
   if ((place.cwiseAbs().array() <= 1e12).all()) return {};
-  return fmt::format("a point at {} m, must be within 1e12 m of the origin; look at the file's unit and at scale",
+  return fmt::format("a point at {} m, must be within 1e12 m of the origin; check the file's unit and scale",
                      place_text(place));
 }
 
@@ -348,9 +346,9 @@ SolidParts read_solids(const std::filesystem::path& path, const SolidFile& how) 
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (ending != ".obj" && ending != ".stl")
-    throw InputError(fmt::format("{}: its ending is '{}'; files of solids end with .obj or .stl", owner, ending));
+    throw InputError(fmt::format("{}: its extension is '{}', must be .obj or .stl", owner, ending));
   const std::string bytes = text_of_file(path, "solids", largest_solid_file);
-  if (bytes.empty()) throw InputError(fmt::format("{}: is empty; export it anew", owner));
+  if (bytes.empty()) throw InputError(fmt::format("{}: is empty; export it again", owner));
   return ending == ".obj" ? parse_obj(bytes, how, owner) : parse_stl(bytes, how, owner);
 }
 

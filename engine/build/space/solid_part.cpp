@@ -17,8 +17,8 @@ namespace trilith {
 void require_buildable(double parts, std::string_view what) {
   if (!(parts <= most_parts))
     throw InputError(
-        fmt::format("{}: would have about {:.3g} parts, at most {:g} are built; look at its sizes and their "
-                    "units, or build it in stretches",
+        fmt::format("{}: would have about {:.3g} parts, at most {:g} are allowed; check its sizes and their units, or "
+                    "build it in sections",
                     what, parts, most_parts));
 }
 
@@ -56,7 +56,7 @@ UnitQuaternion checked_turn(const SolidTurn& turn, std::string_view owner) {
     throw InputError(fmt::format("{}: both an angle and a quaternion are given; give one of them", owner));
   require_place(turn.axis, fmt::format("{}: axis", owner));
   const double reach = turn.axis.cwiseAbs().maxCoeff();
-  if (reach == 0) throw InputError(fmt::format("{}: axis is (0, 0, 0); it must point somewhere", owner));
+  if (reach == 0) throw InputError(fmt::format("{}: axis is (0, 0, 0), must not be zero", owner));
   const Vec3 scaled = turn.axis / reach;
   return rotation_by(angle * (scaled / scaled.norm()));
 }

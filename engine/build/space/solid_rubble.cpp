@@ -122,8 +122,8 @@ class SolidFilling {
     for (std::size_t trial = 0; points_.size() < stones; ++trial) {
       if (trial == most_trials * stones)
         throw InputError(
-            fmt::format("{}: no room is found for {} stones, as its outline fills next to nothing of the "
-                        "box around it; give a wider one, or fewer stones",
+            fmt::format("{}: no room is found for {} stones, because the outline fills too little of the box around "
+                        "it; give a wider outline, or fewer stones",
                         owner_, rubble_.stones));
       const Vec3 p = random_in_box(low, high);
       const auto too_near = [&](const Vec3& q) { return (p - q).norm() < 1e-2 * size_; };

@@ -54,13 +54,13 @@ void refuse_damaged(std::string_view bytes, std::string_view owner) {
   if (says_solid && is_text) return;
   if (is_text || bytes.size() < stl_head)
     throw InputError(
-        fmt::format("{}: is no STL file: it does not begin with 'solid', and a binary file has {} bytes before "
-                    "its first triangle and is no text",
+        fmt::format("{}: is not an STL file: a text file begins with 'solid', and a binary one has {} bytes before its "
+                    "first triangle",
                     owner, stl_head));
   const std::size_t triangles = whole_at(bytes, 80), room = (bytes.size() - stl_head) / stl_triangle;
   throw InputError(
-      fmt::format("{}: is cut short or no STL file: as its bytes 81 to 84 have it there are {} triangles, which "
-                  "make {} bytes, and it has {}, room for {}; export it anew",
+      fmt::format("{}: is cut short or not an STL file: bytes 81 to 84 announce {} triangles, which need {} bytes, but "
+                  "it has {}, room for {}; export it again",
                   owner, triangles, stl_head + stl_triangle * triangles, bytes.size(), room));
 }
 
@@ -168,7 +168,7 @@ class StlText {
     for (std::string_view w = word(); !is_same(w, "endsolid"); w = word()) {
       if (!is_same(w, "facet"))
         fail(w.empty() ? std::string("the file ends before 'endsolid'")
-                       : fmt::format("'{}' where 'facet' or 'endsolid' should be", shown(w)));
+                       : fmt::format("'{}' instead of 'facet' or 'endsolid'", shown(w)));
       add_triangle(surface, facet());
     }
     rest_of_line();
@@ -207,7 +207,7 @@ SolidParts parse_stl(std::string_view bytes, const SolidFile& how, std::string_v
     SolidParts made = solids_of_file(binary_stl(bytes, axes, owner), how, owner);
     if (rest > 0)
       made.notes.push_back(
-          fmt::format("{}: {} bytes behind its {} triangles are left out", owner, rest, whole_at(bytes, 80)));
+          fmt::format("{}: {} bytes after its {} triangles are ignored", owner, rest, whole_at(bytes, 80)));
     return made;
   }
   const std::string_view text = stl_text(without_byte_order_mark(bytes));

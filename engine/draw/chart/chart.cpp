@@ -134,8 +134,8 @@ Block measure(const Chart& chart, double width, double height, const ChartStyle&
                                 std::min(7, tick_count(height, 13)), panel_name(chart, i)));
   measure_left(block, height, style);
   if (block.plot_width() < 40)
-    throw InputError(fmt::format("chart '{}' is left {:.0f} pt of width, needs 40; widen the picture", chart.title,
-                                 block.plot_width()));
+    throw InputError(fmt::format("chart '{}' has only {:.0f} pt of width left, needs 40; widen the picture",
+                                 chart.title, block.plot_width()));
   measure_marks(block, style);
   measure_head(block, style);
   return block;

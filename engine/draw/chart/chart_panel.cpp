@@ -26,12 +26,12 @@ bool shows(double value, AxisScale scale) {
 
 void check_series(const ChartSeries& series, AxisScale x_scale, AxisScale y_scale, const std::string& where) {
   if (series.x.size() != series.y.size())
-    throw InputError(
-        fmt::format("{}: {} values of x and {} of y, must be as many", where, series.x.size(), series.y.size()));
+    throw InputError(fmt::format("{}: {} values of x and {} of y, must be equal in number", where, series.x.size(),
+                                 series.y.size()));
   if (series.x.empty()) throw InputError(where + " has no points; leave it out or record it first");
   if (!series.to.empty() && series.to.size() != series.y.size())
-    throw InputError(
-        fmt::format("{}: a band from {} values to {}, must be as many", where, series.y.size(), series.to.size()));
+    throw InputError(fmt::format("{}: a band from {} values to {}, must be equal in number", where, series.y.size(),
+                                 series.to.size()));
   for (std::size_t i = 0; i < series.x.size(); ++i)
     if (shows(series.x[i], x_scale) && shows(series.y[i], y_scale)) return;
   throw InputError(where + " has no point that can be drawn: all are not finite, or not above 0 on a logarithmic axis");

@@ -16,7 +16,7 @@ Chart energy_chart(const std::vector<double>& time, const std::vector<EnergyCurv
   for (const EnergyCurve& term : terms) {
     if (term.name.empty()) throw InputError("energy chart: a term has no name");
     if (term.energy.size() != time.size())
-      throw InputError(fmt::format("energy chart, term '{}': {} values at {} times, must be as many", term.name,
+      throw InputError(fmt::format("energy chart, term '{}': {} values at {} times, must be equal in number", term.name,
                                    term.energy.size(), time.size()));
     const bool below_zero = std::any_of(term.energy.begin(), term.energy.end(), [](double e) { return e < 0; });
     ChartSeries series{term.name, time, term.energy};

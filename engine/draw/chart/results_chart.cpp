@@ -97,7 +97,7 @@ struct Samples {
 Samples samples_at(const ResultsReader& reader, const std::vector<double>& times, const PlotWindow& window,
                    const char* what) {
   if (window.from && window.to && *window.from >= *window.to)
-    throw InputError(fmt::format("--from {:g} s does not lie before --to {:g} s", *window.from, *window.to));
+    throw InputError(fmt::format("--from is {:g} s, must be before --to, {:g} s", *window.from, *window.to));
   const RunWindow of_run = run_window(reader, window);
   Samples samples;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -203,7 +203,7 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view, const Pl
   table.time = samples.time;
   const std::vector<Quantity>& terms = result.reader->header().energy_terms;
   std::vector<EnergyCurve> curves;
-  EnergyCurve supplied{"put in by ground, loads and weight", std::vector<double>(table.time.size(), 0.0), true};
+  EnergyCurve supplied{"input by ground, loads and weight", std::vector<double>(table.time.size(), 0.0), true};
   double start = 0;  // energy stored at the first sample counts as supplied
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const EnergyTermInfo* info = find_term(terms[i].name);

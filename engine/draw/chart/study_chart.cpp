@@ -26,7 +26,7 @@ std::string first_varied(const std::vector<StudyColumn>& columns, const std::vec
     for (std::size_t i = 1; i < rows; ++i)
       if (results::study_text(c, i) != results::study_text(c, 0)) return name;
   }
-  throw InputError("no parameter of the study takes several values, so there is nothing to draw over");
+  throw InputError("no parameter of the study takes several values, so there is no axis to draw over");
 }
 
 /// Positions of the cases on the x axis, and the words of an axis without numbers.

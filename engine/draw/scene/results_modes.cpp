@@ -79,7 +79,7 @@ double size_of_free(const Scene& scene) {
 }
 
 std::string mode_text(const ModeRow& mode) {
-  if (!(mode.frequency > 0)) return "does not swing";
+  if (!(mode.frequency > 0)) return "does not oscillate";
   return fmt::format("{:.4g} Hz, damping {:.2g} %", mode.frequency, 100 * mode.damping);
 }
 
@@ -89,13 +89,13 @@ std::vector<ModeRow> modes_found(const results::ResultsReader& reader, double ti
   std::vector<ModeRow> all = reader.modes();
   if (all.empty())
     throw InputError(
-        fmt::format("'{}' has no modes; have the script find them with m:modes() and record with m:results",
+        fmt::format("'{}' has no modes; compute them in the script with m:modes() and record them with m:results",
                     reader.path().string()));
   int last = -1;
   for (const ModeRow& mode : all)
     if (mode.time <= time) last = mode.analysis;
   if (last < 0)
-    throw InputError(fmt::format("'{}' has no modes of {:g} s or before; the first were found at {:g} s",
+    throw InputError(fmt::format("'{}' has no modes at or before {:g} s; the first were found at {:g} s",
                                  reader.path().string(), time, all.front().time));
   std::erase_if(all, [&](const ModeRow& mode) { return mode.analysis != last; });
   return all;
@@ -136,7 +136,7 @@ Scene scene_of_mode(const Header& header, const ModeRow& mode, double magnify, c
     std::swap(scene.bodies[kept++], scene.bodies[i]);
   }
   scene.bodies.resize(kept);
-  scene.ghost_label = "as it stood";
+  scene.ghost_label = "reference shape";
   return scene;
 }
 
@@ -157,7 +157,7 @@ Scene mode_scene(const results::ResultsReader& reader, const ModeRow& mode, doub
   const std::optional<SpaceBox> around = box_of_free(header, results::Placement(header, now), gone);
   add_solids(header, now, {choice.from, choice.cut, around}, gone, scene);
   add_solid_ghosts(header, stood, now, ViewAxes(choice.from), scene);
-  scene.ghost_label = "as it stood";
+  scene.ghost_label = "reference shape";
   return scene;
 }
 

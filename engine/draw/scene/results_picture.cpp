@@ -249,7 +249,7 @@ namespace {
 /// Checks that the requested contents are available.
 void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   if (choice.magnify != 1 && (choice.forces || !choice.thrust.empty()))
-    throw InputError("forces and the line of thrust have no place among magnified displacements; leave one out");
+    throw InputError("forces and the line of thrust cannot be drawn with magnified displacements; leave one out");
   if (!choice.stress.empty() && !choice.colour.empty() && choice.colour != "group")
     throw InputError(fmt::format("bodies cannot be coloured by their stress and by {} at once", choice.colour));
   const bool plane = reader.header().dim == 2;

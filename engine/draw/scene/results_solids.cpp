@@ -184,7 +184,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
   std::vector<SolidPiece> pieces = all_pieces(header, at, left_out);
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
-    throw InputError("the results tell of no faces of their solids, so that there is nothing to draw");
+    throw InputError("the results contain no faces of solids, so there is nothing to draw");
   if (shown.cut) cut_away(pieces, *shown.cut, view), cut_away(spheres, *shown.cut, view);
   if (shown.around) {
     const auto is_held = [&](const SolidPiece& piece) {
@@ -192,7 +192,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
     };
     pieces = trimmed_ground(std::move(pieces), is_held, *shown.around);
   }
-  if (pieces.empty() && spheres.empty()) throw InputError("the cut leaves nothing to draw");
+  if (pieces.empty() && spheres.empty()) throw InputError("no body lies behind the cut, so there is nothing to draw");
   pieces = paint_order(with_seen_faces(std::move(pieces), view), view);
   add_all_faces(pieces, spheres, shown.cracks, view, scene);
   set_outlines(pieces, view, scene);

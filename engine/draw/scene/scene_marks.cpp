@@ -137,7 +137,7 @@ std::string crack_text(CrackMark mark) {
     case CrackMark::wide:
       return fmt::format("more than {:g} mm", 1e3 * wide_crack);
     case CrackMark::slid:
-      return "joint slid, open by less";
+      return "joint slid, opening smaller";
   }
   return "";
 }

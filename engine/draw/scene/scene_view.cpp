@@ -56,7 +56,7 @@ void check_scene(const Scene& scene, const std::string& where) {
     check_outline(face.outline, where + ", face of a solid");
     if (face.body < 0 || face.body >= static_cast<int>(scene.bodies.size()) ||
         face.is_edge.size() != face.outline.size())
-      throw InputError(where + ": a face of a solid belongs to no body, or has not one mark for each of its sides");
+      throw InputError(where + ": a face of a solid belongs to no body, or has a different number of marks and sides");
   }
   for (const auto& ghost : scene.ghosts) check_outline(ghost, where + ", outline of an earlier configuration");
   for (const SceneForce& f : scene.forces) {

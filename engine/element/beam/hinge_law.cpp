@@ -8,7 +8,8 @@ namespace {
 void check_points(const std::vector<double>& force, const std::vector<double>& share) {
   const std::size_t n = force.size();
   if (share.size() != n || n < 3)
-    throw InputError(fmt::format("end_hinge: {} forces and {} shares, must be as many, 3 or more", n, share.size()));
+    throw InputError(
+        fmt::format("end_hinge: {} forces and {} shares, must be equal in number, at least 3", n, share.size()));
   if (share.front() != 0 || share.back() != 0)
     throw InputError("end_hinge: the share of the moment must be 0 at the first force and the last");
   if (!(force.front() < 0 && force.back() > 0))
@@ -36,7 +37,7 @@ void HingeLaw::check() const {
                     softening));
   if (residual > 0 && !(capping > 0) && !(wear > 0))
     throw InputError(
-        fmt::format("end_hinge: residual is {:g}, but nothing takes the moment down to it; give capping and softening, "
+        fmt::format("end_hinge: residual is {:g}, but the moment never decreases to it; give capping and softening, "
                     "or wear, or leave residual out",
                     residual));
   if (ultimate > 0 && ultimate < capping)

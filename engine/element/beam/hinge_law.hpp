@@ -79,7 +79,7 @@ struct HingeLaw {
           "normal force at yield in compression; 0: as tension"},
         P{&HingeLaw::exponent, "exponent", "1", 2, 1, 10, true, "exponent of the normal force in the interaction"},
         P{&HingeLaw::across, "across", "N m", 0, 0, unbounded, true,
-          "needed in space: yield moment of bending to the sides, about the section's y axis"},
+          "needed in space: yield moment of lateral bending, about the section's y axis"},
         P{&HingeLaw::contour, "contour", "1", 2, 1.1, 2, true,
           "in space: exponent of both moments in the interaction; 2 round, 1.7 rectangle or I, 1.2 to 1.5 concrete"}};
   }

@@ -172,7 +172,7 @@ FibreShape core_of(const FibreShape& shape, double cover) {
           }
           return left;
         } else {
-          throw InputError("a cover on an outline: give the outline of its core, or take bars alone");
+          throw InputError("a cover on an outline: give the outline of its core, or only bars");
         }
       },
       shape);

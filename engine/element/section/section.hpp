@@ -161,7 +161,7 @@ struct BoxSection {
     if (!(webs < width) || !(top + bottom < depth))
       throw InputError(
           fmt::format("box_section: walls of {:g} m in a width of {:g} m, or slabs of {:g} m in a depth "
-                      "of {:g} m, leave nothing hollow",
+                      "of {:g} m, leave no hollow",
                       webs, width, top + bottom, depth));
   }
   [[nodiscard]] Section numbers() const {
@@ -176,7 +176,7 @@ struct GivenSection {
   double inertia_across = 0, torsion = 0, width = 0, shear_area_across = 0;  ///< of members in space
 
   static constexpr std::string_view name = "section";
-  static constexpr std::string_view sentence = "a section of any shape, by its numbers";
+  static constexpr std::string_view sentence = "a section of any shape, given by its properties";
   static constexpr auto parameters() {
     using P = Parameter<GivenSection>;
     return std::array{

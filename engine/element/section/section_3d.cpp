@@ -157,10 +157,10 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
     mixed += twice * (p.x() * (2 * p.y() + q.y()) + q.x() * (2 * q.y() + p.y())) / 24;
   }
   if (std::abs(mixed) > 1e-6 * (across + plane.second_moment))
-    throw InputError(fmt::format(
-        "polygon_section: up and across are not its principal axes, which a beam in space bends about; turn "
-        "its outline by {:.4g} rad, and the orientation of its members back",
-        0.5 * portable::atan2(2 * mixed, plane.second_moment - across)));
+    throw InputError(
+        fmt::format("polygon_section: up and across are not its principal axes, which a beam in space bends about; "
+                    "rotate its outline by {:.4g} rad, and the orientation of its members by the opposite angle",
+                    0.5 * portable::atan2(2 * mixed, plane.second_moment - across)));
   // Saint-Venant's estimate for a solid section, J = A^4 / (40 Ip). Exact for an ellipse, within some percent for
   // similar shapes.
   const double polar = across + plane.second_moment;

@@ -20,7 +20,7 @@ int count_of(const SpaceCell& cell) {
 }
 
 void check_cells(const SpaceMesh& mesh, std::string_view owner) {
-  if (mesh.cell.empty()) throw InputError(fmt::format("{}: the mesh has no element; give one at least", owner));
+  if (mesh.cell.empty()) throw InputError(fmt::format("{}: the mesh has no element; give at least one", owner));
   for (std::size_t n = 0; n < mesh.node.size(); ++n)
     if (!mesh.node[n].allFinite() || mesh.node[n].cwiseAbs().maxCoeff() > 1e12)
       throw InputError(
@@ -62,12 +62,12 @@ void check_shapes(SpaceMesh& mesh, std::string_view owner, std::vector<std::stri
       throw InputError(fmt::format("{}: element {} of the mesh ({}) is flat: its volume is {:g} m3", owner, e + 1,
                                    info_of(cell.shape).name, volume));
     if (const double least = least_jacobian(cell.shape, nodes); least < least_share)
-      throw InputError(fmt::format(
-          "{}: element {} of the mesh ({}) is turned inside out at a corner (its Jacobian there is {:.2g} of "
-          "that in the middle); see the order of its nodes",
-          owner, e + 1, info_of(cell.shape).name, least));
+      throw InputError(
+          fmt::format("{}: element {} of the mesh ({}) is inside out at a corner (its Jacobian there is {:.2g} of the "
+                      "value in the middle); check the order of its nodes",
+                      owner, e + 1, info_of(cell.shape).name, least));
   }
-  if (turned > 0) notes.push_back(fmt::format("{}: {} mirrored elements of the mesh are turned round", owner, turned));
+  if (turned > 0) notes.push_back(fmt::format("{}: {} mirrored elements of the mesh were reversed", owner, turned));
 }
 
 void check_places(const SpaceMesh& mesh, std::string_view owner) {
@@ -81,8 +81,8 @@ void check_places(const SpaceMesh& mesh, std::string_view owner) {
     for (std::size_t j = i + 1; j < order.size() && mesh.node[order[j]].x() - mesh.node[order[i]].x() <= near; ++j)
       if ((mesh.node[order[j]] - mesh.node[order[i]]).norm() <= near)
         throw InputError(
-            fmt::format("{}: nodes {} and {} of the mesh are in one place, so it is open there; make them one", owner,
-                        std::min(order[i], order[j]) + 1, std::max(order[i], order[j]) + 1));
+            fmt::format("{}: nodes {} and {} of the mesh are at the same place, so the mesh is open there; merge them",
+                        owner, std::min(order[i], order[j]) + 1, std::max(order[i], order[j]) + 1));
 }
 
 struct CellFace {
@@ -134,8 +134,8 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
     const SpaceCell &a = mesh.cell[who[0].cell], &b = mesh.cell[who[1].cell];
     const std::string pair = fmt::format("{}: elements {} and {} of the mesh", owner, who[0].cell + 1, who[1].cell + 1);
     if (who.size() > 2)
-      throw InputError(
-          fmt::format("{}, and {} more, have one face in common; a face parts two elements", pair, who.size() - 2));
+      throw InputError(fmt::format("{}, and {} more, have a face in common; a face belongs to at most two elements",
+                                   pair, who.size() - 2));
     if (run_alike(corners_on(a, who[0].face), corners_on(b, who[1].face)))
       throw InputError(pair + " lie on the same side of the face they have in common");
     std::vector<int> of_a = nodes_at(a, info_of(a.shape).nodes_of_face(who[0].face)),
@@ -148,8 +148,8 @@ void find_surface(CheckedSpaceMesh& out, std::string_view owner) {
   }
   for (int e = 1; e < static_cast<int>(mesh.cell.size()); ++e)
     if (root_of(parent, e) != root_of(parent, 0))
-      throw InputError(fmt::format(
-          "{}: element {} of the mesh hangs on the others by no face; make a body of each part", owner, e + 1));
+      throw InputError(fmt::format("{}: element {} of the mesh shares no face with the others; make each part a body",
+                                   owner, e + 1));
 }
 
 /// Removes nodes without elements.
@@ -227,8 +227,8 @@ std::array<Vec3, 8> brick_corners(const Polyhedron& solid, std::string_view owne
   for (int f = 0; f < solid.faces.count(); ++f) brick = brick && solid.faces[f].size() == 4;
   if (!brick)
     throw InputError(fmt::format(
-        "{}: it has {} corners and {} faces, and an element of a brick has 8 and 6; leave it rigid, or give it a mesh",
-        owner, solid.corners.size(), solid.faces.count()));
+        "{}: it has {} corners and {} faces, but a brick element has 8 and 6; leave it rigid, or give it a mesh", owner,
+        solid.corners.size(), solid.faces.count()));
   std::array<int, 8> order{0, 1, 2, 3, 4, 5, 6, 7};
   if (!is_in_order(solid.faces)) {
     const std::span<const int> loop = solid.faces[0];

@@ -118,7 +118,7 @@ CheckedPolygon check_polygon(Polygon points, std::string_view owner) {
   refuse_crossing(kept, tolerance, owner);
   if (orientation(kept.at) < 0) {
     std::reverse(kept.at.begin() + 1, kept.at.end());
-    checked.notes.push_back(fmt::format("{}: outline was given clockwise, turned round", owner));
+    checked.notes.push_back(fmt::format("{}: outline was clockwise, reversed", owner));
   }
   checked.outline = std::move(kept.at);
   return checked;

@@ -24,7 +24,7 @@ using EdgeMap = std::map<std::pair<int, int>, MeshEdge>;
 
 /// Coordinates must be finite, and elements must have distinct nodes with valid indices.
 void check_indices(const Mesh& mesh, std::string_view owner) {
-  if (mesh.element.empty()) throw InputError(fmt::format("{}: the mesh has no element; give one at least", owner));
+  if (mesh.element.empty()) throw InputError(fmt::format("{}: the mesh has no element; give at least one", owner));
   for (std::size_t n = 0; n < mesh.node.size(); ++n)
     if (!mesh.node[n].allFinite() || mesh.node[n].cwiseAbs().maxCoeff() > 1e12)
       throw InputError(fmt::format("{}: node {} of the mesh ({:g}, {:g}) is not finite or farther out than 1e12 m",
@@ -53,7 +53,7 @@ void turn_counter_clockwise(Mesh& mesh, std::string_view owner, std::vector<std:
     ++reversed;
   }
   if (reversed > 0)
-    notes.push_back(fmt::format("{}: {} clockwise elements of the mesh are turned round", owner, reversed));
+    notes.push_back(fmt::format("{}: {} clockwise elements of the mesh were reversed", owner, reversed));
 }
 
 /// At a corner of 180 degrees or more the Jacobian of the mapping from the square is 0 or negative.
@@ -102,7 +102,7 @@ void check_hangs_together(const Mesh& mesh, const EdgeMap& edges, std::string_vi
       parent[root_of(parent, edge.element)] = root_of(parent, across->second.element);
   for (int e = 1; e < static_cast<int>(mesh.element.size()); ++e)
     if (root_of(parent, e) != root_of(parent, 0))
-      throw InputError(fmt::format("{}: element {} of the mesh hangs on the others by no edge; {}", owner, e + 1,
+      throw InputError(fmt::format("{}: element {} of the mesh shares no edge with the others; {}", owner, e + 1,
                                    unmerged_nodes(mesh.node)));
 }
 

@@ -46,7 +46,7 @@ void refuse_unused(const Polyhedron& solid, std::string_view owner) {
   for (const int i : solid.faces.corner) used[static_cast<std::size_t>(i)] = 1;
   const auto unused = std::find(used.begin(), used.end(), 0);
   if (unused != used.end())
-    throw InputError(fmt::format("{}: corner {} belongs to no face; take it out", owner, unused - used.begin() + 1));
+    throw InputError(fmt::format("{}: corner {} belongs to no face; remove it", owner, unused - used.begin() + 1));
 }
 
 /// Each edge occurs once in each direction.
@@ -56,10 +56,10 @@ void require_closed(const Polyhedron& solid, std::string_view owner) {
     for (const SolidEdge& other : edges) {
       const bool same = other.from == e.from && other.to == e.to, back = other.from == e.to && other.to == e.from;
       if (&other != &e && (same || back))
-        throw InputError(fmt::format(
-            "{}: faces {} and {} both run from corner {} to {}, one of them is turned round (or the edge has more than "
-            "two faces); give the corners of each face counter-clockwise as seen from outside",
-            owner, e.left + 1, (same ? other.left : other.right) + 1, e.from + 1, e.to + 1));
+        throw InputError(
+            fmt::format("{}: faces {} and {} both run from corner {} to {}: one of them is reversed, or the edge has "
+                        "more than two faces. Give the corners of each face counter-clockwise as seen from outside",
+                        owner, e.left + 1, (same ? other.left : other.right) + 1, e.from + 1, e.to + 1));
     }
   for (const SolidEdge& e : edges)
     if (e.right < 0)
@@ -76,9 +76,8 @@ void require_plane(const Polyhedron& solid, int face, double size, double flat, 
   const Vec3 area = area_vector(solid.corners, loop);
   if (!(area.norm() > kFlatFace * size * size))
     throw InputError(
-        fmt::format("{}: face {} has an area of {:.3g} m2, which is next to nothing; take it out or move "
-                    "its corners",
-                    owner, face + 1, area.norm()));
+        fmt::format("{}: face {} has an area of {:.3g} m2, too small for a face; remove it or move its corners", owner,
+                    face + 1, area.norm()));
   const Vec3 normal = area.normalized();
   Vec3 middle = Vec3::Zero();
   for (const int i : loop) middle += corner_of_loop(solid, i) / static_cast<double>(loop.size());
@@ -87,7 +86,7 @@ void require_plane(const Polyhedron& solid, int face, double size, double flat, 
     if (off > flat * size)
       throw InputError(
           fmt::format("{}: face {} is not plane: corner {} lies {:.6g} m off its plane, allowed {:.3g} m; "
-                      "part the face into triangles",
+                      "split the face into triangles",
                       owner, face + 1, i + 1, off, flat * size));
   }
 }
@@ -120,27 +119,23 @@ Outlier farthest_outlier(const Polyhedron& solid) {
 /// sign of the volume, which is negative where all faces are reversed.
 void check_polyhedron(const Polyhedron& solid, std::string_view owner, double flat) {
   if (solid.faces.count() < 4)
-    throw InputError(fmt::format("{}: has {} faces, a solid has at least 4", owner, solid.faces.count()));
+    throw InputError(fmt::format("{}: has {} faces, needs at least 4", owner, solid.faces.count()));
   require_finite_corners(solid, owner);
   for (int f = 0; f < solid.faces.count(); ++f) require_loop(solid, f, owner);
   refuse_unused(solid, owner);
   const double size = solid_size(solid.corners);
   if (size < kLeastSize)
     throw InputError(
-        fmt::format("{}: is {:.3g} m large, must be at least {:g} m; look at its unit", owner, size, kLeastSize));
+        fmt::format("{}: is {:.3g} m large, must be at least {:g} m; check its unit", owner, size, kLeastSize));
   for (int f = 0; f < solid.faces.count(); ++f) require_plane(solid, f, size, flat, owner);
   require_closed(solid, owner);
   const double volume = solid_moments(solid).volume;
   if (volume < 0)
-    throw InputError(
-        fmt::format("{}: its volume is {:.6g} m3, it is turned inside out; give the corners of every face "
-                    "the other way round",
-                    owner, volume));
+    throw InputError(fmt::format("{}: its volume is {:.6g} m3, so it is inside out; reverse the corners of every face",
+                                 owner, volume));
   if (!(volume > kFlatFace * size * size * size))
-    throw InputError(
-        fmt::format("{}: its volume is {:.3g} m3, which is next to nothing for a size of {:.3g} m; make it "
-                    "thicker",
-                    owner, volume, size));
+    throw InputError(fmt::format("{}: its volume is {:.3g} m3, too small for its size of {:.3g} m; make it thicker",
+                                 owner, volume, size));
 }
 
 void check_convex(const Polyhedron& solid, std::string_view owner, double flat) {
@@ -148,10 +143,9 @@ void check_convex(const Polyhedron& solid, std::string_view owner, double flat) 
   const Outlier worst = farthest_outlier(solid);
   const double allowed = flat * solid_size(solid.corners);
   if (worst.by > allowed)
-    throw InputError(
-        fmt::format("{}: is not convex: corner {} lies {:.6g} m outside of face {}, allowed {:.3g} m; part "
-                    "it into convex pieces",
-                    owner, worst.corner + 1, worst.by, worst.face + 1, allowed));
+    throw InputError(fmt::format(
+        "{}: is not convex: corner {} lies {:.6g} m outside of face {}, allowed {:.3g} m; split it into convex pieces",
+        owner, worst.corner + 1, worst.by, worst.face + 1, allowed));
 }
 
 }  // namespace trilith

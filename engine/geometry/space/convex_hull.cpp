@@ -59,8 +59,8 @@ class HullBuilder {
       take_in(point);
       if (triangles_.size() > most_triangles)
         throw InputError(
-            fmt::format("{}: the hull of its {} points has more than {} faces; give fewer points of its surface, some "
-                        "hundred",
+            fmt::format("{}: the hull of its {} points has more than {} faces; give fewer points of its surface, at "
+                        "most a few hundred",
                         owner_, points_.size(), most_triangles));
     }
   }
@@ -136,7 +136,7 @@ class HullBuilder {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
         if (triangles_[t].corner[k] == from && triangles_[t].corner[(k + 1) % 3] == to) return t;
-    throw InputError(fmt::format("{}: its points are too near to each other for its size; take doubles out", owner_));
+    throw InputError(fmt::format("{}: its points are too close to each other for its size; remove duplicates", owner_));
   }
 
   /// Marks the triangles that see `p`, from `first` on to their neighbours: one connected patch without holes.
@@ -224,8 +224,7 @@ Polyhedron with_corners_used(std::span<const Vec3> points, const FaceLoops& face
 // The tolerance is `flat` times the size of the whole set. The final check allows four times as much, because each
 // merged face may lie up to the tolerance off its plane.
 Polyhedron convex_hull(std::span<const Vec3> points, std::string_view owner, double flat) {
-  if (points.size() < 4)
-    throw InputError(fmt::format("{}: has {} points, a solid has at least 4", owner, points.size()));
+  if (points.size() < 4) throw InputError(fmt::format("{}: has {} points, needs at least 4", owner, points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(points[i].cwiseAbs().array() <= 1e12).all())
       throw InputError(fmt::format("{}: point {} is ({:g}, {:g}, {:g}) m, must be finite and within 1e12 m", owner,

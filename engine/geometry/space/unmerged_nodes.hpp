@@ -23,10 +23,10 @@ std::string unmerged_nodes(const std::vector<Vec>& nodes) {
     for (std::size_t j = i + 1; j < order.size() && nodes[order[j]].x() - nodes[order[i]].x() <= near; ++j)
       if ((nodes[order[j]] - nodes[order[i]]).norm() <= near)
         return fmt::format(
-            "nodes {} and {} lie at one place: merge such nodes where the mesh is made (in Gmsh: Coherence), or make a "
-            "body of each part",
+            "nodes {} and {} are at the same place: merge such nodes in the mesh generator (in Gmsh: Coherence), or "
+            "make each part a body",
             std::min(order[i], order[j]) + 1, std::max(order[i], order[j]) + 1);
-  return "make a body of each part";
+  return "make each part a body";
 }
 
 }  // namespace trilith

@@ -128,7 +128,7 @@ void tell(const Model<2>& model, State<2>& state, const Work<2>& work, int p, in
   e.value = overlap.depth;
   e.x = overlap.at.x(), e.y = overlap.at.y();
   e.text =
-      fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", two.closing_speed(),
+      fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would prevent it", two.closing_speed(),
                   deepest_allowed(model, p, q) / deep_penetration_share, holding_stiffness(model, state, p, q, two));
   const double depth = depth_of_bodies(model, work, p, q);
   if (is_thin_for(model, work, p, q, deepest_of_bodies(model, p, q)) && depth > overlap.depth)

@@ -79,8 +79,8 @@ Event passed_event(const Model<3>& model, const State<3>& state, const Work<3>& 
   e.value = overlap_of(work, pair);
   e.set_place(c.centre);
   const double speed = (va - vb).norm();
-  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would hold it", speed, thickness,
-                       needed_stiffness(model, state, work, c, deep_penetration_share * thickness, speed));
+  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; kn of {:.1e} Pa/m would prevent it", speed,
+                       thickness, needed_stiffness(model, state, work, c, deep_penetration_share * thickness, speed));
   return e;
 }
 
@@ -103,7 +103,7 @@ Event through_event(const Model<3>& model, const State<3>& state, const Tunnelli
   Event e = event_of(model, state, t.piece_a, t.piece_b);
   e.value = t.depth;
   e.set_place(t.place);
-  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick, within a step of {:.2g} s; take a shorter one",
+  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick, within a step of {:.2g} s; use a shorter step",
                        t.speed, t.thickness, state.last_dt);
   return e;
 }

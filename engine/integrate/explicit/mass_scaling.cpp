@@ -66,14 +66,14 @@ template <int D>
   const double allowed = safety * scaled_step(rates, asked.most, model.mass_damping);
   const std::string& name = model.bodies[body].name;
   if (share < unbounded)
-    throw InputError(fmt::format(
-        "mass_scaling: step is {:g} s, which takes {:.3g} times the mass of body '{}' in what deforms it, must be at "
-        "most {:g} times; take a step of at most {:.2g} s, or a larger 'most'",
-        asked.step, share, name, asked.most, allowed));
-  throw InputError(fmt::format(
-      "mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' could not take it even if it were rigid; take "
-      "a shorter step, or a larger safety",
-      asked.step, allowed, name));
+    throw InputError(
+        fmt::format("mass_scaling: step is {:g} s, which needs {:.3g} times the mass of body '{}' against deformation, "
+                    "must be at most {:g} times; use a step of at most {:.2g} s, or a larger 'most'",
+                    asked.step, share, name, asked.most, allowed));
+  throw InputError(
+      fmt::format("mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' would be unstable even if it were "
+                  "rigid; use a shorter step, or a larger safety",
+                  asked.step, allowed, name));
 }
 
 template <int D>
@@ -168,8 +168,8 @@ bool scale_masses(const Model<D>& model, State<D>& state, const Work<D>& work, c
   const StableStep stable = must ? stable_step(model, state, work) : StableStep{};
   if (must && stable.dt < near_enough * wanted)
     throw InputError(fmt::format(
-        "mass_scaling: step is {:g} s, must be at most {:.2g} s: body '{}' ({}), whose masses are not scaled, takes no "
-        "longer one",
+        "mass_scaling: step is {:g} s, must be at most {:.2g} s, the limit of body '{}' ({}), whose masses are not "
+        "scaled",
         asked.step, safety * stable.dt, model.bodies[stable.body].name, name_of(model.bodies[stable.body].kind)));
   measure_scaled(model, state, found);
   return changed;

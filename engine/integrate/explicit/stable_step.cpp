@@ -369,9 +369,8 @@ template <int D>
 std::string explain_step(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   const StableStep s = stable_step(model, state, work);
   if (s.body < 0)
-    return fmt::format(
-        "nothing stiff governs; steps are held to {:g} s, and to what motions, loads and bearings ask for",
-        longest_step);
+    return fmt::format("no stiffness governs; steps are limited to {:g} s, and by motions, loads and bearings",
+                       longest_step);
   std::string text = fmt::format("body '{}' governs: stable step {:.4g} s, {:.4g} s without damping; its contacts:",
                                  model.bodies[s.body].name, s.dt, step_for(s.stiffness, 0));
   if (!model.bodies[s.body].is_rigid()) {
@@ -392,7 +391,7 @@ std::string explain_step(const Model<D>& model, const State<D>& state, const Wor
   }
   for (const Bearing<D>& b : model.bearings)
     if (b.body_a == s.body || b.body_b == s.body) text += fmt::format(" bearing '{}'", b.name), ++named;
-  if (named == 0) text += " none now; as if lying on its stiffest face";
+  if (named == 0) text += " none at present; estimated as if it lay on its stiffest face";
   return text;
 }
 

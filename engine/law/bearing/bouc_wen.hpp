@@ -48,13 +48,13 @@ struct BoucWen {
   static constexpr auto parameters() {
     using P = Parameter<BoucWen>;
     return std::array{
-        P{&BoucWen::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per displacement at first"},
+        P{&BoucWen::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "initial stiffness"},
         P{&BoucWen::yield, "yield", "N", no_default, 0, unbounded, false,
-          "where the first line and the last one, without hardening, meet"},
-        P{&BoucWen::hardening, "hardening", "1", 0, 0, 0.99, true, "stiffness at last over stiffness at first"},
-        P{&BoucWen::exponent, "exponent", "1", 2, 1, 100, true, "1: a wide bend, 10 and more: nearly a corner"},
+          "force at which the initial line and the final line, without hardening, meet"},
+        P{&BoucWen::hardening, "hardening", "1", 0, 0, 0.99, true, "final stiffness over initial stiffness"},
+        P{&BoucWen::exponent, "exponent", "1", 2, 1, 100, true, "1: gradual transition; 10 and more: nearly a corner"},
         P{&BoucWen::shape, "shape", "1", 0.5, 0.5, 1, true,
-          "0.5: unloads along the first stiffness; 1: unloads steeper, in a slender loop"},
+          "0.5: unloads with the initial stiffness; 1: unloads steeper, in a slender loop"},
         P{&BoucWen::damping, "damping", "N s/m", 0, 0, unbounded, true, "force per velocity"},
         P{&BoucWen::strength_loss, "strength_loss", "1", 0, 0, 100, true,
           "growth of nu for a dissipated energy yield^2/stiffness; the strength decreases as nu^(-1/exponent)"},

@@ -23,10 +23,10 @@ struct Cable {
   double side = 0;        ///< >= 0: in tension where d > 0; < 0: where d < 0
 
   static constexpr std::string_view name = "cable";
-  static constexpr std::string_view sentence = "cable or restrainer: tension alone, slack or prestressed, may break";
+  static constexpr std::string_view sentence = "cable or restrainer: tension only, slack or prestressed, may break";
   static constexpr auto parameters() {
     using P = Parameter<Cable>;
-    return std::array{P{&Cable::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per stretch"},
+    return std::array{P{&Cable::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false, "force per elongation"},
                       P{&Cable::slack, "slack", "m", 0, 0, unbounded, true, "displacement at which the cable is taut"},
                       P{&Cable::pretension, "pretension", "N", 0, 0, unbounded, true,
                         "force at displacement 0 where it has no slack"},

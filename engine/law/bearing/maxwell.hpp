@@ -31,7 +31,7 @@ struct Maxwell {
     using P = Parameter<Maxwell>;
     return std::array{
         P{&Maxwell::stiffness, "stiffness", "N/m", no_default, 0, unbounded, false,
-          "of the spring: brace, column of oil"},
+          "stiffness of the spring: brace, column of oil"},
         P{&Maxwell::force, "force", "N", no_default, 0, unbounded, false, "force of the dashpot at `speed`"},
         P{&Maxwell::speed, "speed", "m/s", 1, 0, unbounded, false, "with 1 m/s, `force` is C of f = C v^exponent"},
         P{&Maxwell::exponent, "exponent", "1", 1, 0.05, 1, true,

@@ -14,12 +14,13 @@ void Table::check() const {
     require_finite(displacement[i], fmt::format("table: displacement of point {}", i + 1));
     require_finite(force[i], fmt::format("table: force of point {}", i + 1));
     if (i > 0 && displacement[i] <= displacement[i - 1])
-      throw InputError(fmt::format("table: displacement of point {} is {:g} m, must be above that of point {} ({:g} m)",
-                                   i + 1, displacement[i], i, displacement[i - 1]));
+      throw InputError(
+          fmt::format("table: displacement of point {} is {:g} m, must be above the displacement of point {} ({:g} m)",
+                      i + 1, displacement[i], i, displacement[i - 1]));
   }
   if (displacement.front() > 0 || displacement.back() < 0)
     throw InputError(
-        fmt::format("table: displacements go from {:g} to {:g} m, must reach over 0; add a point for the force at rest",
+        fmt::format("table: displacements go from {:g} to {:g} m, must include 0; add a point for the force at rest",
                     displacement.front(), displacement.back()));
 }
 

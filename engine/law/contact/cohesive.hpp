@@ -42,7 +42,8 @@ struct Cohesive {
   double crushing_depth = 2e-3;  ///< [m]
 
   static constexpr std::string_view name = "cohesive";
-  static constexpr std::string_view sentence = "mortar that softens in tension and shear by its fracture energies";
+  static constexpr std::string_view sentence =
+      "mortar that softens in tension and shear according to its fracture energies";
   static constexpr auto parameters() {
     using P = Parameter<Cohesive>;
     return std::array{
@@ -71,10 +72,10 @@ struct Cohesive {
                             const char* k) {
       const double least = 0.5 * strength / stiffness * strength;
       if (energy > least) return;
-      throw InputError(fmt::format(
-          "cohesive: energy_{0} is {1:g} J/m2, must be above {4}^2/(2 {2}) = {3:g}, what the joint stores at its "
-          "strength; give more energy, or a stiffer joint, or use the bonded law",
-          of, energy, k, least, strength_name));
+      throw InputError(
+          fmt::format("cohesive: energy_{0} is {1:g} J/m2, must be above {4}^2/(2 {2}) = {3:g}, the energy that the "
+                      "joint stores at its strength; give more energy, or a stiffer joint, or use the bonded law",
+                      of, energy, k, least, strength_name));
     };
     require(energy_tension, tension, kn, "tension", "tension", "kn");
     require(energy_shear, cohesion, ks, "shear", "cohesion", "ks");

@@ -36,9 +36,8 @@ std::string form_refusal(const ContactLaw& law, std::span<const ContactForm> for
         for (const ContactForm form : forms)
           if (const std::string_view own = left_out<typename L::Kernel>(form); !own.empty())
             return fmt::format(
-                "{} would leave out its own `{}`, which acts in these geometries: {}; use a law that acts in {} ({}), "
-                "or "
-                "write this one by `effective` and `friction` (law/contact/point_law.hpp), which act everywhere",
+                "{} would ignore its own `{}`, which acts in these geometries: {}; use a law that acts in {} ({}), "
+                "or write this law with `effective` and `friction` (law/contact/point_law.hpp), which act everywhere",
                 contact_form_names[static_cast<std::size_t>(form)], own, forms_of<typename L::Kernel>(),
                 contact_form_names[static_cast<std::size_t>(form)], laws_of(form));
         return "";

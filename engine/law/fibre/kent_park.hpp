@@ -22,7 +22,7 @@ struct KentPark {
 
   static constexpr std::string_view name = "kent_park";
   static constexpr std::string_view sentence =
-      "concrete fibre: parabola, straight softening, a rest; cracks in tension";
+      "concrete fibre: parabola, linear softening, residual stress; cracks in tension";
   static constexpr auto parameters() {
     using P = Parameter<KentPark>;
     return std::array{

@@ -27,7 +27,7 @@ struct Mander {
     using P = Parameter<Mander>;
     return std::array{
         P{&Mander::strength, "strength", "Pa", no_default, 0, unbounded, false, "compressive strength, unconfined"},
-        P{&Mander::young, "E", "Pa", no_default, 0, unbounded, false, "modulus at first"},
+        P{&Mander::young, "E", "Pa", no_default, 0, unbounded, false, "initial modulus"},
         P{&Mander::strain, "strain", "1", 0.002, 0, 0.1, false, "strain at that strength"},
         P{&Mander::ultimate, "ultimate", "1", 0.006, 0, 1, false, "crushing strain"},
         P{&Mander::residual, "residual", "1", 0, 0, 1, true, "residual stress over the confined strength"},

@@ -44,14 +44,16 @@ struct MenegottoPinto {
     using P = Parameter<MenegottoPinto>;
     return std::array{
         P{&MenegottoPinto::young, "E", "Pa", no_default, 0, unbounded, false, "Young's modulus"},
-        P{&MenegottoPinto::yield, "yield", "Pa", no_default, 0, unbounded, false, "where the two lines meet"},
-        P{&MenegottoPinto::hardening, "hardening", "1", 0.01, 0, 0.99, true, "modulus at last over elastic modulus"},
+        P{&MenegottoPinto::yield, "yield", "Pa", no_default, 0, unbounded, false,
+          "yield stress, at which the two lines meet"},
+        P{&MenegottoPinto::hardening, "hardening", "1", 0.01, 0, 0.99, true, "final modulus over elastic modulus"},
         P{&MenegottoPinto::r0, "R0", "1", 20, 1, 100, true, "sharpness of the first corner"},
-        P{&MenegottoPinto::cr1, "cR1", "1", 0.925, 0, 0.99, true, "share of it that corners lose after large flow"},
-        P{&MenegottoPinto::cr2, "cR2", "1", 0.15, 0, 100, false, "flow, in yield strains, at which half is lost"},
+        P{&MenegottoPinto::cr1, "cR1", "1", 0.925, 0, 0.99, true, "share of R0 lost after large plastic strain"},
+        P{&MenegottoPinto::cr2, "cR2", "1", 0.15, 0, 100, false,
+          "plastic strain, in yield strains, at which half is lost"},
         P{&MenegottoPinto::a3, "a3", "1", 0, 0, 10, true, "yield stress gained per yield strain of the largest strain"},
         P{&MenegottoPinto::a4, "a4", "1", 1, 0, unbounded, true,
-          "largest strain, in yield strains, where that begins"}};
+          "largest strain, in yield strains, at which this gain begins"}};
   }
   void check() const {
     if (r0 * (1 - cr1) < 1)

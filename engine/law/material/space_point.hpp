@@ -57,7 +57,7 @@ SpaceResponse respond_in_space(const Law& law, const SpaceVector& strain, const 
   else if constexpr (acts_in_space<Law>)
     return respond_along_axes(law, strain, before);
   else
-    throw std::logic_error("a solid of the plane alone is asked in space");
+    throw std::logic_error("a material law for the plane only is used in space");
 }
 
 }  // namespace trilith

@@ -51,7 +51,9 @@ std::vector<double> all_limits(const BearingSpecOf<D>& spec) {
 void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
   if (is_none(spec.horizontal)) return;
   if (!is_none(spec.law[0]) || !is_none(spec.law[1]))
-    throw InputError(owner + ": horizontal is given beside along or across; it is the law of both, so leave them out");
+    throw InputError(owner +
+                     ": both horizontal and along or across are given; horizontal is the law of both, so keep "
+                     "horizontal or the others");
   if (is_horizontal(spec.horizontal)) return;
   std::string names;
   DirectionLaws::for_each([&]<class L>() {
@@ -66,9 +68,8 @@ void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
       },
       spec.horizontal);
   throw InputError(
-      fmt::format("{}: horizontal is {}, which has no form for both directions at once; give it to along and to "
-                  "across, or take one "
-                  "of {}",
+      fmt::format("{}: horizontal is {}, which has no circular form for both directions; give it to along and to "
+                  "across, or use one of {}",
                   owner, given, names));
 }
 
@@ -95,8 +96,9 @@ template <int D>
 void check_purpose(const BearingSpecOf<D>& spec, const std::string& owner) {
   const std::vector<DirectionLaw> laws = all_laws(spec);
   if (std::all_of(laws.begin(), laws.end(), is_none))
-    throw InputError(fmt::format("{}: has no law, so it carries nothing; give {} a law such as trilith.linear{{...}}",
-                                 owner, words_of_laws<D>));
+    throw InputError(
+        fmt::format("{}: has no law, so it transfers no force; give {} a law such as trilith.linear{{...}}", owner,
+                    words_of_laws<D>));
   const std::string& next = spec.contact_after.empty() ? spec.becomes_bearing : spec.contact_after;
   const std::vector<double> limits = all_limits(spec);
   if (!next.empty() && std::all_of(limits.begin(), limits.end(), [](double l) { return l == unbounded; }))
@@ -104,7 +106,7 @@ void check_purpose(const BearingSpecOf<D>& spec, const std::string& owner) {
         fmt::format("{}: becomes '{}' at its limit, but has none; give limit = {}", owner, next, words_of_limits<D>));
   if (spec.becomes_bearing.empty() && std::count(spec.next_from_here.begin(), spec.next_from_here.end(), true) > 0)
     throw InputError(
-        fmt::format("{}: becomes_from is \"here\", but it becomes no bearing; name one under becomes", owner));
+        fmt::format("{}: becomes_from is \"here\", but no bearing is its successor; name one under becomes", owner));
 }
 
 }  // namespace
@@ -115,9 +117,9 @@ void require_compression(std::span<const DirectionLaw> laws, const DirectionLaw&
       std::find_if(laws.begin(), laws.end(), [](const DirectionLaw& l) { return !name_of_slider(l).empty(); });
   if (slider == laws.end()) return;
   throw InputError(fmt::format(
-      "{}: {} slides under the compression of the axial law, {}, so that it never holds anything; give axial a law "
-      "that presses, such as trilith.linear{{...}}",
-      owner, name_of_slider(*slider), is_none(axial) ? "of which there is none" : "which slides itself"));
+      "{}: {} slides under the compression of the axial law, {}, so it never transfers a force; give axial a law that "
+      "carries compression, such as trilith.linear{{...}}",
+      owner, name_of_slider(*slider), is_none(axial) ? "which is missing" : "which is itself a sliding law"));
 }
 
 template <int D>
@@ -142,8 +144,8 @@ void add_bearing_plausibility_notes(const BearingSpecOf<D>& spec, const std::str
   if constexpr (D == 3) add_plausibility_note_once(notes, owner, "limit", "m", spec.horizontal_limit);
   if (spec.replaces_contact && is_none(spec.law[Directions<D>::axial]))
     notes.push_back(
-        fmt::format("{}: replaces_contact takes the flat contact of its bodies away while it holds, and it has no "
-                    "axial law to carry in its place; give one, or leave replaces_contact out",
+        fmt::format("{}: replaces_contact removes the flat contact of its bodies, but there is no axial law to replace "
+                    "it; give axial, or leave replaces_contact out",
                     owner));
 }
 
@@ -160,7 +162,7 @@ Bearing<D> bearing_of(const BearingSpecOf<D>& spec, const std::vector<std::strin
   const auto place = [&](const std::vector<std::string>& known, const std::string& name, std::string_view what) {
     const auto it = std::find(known.begin(), known.end(), name);
     if (it == known.end())
-      throw InputError(fmt::format("bearing '{}': becomes {} '{}', which is not there{}", spec.name, what, name,
+      throw InputError(fmt::format("bearing '{}': becomes {} '{}', which does not exist{}", spec.name, what, name,
                                    name_hint(name, known)));
     return static_cast<int>(it - known.begin());
   };
@@ -180,21 +182,20 @@ void check_successor(const std::vector<Bearing<D>>& bearings, std::size_t row) {
   const int self = static_cast<int>(row);
   if (b.becomes_bearing == self)
     throw InputError(fmt::format(
-        "bearing '{}': becomes itself, which has failed by then; name another one that is made with waiting = true",
+        "bearing '{}': becomes itself, which has failed by then; name another bearing that has waiting = true",
         b.name));
   const Bearing<D>& next = bearings[static_cast<std::size_t>(b.becomes_bearing)];
   if (!next.starts_waiting)
-    throw InputError(
-        fmt::format("bearing '{}': becomes '{}', which carries from the start; make that one with waiting "
-                    "= true, or name another",
-                    b.name, next.name));
+    throw InputError(fmt::format(
+        "bearing '{}': becomes '{}', which is active from the start; give it waiting = true, or name another", b.name,
+        next.name));
   int at = next.becomes_bearing;
   for (std::size_t i = 0; i < bearings.size() && at >= 0 && at != self; ++i)
     at = bearings[static_cast<std::size_t>(at)].becomes_bearing;
   if (at == self)
     throw InputError(
-        fmt::format("bearing '{}': becomes '{}', which leads back to '{}', and that has failed by then; "
-                    "let the last one become a contact law, or nothing",
+        fmt::format("bearing '{}': becomes '{}', which leads back to '{}', which has failed by then; let the last "
+                    "bearing become a contact law, or nothing",
                     b.name, next.name, b.name));
 }
 
@@ -223,8 +224,7 @@ void require_in_reach(const Vec<D>& point, double distance, double size, double 
   try {
     require_near<D>(point, distance, size, body, owner);
   } catch (const InputError& e) {
-    throw InputError(
-        fmt::format("{}; or say arm = {:.4g} where a rigid arm of that length holds it", e.what(), distance));
+    throw InputError(fmt::format("{}; or give arm = {:.4g} for a rigid arm of that length", e.what(), distance));
   }
 }
 

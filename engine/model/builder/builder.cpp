@@ -62,14 +62,15 @@ namespace {
 void note_held_motion(const BodySpec& spec, const std::string& owner, std::vector<std::string>& notes) {
   const std::array given{spec.velocity.x(), spec.velocity.y(), spec.spin};
   constexpr std::array names{"a velocity along x", "a velocity along y", "a spin"};
-  const auto known = [](const std::string& note) { return note.find("and is held there") != std::string::npos; };
+  const auto known = [](const std::string& note) {
+    return note.find("but is held in that direction") != std::string::npos;
+  };
   if (std::any_of(notes.begin(), notes.end(), known)) return;
   for (std::size_t k = 0; k < given.size(); ++k)
     if (given[k] != 0 && spec.support[k] != Support::free)
-      notes.push_back(
-          fmt::format("{}: it is given {}, and is held there, so that it does not move; free that direction "
-                      "or leave it out",
-                      owner, names[k]));
+      notes.push_back(fmt::format(
+          "{}: it is given {}, but is held in that direction and does not move; free that direction or leave it out",
+          owner, names[k]));
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
   if (material == materials_.end() || !material->solid)
     throw InputError(fmt::format("{} needs a material with a stiffness (E, nu); {} has none", kind,
                                  spec.material.empty() ? "it" : "'" + spec.material + "'"));
-  if (spec.inertia) throw InputError(kind + " takes no inertia, as that follows from its nodes; leave it out");
+  if (spec.inertia) throw InputError(kind + " takes no inertia, which follows from its nodes; leave it out");
   const auto& s = spec.support;
   if (s[2] != Support::free && (s[0] == Support::free || s[1] == Support::free))
     throw InputError(kind + " has no rotation to hold; hold x and y of some of its nodes");
@@ -124,9 +125,8 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
     if (info_of(spec.kind).nodes == 4) spec.divisions = {1, 1};
     if (spec.outline.size() != 4)
       throw InputError(
-          fmt::format("{} takes an outline of four corners, this one has {}; make it rigid, or give a mesh "
-                      "of its own",
-                      kind, spec.outline.size()));
+          fmt::format("{} takes an outline of four corners, this one has {}; make it rigid, or give it a mesh", kind,
+                      spec.outline.size()));
     for (const int n : spec.divisions)
       if (n < 1 || n > 1000) throw InputError(fmt::format("{}: {} divisions of a side, must be 1 to 1000", kind, n));
     spec.mesh = grid_mesh({spec.outline[0], spec.outline[1], spec.outline[2], spec.outline[3]}, spec.divisions[0],
@@ -169,7 +169,8 @@ Model<2> ModelBuilder::build() {
     };
     if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
       notes_.push_back(fmt::format(
-          "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
+          "material '{}': its band_damping acts only in members of frames; its other bodies have no band damping",
+          m.name));
   }
   return model;
 }
@@ -201,7 +202,7 @@ Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   model.apart_time = apart_time;
   model.still_speed = still_speed;
   model.still_time = still_time;
-  if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
+  if (bodies_.empty()) faults.emplace_back("model: there is no body; add at least one");
   for (const BodySpec& spec : bodies_) attempt(faults, [&] { append_body(spec, model); });
   const bool whole = faults.empty();
   rules_.check(bodies_, materials_, faults);

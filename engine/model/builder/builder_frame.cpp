@@ -300,7 +300,7 @@ void check_yields(const FrameMember& member, const Material& material, const std
       check_parameters(law), law.check();
       if (law.removes && consistent)
         throw InputError(
-            "end_hinge: what is removed keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
+            "end_hinge: a removed member keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
       check_softening(law, 2 * young * member.section.second_moment * member.divisions / length);
       if (member.pinned[end])
         throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
@@ -319,9 +319,9 @@ void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
   begin_at_blocks(*spec.frame);
   const FramePlan plan = plan_frame(*spec.frame, owner);
   if (spec.inertia)
-    throw InputError(owner + ": a frame takes no inertia, as that follows from its members; leave it out");
+    throw InputError(owner + ": a frame takes no inertia, which follows from its members; leave it out");
   if (spec.thickness)
-    throw InputError(owner + ": a frame takes no body_thickness, as its sections have a width; leave it out");
+    throw InputError(owner + ": a frame takes no body_thickness, because its sections have a width; leave it out");
   for (const FrameMember& m : spec.frame->members) {
     const std::string& name = m.material.empty() ? spec.material : m.material;
     const Material* const material = find_material(materials_, name);
@@ -329,10 +329,10 @@ void ModelBuilder::check_frame(BodySpec& spec, const std::string& owner) const {
       throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
                                    name.empty() ? "it" : "'" + name + "'"));
     if (!material->solid->is_elastic())
-      throw InputError(fmt::format(
-          "{}: the material of members is elastic, and '{}' is not ({}); give it one with E and nu, and let "
-          "members yield by a fibre_section or an end_hinge",
-          owner, name, describe(*material->solid)));
+      throw InputError(
+          fmt::format("{}: members need an elastic material, and '{}' is not elastic ({}); give one with E and nu, and "
+                      "let members yield by a fibre_section or an end_hinge",
+                      owner, name, describe(*material->solid)));
     check_yields(m, *material, fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)),
                  length_of(plan, static_cast<std::size_t>(&m - spec.frame->members.data())), spec.frame->consistent);
   }

@@ -30,13 +30,13 @@ void check_block(const FrameJoint& joint, const std::string& what) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i)
     if (!(cross(Vec2(p[(i + 1) % n] - p[i]), Vec2(p[(i + 2) % n] - p[(i + 1) % n])) > 0))
-      throw InputError(what + ": its block must be convex, without corners in line; put the rest onto another joint");
+      throw InputError(what + ": its block must be convex, without corners in line; attach the rest to another joint");
   const Vec2 centroid = polygon_moments(p).centroid;
   if ((centroid - joint.place).norm() > 1e-9 * polygon_size(p))
-    throw InputError(fmt::format(
-        "{}: 'at' is not the centroid of its block, ({:g}, {:g}); leave it out, and say by from_at and to_at where "
-        "members begin",
-        what, centroid.x(), centroid.y()));
+    throw InputError(
+        fmt::format("{}: 'at' is not the centroid of its block, ({:g}, {:g}); leave it out, and give the ends of "
+                    "members by from_at and to_at",
+                    what, centroid.x(), centroid.y()));
   if (joint.density) require_positive(*joint.density, what + ": density", "kg/m3");
   if (joint.thickness) require_positive(*joint.thickness, what + ": thickness", "m");
 }
@@ -67,7 +67,7 @@ void check_joint(const FrameSpec& spec, const FrameJoint& joint, const std::stri
 void check_member(const FrameSpec& spec, const FrameMember& m, double size, const std::string& owner) {
   const auto joints = static_cast<int>(spec.joints.size());
   if (m.from < 0 || m.from >= joints || m.to < 0 || m.to >= joints)
-    throw InputError(fmt::format("{}: a member ends at a joint that is not there", owner));
+    throw InputError(fmt::format("{}: a member ends at a joint that does not exist", owner));
   const std::string what = fmt::format("{}: member '{}'", owner, name_of(spec, m));
   if (m.from == m.to) throw InputError(what + " begins and ends at the same joint; name two");
   for (const int side : {0, 1})
@@ -84,8 +84,8 @@ void check_member(const FrameSpec& spec, const FrameMember& m, double size, cons
   if (m.divisions < 1 || m.divisions > 1000)
     throw InputError(fmt::format("{}: {} divisions, must be 1 to 1000", what, m.divisions));
   if (m.pinned[0] && m.pinned[1] && m.divisions < 2)
-    throw InputError(what +
-                     " is pinned at both ends; give it two divisions or more, whose middle its sections turn with");
+    throw InputError(
+        what + " is pinned at both ends; give it at least two divisions, so that a middle node carries its rotation");
 }
 
 /// Every joint must be connected to the first one by members.
@@ -196,7 +196,7 @@ std::string name_of(const FrameSpec& spec, const FrameMember& member) {
 
 /// The traversal begins at a tip, where a member ends alone, if there is any.
 FramePlan plan_frame(const FrameSpec& spec, const std::string& owner) {
-  if (spec.members.empty()) throw InputError(owner + ": a frame without members; give one at least");
+  if (spec.members.empty()) throw InputError(owner + ": a frame without members; give at least one");
   for (const FrameJoint& joint : spec.joints) check_joint(spec, joint, owner);
   const double size = size_of(spec);
   for (const FrameMember& m : spec.members) check_member(spec, m, size, owner);

@@ -99,8 +99,8 @@ std::vector<FacePart> faces_between(const Model<2>& model, int body, const Vec2&
   for (const auto& [point, found] : {std::pair{from, first}, std::pair{to, last}})
     if (found.distance > 0.02 * model.body_radius[body])
       throw InputError(
-          fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from the outline of '{}'; give points "
-                      "on it, where it is at the start",
+          fmt::format("{}: the point ({:g}, {:g}) is {:.3g} m away from the outline of '{}'; give points on the "
+                      "outline at the start",
                       owner, point.x(), point.y(), found.distance, model.bodies[body].name));
   // Counter-clockwise from `from` to `to`: all the way around if both lie on one face and `to` comes first.
   const bool round = first.face == last.face && first.share >= last.share;

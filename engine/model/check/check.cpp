@@ -123,13 +123,13 @@ void check_overlaps(const Model<D>& model, double allowed, std::vector<std::stri
   for (const DeepPair& o : found) {
     const std::string what = fmt::format("bodies '{}' and '{}' overlap by {:.4g} m {}", model.bodies[o.body_a].name,
                                          model.bodies[o.body_b].name, o.depth,
-                                         among.back == nullptr ? "at the start" : "as they would stand");
+                                         among.back == nullptr ? "at the start" : "at their new position");
     if (o.share > allowed)
       faults.push_back(fmt::format(
           "{} ({:.2g} of the smaller one's size, at most {:g} is allowed); move one of them, or raise overlap_allowed",
           what, o.share, allowed));
     else if (&o == &found.front())
-      notes.push_back(what + "; within what is allowed");
+      notes.push_back(what + "; within the allowed overlap");
   }
 }
 
@@ -201,8 +201,8 @@ void join_across_gaps(const Model<D>& model, const std::vector<std::uint8_t>& fl
   const SmallGap& first = needed.front();
   const std::string more = needed.size() == 1 ? "" : fmt::format(" (and {} more gaps like it)", needed.size() - 1);
   notes.push_back(
-      fmt::format("bodies '{}' and '{}' are {:.3g} m apart, and nothing else holds one of them up: it falls "
-                  "that far first{}; close the gap, or say floating = true where it is meant",
+      fmt::format("bodies '{}' and '{}' are {:.3g} m apart, and nothing else supports one of them: it falls that far "
+                  "first{}; close the gap, or give floating = true if that is intended",
                   model.bodies[first.body_a].name, model.bodies[first.body_b].name, first.width, more));
 }
 
@@ -229,8 +229,8 @@ void check_held_up_and_gaps(const Model<D>& model, const std::vector<std::uint8_
   for (int b = among.first; b < bodies; ++b)
     if (floating[b] == 0 && !footing.is_held(b))
       faults.push_back(
-          fmt::format("body '{}' stands on nothing: no contact or bearing leads from it to a fixed or driven body; "
-                      "set it on something, give a contact law for its material, or say floating = true",
+          fmt::format("body '{}' has no support: no contact or bearing connects it to a fixed or driven body; place it "
+                      "on another body, give a contact law for its material, or give floating = true",
                       model.bodies[b].name));
 }
 

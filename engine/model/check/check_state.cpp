@@ -32,11 +32,11 @@ void check_contacts(const std::string& owner, const Model<D>& model, const State
   const Contacts<D>& c = s.contacts;
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
-      fail(owner, "has a contact of pieces that are not there, or out of order");
+      fail(owner, "has a contact of pieces that do not exist, or out of order");
     if (!in_known_state(c.memory[i])) fail(owner, "has a contact in no known state");
   }
   for (const Parted& p : s.parted)
-    if (!is_contact_of(model, p.contact)) fail(owner, "has a parted contact of pieces that are not there");
+    if (!is_contact_of(model, p.contact)) fail(owner, "has a lost contact of pieces that do not exist");
 }
 
 template <int D>
@@ -45,7 +45,7 @@ void check_passed(const std::string& owner, const Model<D>& model, const State<D
   for (std::size_t i = 0; i < s.passed.size(); ++i) {
     const int a = first_piece(s.passed[i]), b = second_piece(s.passed[i]);
     if (a < 0 || a >= b || b >= bodies || (i > 0 && s.passed[i - 1] >= s.passed[i]))
-      fail(owner, "has bodies that passed that are not there, or out of order");
+      fail(owner, "has penetrated bodies that do not exist, or out of order");
   }
 }
 
@@ -65,7 +65,7 @@ void check_tangent(const std::string& owner, const State<D>& s) {
   for (int c = 0; sound && c < t.size(); ++c)
     for (int i = t.column[c]; i < t.column[c + 1]; ++i)
       sound = sound && t.row[i] < t.size() && (i == t.column[c] || t.row[i - 1] < t.row[i]);
-  if (!sound) fail(owner, "has a tangent that is no matrix");
+  if (!sound) fail(owner, "has a tangent that is not a matrix");
 }
 
 template <int D>
@@ -82,13 +82,13 @@ void check_removed(const std::string& owner, const State<D>& s) {
   if (!s.removed_at.empty() && s.removed_at.size() != s.left.size())
     fail(owner, "has times of removal for other numbers of bodies than the model");
   for (std::size_t b = 0; b < s.removed_at.size(); ++b)
-    if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) fail(owner, "has a body removed that is there");
+    if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) fail(owner, "marks a present body as removed");
 }
 
 }  // namespace
 
 std::string damaged_state(const std::string& owner, std::string_view what) {
-  return fmt::format("{} {}; it is damaged, take an earlier one", owner, what);
+  return fmt::format("{} {}; it is damaged, use an earlier one", owner, what);
 }
 
 template <int D>

@@ -60,9 +60,9 @@ std::string line_of(const Body& a, const Body& b, const std::string& left, const
   return fmt::format(
       "{} and {} have no contact law and would pass through each other; add m:contact {{ between = {{ \"{}\", \"{}\" "
       "}}, "
-      "law = trilith.frictional {{ kn = , ks = , mu = }} }}, or law = \"none\" where that is meant{}",
+      "law = trilith.frictional {{ kn = , ks = , mu = }} }}, or law = \"none\" if that is intended{}",
       described(a), described(b), left, right,
-      special ? ", before the statements about groups and bodies: of those that fit a pair the last one holds" : "");
+      special ? ", before the calls for groups and bodies: the last call that fits a pair takes precedence" : "");
 }
 
 using Sides = std::pair<std::string, std::string>;

@@ -51,10 +51,10 @@ void refuse_overlapping_pieces(const std::vector<Polyhedron>& pieces, double all
     boxes.put(q, box);
   }
   if (first < 0) return;
-  throw InputError(fmt::format(
-      "{}: its pieces {} and {} overlap by {:.4g} m ({:.2g} of the smaller one's size, at most {:g} is allowed), and "
-      "what they share would count twice; move one of them, or make them bodies of their own",
-      owner, first + 1, second + 1, depth, most, allowed));
+  throw InputError(
+      fmt::format("{}: its pieces {} and {} overlap by {:.4g} m ({:.2g} of the smaller one's size, at most {:g} is "
+                  "allowed), so their common part would count twice. Move one of them, or make them separate bodies",
+                  owner, first + 1, second + 1, depth, most, allowed));
 }
 
 }  // namespace trilith

@@ -54,10 +54,10 @@ void note_sphere_laws(const Model<3>& model, int first, std::vector<std::string>
       if (const Body& body = model.bodies[b]; has_sphere(model, body) && holds(body, static_cast<int>(law)))
         bodies.push_back(body.name);
     if (bodies.empty()) continue;
-    notes.push_back(fmt::format(
-        "contact law '{}': spheres are pressed and rub by kn, ks, mu and beta alone, so {} {} not act on {}; "
-        "give their contacts trilith.frictional, or make them of polyhedra where the bond is to hold",
-        model.law_names[law], fmt::join(keys, ", "), keys.size() == 1 ? "does" : "do", listed(bodies)));
+    notes.push_back(
+        fmt::format("contact law '{}': contacts of spheres use only kn, ks, mu and beta, so {} {} not act on {}; use "
+                    "trilith.frictional for them, or polyhedra if the bond must hold",
+                    model.law_names[law], fmt::join(keys, ", "), keys.size() == 1 ? "does" : "do", listed(bodies)));
   }
 }
 

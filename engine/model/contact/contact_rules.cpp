@@ -23,7 +23,7 @@ std::vector<std::string> ContactRules::law_names() const {
 void ContactRules::add_law(const std::string& name, const ContactLaw& law, std::vector<std::string>& notes) {
   require_name(name, "contact law");
   if (law_rows_.contains(name))
-    throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", name));
+    throw InputError(fmt::format("contact law '{}' exists already; give each its own name", name));
   std::visit(
       [&](const auto& l) {
         check_parameters(l);

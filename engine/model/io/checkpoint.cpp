@@ -45,9 +45,9 @@ std::vector<std::uint64_t> read_words(const std::filesystem::path& path) {
   std::uint64_t first = 0;
   in.seekg(0);
   in.read(reinterpret_cast<char*>(&first), sizeof first);
-  if (!in || first != magic()) throw InputError(title(path) + " is no checkpoint: it does not begin with TRILSTAT");
+  if (!in || first != magic()) throw InputError(title(path) + " is not a checkpoint: it does not begin with TRILSTAT");
   if (bytes % 8 != 0 || bytes < static_cast<std::streamoff>(8 * (head_words + 1)))
-    throw InputError(title(path) + " is cut off; take an earlier one");
+    throw InputError(title(path) + " is cut off; use an earlier one");
   std::vector<std::uint64_t> words(static_cast<std::size_t>(bytes) / 8);
   in.seekg(0);
   in.read(reinterpret_cast<char*>(words.data()), bytes);
@@ -58,16 +58,16 @@ std::vector<std::uint64_t> read_words(const std::filesystem::path& path) {
 void check_head(std::span<const std::uint64_t> words, const std::filesystem::path& path, std::uint64_t structure) {
   if (words[1] == swapped_mark)
     throw InputError(title(path) +
-                     " was written on a machine of the other byte order; it can only be read on one of that kind");
-  if (words[1] != byte_order_mark) throw InputError(title(path) + " has a damaged head; take an earlier one");
+                     " was written on a machine with the other byte order; it can only be read on such a machine");
+  if (words[1] != byte_order_mark) throw InputError(title(path) + " has a damaged header; use an earlier one");
   if (words[2] != checkpoint_version)
     throw InputError(fmt::format(
         "{} has version {} of the format, this program reads version {}; run it with the program that wrote it",
         title(path), words[2], checkpoint_version));
   if (words[5] != words.size() - head_words - 1)
-    throw InputError(title(path) + " is cut off or has something after its end; take an earlier one");
+    throw InputError(title(path) + " is cut off or has data after its end; use an earlier one");
   if (words.back() != digest(words.first(words.size() - 1)))
-    throw InputError(title(path) + " is damaged: its digest does not fit its contents; take an earlier one");
+    throw InputError(title(path) + " is damaged: its digest does not match its contents; use an earlier one");
   if (words[3] != structure)
     throw InputError(
         title(path) +
@@ -79,8 +79,8 @@ void check_conditions(std::span<const std::uint64_t> words, const std::filesyste
                       std::uint64_t conditions) {
   if (words[4] != conditions)
     throw InputError(title(path) +
-                     " belongs to this model under other supports, motions, gravity, damping or loads; "
-                     "set them as they were when it was saved, and change them after loading");
+                     " belongs to this model with other supports, motions, gravity, damping or loads; set them as they "
+                     "were when it was saved, and change them after loading");
 }
 
 }  // namespace

@@ -83,12 +83,12 @@ class Reader {
   void key(ContactKey& v) { v = next(); }
   void flag(std::uint8_t& v) {
     const std::uint64_t word = next();
-    if (word > 1) fail("holds a mark that is neither 0 nor 1");
+    if (word > 1) fail("holds a flag that is neither 0 nor 1");
     v = static_cast<std::uint8_t>(word);
   }
   void index(int& v) {
     const std::uint64_t word = next();
-    if (word > INT_MAX) fail("holds a place in a table that cannot be");
+    if (word > INT_MAX) fail("holds an impossible table index");
     v = static_cast<int>(word);
   }
   template <class T, class U>
@@ -107,7 +107,7 @@ class Reader {
   template <class Rows>
   std::size_t open_count(Rows& rows, std::size_t least) {
     const std::uint64_t n = next();
-    if (n > words_.size() / least) fail("is too short for what it announces");
+    if (n > words_.size() / least) fail("is shorter than it announces");
     rows.resize(static_cast<std::size_t>(n));
     return rows.size();
   }
@@ -131,7 +131,7 @@ class Reader {
 
  private:
   std::uint64_t next() {
-    if (at_ >= words_.size()) fail("is too short for what it announces");
+    if (at_ >= words_.size()) fail("is shorter than it announces");
     return words_[at_++];
   }
   std::span<const std::uint64_t> words_;
@@ -258,7 +258,7 @@ void Reader::contacts(ContactHistory& s) {
     std::uint32_t numbers = 0;
     pair(s.law_row[row].place, numbers);
     if (s.law_row[row].place >= law_number_counts.size() || numbers != law_number_counts[s.law_row[row].place])
-      fail("has a contact of a law that is not there");
+      fail("has a contact of a law that does not exist");
     s.law_row[row].first = static_cast<std::uint32_t>(s.law_memory.size());
     s.law_memory.resize(s.law_memory.size() + numbers);
     for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);

@@ -158,9 +158,9 @@ RigidShape rigid_shape(const SpaceMesh& mesh) {
 std::string curved_note(const RigidShape& shape, const std::string& owner) {
   if (shape.curved == 0) return {};
   return fmt::format(
-      "{}: {} of its elements have curved edges; mass, centroid and inertia are those of the curved elements, and "
-      "contact is between flat faces through their nodes, which lie up to {:.2g} m off and enclose {:.4g} m3 of "
-      "{:.4g} m3; a finer mesh brings the two together",
+      "{}: {} of its elements have curved edges. Mass, centroid and inertia follow the curved elements; contact uses "
+      "flat faces through their nodes, which lie up to {:.2g} m off and enclose {:.4g} m3 of {:.4g} m3. A finer mesh "
+      "reduces the difference",
       owner, shape.curved, shape.deviation, shape.pieces_volume, shape.moments->volume);
 }
 

@@ -26,11 +26,11 @@ void check_hinge(const SpaceMember& member, int end, double young, double length
   check_parameters(law), law.check();
   if (!(law.across > 0))
     throw InputError(
-        "end_hinge: in space it bends about both axes, and across is 0; give it the yield moment of bending to the "
-        "sides, such as across = " +
+        "end_hinge: in space it bends about both axes, and across is 0; give it the yield moment of lateral bending, "
+        "such as across = " +
         fmt::format("{:g}", law.sagging));
   if (law.removes && consistent)
-    throw InputError("end_hinge: what is removed keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
+    throw InputError("end_hinge: a removed member keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
   if (member.pinned[static_cast<std::size_t>(end)])
     throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
   // About y the hinge has across/sagging times the strength and softening.
@@ -70,7 +70,7 @@ void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) c
                                    name.empty() ? "it" : "'" + name + "'"));
     if (!material->solid->is_elastic())
       throw InputError(
-          fmt::format("{}: the material of members is elastic, and '{}' is not ({}); let members "
+          fmt::format("{}: members need an elastic material, and '{}' is not elastic ({}); let members "
                       "yield by a fibre_section or an end_hinge",
                       owner, name, describe(*material->solid)));
     const double young = std::visit([](const auto& l) { return l.young; }, material->solid->law);

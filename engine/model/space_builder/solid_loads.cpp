@@ -44,8 +44,8 @@ void check_pressure(const SolidPressureSpec& spec, const std::string& owner) {
   require_finite(spec.value, owner + ": value");
   check_load_curve(spec.curve, owner);
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
-    throw InputError(
-        fmt::format("{}: a direction is a vector other than 0, for pressure that does not follow the face", owner));
+    throw InputError(fmt::format(
+        "{}: a direction must be a nonzero vector, and is only for pressure that does not follow the face", owner));
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ PointLoad<3> make_solid_load(const Model<3>& model, int body, const SolidLoadSpe
   const Body& b = model.bodies[body];
   const std::string owner = solid_load_owner(spec, b);
   if (!b.is_rigid() && !spec.at)
-    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the load acts", owner));
+    throw InputError(fmt::format("{}: the body deforms; give 'at', the point where the load acts", owner));
   check_solid_load(spec, owner);
   if (b.is_rigid() && spec.at) {
     const double size = 2 * model.body_radius[body];
@@ -100,7 +100,7 @@ std::vector<PointLoad<3>> spread_load(const Model<3>& model, int body, const Sol
   const std::string owner = solid_load_owner(spec, b);
   check_solid_load(spec, owner);
   if (!spec.moment.isZero() || spec.follows)
-    throw InputError(fmt::format("{}: the body deforms; say with 'at' where the {} acts", owner,
+    throw InputError(fmt::format("{}: the body deforms; give 'at', the point where the {} acts", owner,
                                  spec.moment.isZero() ? "force that follows" : "moment"));
   const double mass = body_mass(model, body);
   std::vector<PointLoad<3>> loads;

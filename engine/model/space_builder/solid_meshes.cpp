@@ -17,10 +17,10 @@ void require_space_form(const Solid& solid, const std::string& owner) {
   SolidLaws::for_each([&]<class L>() {
     if constexpr (acts_in_space<L>) others += fmt::format("{}{}", others.empty() ? "" : ", ", L::name);
   });
-  throw InputError(fmt::format(
-      "{} is {}, which has equations of plane stress and plane strain alone, none of elements in space; use one of {}, "
-      "or give it respond(strain, memory) of space (law/material/tensor_form.hpp)",
-      owner, std::visit([](const auto& l) { return l.name; }, solid.law), others));
+  throw InputError(
+      fmt::format("{} is {}, which has only equations of plane stress and plane strain, none for elements in space. "
+                  "Use one of {}, or give it respond(strain, memory) for space (law/material/tensor_form.hpp)",
+                  owner, std::visit([](const auto& l) { return l.name; }, solid.law), others));
 }
 
 const Solid& solid_of(const std::vector<Material>& materials, const SolidSpec& spec, const std::string& owner) {

@@ -51,15 +51,15 @@ namespace {
 /// Physically possible moments of inertia: above 0, and none above the sum of the other two.
 void check_inertia(const SolidSpec& spec, const std::string& owner) {
   if (spec.frame || spec.deforms())
-    throw InputError(owner + ": inertia is of rigid bodies; that of a body that deforms follows from its nodes");
+    throw InputError(owner + ": inertia is for rigid bodies; the inertia of a deformable body follows from its nodes");
   const Vec3& i = *spec.inertia;
   for (const double v : i) require_positive(v, owner + ": inertia", "kg m2");
   const double most = i.maxCoeff(), others = i.sum() - most;
   if (most > others * (1 + 1e-9))
-    throw InputError(fmt::format(
-        "{}: inertia is {{{:g}, {:g}, {:g}}} kg m2, and no body has one above the sum of the other two; give "
-        "moments about x, y and z through its centroid",
-        owner, i.x(), i.y(), i.z()));
+    throw InputError(
+        fmt::format("{}: inertia is {{{:g}, {:g}, {:g}}} kg m2, but no moment may exceed the sum of the other two; "
+                    "give moments about x, y and z through its centroid",
+                    owner, i.x(), i.y(), i.z()));
 }
 
 /// Smallest side of the axis-aligned box around all pieces [m].
@@ -74,15 +74,16 @@ double least_side(const std::vector<Polyhedron>& pieces) {
 void note_held_solid(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
   constexpr std::array names{"a velocity along x", "a velocity along y", "a velocity along z",
                              "a spin about x",     "a spin about y",     "a spin about z"};
-  const auto known = [](const std::string& note) { return note.find("and is held there") != std::string::npos; };
+  const auto known = [](const std::string& note) {
+    return note.find("but is held in that direction") != std::string::npos;
+  };
   if (std::any_of(notes.begin(), notes.end(), known)) return;
   for (int k = 0; k < 6; ++k)
     if ((k < 3 ? spec.velocity[k] : spec.spin[k - 3]) != 0 &&
         spec.support[static_cast<std::size_t>(k)] != Support::free)
-      notes.push_back(
-          fmt::format("{}: it is given {}, and is held there, so that it does not move; free that direction "
-                      "or leave it out",
-                      owner, names[static_cast<std::size_t>(k)]));
+      notes.push_back(fmt::format(
+          "{}: it is given {}, but is held in that direction and does not move; free that direction or leave it out",
+          owner, names[static_cast<std::size_t>(k)]));
 }
 
 struct PieceBox {
@@ -111,8 +112,8 @@ void note_lone_piece(const SolidSpec& spec, const std::string& owner, std::vecto
     const double size = (boxes[i].high - boxes[i].low).norm();
     if (!(nearest > size)) continue;
     notes.push_back(
-        fmt::format("{}: its piece {} of {:.3g} m stands {:.3g} m away from all others, and moves with them "
-                    "as if it were fast to them; move it, or make it a body of its own",
+        fmt::format("{}: its piece {} of {:.3g} m is {:.3g} m away from all others, but moves rigidly with them; move "
+                    "it, or make it a separate body",
                     owner, i + 1, size, nearest));
     return;
   }
@@ -125,10 +126,9 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   body_names_known_.require_new(bodies_, spec.name, "body");
   const std::string owner = fmt::format("body '{}'", spec.name);
   if (spec.frame) check_frame(spec, owner);
-  if (spec.frame && spec.deforms())
-    throw InputError(owner + ": the members of a frame deform by themselves; leave out body");
+  if (spec.frame && spec.deforms()) throw InputError(owner + ": members of a frame always deform; leave out body");
   if (!spec.supports.empty() && !spec.deforms() && !spec.frame)
-    throw InputError(owner + ": hold is of nodes of bodies that deform; say support, or body = \"brick\"");
+    throw InputError(owner + ": hold is for nodes of deformable bodies; give support, or body = \"brick\"");
   if (spec.deforms()) check_mesh_body(spec, owner);
   if (spec.pieces.empty() && spec.spheres.empty()) throw InputError(owner + " has no piece; it needs at least one");
   for (std::size_t s = 0; s < spec.spheres.size(); ++s)
@@ -173,7 +173,7 @@ void set_up(const SolidSpec& spec, Model<3>& model, const Body& body) {
 Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   SpaceBuilder space;
   space.gravity(gravity);
-  if (bodies_.empty()) faults.emplace_back("model: there is no body; add one at least");
+  if (bodies_.empty()) faults.emplace_back("model: there is no body; add at least one");
   for (const SolidSpec& spec : bodies_)
     attempt(faults, [&] {
       if (spec.frame)
@@ -244,7 +244,8 @@ Model<3> SolidModelBuilder::build() {
     const auto is_idle = [&](const SolidSpec& b) { return b.material == m.name && !b.frame; };
     if (m.band && std::any_of(bodies_.begin(), bodies_.end(), is_idle))
       notes_.push_back(fmt::format(
-          "material '{}': its band_damping acts in members of frames alone; its other bodies have none of it", m.name));
+          "material '{}': its band_damping acts only in members of frames; its other bodies have no band damping",
+          m.name));
   }
   return model;
 }

@@ -21,10 +21,10 @@ void check_block(const SpaceJoint& joint, const std::string& what) {
   check_convex(joint.block, what + ": its block");
   const Vec3 centroid = solid_moments(joint.block).centroid;
   if ((centroid - joint.place).norm() > 1e-9 * solid_size(joint.block.corners))
-    throw InputError(fmt::format(
-        "{}: 'at' is not the centroid of its block, ({:g}, {:g}, {:g}); leave it out, and say by from_at and to_at "
-        "where members begin",
-        what, centroid.x(), centroid.y(), centroid.z()));
+    throw InputError(
+        fmt::format("{}: 'at' is not the centroid of its block, ({:g}, {:g}, {:g}); leave it out, and give the ends of "
+                    "members by from_at and to_at",
+                    what, centroid.x(), centroid.y(), centroid.z()));
   if (joint.density) require_positive(*joint.density, what + ": density", "kg/m3");
 }
 
@@ -60,7 +60,8 @@ void check_section(const Section3& s, const std::string& what) {
                      " has a section without area or inertia; give section = trilith.rectangle_section{width =, depth "
                      "=} or another one");
   if (!(s.torsion > 0))
-    throw InputError(what + " has a section without a torsion constant, which space asks for; give it torsion = [m4]");
+    throw InputError(what +
+                     " has a section without a torsion constant, which is needed in space; give it torsion = [m4]");
   if (!(s.second_moment[0] > 0))
     throw InputError(what + " has a section without a second moment across; give it inertia_across = [m4]");
   if (s.profile.empty()) throw InputError(what + " has a section without a profile; give it width = [m]");
@@ -69,7 +70,7 @@ void check_section(const Section3& s, const std::string& what) {
 void check_member(const SpaceFrameSpec& spec, const SpaceMember& m, double size, const std::string& owner) {
   const auto joints = static_cast<int>(spec.joints.size());
   if (m.from < 0 || m.from >= joints || m.to < 0 || m.to >= joints)
-    throw InputError(fmt::format("{}: a member ends at a joint that is not there", owner));
+    throw InputError(fmt::format("{}: a member ends at a joint that does not exist", owner));
   const std::string what = fmt::format("{}: member '{}'", owner, name_of(spec, m));
   if (m.from == m.to) throw InputError(what + " begins and ends at the same joint; name two");
   for (const std::size_t side : {0, 1})
@@ -81,14 +82,15 @@ void check_member(const SpaceFrameSpec& spec, const SpaceMember& m, double size,
   if (m.divisions < 1 || m.divisions > 1000)
     throw InputError(fmt::format("{}: {} divisions, must be 1 to 1000", what, m.divisions));
   if (m.pinned[0] && m.pinned[1] && m.divisions < 2)
-    throw InputError(what +
-                     " is pinned at both ends; give it two divisions or more, whose middle its sections turn with");
+    throw InputError(
+        what + " is pinned at both ends; give it at least two divisions, so that a middle node carries its rotation");
   if (!m.orientation) return;
   const Vec3 along = along_of(spec, m), &top = *m.orientation;
   if (!top.allFinite() || !(top.norm() > 0) || cross(top, along).norm() <= 1e-6 * top.norm() * along.norm())
-    throw InputError(fmt::format(
-        "{}: its orientation ({:g}, {:g}, {:g}) runs along it or is nothing; give the way to the top of its section",
-        what, top.x(), top.y(), top.z()));
+    throw InputError(
+        fmt::format("{}: its orientation ({:g}, {:g}, {:g}) is parallel to it or zero; give the direction of the top "
+                    "of its section",
+                    what, top.x(), top.y(), top.z()));
 }
 
 /// Every joint must be connected to the first one by members.
@@ -157,7 +159,7 @@ void check_space_frame(const SpaceFrameSpec& spec, const std::string& owner) {
     check_member(spec, spec.members[m], size, owner);
     for (std::size_t other = 0; other < m; ++other)
       if (name_of(spec, spec.members[other]) == name_of(spec, spec.members[m]))
-        throw InputError(fmt::format("{}: there are two members '{}'; give each a name of its own", owner,
+        throw InputError(fmt::format("{}: there are two members '{}'; give each its own name", owner,
                                      name_of(spec, spec.members[m])));
   }
   check_connected(spec, owner);

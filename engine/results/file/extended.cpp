@@ -162,7 +162,7 @@ ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions
     std::filesystem::remove(kept, error);
     return to;
   } catch (const std::runtime_error& failure) {
-    throw ResultsError(fmt::format("{}; what was written before lies in '{}'", failure.what(), kept.string()));
+    throw ResultsError(fmt::format("{}; earlier results are in '{}'", failure.what(), kept.string()));
   }
 }
 

@@ -49,7 +49,7 @@ void write_rows(hid_t file, const SetText& text, const std::vector<Row>& rows, i
 }
 
 void write_provenance(hid_t file, const Provenance& from) {
-  make_group(file, "/provenance", "how this file came about");
+  make_group(file, "/provenance", "origin of this file");
   const h5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose, "cannot open /provenance");
   for (const ProvenanceText& entry : provenance_texts) h5::write_attribute(group.get(), entry.name, from.*entry.member);
   write_text(file, {"/provenance/script", "", "full text of the script"}, from.script);
@@ -79,7 +79,7 @@ void write_model(hid_t file, const Header& header) {
   const auto shape = [](hsize_t rows, hsize_t width) {
     return width == 1 ? std::vector<hsize_t>{rows} : std::vector<hsize_t>{rows, width};
   };
-  make_group(file, "/model", "what does not change during a run");
+  make_group(file, "/model", "data that does not change during a run");
   write_rows(file, {"/model/bodies", "", "bodies"}, header.bodies, header.dim);
   write_rows(file, {"/model/laws", "", "materials and contact laws"}, header.laws, header.dim);
   write_rows(file, {"/model/bearings", "", "bearings"}, header.bearings, header.dim);
@@ -133,7 +133,7 @@ TableType plain_type(int dim) {
 hid_t with_groups(hid_t file) {
   make_group(file, "/frames", "motion, contact forces and bearings at an interval");
   make_group(file, "/histories", "named quantities over time, all sampled at /histories/time");
-  make_group(file, "/energy", "energy ledger");
+  make_group(file, "/energy", "terms of the energy balance");
   make_group(file, "/motions", "ground motions that bodies followed");
   make_group(file, "/modes", "natural modes, as they were found");
   return file;
@@ -275,16 +275,16 @@ Layout::Layout(hid_t file, const Header& h)
       histories(columns(file, "/histories/", "histories", h.histories)),
       energy_time(file, {"/energy/time", "s", "time of each row"}, "energy", Kind::real, {}),
       energy_terms(columns(file, "/energy/", "energy", h.energy_terms)),
-      energy_residual(file, {"/energy/residual", "J", "what the terms leave unexplained"}, "energy", Kind::real, {}),
+      energy_residual(file, {"/energy/residual", "J", "error of the energy balance"}, "energy", Kind::real, {}),
       events(file, {"/events", "", "events in the order they happened"}, "events", event_type(h)),
       stages(file, {"/stages", "", "stages of the run"}, "stages", plain_type<StageRow>(h.dim)),
       notes(file, {"/provenance/notes", "", "notes and warnings"}, "notes", plain_type<NoteRow>(h.dim)),
       modes(file, {"/modes/list", "", "modes in the order they were found"}, "modes", plain_type<ModeRow>(h.dim)),
-      mode_position(file, {"/modes/position", "m", "where the nodes stood as it was found"}, "modes", Kind::real,
+      mode_position(file, {"/modes/position", "m", "position of each node when it was found"}, "modes", Kind::real,
                     per_node(h, h.dim)),
       mode_rotation(file,
                     {h.dim == 2 ? "/modes/angle" : "/modes/quaternion", h.dim == 2 ? "rad" : "1",
-                     "how the nodes were turned as it was found"},
+                     "rotation of each node when it was found"},
                     "modes", Kind::real, per_node(h, rotation_width(h.dim))),
       mode_displacement(file, {"/modes/displacement", "1/sqrt(kg)", "of each node; phi' M phi = 1"}, "modes",
                         Kind::real, per_node(h, h.dim)),

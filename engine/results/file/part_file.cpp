@@ -93,7 +93,7 @@ std::string rows_in(const std::filesystem::path& part) {
       return fmt::format("{} frame{}, up to {:g} s", times.size(), times.size() == 1 ? "" : "s", times.back());
     return reader.events().empty() && reader.history_times().empty() ? "" : "no frame";
   } catch (const ResultsError&) {
-    return "not readable as they are";
+    return "not readable without repair";
   }
 }
 
@@ -236,7 +236,7 @@ void PartFile::require_written() const {
 
 void PartFile::sync() {
   if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
-    throw h5::Failure(fmt::format("cannot bring the rows to the disk: {}", std::strerror(errno)));
+    throw h5::Failure(fmt::format("cannot write the rows to the disk: {}", std::strerror(errno)));
 }
 
 void PartFile::close() {

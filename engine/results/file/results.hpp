@@ -47,7 +47,7 @@ struct ParameterRow {
 struct Provenance {
   std::string script;           ///< full text
   std::string script_path;      ///< as given on the command line
-  std::string program_version;  ///< e.g. "0.1.0"
+  std::string program_version;  ///< e.g. "1.0.0"
   std::string git_commit;       ///< empty if unknown
   std::string compiler;
   std::string platform;

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
+#include "base/quantity_text.hpp"
 #include "results/reading/largest_value.hpp"
 #include "results/reading/verdict.hpp"
 
@@ -30,9 +32,9 @@ std::string line(const char* label, const std::string& text) {
 
 std::string state(const ResultsReader& reader) {
   const std::string path = reader.path().string();
-  if (reader.running()) return fmt::format("{}: a run is writing it; what follows is up to its last flush\n", path);
+  if (reader.running()) return fmt::format("{}: a run is writing it; this is its content up to its last flush\n", path);
   if (!reader.finished())
-    return fmt::format("{}: NOT finished, the run ended before its end; what follows is up to its last flush\n", path);
+    return fmt::format("{}: NOT finished, the run stopped early; this is its content up to its last flush\n", path);
   std::string text = fmt::format("{}: finished\n", path);
   const std::string newer = newer_run_text(reader);
   return newer.empty() ? text : fmt::format("{}  {}\n", text, newer);
@@ -132,14 +134,15 @@ std::string energy(const EnergyTable& table, const std::vector<Quantity>& terms)
   if (table.time.empty()) return "";
   std::string text = fmt::format("energy at {:g} s\n", table.time.back());
   double most = 0;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    most = std::max(most, largest_value(table.terms[i]));
-    text += fmt::format("  {:<18}{:>14.6g} J\n", terms[i].name, table.terms[i].back());
-  }
+  for (const std::vector<double>& term : table.terms) most = std::max(most, largest_value(term));
+  const auto row = [most](std::string_view name, double value) {
+    return fmt::format("  {:<18}{:>14.6g} J\n", name, std::abs(value) < 1e-12 * most ? 0 : value);  // rounding noise
+  };
+  for (std::size_t i = 0; i < terms.size(); ++i) text += row(terms[i].name, table.terms[i].back());
   const double residual = largest_value(table.residual);
-  text += fmt::format("  {:<18}{:>14.6g} J\n", "residual", table.residual.back());
+  text += row("residual", table.residual.back());
   text += fmt::format("  largest residual {:.3g} J", residual);
-  if (most > 0) text += fmt::format(", {:.2g} % of the largest term", 100 * residual / most);
+  if (most > 0) text += fmt::format(", {} of the largest term", percent_text(residual / most));
   return text + "\n";
 }
 
@@ -154,8 +157,8 @@ std::string notes(const std::vector<Note>& rows) {
 std::string newer_run_text(const ResultsReader& reader) {
   if (!reader.finished() || !reader.newer_part()) return "";
   const std::string path = reader.path().string();
-  return fmt::format("these are the results of an earlier run; a later one {} {}.part",
-                     reader.newer_part_running() ? "is writing" : "ended before its end and left", path);
+  return fmt::format("these are the results of an earlier run; a later run {} {}.part",
+                     reader.newer_part_running() ? "is writing" : "stopped early and left", path);
 }
 
 std::string info_text(const ResultsReader& reader) {

@@ -26,7 +26,7 @@ void require_hdf5(const std::filesystem::path& path) {
   if (!stream && !stream.eof()) throw h5::Failure(fmt::format("cannot be read: {}", std::strerror(errno)));
   if (stream.gcount() == 0) throw h5::Failure("is empty");
   if (stream.gcount() < 8 || std::memcmp(head, "\x89HDF\r\n\x1a\n", 8) != 0)
-    throw h5::Failure("is not an HDF5 file, so it is no results file");
+    throw h5::Failure("is not an HDF5 file, so it is not a results file");
 }
 
 void require_ours(hid_t file) {

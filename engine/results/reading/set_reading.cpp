@@ -32,7 +32,7 @@ void read_into(hid_t file, const std::string& path, std::int64_t first, std::int
   const h5::Handle dataset = open_set(file, path);
   std::vector<hsize_t> extent = h5::extents(dataset.get());
   if (extent.size() != row_shape.size() + 1 || !std::equal(row_shape.begin(), row_shape.end(), extent.begin() + 1))
-    throw h5::Failure(path + " has another shape than the model asks for");
+    throw h5::Failure(path + " has another shape than the model requires");
   if (static_cast<hsize_t>(first + count) > extent[0]) throw h5::Failure(path + " has fewer rows than were flushed");
   if (count == 0) return;
   h5::require_plain(stored(dataset, path).get(), path);

@@ -44,7 +44,7 @@ void describe(A& a, typename A::template Of<ParameterRow>& row) {
   a.text("value", row.value, 1, "value in this run");
   a.text("unit", row.unit, 1, "unit");
   a.text("default", row.fallback, 1, "declared default");
-  a.text("text", row.text, 1, "what it is");
+  a.text("text", row.text, 1, "description");
 }
 
 template <class A>
@@ -96,9 +96,9 @@ void describe(A& a, typename A::template Of<JointRow>& row) {
 
 template <class A>
 void describe(A& a, typename A::template Of<Figure>& row, const char* name, const char* unit, const char* value) {
-  a.text(name, row.name, 24, "what the figure is; empty where unused");
+  a.text(name, row.name, 24, "meaning of the figure; empty if unused");
   a.text(unit, row.unit, 8, "its unit");
-  a.number(value, row.value, "", "the figure, in the unit beside it");
+  a.number(value, row.value, "", "the figure, in the unit next to it");
 }
 
 template <class A>
@@ -126,9 +126,9 @@ template <class A>
 void describe(A& a, typename A::template Of<StageRow>& row) {
   a.text("name", row.name, 64, "name");
   a.text("kind", row.kind, 32, "kind");
-  a.number("begin", row.begin, "s", "time of its begin");
+  a.number("begin", row.begin, "s", "time of its beginning");
   a.number("end", row.end, "s", "time of its end; its begin while it runs");
-  a.code("ended", row.ended, "1 once it has ended");
+  a.code("ended", row.ended, "1 if it has ended");
   a.text("why", row.why, 160, "why it ended");
 }
 
@@ -137,7 +137,7 @@ void describe(A& a, typename A::template Of<ModeRow>& row) {
   a.number("analysis", row.analysis, "1", "modes found at once have the same");
   a.number("number", row.number, "1", "by rising frequency, from 1");
   a.number("time", row.time, "s", "time at which it was found");
-  a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not swing");
+  a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not oscillate");
   a.number("damping", row.damping, "1", "ratio to critical damping");
   a.vector("mass_", row.mass, "kg", "effective mass along each axis");
 }
@@ -148,7 +148,7 @@ void describe(A& a, typename A::template Of<MotionRow>& row) {
   a.number("node", row.node, "1", "node of the body that follows it; the others keep their distance");
   a.text("direction", row.direction, 8, "along which it moves the body: x, y, z or rotation");
   a.number("begin", row.begin, "s", "time of the run at which its clock is 0");
-  a.number("origin", row.origin, "m", "where the node is along that direction when the displacement is 0");
+  a.number("origin", row.origin, "m", "coordinate of the node along that direction when the displacement is 0");
   a.number("step", row.step, "s", "between samples");
   a.number("start_time", row.start_time, "s", "of the first sample, on its clock");
   a.number("start_velocity", row.start_velocity, "m/s", "at the first sample");
@@ -157,7 +157,7 @@ void describe(A& a, typename A::template Of<MotionRow>& row) {
   a.number("sample_count", row.sample_count, "1", "how many");
   a.text("record", row.record, 120, "file it was read from");
   a.text("title", row.title, 120, "event and station");
-  a.text("text", row.text, 240, "record and what was done to it");
+  a.text("text", row.text, 240, "record and the operations on it");
 }
 
 template <class A>

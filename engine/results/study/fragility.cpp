@@ -74,15 +74,17 @@ std::vector<LogBounds> logs_of(const std::vector<CapacityBounds>& bounds) {
 void require_maximum(const std::vector<LogBounds>& logs) {
   double most_low = -forever, least_high = forever;
   for (const LogBounds& l : logs) most_low = std::max(most_low, l.low), least_high = std::min(least_high, l.high);
-  if (logs.empty()) throw InputError("fragility: no case says anything; give cases that ran to their end");
+  if (logs.empty()) throw InputError("fragility: no case has a result; give cases that ran to their end");
   if (!std::isfinite(least_high))
-    throw InputError(fmt::format("fragility: it happened in none of {} cases; go to higher intensities", logs.size()));
+    throw InputError(
+        fmt::format("fragility: the condition is met in none of {} cases; use higher intensities", logs.size()));
   if (!std::isfinite(most_low))
-    throw InputError(fmt::format("fragility: it happened in all {} cases; go to lower intensities", logs.size()));
+    throw InputError(
+        fmt::format("fragility: the condition is met in all {} cases; use lower intensities", logs.size()));
   if (most_low <= least_high)
     throw InputError(
-        fmt::format("fragility: a curve that jumps between {:g} and {:g} agrees with every case, so that no dispersion "
-                    "can be found; give intensities between, or more cases",
+        fmt::format("fragility: a curve that jumps between {:g} and {:g} agrees with every case, so the dispersion "
+                    "cannot be found; give intensities in between, or more cases",
                     portable::exp(most_low), portable::exp(least_high)));
 }
 
@@ -139,7 +141,7 @@ Fragility fit_fragility(const std::vector<CapacityBounds>& bounds) {
     if (std::abs(step_a) < 1e-12 * (1 + std::abs(f.a)) && std::abs(step_b) < 1e-12 * (1 + std::abs(f.b))) break;
   }
   if (!(f.b > 1e-6))
-    throw InputError("fragility: it does not happen more often at higher intensities; look at the table");
+    throw InputError("fragility: the condition is not met more often at higher intensities; check the table");
   const double det = now.aa * now.bb - now.ab * now.ab;
   f.var_a = -now.bb / det, f.var_b = -now.aa / det, f.cov_ab = now.ab / det;
   f.log_likelihood = now.value;

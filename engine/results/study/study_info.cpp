@@ -45,7 +45,7 @@ std::string values_text(const StudyColumn& column, std::size_t rows) {
 
 std::string probability_words(const Tally& tally) {
   const Confidence c = wilson_interval(tally.hits, tally.count);
-  if (tally.count == 0) return "no case says";
+  if (tally.count == 0) return "no case has a result";
   return fmt::format("{} of {}, probability {:.3g}, 95 % between {:.3g} and {:.3g} (Wilson)", tally.hits, tally.count,
                      static_cast<double>(tally.hits) / tally.count, c.low, c.high);
 }

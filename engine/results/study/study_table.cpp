@@ -54,10 +54,10 @@ std::vector<std::byte> records_of(const std::vector<StudyColumn>& columns, const
 }
 
 void write_study_provenance(hid_t file, const Provenance& provenance) {
-  make_group(file, "/provenance", "where the study came from");
+  make_group(file, "/provenance", "origin of the study");
   const h5::Handle group(H5Oopen(file, "/provenance", H5P_DEFAULT), H5Oclose, "cannot open /provenance");
   for (const ProvenanceText& t : provenance_texts) h5::write_attribute(group.get(), t.name, provenance.*(t.member));
-  write_text(file, {"/provenance/script", "", "the whole script of the cases"}, provenance.script);
+  write_text(file, {"/provenance/script", "", "full text of the script of the cases"}, provenance.script);
 }
 
 /// Number of rows of the table `dataset`. A damaged size must not allocate excessive memory: the limit is the largest
@@ -152,7 +152,8 @@ void require_study_path(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(folder, ignored))
     throw ResultsError(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
   if (std::filesystem::exists(path, ignored) && !is_study_table(path))
-    throw ResultsError(fmt::format("{} is there already and is no table of a study; give another name", path.string()));
+    throw ResultsError(
+        fmt::format("{} exists already and is not the table of a study; give another name", path.string()));
 }
 
 void write_study_table(const std::filesystem::path& path, const std::vector<StudyColumn>& columns,

@@ -12,7 +12,7 @@
 namespace trilith::results {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "numbers are written in the byte order of the memory");
 
 constexpr int zlib_level = 3;
 

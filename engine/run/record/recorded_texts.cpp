@@ -141,8 +141,8 @@ std::string from_here_text(const Bearing<D>& b) {
 template <int D>
 std::string bearing_text(const Model<D>& model, const Bearing<D>& bearing) {
   std::string out = directions_text(bearing);
-  if (bearing.starts_waiting) out += "; waits for another's failure";
-  if (bearing.replaces_contact) out += "; its bodies do not touch while it holds";
+  if (bearing.starts_waiting) out += "; waits for the failure of another bearing";
+  if (bearing.replaces_contact) out += "; no contact of its bodies while it acts";
   if (bearing.contact_after >= 0) out += fmt::format("; becomes contact {}", model.law_names[bearing.contact_after]);
   if (bearing.becomes_bearing >= 0)
     out += fmt::format("; becomes bearing {}{}", model.bearings[bearing.becomes_bearing].name, from_here_text(bearing));

@@ -124,7 +124,7 @@ struct Crew {
 
 std::string ProcessEnd::trouble() const {
   if (signal != 0) return fmt::format("ended by signal {} ({})", signal, ::strsignal(signal));
-  if (exit == cannot_begin) return "the program could not begin";
+  if (exit == cannot_begin) return "the program could not be started";
   return exit == 0 ? "" : fmt::format("ended with code {}", exit);
 }
 

@@ -35,7 +35,7 @@ struct Answer {
 Answer ask_shell(const std::string& command) {
   Answer answer;
   std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "re");
-  if (pipe == nullptr) throw InputError("study: the shell could not be begun");
+  if (pipe == nullptr) throw InputError("study: the shell could not be started");
   std::array<char, 4096> block{};
   for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;) answer.text.append(block.data(), n);
   const int status = ::pclose(pipe);
@@ -46,7 +46,8 @@ Answer ask_shell(const std::string& command) {
 
 void require_slurm(const Answer& answer, const char* program) {
   if (answer.exit == 127)
-    throw InputError(fmt::format("study: --on slurm needs Slurm's {}, which is not on this machine", program));
+    throw InputError(
+        fmt::format("study: --on slurm needs Slurm's {}, which is not installed on this machine", program));
 }
 
 /// Advice if Slurm rejects a job, by the words of its message. A job is submitted without partition, account and time
@@ -57,12 +58,13 @@ std::string remedy_of(const std::string& refusal) {
   if (says("artition")) return "set SBATCH_PARTITION to a partition of this machine (sinfo)";
   if (says("ime limit")) return "set SBATCH_TIMELIMIT, as in 2:00:00";
   if (says("array"))
-    return "the array has more tasks than this machine takes (scontrol show config, MaxArraySize); set cases of a task "
+    return "the array has more tasks than this machine allows (scontrol show config, MaxArraySize); set cases of a "
+           "task "
            "higher";
   if (says("emory")) return "set SBATCH_MEM_PER_CPU, as in 2G";
   if (says("node configuration") || says("CPU"))
     return "no node has as many processors as a case takes threads; lower threads";
-  if (says("QOS") || says("qos")) return "set SBATCH_QOS, or hand in fewer cases";
+  if (says("QOS") || says("qos")) return "set SBATCH_QOS, or submit fewer cases";
   if (says("ontact") || says("connect")) return "its controller does not answer; is this a node of the cluster?";
   return "SBATCH_ variables (SBATCH_PARTITION, SBATCH_ACCOUNT, SBATCH_TIMELIMIT) set options of the job";
 }
@@ -123,7 +125,7 @@ std::string SlurmJob::submit(const std::vector<std::vector<std::size_t>>& tasks)
   const std::string script = fmt::format(
       "#!/bin/sh\n#SBATCH --job-name={}\n#SBATCH --array=1-{}\n#SBATCH --cpus-per-task={}\n#SBATCH --requeue\n"
       "#SBATCH --open-mode=append\n#SBATCH --output={}\n"
-      "# Each task runs the cases of its line of tasks.txt; those that are finished already are left alone.\n"
+      "# Each task runs the cases of its line of tasks.txt; finished cases are skipped.\n"
       "cd {} || exit 1\nexec {}--jobs {} --quiet --cases \"$(sed -n \"${{SLURM_ARRAY_TASK_ID}}p\" {})\"\n",
       shell_word(folder_.parent_path().stem().string()), tasks.size(), processors_,
       shell_word((folder_ / "task_%a.txt").string()), shell_word(std::filesystem::current_path().string()), words,
@@ -133,7 +135,7 @@ std::string SlurmJob::submit(const std::vector<std::vector<std::size_t>>& tasks)
   const Answer answer = ask_shell("sbatch --parsable " + shell_word((folder_ / "job.sh").string()));
   require_slurm(answer, "sbatch");
   if (answer.exit != 0)
-    throw InputError(fmt::format("study: Slurm does not take the job: {}; {}. Its script is {}", answer.text,
+    throw InputError(fmt::format("study: Slurm rejects the job: {}; {}. Its script is {}", answer.text,
                                  remedy_of(answer.text), (folder_ / "job.sh").string()));
   // "17", or "17;cluster", after any warnings.
   number_ = answer.text.substr(answer.text.rfind('\n') + 1);

@@ -38,7 +38,7 @@ class Lock {
       : file_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
     if (file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
     if (file_ >= 0) ::close(file_);
-    throw InputError(fmt::format("study: {} cannot be locked; another study is at work there", folder.string()));
+    throw InputError(fmt::format("study: {} cannot be locked; another study is running there", folder.string()));
   }
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
@@ -139,7 +139,7 @@ class StudyRun {
       for (const std::size_t i : due_) std::filesystem::remove_all(outcomes_[i].folder);
       watch_.line(job.submit(slurm_tasks(chains_of_due(), mean_seconds(), order_.per_task)), false);
     } else {
-      watch_.line(fmt::format("job {} of an earlier call goes on", job.number()), false);
+      watch_.line(fmt::format("job {} of an earlier call is still running", job.number()), false);
     }
     const bool ended = job.wait([this] {
       gather();
@@ -155,11 +155,11 @@ class StudyRun {
                                 outcomes_[i].message),
                     true);
     if (!ended)
-      watch_.line(
-          fmt::format("job {} goes on; the same command follows it (scancel {} ends it)", job.number(), job.number()),
-          true);
+      watch_.line(fmt::format("job {} is still running; the same command follows it (scancel {} cancels it)",
+                              job.number(), job.number()),
+                  true);
     if (count_of(StudyStatus::not_run) > 0 && ended)
-      watch_.line("some cases were not run: the same command runs what is missing", true);
+      watch_.line("some cases were not run: the same command runs the missing ones", true);
     return count_of(StudyStatus::not_run) == 0;
   }
 

@@ -121,13 +121,13 @@ const std::vector<std::string>& study_columns() {
 void require_rising(const StudyPlan& plan, const std::string& parameter) {
   const auto found = std::find(plan.names.begin(), plan.names.end(), parameter);
   if (found == plan.names.end())
-    throw InputError(fmt::format("study: there is no parameter '{}' to rise over; there are {}", parameter,
-                                 fmt::join(plan.names, ", ")));
+    throw InputError(
+        fmt::format("study: there is no parameter '{}' for ida; there are {}", parameter, fmt::join(plan.names, ", ")));
   const std::size_t k = static_cast<std::size_t>(found - plan.names.begin());
   for (const auto& row : plan.cases)
     if (!std::holds_alternative<double>(row[k]))
-      throw InputError(
-          fmt::format("study: '{}' is to rise, but its value '{}' is no number", parameter, text_of(row[k])));
+      throw InputError(fmt::format("study: '{}' is the parameter of ida, but its value '{}' is not a number", parameter,
+                                   text_of(row[k])));
 }
 
 std::vector<std::vector<std::size_t>> rising_chains(const StudyPlan& plan, const std::string& parameter) {

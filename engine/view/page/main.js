@@ -18,7 +18,7 @@ import { byId, clock, make, seconds } from "./words.js";
 
 const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
   ["names", "names", null], ["start", "start", null]];
-const states = { finished: "", running: "still being written: this is what it held when the page was made", stopped: "stopped before its end: this is what it had written" };
+const states = { finished: "", running: "still being written: the page shows its content when the page was made", stopped: "stopped before its end: the page shows the part that was written" };
 
 class App {
   constructor(run) {

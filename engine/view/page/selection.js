@@ -23,7 +23,7 @@ export class SelectionPanel {
   }
 
   head(kind, name) {
-    const close = make("button", { class: "icon", "aria-label": "let go of the selection", title: "let go (Esc)", onclick: () => this.app.select(null) }, "✕");
+    const close = make("button", { class: "icon", "aria-label": "clear the selection", title: "clear (Esc)", onclick: () => this.app.select(null) }, "✕");
     return make("header", {}, make("div", {}, make("span", { class: "quiet" }, kind), make("h2", { id: "selection-name" }, name)), close);
   }
 

@@ -55,7 +55,7 @@ void main() {
   deep = vec2(-dot(toward, p) * scale.z, radius * scale.z);
   gl_Position = vec4(dot(right, p) * scale.x, dot(up, p) * scale.y, deep.x, 1.0);
   gl_PointSize = 2.0 * radius * pixels;
-  if (dot(cut.xyz, point) > cut.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside of what is drawn
+  if (dot(cut.xyz, point) > cut.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the picture
 }`;
 export const ballPixelCode = `#version 300 es
 precision highp float;

@@ -1,6 +1,8 @@
 // Formatting of numbers and names for display.
 
-const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
+const prefixes = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"],
+  [1e-12, "p"]];
+const leastQuantity = 1e-12;  // below it is rounding noise
 const scaled = new Set(["N", "J", "Pa", "N/m", "N m", "N·m", "W"]);
 
 /** { factor, unit } with which values up to `largest` are readable: kN, mm, ... */
@@ -14,18 +16,21 @@ export function readableUnit(largest, unit) {
   return { factor: 1 / factor, unit: prefix + unit };
 }
 
+const raised = (_, power) => `·10${[...String(Number(power))].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")}`;
+
 /** Three significant digits, without an exponent if possible, with a true minus sign. */
 export function figures(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   let text;
   if (size === 0) text = "0";
-  else if (size >= 1e5 || size < 1e-3) text = value.toExponential(digits - 1).replace("e+", "e");
+  else if (size >= 1e5 || size < 1e-3) text = value.toExponential(digits - 1).replace(/e([+-]\d+)/, raised);
   else text = value.toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
   return text.replace(/-/g, "−");
 }
 
-export function quantity(value, unit) {
+export function quantity(given, unit) {
+  const value = Math.abs(given) < leastQuantity ? 0 : given;
   const to = readableUnit(value, unit);
   return to.unit === "°" ? `${figures(value * to.factor)}°` : `${figures(value * to.factor)} ${to.unit}`.trim();
 }

@@ -38,7 +38,7 @@ int listen(lua_State* L) {
   const std::string owner = lua_type(L, 3) == LUA_TSTRING ? text_at(L, 3) : "on";
   if (lua_type(L, 2) != LUA_TSTRING)
     throw InputError(
-        fmt::format("{}: {} is no event; give a name such as \"bearing.failed\", or \"*\"", owner, what_is(L, 2)));
+        fmt::format("{}: {} is not an event; give a name such as \"bearing.failed\", or \"*\"", owner, what_is(L, 2)));
   const std::string name = text_at(L, 2);
   const std::vector<std::string> names = event_names();
   const auto it = std::find(names.begin(), names.end(), name);
@@ -120,7 +120,8 @@ int seat(lua_State* L) {
 }
 /// core.storey(model, number): nil if there is no such storey.
 int storey(lua_State* L) {
-  if (lua_isinteger(L, 2) == 0) throw InputError(fmt::format("storeys go by number; this is {}", what_is(L, 2)));
+  if (lua_isinteger(L, 2) == 0)
+    throw InputError(fmt::format("storeys are indexed by number; this is {}", what_is(L, 2)));
   const lua_Integer number = lua_tointeger(L, 2);
   if (number < 1 || number > storey_count(model_at(L))) return 0;
   push_storey(L, 1, static_cast<int>(number) - 1);

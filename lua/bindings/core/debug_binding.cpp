@@ -17,7 +17,7 @@ int step(lua_State* L) {
   ScriptModel& m = this_model(L);
   const lua_Integer n = lua_isnoneornil(L, 2) ? 1 : lua_tointeger(L, 2);
   if (n < 1 || (!lua_isnoneornil(L, 2) && lua_isinteger(L, 2) == 0))
-    throw InputError(fmt::format("step: takes a number of steps from 1 on; this is {}", what_is(L, 2)));
+    throw InputError(fmt::format("step: takes a number of steps, at least 1; this is {}", what_is(L, 2)));
   lua_settop(L, 1);
   if (m.paused()) {
     run_on(L, m, {n, unbounded, {}});
@@ -33,8 +33,7 @@ int step(lua_State* L) {
 double time_to_go_to(lua_State* L, const ScriptModel& m) {
   if (lua_type(L, 2) == LUA_TNUMBER) {
     const double back = lua_tonumber(L, 2);
-    if (!(back >= 0))
-      throw InputError(fmt::format("rewind: {:g} s is no time to go back by; it must not be below 0", back));
+    if (!(back >= 0)) throw InputError(fmt::format("rewind: the time to go back is {:g} s, must not be below 0", back));
     return m.time() - back;
   }
   Keys keys(L, 2, "rewind");
@@ -50,14 +49,14 @@ int rewind(lua_State* L) {
   const double to = m.rewind(time_to_go_to(L, m), host(L));
   if (RunObserver* observer = host(L).observer)
     observer->note(fmt::format("back at {:.6g} s, {:.6g} s before {:.6g} s{}", to, left - to, left,
-                               m.paused() ? "" : "; m:continue() goes on with the stage"));
+                               m.paused() ? "" : "; m:continue() continues the stage"));
   lua_pushnumber(L, to);
   return 1;
 }
 
 std::string checkpoints_text(const Checkpoints& c) {
   const std::string limits =
-      fmt::format("one each {:g} s, at most {} in {:.4g} MB", c.options.every, c.options.count, c.options.bytes / 1e6);
+      fmt::format("one every {:g} s, at most {} in {:.4g} MB", c.options.every, c.options.count, c.options.bytes / 1e6);
   if (!c.on) return "no checkpoints are taken";
   if (c.list().empty()) return "no checkpoint yet; " + limits;
   return fmt::format("{} checkpoints from {:.4f} s to {:.4f} s, {:.3g} MB; {}", c.list().size(),
@@ -219,7 +218,7 @@ std::string contacts_text(const Simulation<2>& s, int body) {
     if (c.body_a == body || c.body_b == body)
       text += contact_text(s.model().bodies[c.body_a == body ? c.body_b : c.body_a].name, c.hold, c.resultant.normal,
                            c.resultant.shear);
-  return text.empty() ? "\n  it touches nothing" : text;
+  return text.empty() ? "\n  it has no contacts" : text;
 }
 std::string contacts_text(const Simulation<3>& s, int body) {
   std::string text;
@@ -230,7 +229,7 @@ std::string contacts_text(const Simulation<3>& s, int body) {
     text += contact_text(s.model().bodies[c.body_a == body ? c.body_b : c.body_a].name, c.hold, normal,
                          (c.force - normal * c.normal).norm());
   }
-  return text.empty() ? "\n  it touches nothing" : text;
+  return text.empty() ? "\n  it has no contacts" : text;
 }
 
 template <int D>
@@ -265,9 +264,9 @@ const std::array debug_property_list{
 };
 
 const std::array debug_method_list{
-    Method{"step", guarded<step>, "step(n): n steps more"},
-    Method{"rewind", guarded<rewind>, "rewind(seconds) or rewind{to=}: back to a checkpoint in memory"},
-    Method{"checkpoints", guarded<checkpoints>, "checkpoints{every=, count=, bytes=, on=}: what is kept to go back to"},
+    Method{"step", guarded<step>},
+    Method{"rewind", guarded<rewind>},
+    Method{"checkpoints", guarded<checkpoints>},
 };
 
 }  // namespace

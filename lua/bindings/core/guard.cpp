@@ -113,8 +113,8 @@ std::string name_at_work(lua_State* L) {
 
 InputError lack_of_memory(lua_State* L) {
   return InputError(name_at_work(L) +
-                    "needs more memory than this machine has; ask for fewer or larger pieces, fewer samples, or a "
-                    "longer interval, and look at the counts and lengths given for a slip of units");
+                    "needs more memory than this machine has; use fewer or larger pieces, fewer samples, or a longer "
+                    "interval, and check the units of the given counts and lengths");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ void add_bodies(std::vector<int>& list, lua_State* L, int index, const ScriptMod
     }
   } else {
     throw InputError(
-        fmt::format("{}: {} is no body; give a body, a set, a name, or a list of these", owner, what_is(L, index)));
+        fmt::format("{}: {} is not a body; give a body, a set, a name, or a list of these", owner, what_is(L, index)));
   }
 }
 
@@ -110,7 +110,7 @@ std::string called_name(lua_State* L) {
 
 PlaneModel& require_plane(ScriptModel& m, const std::string& what) {
   if (PlaneModel* plane = as_plane(m)) return *plane;
-  throw InputError(fmt::format("{}: is of models in the plane, and {} has dim = 3", what, m.title()));
+  throw InputError(fmt::format("{}: is for models in the plane, but {} has dim = 3", what, m.title()));
 }
 PlaneModel& this_plane(lua_State* L) {
   return require_plane(this_model(L), called_name(L));
@@ -119,7 +119,7 @@ SpaceModel& this_space(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (SpaceModel* space = as_space(m)) return *space;
   throw InputError(
-      fmt::format("{}: is of models in space; {} is in the plane, give it dim = 3", called_name(L), m.title()));
+      fmt::format("{}: is for models in space, but {} is in the plane; give it dim = 3", called_name(L), m.title()));
 }
 
 void ModelBox::close() {
@@ -179,7 +179,7 @@ std::vector<int> some_bodies_at(lua_State* L, int index, const ScriptModel& mode
   std::vector<int> list = bodies_at(L, index, model, owner);
   if (list.empty())
     throw InputError(fmt::format(
-        "{}: the set of bodies is empty, so nothing would be done; see what its m:bodies{{...}} asks for", owner));
+        "{}: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{{...}}", owner));
   for (const int body : list) model.require_present(body, owner);
   return list;
 }
@@ -200,7 +200,7 @@ template <class H>
 int row_at(lua_State* L, int index, const ScriptModel& model, const std::string& owner) {
   if (const auto* h = test_handle<H>(L, index)) return usable<H>(model, require_own(*h, model, owner).index, owner);
   if (lua_type(L, index) != LUA_TSTRING)
-    throw InputError(fmt::format("{}{} is no {}; give a {} or its name", names_begin(owner), what_is(L, index),
+    throw InputError(fmt::format("{}{} is not a {}; give a {} or its name", names_begin(owner), what_is(L, index),
                                  Kind<H>::name, Kind<H>::name));
   const std::string name = text_at(L, index);
   const std::vector<std::string> names = names_of<H>(model);

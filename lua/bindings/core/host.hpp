@@ -151,7 +151,7 @@ std::vector<std::filesystem::path> record_folders();
 std::filesystem::path installed_under();
 
 /// Thrown, as a script error, when the script has completed the request: a list of cases, or one of them.
-inline constexpr const char* script_is_done = "the script has done what it was asked for";
+inline constexpr const char* script_is_done = "the script has finished its task";
 /// Thrown, as a script error, when the parameters to be listed are known.
 inline constexpr const char* parameters_listed = "the parameters are listed";
 

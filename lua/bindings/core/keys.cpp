@@ -346,7 +346,7 @@ void Keys::report_unknown() const {
       if (list_allowed_ && lua_isinteger(L_, -2) != 0) continue;
       const std::string what = what_is(L_, -1);
       lua_pop(L_, 2);
-      throw InputError(fmt::format("{}: {} stands there without a key; write key = value", owner_, what));
+      throw InputError(fmt::format("{}: {} is given without a key; write key = value", owner_, what));
     }
     const std::string key = text_at(L_, -2);
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;

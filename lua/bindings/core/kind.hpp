@@ -31,9 +31,8 @@ struct Property {
 
 struct Method {
   std::string_view name;
-  lua_CFunction call;  ///< guarded<...>
-  std::string_view doc;
-  int dim = 0;  ///< for models of this dimension only; 0: all
+  lua_CFunction call;  ///< guarded<...>; its text is in lua/manual
+  int dim = 0;         ///< for models of this dimension only; 0: all
 };
 
 /// Specialised for each kind of handle: name (for messages), key (of the metatable), properties(), methods(),

@@ -33,7 +33,7 @@ int arc_of_point(lua_State* L) {
 int logarithm(lua_State* L) {
   if (!lua_isnoneornil(L, 2))
     throw InputError(
-        "trilith.math.log: gives the natural logarithm alone; for another base divide log(x) by log(base)");
+        "trilith.math.log: returns only the natural logarithm; for another base divide log(x) by log(base)");
   return of_one<portable::log>(L);
 }
 

@@ -78,7 +78,7 @@ void Room::add(const files::path& folder) {
 files::path Room::resolved(const files::path& path, const std::string& owner, const char* act) const {
   if (path.native().find('\0') != std::string::npos) refuse_path(owner, path, "its name holds a zero byte");
   const files::path real = real_path(path);
-  if (real.empty()) refuse_path(owner, path, "its folder, or the target of a symbolic link on the way, is not there");
+  if (real.empty()) refuse_path(owner, path, "its folder, or the target of a symbolic link on the way, does not exist");
   files::path rest;
   bool hidden = false;
   for (const files::path& folder : folders_) {
@@ -97,7 +97,7 @@ files::path Room::readable(const files::path& path, const std::string& owner) co
   files::path real = resolved(path, owner, "read");
   std::error_code error;
   const files::file_status status = files::status(real, error);
-  if (files::exists(status) && !files::is_regular_file(status)) refuse_path(owner, path, "it is no plain file");
+  if (files::exists(status) && !files::is_regular_file(status)) refuse_path(owner, path, "it is not a regular file");
   return real;
 }
 
@@ -108,7 +108,7 @@ files::path Room::writable(const files::path& path, const std::string& owner) co
   std::error_code error;
   const files::file_status status = files::status(real, error);
   if (!files::exists(status)) return real;
-  if (!files::is_regular_file(status)) refuse_path(owner, path, "it is no plain file");
+  if (!files::is_regular_file(status)) refuse_path(owner, path, "it is not a regular file");
   using files::perms;
   if ((status.permissions() & (perms::owner_exec | perms::group_exec | perms::others_exec)) != perms::none)
     refuse_path(owner, path, "it is a program");

@@ -79,7 +79,7 @@ Declaration read_declaration(lua_State* L, const std::string& name) {
   d.choices = keys.names("choices");
   if (d.type == LUA_TNUMBER && !std::isfinite(d.number))
     keys.problem(fmt::format("the default is {}, must be finite", d.number));
-  if (!d.unit.empty() && d.type != LUA_TNUMBER) keys.problem("has a unit, but its default is no number");
+  if (!d.unit.empty() && d.type != LUA_TNUMBER) keys.problem("has a unit, but its default is not a number");
   if (!d.choices.empty() &&
       (d.type != LUA_TSTRING || std::find(d.choices.begin(), d.choices.end(), d.text) == d.choices.end()))
     keys.problem(fmt::format("the default must be one of {}", fmt::join(d.choices, ", ")));
@@ -125,7 +125,7 @@ std::vector<std::string> sorted_keys(lua_State* L, int table) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
-      throw InputError(fmt::format("params: {} stands there without a name", what_is(L, -1)));
+      throw InputError(fmt::format("params: {} is given without a name", what_is(L, -1)));
     names.push_back(text_at(L, -2));
     require_printable(names.back(), "parameter");
   }
@@ -150,9 +150,8 @@ void print_list(const Host& h) {
   const auto& words = h.arguments;
   if (std::find(words.begin(), words.end(), "--help") != words.end())
     fmt::print(
-        "Give NAME=VALUE after the script, in the declared unit or one given, as in pga=0.6g; --params lists what "
-        "there "
-        "is.\n");
+        "Give NAME=VALUE after the script, in the declared unit or with a unit, as in pga=0.6g; --params lists the "
+        "parameters.\n");
   fmt::print("{}", parameter_lines(h, "the script"));
 }
 
@@ -161,13 +160,13 @@ void refuse_leftover(const Host& h, const std::vector<std::string>& names) {
   if (h.given.empty()) return;
   const std::string& word = h.given.front();
   if (word.starts_with("-"))
-    throw InputError(fmt::format("there is no option '{}'{}; other options are those of 'trilith run'", word,
+    throw InputError(fmt::format("there is no option '{}'{}; 'trilith run --help' lists the other options", word,
                                  name_hint(word, {"--params", "--help"})));
   const std::size_t at = word.find('=');
   if (at == std::string::npos || at == 0) throw InputError(fmt::format("'{}' is not NAME=VALUE", word));
   const std::string name = word.substr(0, at);
   if (names.empty())
-    throw InputError(fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
+    throw InputError(fmt::format("the script declares no parameters, so '{}' cannot be set; see trilith.params", word));
   throw InputError(fmt::format("there is no parameter '{}'{}", name, name_hint(name, names)));
 }
 

@@ -68,7 +68,7 @@ int add_bearing_type_to(lua_State* L, M& m) {
       keys.problem(fmt::format("'{}' is given, but no law; give along, axial or {}", key,
                                D == 2 ? "turning" : "another direction"));
   if (type.height > 0 && !keys.has("axial"))
-    keys.problem("'height' is given, but no law that would hold the deck up; give axial");
+    keys.problem("'height' is given, but no law that supports the deck; give axial");
   keys.know({"becomes", "contact"});
   recipe.bearing.contact_after = contact_law_under(keys, "becomes", m);
   recipe.contact = contact_law_under(keys, "contact", m);
@@ -80,7 +80,7 @@ int add_bearing_type_to(lua_State* L, M& m) {
   recipe.bearing.replaces_contact = keys.has("axial") && type.height == 0;
   if (slides_on_for_ever<D>(keys))
     m.add_note(fmt::format(
-        "{}: carries the deck and lets it slide along for ever, also past the edge of its seat; to end it there, give "
+        "{}: supports the deck at any displacement along, even beyond the edge of its seat; to end it there, give "
         "limit = {{ along = the length of the seat }}",
         keys.owner()));
   book_of(m).layout.add_bearing_type(type);
@@ -116,15 +116,15 @@ std::string support_under(Keys& keys, std::string_view key, PlaneModel& m) {
     if (body.name != name || layout.has_support(name)) continue;
     // Its highest face may belong to the back wall.
     if (std::find(body.groups.begin(), body.groups.end(), "abutments") != body.groups.end())
-      keys.problem(fmt::format("{} is abutment '{}', of which nothing but its outline is known; make it by m:abutment",
-                               key, name));
+      keys.problem(
+          fmt::format("{} is abutment '{}', of which only the outline is known; make it with m:abutment", key, name));
     else
       layout.add_support(top_of(name, body.outline));
   }
   return name;
 }
 
-constexpr const char* type_wanted = "the name of a bearing type, as m:bearing_type gives it";
+constexpr const char* type_wanted = "the name of a bearing type, as returned by m:bearing_type";
 
 std::string type_under(Keys& keys, std::string_view key) {
   const int type = keys.push(key);
@@ -150,7 +150,8 @@ SpanPlan read_plan(Keys& keys, PlaneModel& m) {
   plan.soffit_level = keys.maybe_number("soffit_level", "m");
   for (const char* key : {"x0", "x1", "end_gap"})
     if (keys.has(key))
-      keys.problem(fmt::format("'{}' is given besides from and to, which say where the span ends; leave it out", key));
+      keys.problem(fmt::format(
+          "'{}' is given in addition to from and to, which define the ends of the span; leave it out", key));
   return plan;
 }
 
@@ -186,7 +187,7 @@ int add_span_between(lua_State* L, PlaneModel& m, Keys& keys) {
   const auto weight = keys.maybe_number("weight_per_length", "N/m");
   if (weight && !(*weight > 0)) keys.problem(fmt::format("'weight_per_length' is {:g} N/m, must be above 0", *weight));
   if (weight && (options.spec.weight || options.spec.mass || options.spec.density))
-    keys.problem("weight_per_length is given, and another weight, mass or density besides; keep one");
+    keys.problem("both weight_per_length and another weight, mass or density are given; keep one");
   keys.finish();
   const LaidSpan span = book_of(m).layout.lay(plan);
   if (weight) options.spec.weight = *weight * span.length();
@@ -202,8 +203,7 @@ int add_span_alone(lua_State* L, PlaneModel& m, Keys& keys) {
   keys.know({"from", "to", "left", "right", "gap", "weight_per_length"});
   if (!keys.has("x0") && !keys.has("x1")) keys.missing("from", "the supports from and to, or the places x0 and x1");
   for (const char* key : {"left", "right", "gap", "weight_per_length"})
-    if (keys.has(key))
-      keys.problem(fmt::format("'{}' goes with from and to, the supports of the span; give them", key));
+    if (keys.has(key)) keys.problem(fmt::format("'{}' needs from and to, the supports of the span; give them", key));
   const auto maker = std::find_if(part_makers().begin(), part_makers().end(),
                                   [](const PartMaker& row) { return row.name == span_maker; });
   const MakeParts make = maker->read(keys);
@@ -311,9 +311,8 @@ int take_back(lua_State* L) {
 }
 
 const std::array bridge_method_list{
-    Method{"bearing_type", guarded<add_bearing_type>,
-           "bearing_type{name=, height=, along=, axial=, turning=, limit=, becomes=, contact=}: for the ends of spans"},
-    Method{"span", guarded<add_span>, "span{name=, from=, to=, left=, right=, depth=, ...}: a deck on two supports", 2},
+    Method{"bearing_type", guarded<add_bearing_type>},
+    Method{"span", guarded<add_span>, 2},
 };
 
 }  // namespace

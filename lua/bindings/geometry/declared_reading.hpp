@@ -86,12 +86,12 @@ template <class Rule>
 void check_rule(Keys& k, const Rule& rule) {
   if constexpr (std::is_same_v<Rule, Together>) {
     if (k.has(rule.one) != k.has(rule.other))
-      k.problem(fmt::format("{} and {} go together; give both or neither", rule.one, rule.other));
+      k.problem(fmt::format("{} and {} are given together; give both or neither", rule.one, rule.other));
   } else if constexpr (std::is_same_v<Rule, Instead>) {
     bool is_double = false;
     for (const std::string_view other : rule.of) is_double = is_double || k.has(other);
     if (is_double && k.has(rule.key))
-      k.problem(fmt::format("{} say what {} say; keep one of the two", rule.what, rule.others));
+      k.problem(fmt::format("{} define the same shape as {}; keep one of the two", rule.what, rule.others));
   }
 }
 

@@ -93,9 +93,9 @@ MakeParts read_declared(Keys& k) {
 }
 
 constexpr std::array read_by_hand{
-    PartMaker{"ground", true, read_ground, "ground under a surface line"},
-    PartMaker{"pier", true, read_pier, "a pier of footing, stem and cap"},
-    PartMaker{"abutment", true, read_abutment, "a stub abutment"},
+    PartMaker{"ground", true, read_ground},
+    PartMaker{"pier", true, read_pier},
+    PartMaker{"abutment", true, read_abutment},
 };
 
 /// All rows, in the order of their functions.
@@ -103,7 +103,7 @@ constexpr auto all_part_makers = [] {
   std::array<PartMaker, part_maker_count> all{};
   auto* next = std::copy(read_by_hand.begin(), read_by_hand.end(), all.begin());
   DeclaredBuilders::for_each([&]<class B>() {
-    *next++ = PartMaker{B::kind, B::is_single, read_declared<B>, B::sentence};
+    *next++ = PartMaker{B::kind, B::is_single, read_declared<B>};
   });
   return all;
 }();

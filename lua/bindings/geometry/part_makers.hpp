@@ -27,7 +27,6 @@ struct PartMaker {
   std::string_view name;  ///< in trilith.build
   bool single;            ///< always one part
   MakeParts (*read)(Keys&);
-  std::string_view doc;
 };
 
 /// Those with a reader of their own come first, then the rows of build/plane/list.hpp.

@@ -33,8 +33,8 @@ inline void require_plain_list(Keys& keys, std::string_view key, std::string_vie
 /// Note on a body with a mesh whose `body` requests other elements.
 inline std::string own_elements_note(const std::string& name) {
   return fmt::format(
-      "body '{}': its mesh has elements of its own, and body changes none of them; leave body out, or "
-      "say body = \"rigid\" for a rigid body of these pieces",
+      "body '{}': its mesh already has elements, which body does not change; leave body out, or give body = \"rigid\" "
+      "for a rigid body of these pieces",
       name);
 }
 
@@ -103,8 +103,8 @@ inline std::string read_name(Keys& keys, const std::string& preset) {
 
 /// Error text for fibres of a member without fibres.
 inline std::string no_fibres_text(const std::string& member) {
-  return fmt::format("fibres: member '{}' is not of fibres; give it section = trilith.fibre_section{{shape =, law =}}",
-                     member);
+  return fmt::format(
+      "fibres: member '{}' has no fibre section; give it section = trilith.fibre_section{{shape =, law =}}", member);
 }
 
 /// Yielding of a member with that section by its fibres, with the `rule` and the number of `stations` along each beam.
@@ -114,7 +114,7 @@ inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* s
   if (section == nullptr) return std::nullopt;
   for (const char* key : {"rule", "stations"})
     if (keys.has(key) && !section->fibres)
-      keys.problem(fmt::format("'{}' is of a section of fibres, and this one has none; leave it out", key));
+      keys.problem(fmt::format("'{}' is for fibre sections, but this section has no fibres; leave it out", key));
   if (!section->fibres) return std::nullopt;
   return MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
 }

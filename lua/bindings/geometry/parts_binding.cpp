@@ -340,12 +340,10 @@ constexpr auto maker_functions = functions_of(std::make_index_sequence<part_make
 
 std::vector<Method> part_methods() {
   std::vector<Method> methods{
-      {"material", guarded<add_material>,
-       "material{name=, density= | unit_weight=, E=, nu=, beta=, solid=, plane=, form=}"},
-      {"contact", guarded<add_contact>,
-       "contact{between={a, b}, law=}: which law holds between materials, groups or bodies"},
-      {"body", guarded<body>, "body{name=, outline= | shape= | mesh=, ...} makes a body; body \"name\" finds one"},
-      {"add", guarded<add_parts>, "add(parts, {material=, ...}): parts as from trilith.build become bodies"},
+      {"material", guarded<add_material>},
+      {"contact", guarded<add_contact>},
+      {"body", guarded<body>},
+      {"add", guarded<add_parts>},
   };
   const auto is_there = [&](std::string_view name) {
     return std::any_of(methods.begin(), methods.end(), [&](const Method& m) { return m.name == name; });
@@ -356,10 +354,10 @@ std::vector<Method> part_methods() {
   for (std::size_t i = 0; i < part_maker_count; ++i) {
     const PartMaker& maker = part_makers()[i];
     if (maker.name != span_maker)
-      methods.push_back({maker.name, maker_functions[i].add, maker.doc, makes_solids(maker.name) ? 0 : 2});
+      methods.push_back({maker.name, maker_functions[i].add, makes_solids(maker.name) ? 0 : 2});
   }
   for (const SolidMaker& maker : solid_makers())
-    if (!is_there(maker.name)) methods.push_back({maker.name, maker.add, maker.doc, 3});
+    if (!is_there(maker.name)) methods.push_back({maker.name, maker.add, 3});
   return methods;
 }
 

@@ -44,7 +44,7 @@ MakeSolids read_box(Keys& k) {
   SolidBox b;
   b.name = read_name(k, "");
   for (const char* key : {"width", "height"})
-    k.refuse(key, fmt::format("'{}' is of blocks in the plane; in space give size = {{x, y, z}}", key));
+    k.refuse(key, fmt::format("'{}' is for blocks in the plane; in space give size = {{x, y, z}}", key));
   b.size = k.vector("size");
   b.at = k.vector("at", b.at);
   b.anchor = k.choice("anchor", {"lower_corner", "centre"}, 0) == 0 ? BoxAnchor::lower_corner : BoxAnchor::centre;
@@ -145,21 +145,21 @@ constexpr std::array<lua_CFunction, maker_count> adders(std::index_sequence<row.
 constexpr auto add = adders(std::make_index_sequence<maker_count>{});
 
 constexpr std::array<SolidMaker, maker_count> makers{
-    SolidMaker{"block", true, read_box, add[0], "a box in any pose: in the plane width, height, in space size"},
-    SolidMaker{"extrusion", true, read_extrusion, add[1], "what an outline sweeps over: outline, depth"},
-    SolidMaker{"hull", true, read_hull, add[2], "the convex hull of points"},
-    SolidMaker{"prism", true, read_prism, add[3], "an upright regular prism: sides, radius, height"},
-    SolidMaker{"column", false, read_column, add[4], "a column of drums, with base and capital"},
-    SolidMaker{"wall", false, read_solid_wall, add[5], "a masonry wall with a thickness, openings and floors"},
-    SolidMaker{"building", false, read_building, add[6], "walls of a plan that interlock, storey upon storey"},
-    SolidMaker{"vault", false, read_vault, add[7], "a barrel vault of stones in bond"},
-    SolidMaker{"cross_vault", false, read_cross_vault, add[8], "two barrels that meet along the diagonals of a bay"},
-    SolidMaker{"dome", false, read_dome, add[9], "a dome of rings and sectors, with a key or open"},
-    SolidMaker{"rubble", false, read_solid_rubble, add[10], "irregular stones that fill a box"},
-    SolidMaker{"solids", false, read_file, add[11], "solids of an OBJ or STL file"},
-    SolidMaker{"sphere", true, read_sphere, add[12], "a sphere: radius, at"},
-    SolidMaker{"clump", true, read_clump, add[13], "spheres that overlap, as one body"},
-    SolidMaker{"pour", false, read_pour, add[14], "spheres or clumps at random in a box, ready to fall", true},
+    SolidMaker{"block", true, read_box, add[0]},
+    SolidMaker{"extrusion", true, read_extrusion, add[1]},
+    SolidMaker{"hull", true, read_hull, add[2]},
+    SolidMaker{"prism", true, read_prism, add[3]},
+    SolidMaker{"column", false, read_column, add[4]},
+    SolidMaker{"wall", false, read_solid_wall, add[5]},
+    SolidMaker{"building", false, read_building, add[6]},
+    SolidMaker{"vault", false, read_vault, add[7]},
+    SolidMaker{"cross_vault", false, read_cross_vault, add[8]},
+    SolidMaker{"dome", false, read_dome, add[9]},
+    SolidMaker{"rubble", false, read_solid_rubble, add[10]},
+    SolidMaker{"solids", false, read_file, add[11]},
+    SolidMaker{"sphere", true, read_sphere, add[12]},
+    SolidMaker{"clump", true, read_clump, add[13]},
+    SolidMaker{"pour", false, read_pour, add[14], true},
 };
 
 template <std::size_t row>

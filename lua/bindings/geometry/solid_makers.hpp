@@ -17,8 +17,7 @@ struct SolidMaker {
   std::string_view name;
   bool single;  ///< always one part
   MakeSolids (*read)(Keys&);
-  lua_CFunction add;  ///< m:NAME{...}
-  std::string_view doc;
+  lua_CFunction add;   ///< m:NAME{...}
   bool falls = false;  ///< its parts may start without support
 };
 std::span<const SolidMaker> solid_makers();

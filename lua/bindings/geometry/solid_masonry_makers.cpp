@@ -31,7 +31,7 @@ Masonry read_masonry(Keys& k) {
 
 BeamRow read_beam_row(Keys& own) {
   BeamRow row;
-  if (!own.has("along")) own.missing("along", "\"x\" or \"y\", the way they span");
+  if (!own.has("along")) own.missing("along", "\"x\" or \"y\", the direction of their span");
   row.along_y = own.choice("along", {"x", "y"}, 0) == 1;
   row.count = own.count("count", row.count);
   if (own.has("count") && row.count == 0) own.problem("'count' is 0, must be at least 1");
@@ -118,9 +118,9 @@ Arch read_profile(Keys& k) {
   a.radius = k.number("radius", "m", a.radius);
   a.half_angle = k.number("half_angle", "rad", a.half_angle);
   a.offset = k.number("offset", "m", a.offset);
-  if (span.has_value() != rise.has_value()) k.problem("span and rise go together; give both or neither");
+  if (span.has_value() != rise.has_value()) k.problem("span and rise are given together; give both or neither");
   if (span && (k.has("radius") || k.has("half_angle") || k.has("offset")))
-    k.problem("span and rise say what radius, half_angle and offset say; keep one of the two");
+    k.problem("span and rise define the same shape as radius, half_angle and offset; keep one of the two");
   a.abutments = k.flag("abutments", a.abutments);
   a.abutment_depth = k.number("abutment_depth", "m", a.abutment_depth);
   a.abutment_margin = k.number("abutment_margin", "m", a.abutment_margin);

@@ -276,7 +276,8 @@ const std::array bearing_properties{
                     "forces and moments of its laws [N, N m]: { along, axial, turning }, in space { along, across, "
                     "axial, turning_along, turning_across, turning_axial }",
                     nullptr, push_directions<true>},
-    BearingProperty{"displacement", "", "likewise since it was placed [m, rad]", nullptr, push_directions<false>},
+    BearingProperty{"displacement", "", "displacements and rotations since it was placed [m, rad], likewise", nullptr,
+                    push_directions<false>},
     BearingProperty{"force_along", "N", "force of the law along", force<along, 0>},
     in_dimension(3, {"force_across", "N", "force of the law across", force_in_space<1>}),
     BearingProperty{"force_axial", "N", "force of the axial law", force<axial, 2>},
@@ -301,10 +302,8 @@ const std::array bearing_properties{
 };
 
 const std::array bearing_method_list{
-    Method{"bearing", guarded<add_bearing>,
-           "bearing{name=, between=, at= | from=, to=, along=, axial=, turning=, limit=, becomes=, becomes_from=, "
-           "waiting=}; in space across=, horizontal=, turning_along=, ... too"},
-    Method{"seat", guarded<add_seat>, "seat{name=, body=, support=, at_end=, edge=, inward=}"},
+    Method{"bearing", guarded<add_bearing>},
+    Method{"seat", guarded<add_seat>},
 };
 
 /// The table on top of the stack: displacement limits by direction. Missing directions keep their limit, or have none.

@@ -113,7 +113,7 @@ std::string require_law(ScriptModel& model, const ContactLawValue& law, const st
   for (const auto& [known, other] : model.laws) {
     if (use.empty() ? same_law(other, law.law) : known == use) {
       if (same_law(other, law.law)) return known;
-      throw InputError(fmt::format("contact law '{}' is there already; give each one of its own name", use));
+      throw InputError(fmt::format("contact law '{}' exists already; give each its own name", use));
     }
   }
   if (use.empty()) {

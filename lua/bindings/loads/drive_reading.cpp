@@ -110,8 +110,8 @@ void tell_abrupt_ends(ScriptModel& m, const std::string& owner, const std::vecto
       const std::string others = order.bodies.size() == 1 ? "" : fmt::format(" and {} more", order.bodies.size() - 1);
       m.note_at_once(
           fmt::format(
-              "{}: motion '{}' ends at {:.3g} {} after {:.4g} s, and '{}'{} stops there along {} within one step: "
-              "a jolt for all that rides on it; let the motion end at rest, or another one follow in time",
+              "{}: motion '{}' ends at {:.3g} {} after {:.4g} s, and '{}'{} stops there along {} within one step. This "
+              "is a shock for everything on it: let the motion end at rest, or give another one that follows in time",
               owner, order.motion[k]->description(), lost, is_turn(m.dim(), k) ? "rad/s" : "m/s",
               order.motion[k]->end_time(), m.body_name(order.bodies.front()), others, names[k]),
           host);
@@ -164,7 +164,7 @@ std::vector<DriveOrder> read_drives(Keys& keys, const ScriptModel& m) {
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
     if (count == 0) keys.problem("'motions' is empty; give { {body = , x = }, ... }");
     for (const char* const key : {"body", "x", "y", "z", "rotation", "rotation_x", "rotation_y", "rotation_z"})
-      keys.refuse(key, fmt::format("'{}' does not go with 'motions', whose rows say it each for itself", key));
+      keys.refuse(key, fmt::format("'{}' cannot be given with 'motions'; give it in each row", key));
     for (lua_Integer i = 1; i <= count; ++i) {
       lua_rawgeti(L, -1, i);
       try {

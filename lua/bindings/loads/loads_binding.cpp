@@ -39,8 +39,8 @@ void tell_held(lua_State* L, SimulatedModel<D>& m, const std::vector<int>& bodie
   const auto held = std::find_if(bodies.begin(), bodies.end(), is_held);
   if (held != bodies.end())
     tell_note(L, m,
-              fmt::format("load '{}': body '{}' is held or driven in all directions, so that the load moves nothing "
-                          "before one of them is free",
+              fmt::format("load '{}': body '{}' is held or driven in all directions, so the load has no effect before "
+                          "one of them is free",
                           name, model.bodies[static_cast<std::size_t>(*held)].name));
 }
 
@@ -106,9 +106,7 @@ int point_load(lua_State* L) {
 }
 
 const std::array load_method_list{
-    Method{"point_load", guarded<point_load>,
-           "point_load{body=, force={x, y}, moment=, at=, follow=, load_curve=, name=}: a force from now on; gives its "
-           "name"},
+    Method{"point_load", guarded<point_load>},
 };
 
 }  // namespace

@@ -66,10 +66,11 @@ std::vector<double> read_samples(Keys& keys) {
 
 /// Rejects keys of other kinds of motions, which would be ignored.
 void refuse_other_ways(Keys& keys, const char* way, std::initializer_list<std::pair<const char*, const char*>> others) {
-  for (const auto& [key, why] : others) keys.refuse(key, fmt::format("'{}' does not go with '{}': {}", key, way, why));
+  for (const auto& [key, why] : others)
+    keys.refuse(key, fmt::format("'{}' cannot be given with '{}': {}", key, way, why));
 }
 
-constexpr const char* of_records = "it is of records; a steady motion takes velocity and duration alone";
+constexpr const char* of_records = "it is for records; a steady motion takes only velocity and duration";
 
 /// motion{ velocity =, duration = }: the ground moves at constant speed, then stops.
 void make_steady(lua_State* L, Keys& keys) {
@@ -138,7 +139,7 @@ int make_motion(lua_State* L) {
   const bool allow_drift = keys.flag("allow_drift", false);
   if (!file.empty())
     refuse_other_ways(keys, "file",
-                      {{"acceleration", "keep one, the samples of the file or those of the script"},
+                      {{"acceleration", "keep one, the file or the samples"},
                        {"v0", "a file begins as its header says, or with motion:start_velocity"},
                        {"u0", "a file begins as its header says"},
                        {"duration", "a file lasts as long as its samples"}});
@@ -189,7 +190,8 @@ int scale(lua_State* L) {
   if (pga.has_value() + factor.has_value() + sa.has_value() != 1)
     keys.problem("give either pga (in m/s2), factor, or sa (in m/s2) with its period");
   const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping_ratio", "1", 0.05);
-  if (!sa && (keys.has("period") || keys.has("damping_ratio"))) keys.problem("'period' and 'damping_ratio' go with sa");
+  if (!sa && (keys.has("period") || keys.has("damping_ratio")))
+    keys.problem("'period' and 'damping_ratio' are for sa; give it too");
   keys.finish();
   if (sa && *sa != 0)
     push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, {period, *sa}, damping)), m.steady);
@@ -337,21 +339,21 @@ const std::array motion_properties{
 };
 
 const std::array motion_methods{
-    Method{"scale", guarded<scale>, "scale{pga=}, scale{factor=} or scale{sa=, period=}"},
-    Method{"match", guarded<match>, "match{spectrum={{T, Sa}, ...}}: scaled to come nearest to a spectrum"},
-    Method{"baseline", guarded<baseline>, "baseline(degree): without the polynomial that fits it best"},
-    Method{"filter", guarded<filter>, "filter{low=, high=, order=, pad=}: Butterworth, without a shift of phase"},
-    Method{"resample", guarded<resample>, "resample(dt): samples at another step"},
-    Method{"rotate", guarded<rotate>, "rotate(other, angle): two components along axes turned by it; gives both"},
-    Method{"passage", guarded<passage>, "passage{distance=, velocity=}: later by the time a wave takes"},
-    Method{"difference", guarded<difference>, "difference(other): largest displacement and velocity against another"},
-    Method{"sa", guarded<sa>, "sa(period, damping): pseudo-acceleration of an oscillator"},
-    Method{"scale_as", guarded<scale_as>, "scale_as(other): by the factor the other was scaled by"},
-    Method{"time_scale", guarded<time_scale>, "time_scale(factor): time axis times factor, accelerations kept"},
-    Method{"delay", guarded<delay>, "delay(t): the same later"},
-    Method{"reverse", guarded<reverse>, "reverse(): the other way"},
-    Method{"start_velocity", guarded<start_velocity>, "start_velocity(v): the same accelerations from velocity v"},
-    Method{"at", guarded<motion_at>, "at(t): acceleration, velocity, displacement"},
+    Method{"scale", guarded<scale>},
+    Method{"match", guarded<match>},
+    Method{"baseline", guarded<baseline>},
+    Method{"filter", guarded<filter>},
+    Method{"resample", guarded<resample>},
+    Method{"rotate", guarded<rotate>},
+    Method{"passage", guarded<passage>},
+    Method{"difference", guarded<difference>},
+    Method{"sa", guarded<sa>},
+    Method{"scale_as", guarded<scale_as>},
+    Method{"time_scale", guarded<time_scale>},
+    Method{"delay", guarded<delay>},
+    Method{"reverse", guarded<reverse>},
+    Method{"start_velocity", guarded<start_velocity>},
+    Method{"at", guarded<motion_at>},
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ std::vector<FacePart> chosen_faces(const Model<2>& model, int body, const FaceCh
                                               : Vec2(1, 0);
   const std::vector<FacePart> faces = faces_towards(model, body, side);
   if (faces.empty())
-    throw InputError(fmt::format("pressure: no face of '{}' looks to the {} within 45 degrees; give 'from' and 'to'",
+    throw InputError(fmt::format("pressure: no face of '{}' points to the {} within 45 degrees; give 'from' and 'to'",
                                  model.bodies[body].name, choice.side));
   return faces;
 }
@@ -61,7 +61,7 @@ std::vector<SolidFace> solid_faces(const Model<3>& model, int body, const std::s
   for (const NamedSide& s : solid_sides)
     if (s.name == side) faces = faces_towards(model, body, Vec3(s.way[0], s.way[1], s.way[2]));
   if (faces.empty())
-    throw InputError(fmt::format("pressure: no plane face of '{}' looks to the {} within 45 degrees",
+    throw InputError(fmt::format("pressure: no plane face of '{}' points to the {} within 45 degrees",
                                  model.bodies[body].name, side));
   return faces;
 }
@@ -120,10 +120,7 @@ int pressure(lua_State* L) {
 }
 
 const std::array pressure_method_list{
-    Method{"pressure", guarded<pressure>,
-           "pressure{body=, face= or from= and to=, value=, follow=, direction=, load_curve=, name=}: from now on; "
-           "gives its "
-           "name"},
+    Method{"pressure", guarded<pressure>},
 };
 
 }  // namespace

@@ -249,17 +249,9 @@ int body_point(lua_State* L) {
 }
 
 const std::array body_methods{
-    Method{"reactions", guarded<push_body_reactions>,
-           "reactions(): what holds or drives each of its nodes: list of {x, y, fx, fy, m}; in space with z, fz and "
-           "mx, my, mz for m"},
-    Method{
-        "point", guarded<body_point>,
-        "point{x, y}: x and y now of the point that was there at the start, or of the joint of a name; in space z too"},
-    Method{"hinges", guarded<push_member_hinges>, "hinges(member): plastic hinges at the ends of a member of a frame",
-           2},
-    Method{"fibres", guarded<push_member_fibres>, "fibres(member): strains and stresses of a member of fibres", 2},
-    Method{"forces", guarded<push_member_forces>,
-           "forces \"member\": normal force, shear and moment along a member of a beam or frame"},
+    Method{"reactions", guarded<push_body_reactions>}, Method{"point", guarded<body_point>},
+    Method{"hinges", guarded<push_member_hinges>, 2},  Method{"fibres", guarded<push_member_fibres>, 2},
+    Method{"forces", guarded<push_member_forces>},
 };
 
 }  // namespace

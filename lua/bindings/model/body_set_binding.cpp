@@ -150,7 +150,7 @@ int set_damage(lua_State* L) {
   if (rows.empty())
     throw InputError(
         fmt::format("damage_by_storey: none of these {} bodies is in a group \"storey 1\", \"storey 2\", "
-                    "...; ask it of what m:wall gives, or give the bodies such groups",
+                    "...; use the result of m:wall, or give the bodies such groups",
                     set.bodies.size()));
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -166,9 +166,8 @@ int set_damage(lua_State* L) {
 }
 
 const std::array set_methods{
-    Method{"has", guarded<set_has>, "has(body or set): true where all of it is in this set"},
-    Method{"damage_by_storey", guarded<set_damage>,
-           "damage_by_storey{apart=, out_of_place=}: joints apart and units out of place, storey by storey"},
+    Method{"has", guarded<set_has>},
+    Method{"damage_by_storey", guarded<set_damage>},
 };
 
 using NamedFunction = std::pair<const char*, lua_CFunction>;

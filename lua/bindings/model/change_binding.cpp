@@ -39,7 +39,7 @@ ContactLaw changed_law(Keys& keys, ContactLaw law) {
             keys.problem(fmt::format("'{}' is {:g}{}{}, must be {}", p.name, *given, p.unit == "1" ? "" : " ",
                                      p.unit == "1" ? "" : p.unit, p.range()));
         }
-        if (!any) keys.problem("no number is given; give one of the law's, such as mu");
+        if (!any) keys.problem("no number is given; give a parameter of the law, such as mu");
         check_ways(keys, l);
         if constexpr (requires { l.check(); }) note_failed_check(keys, l);
       },
@@ -213,7 +213,7 @@ void drop_named(Model<D>& model, const std::string& name) {
   if (drop_loads(model, name) > 0) return;
   for (const Push<D>& push : model.pushes)
     if (push.name == name)
-      throw InputError(fmt::format("remove: '{}' is a push; m:release {{ push = \"{}\" }} lets it go", name, name));
+      throw InputError(fmt::format("remove: '{}' is a push; use m:release {{ push = \"{}\" }}", name, name));
   throw InputError(fmt::format("remove: load '{}' was removed already", name));
 }
 
@@ -253,7 +253,7 @@ Chosen chosen_at(lua_State* L, ScriptModel& m, const std::string& owner) {
   keep_each_once(chosen.bearings);
   keep_each_once(chosen.loads);
   if (chosen.bodies.empty() && chosen.bearings.empty() && chosen.loads.empty())
-    throw InputError(owner + ": there is nothing of it; give a body, a set, a bearing, a load's name, or a list");
+    throw InputError(owner + ": nothing is given; give a body, a set, a bearing, a load's name, or a list");
   return chosen;
 }
 
@@ -289,20 +289,18 @@ int put_back_parts(lua_State* L) {
   ScriptModel& m = this_model(L);
   const Chosen chosen = chosen_at(L, m, "put_back");
   if (!chosen.loads.empty())
-    throw InputError(fmt::format("put_back: load '{}' is there; put a new one on", chosen.loads.front()));
+    throw InputError(fmt::format("put_back: load '{}' is a load; apply a new one", chosen.loads.front()));
   const bool from_start = read_from_start(L);
   if (from_start && chosen.bearings.empty())
-    throw InputError("put_back: 'from' is of bearings, and none is put back; leave it out");
+    throw InputError("put_back: 'from' is for bearings, and none is put back; leave it out");
   m.reactivate(chosen.bodies, chosen.bearings, from_start, user_place(L));
   return 0;
 }
 
 const std::array change_method_list{
-    Method{"change", guarded<change>,
-           "change{law=, mu=, ...} or change{bearing=, along=, axial=, turning=, limit=, ...}: from now on"},
-    Method{"remove", guarded<remove_parts>, "remove(bodies | bearing | load, or a list): from now on it is not there"},
-    Method{"put_back", guarded<put_back_parts>,
-           "put_back(bodies | bearing, or a list, {from=}): what was removed is there again"},
+    Method{"change", guarded<change>},
+    Method{"remove", guarded<remove_parts>},
+    Method{"put_back", guarded<put_back_parts>},
 };
 
 /// core.contact_laws(model): a list of the model's laws, with their names.

@@ -13,8 +13,8 @@ void tell_left_behind(lua_State* L, const PlaneModel& plane, ScriptModel& deep) 
   const Simulation<2>* flat = plane.if_built();
   if (flat == nullptr || (flat->state().time == 0 && !flat->model().loaded())) return;
   tell_note(L, deep,
-            fmt::format("extruded: {} is taken as it was set up, at 0 s; what it did in {:.4g} s since, its loads, and "
-                        "what was removed, held, freed or changed stay behind",
+            fmt::format("extruded: {} is copied in its initial state, at 0 s; its motion of {:.4g} s, its loads, and "
+                        "later removals, supports and changes are not copied",
                         plane.title(), flat->state().time));
 }
 

@@ -125,8 +125,8 @@ std::shared_ptr<SpaceModel> extruded_model(const PlaneModel& plane, const std::s
     space->builder.add_body(extruded_body(body, plane, extrusion.held));
     if (body.inertia)
       space->builder.note(
-          fmt::format("body '{}': its moment of inertia is that of its solid, not the one given in the "
-                      "plane",
+          fmt::format("body '{}': its moment of inertia follows from its solid, not from the value "
+                      "given in the plane",
                       body.name));
   }
   for (const BearingSpec& bearing : flat.bearings()) space->builder.add_bearing(extruded_bearing(bearing));

@@ -224,7 +224,7 @@ int member_of(const Model<2>& model, int body, const std::optional<std::string>&
   }
   const std::string& owner = model.bodies[body].name;
   if (known.empty())
-    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; ask a beam or frame", call, owner,
+    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; use a beam or frame", call, owner,
                                  name_of(model.bodies[body].kind)));
   if (name)
     throw InputError(fmt::format("{}: body '{}' has no member '{}'{}", call, owner, *name, name_hint(*name, known)));
@@ -247,7 +247,8 @@ AskedMember asked_member(lua_State* L, const char* call) {
   else if (!lua_isnoneornil(L, 2))
     throw InputError(fmt::format("{}: takes the name of a member; this is {}", call, what_is(L, 2)));
   const Simulation<2>* const built = b.plane().if_built();
-  if (built == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", call));
+  if (built == nullptr)
+    throw InputError(fmt::format("{}: nothing has run yet; read it during a stage or after it", call));
   return {*built, member_of(built->model(), b.index, name, call)};
 }
 
@@ -338,8 +339,8 @@ int push_member_fibres(lua_State* L) {
 
 std::span<const Method> frame_methods() {
   static const std::array methods{
-      Method{"beam", guarded<add_beam>, "beam{name=, from=, to=, section=, ...}: a straight beam that bends"},
-      Method{"frame", guarded<frame>, "frame{name=, joints=, members=, ...}: beams that meet at joints, as one body"},
+      Method{"beam", guarded<add_beam>},
+      Method{"frame", guarded<frame>},
   };
   return methods;
 }

@@ -27,7 +27,7 @@ int no_such_term(lua_State* L) {
   known.emplace_back("residual");
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : what_is(L, 2);
   const std::string near = nearest_name(name, known);
-  throw InputError(fmt::format("the energy ledger has no '{}'{} are {}", name,
+  throw InputError(fmt::format("the energy balance has no '{}'{} are {}", name,
                                near.empty() ? "; its terms" : fmt::format("; did you mean '{}'? Its terms", near),
                                fmt::join(known, ", ")));
 }
@@ -184,8 +184,8 @@ int close_model(lua_State* L) {
 
 std::vector<Method> model_methods() {
   std::vector<Method> methods{
-      {"explain_dt", guarded<explain_dt>, "explain_dt(): which body and contacts govern the step"},
-      {"close", guarded<close_model>, "close(): ends the recording and frees the model"},
+      {"explain_dt", guarded<explain_dt>},
+      {"close", guarded<close_model>},
   };
   for (const auto part : {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(),
                           load_methods(), pressure_methods(), release_methods(), pushover_methods(), debug_methods(),
@@ -204,7 +204,7 @@ Vec<D> read_gravity(Keys& keys) {
     gravity = -lua_tonumber(L, -1) * Vec<D>::Unit(D - 1);
     if (!gravity.allFinite()) keys.wrong("gravity", "finite");
     if (lua_tonumber(L, -1) < 0)
-      keys.wrong("gravity", "not below 0, as a number counts downwards; what pulls up is a vector");
+      keys.wrong("gravity", "not below 0: a number acts downwards; for other directions give a vector");
   } else if (type != LUA_TNIL) {
     std::optional<Vec<D>> given;
     if constexpr (D == 2)
@@ -258,7 +258,7 @@ std::shared_ptr<ScriptModel> make_plane_model(Keys& keys, const std::string& nam
 std::shared_ptr<ScriptModel> make_space_model(Keys& keys, const std::string& name) {
   auto model = std::make_shared<SpaceModel>(name);
   model->builder.gravity = read_gravity<3>(keys);
-  if (keys.has("thickness")) keys.problem("'thickness' is of models in the plane, and dim is 3");
+  if (keys.has("thickness")) keys.problem("'thickness' is for models in the plane, and dim is 3");
   model->body_form = read_space_form(keys, {});
   model->says_body = keys.has("body");
   read_common(keys, model->builder);

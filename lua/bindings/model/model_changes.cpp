@@ -42,8 +42,8 @@ std::string jolt_text(Simulation<D>& sim, std::size_t bearing) {
   const double force = sim.work().bearing_force[bearing].norm();
   if (!(force > weight)) return "";
   return fmt::format(
-      "put_back: bearing '{}' acts with {} at once, more than the {} that its bodies weigh, as its displacement counts "
-      "from where it was placed first; without from = \"start\" it begins free of force",
+      "put_back: bearing '{}' acts with {} at once, more than the weight of its bodies, {}, because its displacement "
+      "counts from its first place; without from = \"start\" it begins without force",
       b.name, quantity_text(force, "N"), quantity_text(weight, "N"));
 }
 
@@ -163,7 +163,7 @@ std::optional<double> SimulatedModel<D>::removed_at(int body) const {
 
 template <int D>
 std::string SimulatedModel<D>::why_absent(int body) const {
-  if (body >= body_count()) return "was never added, as the run went back to before that";
+  if (body >= body_count()) return "was never added, because the run went back to an earlier time";
   if (!simulation_) return "";
   if (body >= static_cast<int>(simulation_->model().bodies.size())) return "is added at the next step border";
   const std::optional<double> removed = removed_at(body);
@@ -209,11 +209,11 @@ void SimulatedModel<D>::reactivate(const std::vector<int>& which, const std::vec
   change([this, which, links, from_start, place = waits ? place : ""](Model<D>& model) {
     for (const int b : which)
       if (!removed_at(b))
-        refuse_later(place, fmt::format("put_back: body '{}' is there; what was removed can be put back",
+        refuse_later(place, fmt::format("put_back: body '{}' is present; only removed bodies can be put back",
                                         model.bodies[static_cast<std::size_t>(b)].name));
     for (const int i : links)
       if (!is_bearing_removed(simulation_->state(), i))
-        refuse_later(place, fmt::format("put_back: bearing '{}' is there; what was removed can be put back",
+        refuse_later(place, fmt::format("put_back: bearing '{}' is present; only removed bearings can be put back",
                                         model.bearings[static_cast<std::size_t>(i)].name));
     if (!which.empty()) check_put_back(model, simulation_->state(), overlap_allowed(), which);
     simulation_->reactivate({which, links, from_start});

@@ -94,7 +94,7 @@ template <int D>
                               const std::string& place) {
   const std::string which = bodies.size() == 1 ? fmt::format("body '{}' is", model.bodies[bodies.front()].name)
                                                : fmt::format("the {} bodies are", bodies.size());
-  throw InputError(fmt::format("{}: {}{} free already in {}, so there is nothing to let go", owner, place, which,
+  throw InputError(fmt::format("{}: {}{} free already in {}, so there is nothing to release", owner, place, which,
                                directions_text(on)));
 }
 
@@ -173,7 +173,7 @@ std::array<bool, 6> directions_at(lua_State* L, int index, const char* owner, in
   }
   if (std::none_of(on.begin(), on.end(), [](bool k) { return k; }))
     throw InputError(
-        fmt::format("{}: directions are {}, which names none; give some of {}, as in \"xy\", or leave "
+        fmt::format("{}: directions are {}, which names no direction; give some of {}, as in \"xy\", or leave "
                     "them out for all",
                     owner, what_is(L, index), dim == 2 ? "x, y and r" : "x, y, z and r"));
   return on;
@@ -248,11 +248,10 @@ int free_bodies(lua_State* L) {
 }
 
 const std::array release_method_list{
-    Method{"fix", guarded<fix>, "fix(bodies, \"xyr\"): holds these directions"},
-    Method{"free", guarded<free_bodies>, "free(bodies, \"xyr\"): frees these directions"},
-    Method{"set_load", guarded<set_load>, "set_load{name=, factor=, duration=}: a load's share from now on"},
-    Method{"release", guarded<release>,
-           "release{body=, x=, y=, z=, rotation=, fade=} or {load=, fade=} or {push=, fade=}: frees without a jolt"},
+    Method{"fix", guarded<fix>},
+    Method{"free", guarded<free_bodies>},
+    Method{"set_load", guarded<set_load>},
+    Method{"release", guarded<release>},
 };
 
 }  // namespace

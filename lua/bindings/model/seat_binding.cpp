@@ -30,8 +30,8 @@ void check_length(Keys& keys, const SeatSpecOf<D>& spec) {
   const double length = spec.inward.norm() > 0 ? (spec.end - spec.edge).dot(spec.inward.normalized()) : 0;
   if (length < 0)
     keys.problem(
-        fmt::format("'at_end' lies {:g} m beyond the edge, so that the seat is lost as it begins; 'inward' goes "
-                    "from the edge over the seat: turn it round, or leave it out",
+        fmt::format("'at_end' lies {:g} m beyond the edge, so the seat is lost at the start; 'inward' points from the "
+                    "edge over the seat: reverse it, or leave it out",
                     -length));
 }
 

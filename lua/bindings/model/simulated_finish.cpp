@@ -11,7 +11,7 @@ namespace trilith::script {
 namespace {
 
 /// Text: energy that was dissipated, as shares of the supplied energy, the largest first.
-std::string given_off_text(const EnergyCheck& check) {
+std::string dissipated_text(const EnergyCheck& check) {
   std::vector<std::pair<double, std::string_view>> shares;
   for (int i = 0; i < energy_terms; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -21,7 +21,7 @@ std::string given_off_text(const EnergyCheck& check) {
   std::sort(shares.rbegin(), shares.rend());
   std::string text;
   for (const auto& [share, name] : shares)
-    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; given off: " : ", ", 100 * share, name);
+    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; dissipated: " : ", ", 100 * share, name);
   return text;
 }
 
@@ -44,9 +44,9 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
   static_cast<void>(close_restart(true));
   if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
   const EnergyCheck& check = recording->energy_check();
-  return fmt::format("results are in {}; the energy ledger closes to {:.2g} % of {} put in{}",
-                     recording->path().string(), 100 * check.share(), quantity_text(check.input(), "J"),
-                     given_off_text(check));
+  return fmt::format("results are in {}; the error of the energy balance is {} of the input, {}{}",
+                     recording->path().string(), percent_text(check.share()), quantity_text(check.input(), "J"),
+                     dissipated_text(check));
 }
 
 template std::string SimulatedModel<2>::finish(const std::string&);

@@ -22,9 +22,8 @@ namespace {
 template <int D>
 std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
   return fmt::format(
-      "law '{}' leaves {} without a bond, as '{}' and '{}' stand {} apart: faces are bonded at a gap of at most 1e-5 "
-      "of the smaller body's size, and 1e-3 where mortar is fresh (m:consolidate{{ fresh = true }}); close the gap, or "
-      "let another law hold there",
+      "law '{}' leaves {} without a bond, because '{}' and '{}' are {} apart. Faces are bonded at a gap of at most 1e-5 "
+      "of the smaller body's size, and 1e-3 for fresh mortar (m:consolidate{{ fresh = true }}); close the gap, or give another law there",
       model.law_names[missed.law],
       missed.count == 1 ? "a pair of faces" : fmt::format("{} pairs of faces", missed.count),
       model.bodies[missed.body_a].name, model.bodies[missed.body_b].name, quantity_text(missed.gap, "m"));
@@ -53,7 +52,7 @@ Simulation<D>& SimulatedModel<D>::simulation() {
     if (missed.count > 0) add_note(missed_text(simulation_->model(), missed));
     if (const int idle = idle_bearing(simulation_->model()); idle >= 0)
       add_note(
-          fmt::format("bearing '{}' waits, and no bearing becomes it, so that it carries nothing; name it in "
+          fmt::format("bearing '{}' waits, but it is the successor of no bearing, so it never acts; name it in "
                       "`becomes` of another one, or leave out waiting",
                       simulation_->model().bearings[static_cast<std::size_t>(idle)].name));
   }
@@ -305,7 +304,7 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
   }
   if (host.console != nullptr && !checkpoints_chosen) checkpoints.on = true;
   if (!options.watched) {
-    const std::string said = fmt::format("speeds and energies of the stage '{}' are not watched", options.name);
+    const std::string said = fmt::format("speeds and energies of the stage '{}' are not checked", options.name);
     note(said);
     if (host.observer != nullptr) host.observer->note(said);
   }

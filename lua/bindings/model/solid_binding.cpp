@@ -311,7 +311,7 @@ int add_solids_made(lua_State* L, std::string_view name) {
   const auto maker = std::find_if(all.begin(), all.end(), [&](const SolidMaker& s) { return s.name == name; });
   if (maker == all.end())
     throw InputError(
-        fmt::format("{}: is of models in the plane, and {} has dim = 3; give its parts a depth by "
+        fmt::format("{}: is for models in the plane, but {} has dim = 3; give its parts a depth with "
                     "m:add(trilith.build.{}{{...}}, {{ depth = }}), or take one of {}",
                     name, m.title(), name, solid_maker_names()));
   m.adding();

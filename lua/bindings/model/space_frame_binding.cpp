@@ -138,7 +138,7 @@ int space_member_asked(lua_State* L, const Model<3>& model, int body, std::strin
   }
   const std::string& owner = model.bodies[body].name;
   if (known.empty())
-    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; ask a beam or frame", what, owner,
+    throw InputError(fmt::format("{}: body '{}' is {}, which has no members; use a beam or frame", what, owner,
                                  name_of(model.bodies[body].kind)));
   if (!name.empty())
     throw InputError(fmt::format("{}: body '{}' has no member '{}'{}", what, owner, name, name_hint(name, known)));
@@ -155,7 +155,8 @@ struct AskedSpaceMember {
 };
 AskedSpaceMember asked_space_member(lua_State* L, const SpaceModel& m, int body, std::string_view what) {
   const Simulation<3>* const run = m.if_built();
-  if (run == nullptr) throw InputError(fmt::format("{}: nothing has run yet; ask during a stage or after it", what));
+  if (run == nullptr)
+    throw InputError(fmt::format("{}: nothing has run yet; read it during a stage or after it", what));
   return {*run, space_member_asked(L, run->model(), body, what)};
 }
 

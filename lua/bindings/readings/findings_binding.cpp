@@ -52,7 +52,7 @@ double of_present(ScriptModel& m, F&& f) {
 template <class F>
 double of_space(ScriptModel& m, F&& f) {
   SpaceModel* space = as_space(m);
-  if (space == nullptr) throw InputError(fmt::format("this is of models in space; {} is in the plane", m.title()));
+  if (space == nullptr) throw InputError(fmt::format("this is for models in space, but {} is in the plane", m.title()));
   return f(Present<3>(*space));
 }
 
@@ -267,9 +267,9 @@ int stresses(lua_State* L) {
 }
 
 const std::array finding_method_list{
-    Method{"joints", guarded<joints>, "joints(): list of {a, b, opening, slip, damage, storey, x, y, z, area}"},
-    Method{"thrust_line", guarded<thrust>, "thrust_line(bodies): list of {a, b, x, y, z, fx, fy, fz} through a chain"},
-    Method{"stresses", guarded<stresses>, "stresses(): mean stress {xx, yy, xy, major, minor} by body's name [Pa]", 2},
+    Method{"joints", guarded<joints>},
+    Method{"thrust_line", guarded<thrust>},
+    Method{"stresses", guarded<stresses>, 2},
 };
 
 }  // namespace

@@ -158,8 +158,8 @@ template <class H>
 void follow(Keys& keys, History& history, const std::string& what, const H& h) {
   const Property<H>* p = find_property<H>(what);
   if (p == nullptr || p->number == nullptr || !has_property(*p, h)) {
-    keys.problem(
-        fmt::format("'what' is '{}', no number of a {}{}", what, Kind<H>::name, name_hint(what, number_names(h))));
+    keys.problem(fmt::format("'what' is '{}', which is not a reading of a {}{}", what, Kind<H>::name,
+                             name_hint(what, number_names(h))));
     return;
   }
   history.sample = [h, p, name = history.name] {
@@ -196,9 +196,9 @@ void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& 
   const ModelBox box{m.shared_from_this()};
   if (p == nullptr || p->number == nullptr || !has_property(*p, box)) {
     if (keys.push("what") == LUA_TSTRING)  // other cases have been reported
-      keys.problem(
-          fmt::format("'what' is '{}', no number of the model (for others give body, bearing, seat or storey){}", what,
-                      name_hint(what, number_names(box))));
+      keys.problem(fmt::format(
+          "'what' is '{}', which is not a reading of the model (for others give body, bearing, seat or storey){}", what,
+          name_hint(what, number_names(box))));
     lua_pop(keys.lua(), 1);
     return;
   }
@@ -242,7 +242,7 @@ int history(lua_State* L) {
   h.name = keys.text("name");
   keys.name_owner(h.name);
   for (const History& other : m.histories)
-    if (other.name == h.name) keys.problem("is there already; give each one of its own name");
+    if (other.name == h.name) keys.problem("exists already; give each its own name");
   const bool function = keys.push("of") == LUA_TFUNCTION;
   if (!function && !lua_isnil(L, -1)) keys.wrong("of", "a function");
   lua_pop(L, 1);
@@ -250,7 +250,7 @@ int history(lua_State* L) {
     h.unit = keys.text("unit", "1");
     h.sentence = keys.text("doc", "of a function of the script");
     for (const char* const key : {"what", "body", "bearing", "seat", "storey"})
-      keys.refuse(key, fmt::format("'{}' does not go with 'of', whose function gives the number; keep one", key));
+      keys.refuse(key, fmt::format("'{}' cannot be given with 'of', whose function gives the number; keep one", key));
   } else {
     read_followed(keys, h, m);
   }
@@ -270,9 +270,9 @@ int history(lua_State* L) {
 /// m:results{ file =, frames =, histories =, energy =, velocities =, joints = }
 int results(lua_State* L) {
   ScriptModel& m = this_model(L);
-  if (m.running()) throw InputError("results: must be asked for between stages; this one runs");
+  if (m.running()) throw InputError("results: can only be set between stages; a stage is running");
   if (m.results)
-    throw InputError(fmt::format("results: asked for already, into '{}'; a model has one file, so give all in one call",
+    throw InputError(fmt::format("results: already set, to '{}'; a model has one file, so give everything in one call",
                                  m.results->file));
   Keys keys(L, 2, "results");
   ResultsOptions r;
@@ -292,12 +292,10 @@ int results(lua_State* L) {
 }
 
 const std::array reading_method_list{
-    Method{"bodies", guarded<bodies>, "bodies{group=, material=, name=}: a set; '*' and '?' stand for letters"},
-    Method{"contacts", guarded<contacts>, "contacts{between={a, b}}: those that carry force"},
-    Method{"history", guarded<history>,
-           "history{name=, body= | bearing= | seat= | storey=, what=} or {name=, of=function}: follows a number over "
-           "time"},
-    Method{"results", guarded<results>, "results{file=, frames=, histories=, energy=}: what is written, and how often"},
+    Method{"bodies", guarded<bodies>},
+    Method{"contacts", guarded<contacts>},
+    Method{"history", guarded<history>},
+    Method{"results", guarded<results>},
 };
 
 const History& row(const HistoryHandle& h) {

@@ -14,12 +14,12 @@ namespace {
 
 /// "shake: mass scaling: ..." for the screen and the results, if a stage scaled masses.
 std::string scaling_text(const StageReport& report, const ScaledMass& s, const std::string& worst) {
-  std::string text = fmt::format("{}: mass scaling: steps of {:.3g} s at most, {:.3g} s without it; ", report.name,
+  std::string text = fmt::format("{}: mass scaling: steps up to {:.3g} s, {:.3g} s without it; ", report.name,
                                  report.longest_dt, s.before);
-  if (s.bodies == 0) return text + "no body needed any";
+  if (s.bodies == 0) return text + "no body needs added mass";
   text += fmt::format(
-      "{} bodies are slowed in what deforms them by added mass, {:.3g} times that of all that moves, at most {:.3g} "
-      "times that of a body ('{}'); it held at most {:.2g} J, the model {:.3g} J of motion",
+      "{} bodies have added mass against deformation, {:.3g} times the mass of all moving bodies, at most {:.3g} "
+      "times the mass of a body ('{}'); its kinetic energy is at most {:.2g} J, the model's {:.3g} J",
       s.bodies, s.share, s.most, worst, s.energy, s.kinetic);
   if (s.kinetic > 0) text += fmt::format(" ({:.2g} %)", 100 * s.energy / s.kinetic);
   return text;

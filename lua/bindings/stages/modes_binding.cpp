@@ -89,14 +89,13 @@ template <int D>
 std::string unsteady_text(const SimulatedModel<D>& m, const std::vector<NaturalMode<D>>& found) {
   const auto still = std::count_if(found.begin(), found.end(), [](const auto& mode) { return !(mode.square > 0); });
   if (still == 0) return "";
-  const std::string which = still == 1 ? "one mode does not swing" : fmt::format("{} modes do not swing", still);
+  const std::string which = still == 1 ? "one mode does not oscillate" : fmt::format("{} modes do not swing", still);
   if (m.time() == 0)
     return fmt::format(
-        "\n{}: nothing presses yet that is held by its weight alone, so that it can part, slide and turn freely; let "
-        "it "
-        "come to rest first, m:consolidate()",
+        "\n{}: no contact carries weight yet, so bodies can separate, slide and rotate freely; bring the model to rest "
+        "first, m:consolidate()",
         which);
-  return fmt::format("\n{}: something is free to move as it stands (in the air, on an edge, or sliding)", which);
+  return fmt::format("\n{}: a body is free to move in the present state (in the air, on an edge, or sliding)", which);
 }
 
 /// Pushes the result of m:modes; `records`: write it to the results file.
@@ -199,8 +198,8 @@ int find_damping(lua_State* L) {
 }
 
 const std::array modes_method_list{
-    Method{"damping", guarded<find_damping>, "damping{count=}: ratios to critical damping by frequency, and from what"},
-    Method{"modes", guarded<find_modes>, "modes{count=}: natural frequencies and shapes as it stands"},
+    Method{"damping", guarded<find_damping>},
+    Method{"modes", guarded<find_modes>},
 };
 
 }  // namespace

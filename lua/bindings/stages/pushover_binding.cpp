@@ -84,11 +84,11 @@ void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double 
   if (peak.is_static()) return;
   const double slower = std::min(usual, rate * PushPeak::most_of_inertia / peak.share_of_inertia());
   m.note_at_once(
-      fmt::format("{}: the peak of {} at {} is no capacity: the structure carries {} of it, and inertia and damping "
-                  "take the rest, "
-                  "{:.0f} %; push more slowly, at {:.2g} m/s or less, or leave out rate, or take control = \"arc\"",
-                  name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"),
-                  quantity_text(peak.carried, "N"), 100 * peak.share_of_inertia(), slower),
+      fmt::format(
+          "{}: the peak of {} at {} is not a static capacity: the structure carries {} of it, and inertia and damping "
+          "the rest, {:.0f} %. Push more slowly, at {:.2g} m/s or less, or leave out rate, or use control = \"arc\"",
+          name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"), quantity_text(peak.carried, "N"),
+          100 * peak.share_of_inertia(), slower),
       host(L));
 }
 
@@ -190,9 +190,7 @@ double push_displacement(const ModelBox& box) {
 }
 
 const std::array pushover_method_list{
-    Method{"pushover", guarded<pushover>,
-           "pushover{body=, at=, direction=, pattern=, control=, rate=, arc=, displacement=, drift=, storey=, drop=}: "
-           "a stage that pushes steadily, or by equilibria past limit points"},
+    Method{"pushover", guarded<pushover>},
 };
 
 using PushoverProperty = Property<ModelBox>;

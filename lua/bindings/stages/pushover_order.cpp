@@ -18,7 +18,7 @@ void read_control(Keys& keys, PushOrder<D>& o) {
   for (const std::string_view key : others)
     if (keys.has(key))
       keys.problem(
-          fmt::format("'{}' is given, which is of control = \"{}\"; leave it out", key, o.by_arc ? "time" : "arc"));
+          fmt::format("'{}' is given, which is for control = \"{}\"; leave it out", key, o.by_arc ? "time" : "arc"));
   o.arc = keys.number("arc", "m", 0);
   if (keys.has("arc") && !(o.arc > 0)) keys.problem(fmt::format("'arc' is {:g} m, must be above 0", o.arc));
   if (!o.by_arc) o.rate = keys.maybe_number("rate", "m/s").value_or(0);
@@ -101,7 +101,7 @@ PushOrder<D> read_order(Keys& keys, const ScriptModel& m) {
   for (const auto& [key, value, unit] : {std::tuple{"rate", o.by_arc || !keys.has("rate") ? 1 : o.rate, "m/s"},
                                          std::tuple{"displacement", o.displacement, "m"}})
     if (!(value > 0))
-      keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction has the sign", key, value, unit));
+      keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction sets the sign", key, value, unit));
   if (o.samples < 2) keys.problem(fmt::format("'samples' is {}, must be at least 2", o.samples));
   return o;
 }

@@ -20,14 +20,13 @@ const Checkpoint& require_checkpoint(const ScriptModel& model, double time) {
   const Checkpoints& kept = model.checkpoints;
   if (time > model.time() + 1e-9)
     throw InputError(
-        fmt::format("rewind: it is {:.4f} s now, and {:.6g} s is later; run on instead", model.time(), time));
+        fmt::format("rewind: the present time is {:.4f} s, and {:.6g} s is later; run on instead", model.time(), time));
   if (kept.list().empty())
     throw InputError("rewind: there is no checkpoint; they are taken while a stage runs, see checkpoints");
   const double oldest = kept.list().front().time();
   if (time < oldest - kept.options.every)
     throw InputError(
-        fmt::format("rewind: the oldest checkpoint is at {:.4f} s, {:.4f} s back; to go back further, let "
-                    "more be kept, see checkpoints",
+        fmt::format("rewind: the oldest checkpoint is at {:.4f} s, {:.4f} s back; to go back further, keep more checkpoints, see checkpoints",
                     oldest, model.time() - oldest));
   return *kept.nearest(time);
 }
@@ -82,7 +81,7 @@ double SimulatedModel<D>::rewind(double time, Host& host) {
     const std::unique_ptr<Recording<D>> before = std::move(recording_);
     continue_recording(host, left, *before);
     before->abandon(
-        fmt::format("went back from {:.6g} s to {:.6g} s; goes on in {}", left, to, recording_->path().string()));
+        fmt::format("went back from {:.6g} s to {:.6g} s; continues in {}", left, to, recording_->path().string()));
   }
   return to;
 }
@@ -125,7 +124,7 @@ template <int D>
 StageReport SimulatedModel<D>::resume(const ScriptListener& listener, Host& host) {
   if (running_) throw InputError("continue: a stage runs already");
   if (!simulation_ || simulation_->stage() == nullptr)
-    throw InputError("continue: no stage waits to go on; begin one with run, consolidate or shake");
+    throw InputError("continue: no stage is paused; begin one with run, consolidate or shake");
   return guarded_run([&] { return simulation_->resume(listen_with(listener, host)); }, host);
 }
 

@@ -57,7 +57,7 @@ void read_step(Keys& keys, StageOptions& o) {
 void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_view of) {
   for (const char* const key : names)
     if (keys.has(key))
-      keys.problem(fmt::format("'{}' is of integrator = \"{}\", and this stage is explicit; leave it out", key, of));
+      keys.problem(fmt::format("'{}' is for integrator = \"{}\", but this stage is explicit; leave it out", key, of));
 }
 
 /// The given keys for the approach of rest in explicit steps, "'local_damping', 'grow'"; "": none.
@@ -78,7 +78,7 @@ void read_integrator(Keys& keys, StageOptions& o) {
   if (!(accuracy >= 0 && accuracy <= 1))
     keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
   if (accuracy > 0 && accuracy < least_accuracy)
-    keys.problem(fmt::format("'accuracy' is {:g}, must be 0, for any, or at least {:g}, or its steps would hardly end",
+    keys.problem(fmt::format("'accuracy' is {:g}, must be 0 for any error, or at least {:g}; less needs too many steps",
                              accuracy, least_accuracy));
   const bool alone = keys.has("accuracy") && !keys.has("safety");
   if (name == "explicit" && accuracy > 0 && alone && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
@@ -89,11 +89,11 @@ void read_integrator(Keys& keys, StageOptions& o) {
   const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
   o.tolerance = keys.number("tolerance", "1", o.tolerance);
   if (keys.has("alpha") && keys.has("spectral_radius"))
-    keys.problem("both 'alpha' and 'spectral_radius' are given; keep one: each says by itself how much is damped");
+    keys.problem("both 'alpha' and 'spectral_radius' are given; keep one: each sets the numerical damping");
   if (!(alpha >= -1.0 / 3 && alpha <= 0))
-    keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0, where nothing is damped", alpha));
+    keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0 (no damping)", alpha));
   if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))
-    keys.problem(fmt::format("'spectral_radius' is {:g}, must be from 0 to 1, where nothing is damped", radius));
+    keys.problem(fmt::format("'spectral_radius' is {:g}, must be from 0 to 1 (no damping)", radius));
   if (!(o.tolerance > 0 && o.tolerance <= 1e-2))
     keys.problem(fmt::format("'tolerance' is {:g}, must be above 0 and at most 0.01", o.tolerance));
   o.implicit = std::isfinite(radius) ? AlphaScheme::from_radius(radius) : AlphaScheme::hht(alpha);
@@ -171,8 +171,8 @@ int consolidate(lua_State* L) {
   how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
   if (!by_statics) refuse(keys, {"shares", "tolerance"}, "static");
   if (by_statics && o.mass_scaling)
-    keys.problem("mass_scaling is of explicit steps; integrator = \"static\" takes none");
-  if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a stage of its own");
+    keys.problem("mass_scaling is for explicit steps; integrator = \"static\" has none");
+  if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a separate stage");
   o.must_rest = !or_go_on;
   const std::string unused = by_statics ? explicit_keys(keys) : "";
   const StageUntil until = read_until(keys, m);
@@ -187,12 +187,11 @@ int consolidate(lua_State* L) {
   const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
   tell_scaling(L, m, report);
   if (report.end == StageEnd::not_at_rest && !or_go_on)
-    throw NoSolution(fmt::format("{} did not come to rest{}: {}; or_go_on = true goes on all the same", o.name,
+    throw NoSolution(fmt::format("{} did not come to rest{}: {}; or_go_on = true continues anyway", o.name,
                                  by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
   if (by_statics && report.end == StageEnd::unstable && !or_go_on)
     throw NoSolution(fmt::format(
-        "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true goes on "
-        "all the same",
+        "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true continues anyway",
         o.name, report.reason));
   // An explicit stage beyond strain_limit still moves, and its verdict reports it; statics was requested to find rest.
   if (by_statics && report.end == StageEnd::diverged && !or_go_on)
@@ -201,9 +200,9 @@ int consolidate(lua_State* L) {
     m.note(said);
     if (host(L).observer != nullptr) host(L).observer->note(said);
   };
-  if (!unused.empty()) note(fmt::format("{}: {} told explicit steps what to do; statics takes none", o.name, unused));
+  if (!unused.empty()) note(fmt::format("{}: statics has no time steps, so it ignores {}", o.name, unused));
   if (report.end == StageEnd::not_at_rest)
-    note(fmt::format("{} did not come to rest, and goes on all the same: {}", o.name, report.reason));
+    note(fmt::format("{} did not come to rest, but the run continues: {}", o.name, report.reason));
   if (report.end == StageEnd::unstable) {
     const std::string said = fmt::format("{}: {}", o.name, report.reason);
     m.note(said), tell_note(L, m, said);  // in the file, and in m.notes
@@ -287,9 +286,9 @@ int tilt(lua_State* L) {
   Keys keys(L, 2, "tilt");
   const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
   const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
-  if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate has the sign", by));
+  if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate sets the sign", by));
   keys.finish();
-  if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes");
+  if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity is not rotating: nothing changes");
   report_implausible(L, m, "tilt", "rate", "rad/s", rate);
   report_implausible(L, m, "tilt", "by", "rad", by);
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
@@ -347,19 +346,13 @@ int stop(lua_State* L) {
 }
 
 const std::array stage_method_list{
-    Method{"run", guarded<run>, "run{duration= | to=, name=, dt=, rest=}: a stage"},
-    Method{"consolidate", guarded<consolidate>,
-           "consolidate{duration=, rest = { ratio= }, local_damping=, grow=, fresh=, or_go_on=, integrator=}: to rest "
-           "under dead "
-           "load; fresh "
-           "mortar sets at its end"},
-    Method{"shake", guarded<shake>,
-           "shake{motions={{body=, x=, y=}, ...}, duration=, rest={speed=, hold=}}: bodies follow ground motions"},
-    Method{"drive", guarded<drive>, "drive{body=, x=, y=, rotation=}: a body follows a motion from now on"},
-    Method{"tilt", guarded<tilt>, "tilt{rate=, by=}: gravity turns from now on"},
-    Method{"bounds", guarded<bounds>,
-           "bounds{left=, right=, bottom=, top=}: what leaves them is an event and stands still from then on"},
-    Method{"stop", guarded<stop>, "stop(): ends the running stage at the next step border"},
+    Method{"run", guarded<run>},
+    Method{"consolidate", guarded<consolidate>},
+    Method{"shake", guarded<shake>},
+    Method{"drive", guarded<drive>},
+    Method{"tilt", guarded<tilt>},
+    Method{"bounds", guarded<bounds>},
+    Method{"stop", guarded<stop>},
 };
 
 }  // namespace

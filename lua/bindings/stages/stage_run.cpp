@@ -225,7 +225,7 @@ void refuse_unread_arguments(const Host& h) {
   for (const std::string& word : h.given)
     if (word.find('=', 1) != std::string::npos && word.front() != '-')
       throw InputError(
-          fmt::format("the script declares no parameters, so '{}' has no place; see trilith.params", word));
+          fmt::format("the script declares no parameters, so '{}' cannot be set; see trilith.params", word));
 }
 
 /// Checks from time to time whether bodies have fallen during a stage.
@@ -261,8 +261,8 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
     if (until.steps > 0 || until.function != 0 || until.drop > 0)
       listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
         inner(time, dt);
-        if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true came true";
-        if (met.empty() && fallen.look()) met = "it has collapsed, by until_collapse";
+        if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true became true";
+        if (met.empty() && fallen.look()) met = "collapse, by until_collapse";
         if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps)) model.stop();
       };
     StageReport report = model.run(options, listener, h);
@@ -296,8 +296,8 @@ void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& sta
   if (names.empty()) return;
   tell_note(
       L, model,
-      fmt::format("{}: nothing acts of {} at {:g} s of its load curve, and statics takes no time; for the whole load "
-                  "leave out load_curve, or let time go by first",
+      fmt::format("{}: no share of {} acts at {:g} s of its load curve, and statics takes no time; for the whole load "
+                  "leave out load_curve, or run for some time first",
                   stage, names, model.time()));
 }
 

@@ -50,8 +50,7 @@ Wanted read_wanted(Keys& keys) {
   if (!w.has_before && !lua_isnil(keys.lua(), -1)) keys.wrong("before", "a function");
   lua_pop(keys.lua(), 1);
   w.rise = read_rise(keys);
-  if (w.has_before && !w.has_function)
-    keys.problem("'before' goes with case = a function, which is given what it gives");
+  if (w.has_before && !w.has_function) keys.problem("'before' needs case = a function, which receives its result");
   if (w.has_function == !w.script.empty())
     keys.problem("give just one of script = a file that runs a case, and case = a function of its parameters");
   return w;
@@ -117,7 +116,7 @@ void run_case(lua_State* L, Host& h, const StudyPlan& plan, const Wanted& wanted
   const auto only = static_cast<std::size_t>(h.study.only);
   if (only > plan.cases.size())
     throw InputError(fmt::format("study: there is no case {}; there are {}", only, plan.cases.size()));
-  if (!wanted.has_function) throw InputError("study: its cases are runs of a script of their own; see --list");
+  if (!wanted.has_function) throw InputError("study: its cases are separate runs of a script; see --list");
   if (wanted.has_before) make_state(L);
   call_case(L, h, plan, only - 1);
   throw InputError(script_is_done);

@@ -13,7 +13,7 @@ std::vector<std::string> sorted_names(lua_State* L, const std::string& owner) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING)
-      throw InputError(fmt::format("{}: {} stands there without a name", owner, what_is(L, -1)));
+      throw InputError(fmt::format("{}: {} is given without a name", owner, what_is(L, -1)));
     names.push_back(text_at(L, -2));
     require_printable(names.back(), owner + ": name");
   }
@@ -45,7 +45,7 @@ StudyParameter parameter_at_top(lua_State* L, const std::string& name) {
   // It becomes a word of a command line, where it must not look like an option.
   if (name.empty() || name.starts_with("-") || name.find('=') != std::string::npos)
     throw InputError(fmt::format(
-        "study: '{}' is no name of a parameter; it must not be empty, begin with '-' or hold '='", one_line(name)));
+        "study: '{}' is not a parameter name; it must not be empty, begin with '-' or hold '='", one_line(name)));
   StudyParameter p{name, "", {}};
   if (lua_type(L, -1) != LUA_TTABLE) {
     p.values.push_back(value_at_top(L, name));
@@ -172,7 +172,7 @@ StudyPlan read_plan(Keys& keys) {
   lua_checkstack(L, 20);
   const bool samples = keys.has("samples");
   const int count = keys.count("count", 0), seed = keys.count("seed", 1);
-  if (!samples && count != 0) keys.problem("'count' goes with samples");
+  if (!samples && count != 0) keys.problem("'count' needs samples");
   if (keys.has("parameters") + keys.has("cases") + (samples ? 1 : 0) != 1)
     throw InputError(
         "study: give just one of parameters = { name = {values} }, cases = { {name = value}, ... } and "

@@ -71,7 +71,7 @@ void run_before(lua_State* L, script::Host& host, ConsoleSession& session) {
     session.no_solution = script::is_no_solution(L, session.failure);
     fmt::print(stderr, "{}\n", terminal_text(session.failure));
   } else if (!host.given_used && !host.given.empty()) {
-    fmt::print(stderr, "{} declares no parameters, so '{}' has no place; see trilith.params\n", host.script,
+    fmt::print(stderr, "{} declares no parameters, so '{}' cannot be set; see trilith.params\n", host.script,
                host.given.front());
   }
   lua_settop(L, 1);
@@ -101,7 +101,7 @@ int run(const Options& asked) {
   host.console = &session;
   const InterruptScope scope(L, ConsoleSession::on_interrupt, 3);
   host.interrupted = is_interrupted;
-  if (session.editor.terminal()) fmt::print("Trilith {}. `help` says what there is, Ctrl-D leaves.\n", TRILITH_VERSION);
+  if (session.editor.terminal()) fmt::print("Trilith {}. `help` prints an overview, Ctrl-D leaves.\n", TRILITH_VERSION);
   if (!host.script.empty()) run_before(L, host, session);
   host.restart.script_ended = true;
   const bool before = session.failure.empty() || session.no_solution, good = session.top(L) && before;
@@ -117,8 +117,9 @@ int run(const Options& asked) {
 
 void add_console(CLI::App& app, int& code) {
   auto options = std::make_shared<Options>();
-  CLI::App* verb = app.add_subcommand("console", "Talk to a model; this is what trilith alone, and trilith -i, do");
-  verb->add_option("script", options->script, "run this script first, and stay")->type_name("SCRIPT");
+  CLI::App* verb =
+      app.add_subcommand("console", "Open a console; the same as trilith without arguments, and trilith -i");
+  verb->add_option("script", options->script, "run this script first, then open the console")->type_name("SCRIPT");
   verb->add_option("parameters", options->given, "parameters that the script declares, as in pga=0.6g")
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));

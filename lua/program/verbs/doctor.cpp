@@ -124,7 +124,7 @@ Finding processor_finding() {
   const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   return {wide ? "processor: AVX2 and FMA" : "processor: without AVX2 or FMA: the same results, more slowly", "", ""};
 #else
-  return {"processor: not x86-64: the same results each time, but others than on x86-64 in the last bits", "", ""};
+  return {"processor: not x86-64: the results are reproducible, but differ from x86-64 in the last bits", "", ""};
 #endif
 }
 
@@ -139,22 +139,25 @@ Finding records_finding() {
     std::error_code error;
     if (fs::is_directory(folder, error)) return {"records: " + folder.string(), "", ""};
   }
-  return {"", "the records are not at " + folders.front().string(), "installing anew, or records beside the script"};
+  return {"", "the ground motion records are not at " + folders.front().string(),
+          "a new installation, or records next to the script"};
 }
 
 /// Result of a run of the self-test, compared with the known hash of this platform.
 Finding motion_finding(const std::string& who, const Answer& answer) {
   const std::string known = TRILITH_SELF_TEST_MOTION;
-  if (!answer.trouble.empty()) return {"", fmt::format("{}: the self-test {}", who, answer.trouble), "installing anew"};
+  if (!answer.trouble.empty())
+    return {"", fmt::format("{}: the self-test {}", who, answer.trouble), "a new installation"};
   const auto found = answer.said.find("motion");
-  if (found == answer.said.end()) return {"", who + ": the self-test says nothing", "installing anew"};
+  if (found == answer.said.end()) return {"", who + ": the self-test prints nothing", "a new installation"};
   if (known.empty())
-    return {fmt::format("{}: the self-test moves ({}); what it should come to is not known for " TRILITH_PLATFORM, who,
+    return {fmt::format("{}: the self-test runs ({}); its expected result is not known for " TRILITH_PLATFORM, who,
                         found->second),
             "", ""};
-  if (found->second == known) return {fmt::format("{}: the self-test moves to the bit as known", who), "", ""};
-  return {"", fmt::format("{}: the self-test ends with {}, known is {}", who, found->second, known),
-          "building without options of your own (no fast-math, no -march), or a test of the machine's memory"};
+  if (found->second == known)
+    return {fmt::format("{}: the self-test gives the expected result, bit by bit", who), "", ""};
+  return {"", fmt::format("{}: the self-test gives {}, expected is {}", who, found->second, known),
+          "building with the standard options (no fast-math, no -march), or a test of the machine's memory"};
 }
 
 Finding file_finding(const fs::path& file) {
@@ -164,9 +167,9 @@ Finding file_finding(const fs::path& file) {
       return {fmt::format("HDF5 writes and reads a file of {} frames in {}", reader.frame_count(),
                           file.parent_path().parent_path().string()),
               "", ""};
-    return {"", "the results of the self-test are not whole", "more room where temporary files lie (TMPDIR)"};
+    return {"", "the results of the self-test are incomplete", "more space for temporary files (TMPDIR)"};
   } catch (const std::exception& e) {
-    return {"", fmt::format("HDF5: {}", e.what()), "more room where temporary files lie (TMPDIR)"};
+    return {"", fmt::format("HDF5: {}", e.what()), "more space for temporary files (TMPDIR)"};
   }
 }
 
@@ -187,8 +190,8 @@ std::string way_to(const fs::path& module) {
 std::vector<Finding> module_findings(const fs::path& folder) {
   const fs::path lua = in_search_path("lua5.4"), beside = module_beside();
   if (lua.empty())
-    return {{"no lua5.4 here: trilith alone runs scripts" + (beside.empty() ? "" : "; module: " + beside.string()), "",
-             ""}};
+    return {
+        {"no lua5.4 here: only trilith runs scripts" + (beside.empty() ? "" : "; module: " + beside.string()), "", ""}};
   write_whole_file(folder / "module.lua", module_script);
   const Answer answer =
       ask(folder, "module", {lua.string(), (folder / "module.lua").string(), "out=" + (folder / "module.h5").string()});
@@ -211,7 +214,7 @@ std::vector<Finding> module_findings(const fs::path& folder) {
 std::vector<Finding> test_findings() {
   const ScratchFolder scratch;
   const fs::path& folder = scratch.path();
-  if (folder.empty()) return {{"", "no folder can be made where temporary files lie", "export TMPDIR=FOLDER"}};
+  if (folder.empty()) return {{"", "no folder can be made for temporary files", "export TMPDIR=FOLDER"}};
   write_whole_file(folder / "self_test.lua", script::library_text("self_test"));
   const fs::path file = folder / "program.h5";
   const Answer answer =
@@ -239,7 +242,7 @@ int examine() {
 
 void add_doctor(CLI::App& app, int& code) {
   CLI::App* verb = app.add_subcommand(
-      "doctor", "Check this installation: versions, the Lua module, files, a run that is known to the bit");
+      "doctor", "Check this installation: versions, the Lua module, files, a run with a known result");
   verb->callback([&code] { code = examine(); });
 }
 

@@ -56,7 +56,8 @@ double time_of(const results::ResultsReader& reader, const Window& window, const
     if (e.type == text && e.time >= window.begin && e.time <= window.end) return e.time;
     if (std::find(known.begin(), known.end(), e.type) == known.end()) known.push_back(e.type);
   }
-  throw InputError(fmt::format("--at: '{}' is no time and no event of this run{}", text, name_hint(text, known)));
+  throw InputError(
+      fmt::format("--at: '{}' is neither a time nor an event of this run{}", text, name_hint(text, known)));
 }
 
 draw::PictureStyle style_of(const DrawOptions& options, int dim) {
@@ -150,48 +151,45 @@ int draw(const DrawOptions& options) {
 void add_draw(CLI::App& app, int& code) {
   auto o = std::make_shared<DrawOptions>();
   CLI::App* verb = app.add_subcommand("draw", "Draw the structure at one or more moments of a run");
-  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+  verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
-  verb->add_option(
-          "--at", o->at,
-          "seconds from the start or from what --stage or --since says, 'start', 'end', or an event such as seat.lost "
-          "(the first); several, separated by commas, become panels")
+  verb->add_option("--at", o->at,
+                   "seconds from the start or from --stage or --since, 'start', 'end', or an event such as seat.lost "
+                   "(the first); several, separated by commas, become panels")
       ->type_name("T[,T...]")
       ->capture_default_str();
   verb->add_option("--stage", o->stage, "within this stage, with T counted from its beginning")->type_name("NAME");
   add_since(*verb, o->since);
-  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .png where not given")
-      ->type_name("FILE");
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; default RESULT with .png")->type_name("FILE");
   verb->add_flag("--forces", o->forces, "contact forces");
-  verb->add_flag("--ghost", o->ghost, "where the bodies stood at the start");
-  verb->add_flag("--cracks", o->cracks,
-                 "joints that have lost their bond, and dry ones, by how far they are open, or slid");
+  verb->add_flag("--ghost", o->ghost, "positions of the bodies at the start");
+  verb->add_flag("--cracks", o->cracks, "joints that have lost their bond, and dry joints, by opening or slip");
   verb->add_option("--stress", o->stress,
                    "colour bodies by their mean stress: smaller or larger principal, or a component")
       ->check(CLI::IsMember(draw::stress_names()));
   verb->add_option("--thrust", o->thrust, "the line of thrust through the bodies of this group, in their order")
       ->type_name("GROUP");
-  verb->add_option("--magnify", o->magnify, "displacements since the start times this")
+  verb->add_option("--magnify", o->magnify, "factor on displacements since the start")
       ->type_name("FACTOR")
       ->check(CLI::Validator(is_positive, "", ""));
   verb->add_option("--mode", o->mode,
-                   "natural modes by number, of those that m:modes found last, or last before --at; several become "
-                   "panels; --magnify times the size that is chosen")
+                   "natural modes by number, from the last call of m:modes, or the last before --at; several become "
+                   "panels; --magnify is a factor on the automatic size")
       ->type_name("N[,N...]");
-  verb->add_option("--colour", o->colour, "what bodies are coloured by")
+  verb->add_option("--colour", o->colour, "quantity that colours the bodies")
       ->check(CLI::IsMember(draw::colour_names()))
       ->capture_default_str();
   verb->add_option("--view", o->view,
-                   "the part to show, X0,Y0,X1,Y1 in metres; of a model in space from where: front, back, left, right, "
-                   "top, iso, or AZIMUTH,ELEVATION in degrees; write --view=-3,0,5,4 where it begins with a minus")
+                   "the part to show, X0,Y0,X1,Y1 in metres; in space the direction: front, back, left, right, top, "
+                   "iso, or AZIMUTH,ELEVATION in degrees; write --view=-3,0,5,4 if it begins with a minus")
       ->type_name("VIEW");
-  verb->add_option("--cut", o->cut, "of a model in space: the section at a place on an axis, such as x=2.5, in metres")
+  verb->add_option("--cut", o->cut, "in space: the section at a place on an axis, such as x=2.5, in metres")
       ->type_name("AXIS=PLACE");
-  verb->add_option("--names", o->names, "of bodies: auto (where there are at most 30), all or none")
+  verb->add_option("--names", o->names, "names of bodies: auto (for at most 30), all or none")
       ->check(CLI::IsMember({"auto", "all", "none"}))
       ->capture_default_str();
-  verb->add_option("--units", o->units, "of the scales in the legend: si or us")
+  verb->add_option("--units", o->units, "units of the scales in the legend: si or us")
       ->check(CLI::IsMember({"si", "us"}))
       ->capture_default_str();
   verb->add_option("--columns", o->columns, "columns of panels")->check(CLI::Range(1, 20));

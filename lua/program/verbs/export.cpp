@@ -21,10 +21,10 @@ struct ExportOptions {
 results::FrameRange frame_range(const std::string& text) {
   results::FrameRange range;
   const auto refuse = [&] {
-    throw InputError(fmt::format(
-        "--frames: '{}' must be FROM:TO:EVERY, whole numbers counted from 0, each of which may be left out, FROM not "
-        "above TO and EVERY not 0",
-        text));
+    throw InputError(
+        fmt::format("--frames: '{}' must be FROM:TO:EVERY, whole numbers counted from 0, each may be left out, FROM "
+                    "not above TO and EVERY not 0",
+                    text));
   };
   std::size_t part = 0;
   std::string digits;
@@ -63,12 +63,12 @@ int export_results(const ExportOptions& options) {
 void add_export(CLI::App& app, int& code) {
   auto o = std::make_shared<ExportOptions>();
   CLI::App* verb = app.add_subcommand("export", "Write a run for other programs: ParaView reads vtk");
-  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+  verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
   verb->add_option("--to", o->to, "the format")->check(CLI::IsMember({"vtk"}))->capture_default_str();
-  verb->add_option("-o,--output", o->out, "folder; RESULT with _vtk where not given")->type_name("FOLDER");
-  verb->add_option("--frames", o->frames, "which frames, counted from 0, as in 0:300:10; all where not given")
+  verb->add_option("-o,--output", o->out, "folder; default RESULT with _vtk")->type_name("FOLDER");
+  verb->add_option("--frames", o->frames, "which frames, counted from 0, as in 0:300:10; default all")
       ->type_name("FROM:TO:EVERY");
   verb->callback([o, &code] { code = export_results(*o); });
 }

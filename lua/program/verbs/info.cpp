@@ -34,10 +34,10 @@ int show_study(const InfoOptions& options) {
 int show_info(const InfoOptions& options) {
   if (results::is_study_table(options.result)) return show_study(options);
   if (!options.probability.empty() || !options.over.empty())
-    throw InputError("--probability and --over are for the table of a study; this is a run");
+    throw InputError("--probability and --over are for the table of a study; this file is a run");
   const results::ResultsReader reader(options.result);
   if (!options.events && !options.of_note) {
-    if (!options.since.empty()) throw InputError("--since is for times of events: with --events or --of-note");
+    if (!options.since.empty()) throw InputError("--since is for times of events; use it with --events or --of-note");
     fmt::print("{}", terminal_text(results::info_text(reader)));
     return ended_well;
   }
@@ -51,14 +51,14 @@ int show_info(const InfoOptions& options) {
 
 void add_info(CLI::App& app, int& code) {
   auto o = std::make_shared<InfoOptions>();
-  CLI::App* verb =
-      app.add_subcommand("info", "Tell what a results file, finished or not, or the table of a study holds");
+  CLI::App* verb = app.add_subcommand("info", "Summarise a results file, finished or not, or the table of a study");
   verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");
-  verb->add_flag("--events", o->events, "all events, each below the one that led to it");
+  verb->add_flag("--events", o->events, "all events, each below its cause");
   verb->add_flag("--of-note", o->of_note, "the same without contacts made and lost and bodies at rest");
   add_since(*verb, o->since);
-  verb->add_option("--probability", o->probability,
-                   "of a study: how many cases meet this, as in collapsed or \"drift > 0.02\", with an interval")
+  verb->add_option(
+          "--probability", o->probability,
+          "of a study: how many cases meet this condition, as in collapsed or \"drift > 0.02\", with an interval")
       ->type_name("CONDITION");
   verb->add_option("--over", o->over, "with --probability: for each value of this parameter")->type_name("PARAMETER");
   verb->callback([o, &code] { code = show_info(*o); });

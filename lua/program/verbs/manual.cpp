@@ -46,16 +46,17 @@ int show_manual(const ManualOptions& options) {
 
 void add_manual(CLI::App& app, int& code) {
   auto options = std::make_shared<ManualOptions>();
-  CLI::App* verb = app.add_subcommand("manual", "What the Lua interface has: the same text as help at the console");
-  verb->add_option("name", options->name, "a function, a field, a page; without it, what pages there are")
+  CLI::App* verb =
+      app.add_subcommand("manual", "Print the manual of the Lua interface, the same text as help at the console");
+  verb->add_option("name", options->name, "a function, a field or a page; without it, the list of pages")
       ->type_name("NAME");
   verb->add_option("--meta", options->meta,
                    "write the declarations for editors to FILE (- for here); see docs/editor.md")
       ->type_name("FILE");
   verb->add_flag("--markdown", options->markdown, "the page NAME as Markdown; without NAME, the list of pages");
-  verb->add_flag("--pages", options->pages, "the names of the pages, a line each");
-  verb->add_flag("--check", options->check, "say what of the interface is not declared");
-  verb->add_flag("--man", options->man, "the verbs and options of this program, as a page for man");
+  verb->add_flag("--pages", options->pages, "the names of the pages, one per line");
+  verb->add_flag("--check", options->check, "print parts of the interface that are not declared");
+  verb->add_flag("--man", options->man, "the commands and options of this program, as a man page");
   verb->callback([&app, options, &code] {
     if (options->man)
       fmt::print("{}", man_page(app));

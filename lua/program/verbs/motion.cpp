@@ -49,7 +49,7 @@ GroundMotion read_record(const MotionOptions& options) {
 
 GroundMotion read_processed(const MotionOptions& options) {
   if (options.unit.empty() && (options.step || !options.column.empty() || options.skip || options.decimal != 0))
-    throw InputError("--dt, --column, --skip and --decimal go with --unit, for a file of plain columns");
+    throw InputError("--dt, --column, --skip and --decimal need --unit, for a file of plain columns");
   GroundMotion motion = read_record(options);
   if (options.baseline) motion = baseline_corrected(motion, *options.baseline);
   return options.band.low > 0 || options.band.high > 0 ? filtered(motion, options.band) : motion;
@@ -82,34 +82,35 @@ int show_motion(const MotionOptions& options) {
 void add_motion(CLI::App& app, int& code) {
   auto o = std::make_shared<MotionOptions>();
   CLI::App* verb = app.add_subcommand("motion", "Measure and draw a ground motion");
-  verb->add_option("file", o->file, "record: PEER .AT2, CSV, or with --unit plain columns; or results file, .h5")
+  verb->add_option("file", o->file, "record: PEER .AT2, CSV, or plain columns with --unit; or a results file, .h5")
       ->required()
       ->type_name("FILE");
-  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; FILE with .png, here, where not given")
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; default FILE with .png, in the current folder")
       ->type_name("FILE");
-  verb->add_option("--number", o->number, "of a results file: which of the motions it holds, from 1")
+  verb->add_option("--number", o->number, "of a results file: number of the motion, from 1")
       ->type_name("N")
       ->capture_default_str();
-  verb->add_option("--unit", o->unit, "of the accelerations of a file of plain columns: " + plain_units())
+  verb->add_option("--unit", o->unit, "unit of the accelerations, for a file of plain columns: " + plain_units())
       ->type_name("UNIT");
-  verb->add_option("--dt", o->step, "with --unit: step of its samples [s], where it has no column of time")
+  verb->add_option("--dt", o->step, "with --unit: time step of the samples [s], without a time column")
       ->type_name("STEP");
-  verb->add_option("--column", o->column, "with --unit: of the accelerations, its number or name; rows: line by line")
+  verb->add_option("--column", o->column, "with --unit: number or name of the acceleration column; rows: line by line")
       ->type_name("COLUMN");
-  verb->add_option("--skip", o->skip, "with --unit: lines of head before the numbers")
+  verb->add_option("--skip", o->skip, "with --unit: number of header lines")
       ->check(CLI::Validator(is_not_negative, "", ""))
       ->type_name("LINES");
-  verb->add_option("--decimal", o->decimal, "with --unit: sign before decimals, . or ,")
+  verb->add_option("--decimal", o->decimal, "with --unit: decimal sign, . or ,")
       ->check(CLI::IsMember(std::vector<char>{'.', ','}))
       ->type_name("SIGN");
-  verb->add_option("--baseline", o->baseline, "take out the polynomial of this degree")->type_name("DEGREE");
-  verb->add_option("--low", o->band.low, "Butterworth filter: take out what is slower [Hz]")->type_name("HZ");
-  verb->add_option("--high", o->band.high, "Butterworth filter: take out what is faster [Hz]")->type_name("HZ");
-  verb->add_option("--order", o->band.order, "of the filter")->type_name("N")->capture_default_str();
+  verb->add_option("--baseline", o->baseline, "baseline correction: subtract the polynomial of this degree")
+      ->type_name("DEGREE");
+  verb->add_option("--low", o->band.low, "Butterworth filter: remove lower frequencies [Hz]")->type_name("HZ");
+  verb->add_option("--high", o->band.high, "Butterworth filter: remove higher frequencies [Hz]")->type_name("HZ");
+  verb->add_option("--order", o->band.order, "order of the filter")->type_name("N")->capture_default_str();
   verb->add_option("--scale", o->scale, "factor on the amplitudes")->type_name("FACTOR");
   verb->add_option("--peak", o->peak, "scale to this peak acceleration, in g")->type_name("PGA");
   verb->add_option("--time-scale", o->time_scale, "factor on the time axis")->type_name("FACTOR");
-  verb->add_flag("--reverse", o->reverse, "the other sign");
+  verb->add_flag("--reverse", o->reverse, "reverse the sign");
   verb->add_flag("--no-picture", o->no_picture, "print the figures only");
   verb->callback([o, &code] { code = show_motion(*o); });
 }

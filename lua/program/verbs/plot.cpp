@@ -36,7 +36,7 @@ void list(const results::ResultsReader& reader) {
   for (const results::Quantity& q : reader.header().histories) widest = std::max(widest, q.name.size());
   for (const results::Quantity& q : reader.header().histories)
     fmt::print("{:<{}}  {:<8} {}\n", q.name, widest, q.unit, q.description);
-  fmt::print("{:<{}}  {:<8} the energy ledger: {} terms\n", ledger, widest, "J", reader.header().energy_terms.size());
+  fmt::print("{:<{}}  {:<8} the energy balance: {} terms\n", ledger, widest, "J", reader.header().energy_terms.size());
 }
 
 /// File stems, or whole paths if two stems are equal.
@@ -72,7 +72,7 @@ std::vector<draw::Chart> charts_of(const std::vector<draw::NamedResults>& result
 std::string intensity_of(const PlotOptions& options, const std::vector<results::StudyColumn>& columns) {
   if (!options.over.empty()) return options.over;
   throw InputError(
-      fmt::format("say over what: --over {}", fmt::join(results::study_names(columns).parameters, " or ")));
+      fmt::format("give the parameter: --over {}", fmt::join(results::study_names(columns).parameters, " or ")));
 }
 
 draw::Chart chart_of_study(const PlotOptions& options, const std::vector<results::StudyColumn>& columns) {
@@ -93,7 +93,8 @@ int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
     fmt::print("over: {}\nfigures: {}\n", fmt::join(names.parameters, ", "), fmt::join(names.figures, ", "));
     return ended_well;
   }
-  if (!options.against.empty()) throw InputError("--against is for a run; figures of a study go --over a parameter");
+  if (!options.against.empty())
+    throw InputError("--against is for a run; figures of a study are drawn --over a parameter");
   draw::Chart chart = chart_of_study(options, columns);
   chart.title = std::filesystem::path(options.result).stem().string();
   make_folder_for(out);
@@ -109,8 +110,9 @@ int plot(const PlotOptions& options) {
   draw::picture_format(out);
   if (results::is_study_table(options.result)) return plot_study(options, out);
   if (!options.fragility.empty() || !options.ida.empty())
-    throw InputError("--fragility and --ida are for the table of a study; this is a run");
-  if (!options.over.empty()) throw InputError("--over is for the table of a study; this is a run, over its time");
+    throw InputError("--fragility and --ida are for the table of a study; this file is a run");
+  if (!options.over.empty())
+    throw InputError("--over is for the table of a study; this file is a run, drawn over time");
   std::vector<std::string> paths{options.result};
   paths.insert(paths.end(), options.more.begin(), options.more.end());
   std::vector<results::ResultsReader> readers;
@@ -124,7 +126,7 @@ int plot(const PlotOptions& options) {
   for (std::size_t i = 0; i < readers.size(); ++i) results.push_back({&readers[i], names[i]});
   std::vector<draw::Chart> charts = charts_of(results, options);
   if (charts[0].title.empty() && results.size() == 1) charts[0].title = readers[0].title();
-  if (options.events && !options.against.empty()) throw InputError("--events go with time, not with --against");
+  if (options.events && !options.against.empty()) throw InputError("--events needs a time axis, not --against");
   if (options.events)
     for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0], options.window);
   make_folder_for(out);
@@ -142,15 +144,15 @@ void add_plot(CLI::App& app, int& code) {
       "plot", "Plot histories or the energy of one or more runs over time, or figures of a study over a parameter");
   verb->add_option("result", o->result, "results file, or table of a study")->required()->type_name("RESULT");
   verb->add_option("histories", o->names,
-                   "names of histories, or 'energy' for the ledger; of a study, its figures; all where not given")
+                   "names of histories, or 'energy' for the energy balance; of a study, its figures; default all")
       ->type_name("HISTORY");
-  verb->add_option("-r,--result", o->more, "a further results file, drawn over the first; may be given again")
+  verb->add_option("-r,--result", o->more, "another results file, drawn over the first; can be repeated")
       ->type_name("RESULT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; RESULT with .plot.png where not given")
+  verb->add_option("-o,--output", o->out, "picture, .svg, .pdf or .png; default RESULT with .plot.png")
       ->type_name("FILE");
-  verb->add_option("--over", o->over, "parameter of a study; the first that takes several values where not given")
+  verb->add_option("--over", o->over, "parameter of a study; default the first that takes several values")
       ->type_name("PARAMETER");
   verb->add_option(
           "--fragility", o->fragility,
@@ -158,18 +160,18 @@ void add_plot(CLI::App& app, int& code) {
       ->type_name("CONDITION");
   verb->add_option("--ida", o->ida,
                    "of a study: --over drawn over this figure, a line for each record; with --fragility the lines end "
-                   "where that condition holds")
+                   "where the condition holds")
       ->type_name("FIGURE");
   verb->add_option("--against", o->against, "draw over this history instead of over time: loops, capacity curves")
       ->type_name("HISTORY");
-  verb->add_option("--stage", o->window.stage, "this stage alone, with time counted from its beginning")
+  verb->add_option("--stage", o->window.stage, "only this stage, with time counted from its beginning")
       ->type_name("NAME");
   add_since(*verb, o->window.since);
-  verb->add_option("--from", o->window.from, "leave out what is before [s]")->type_name("T");
-  verb->add_option("--to", o->window.to, "leave out what is after [s]")->type_name("T");
+  verb->add_option("--from", o->window.from, "begin of the drawn time [s]")->type_name("T");
+  verb->add_option("--to", o->window.to, "end of the drawn time [s]")->type_name("T");
   verb->add_flag("--events", o->events, "mark stages and events of the first run");
-  verb->add_flag("--lines", o->lines, "terms of the energy as lines, not on each other");
-  verb->add_flag("--list", o->list, "list the histories there are and end");
+  verb->add_flag("--lines", o->lines, "terms of the energy as lines, not stacked");
+  verb->add_flag("--list", o->list, "list the histories and end");
   verb->callback([o, &code] { code = plot(*o); });
 }
 

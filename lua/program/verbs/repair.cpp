@@ -46,7 +46,7 @@ int repair_result(const RepairOptions& options) {
 
 void add_repair(CLI::App& app, int& code) {
   auto o = std::make_shared<RepairOptions>();
-  CLI::App* verb = app.add_subcommand("repair", "Copy what a killed run had written to a clean results file");
+  CLI::App* verb = app.add_subcommand("repair", "Copy the data of a killed run to a clean results file");
   verb->add_option("result", o->result, "results file, finished or not")->required()->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the copy")->required()->type_name("FILE");
   verb->callback([o, &code] { code = repair_result(*o); });

@@ -35,7 +35,8 @@ int report(const ReportOptions& options) {
                                         ? std::filesystem::path(options.result).replace_extension(".report.html")
                                         : std::filesystem::path(options.out);
   if (out.extension() != ".html" && out.extension() != ".htm")
-    throw InputError(fmt::format("'{}': a report ends with .html; a browser prints it to PDF", out.string()));
+    throw InputError(
+        fmt::format("'{}': the name of a report must end with .html; a browser prints it to PDF", out.string()));
   const results::ResultsReader reader(options.result);
   const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("sealing frames");
@@ -47,8 +48,8 @@ int report(const ReportOptions& options) {
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);
   if (!reader.finished())
-    fmt::print("the run {}: the report goes as far as it had written\n",
-               reader.running() ? "still goes on" : "was stopped");
+    fmt::print("the run {}: the report covers the part that was written\n",
+               reader.running() ? "is in progress" : "was stopped");
   return ended_well;
 }
 
@@ -56,12 +57,11 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, int& code) {
   auto o = std::make_shared<ReportOptions>();
-  CLI::App* verb = app.add_subcommand("report", "Write the report of a run: one page that prints well");
-  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+  CLI::App* verb = app.add_subcommand("report", "Write the report of a run: one printable page");
+  verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
-  verb->add_option("-o,--output", o->out, "the report, .html; RESULT with .report.html where not given")
-      ->type_name("FILE");
+  verb->add_option("-o,--output", o->out, "the report, .html; default RESULT with .report.html")->type_name("FILE");
   add_since(*verb, o->since);
   verb->callback([o, &code] { code = report(*o); });
 }

@@ -85,7 +85,7 @@ int run_as_asked(const RunOptions& options) {
   const int code = run_script(host);
   live.clear();
   if (live.waits() && !options.list)
-    fmt::print("note: --since: no stage and no event '{}' has come; times count from the start of the run\n",
+    fmt::print("note: --since: there was no stage and no event '{}'; times count from the start of the run\n",
                options.since);
   if (options.profile) fmt::print("{}", profile_text(host.profile));
   if (options.only > 0 && options.folder.empty()) fmt::print("{}", figures_text(host.figures));
@@ -104,7 +104,7 @@ void add_run(CLI::App& app, int& code) {
   CLI::App* verb = app.add_subcommand("run", "Run a Lua script");
   verb->add_option("script", options->script, "the script")->required()->type_name("SCRIPT");
   verb->add_option("parameters", options->given,
-                   "parameters that the script declares, in their declared unit or one given, as in pga=0.6g")
+                   "parameters that the script declares, in their declared unit or with a unit, as in pga=0.6g")
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));
   verb->add_option("--results", options->results, "write the results to FILE instead of the script's own")
@@ -117,7 +117,7 @@ void add_run(CLI::App& app, int& code) {
       ->transform(CLI::CheckedTransformer(shows).description(""))
       ->type_name("all|important|none");
   verb->add_option("--impacts", options->least_impact,
-                   "leave out impacts slower than this [m/s], unless all events are shown")
+                   "hide impacts slower than this [m/s], unless all events are shown")
       ->type_name("SPEED")
       ->capture_default_str();
   add_since(*verb, options->since);
@@ -125,19 +125,18 @@ void add_run(CLI::App& app, int& code) {
   verb->add_option("--folder", options->folder, "write all results, and the figures that the script returns, into DIR")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
-  verb->add_option("--case", options->only, "run this case of the script's study alone, here")
+  verb->add_option("--case", options->only, "run only this case of the script's study, here")
       ->type_name("NUMBER")
       ->check(CLI::Validator(is_positive, "", ""));
-  verb->add_option(
-          "--threads", options->threads,
-          "threads that share a step, with the same bits; as many as the machine has and as pay, which is timed, "
-          "where neither this, nor the script, nor TRILITH_THREADS says")
+  verb->add_option("--threads", options->threads,
+                   "threads of a step; results are the same bits. Default: TRILITH_THREADS, the script, or the fastest "
+                   "number, which is measured")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, most_threads));
   add_checkpoint_option(*verb, options->checkpoint, fmt::format("{:g} where not given", usual_checkpoint));
   verb->add_flag("--go-on", options->goes_on)->group("");
   verb->add_flag("--profile", options->profile,
-                 "say where the time went: parts of the step, contact laws, Lua callbacks");
+                 "print the computing time: parts of the step, contact laws, Lua callbacks");
   add_room_options(*verb, options->room);
   verb->add_flag("--params", options->list, "list the script's parameters and end");
   verb->callback([options, &code] { code = run_as_asked(*options); });

@@ -50,7 +50,7 @@ bool read_range(const std::string& text, std::vector<StudyValue>& values) {
   if (!(to >= from)) throw InputError(what + ": the second number must be above the first");
   const auto is_whole = [](double v) { return v == std::floor(v); };
   if (colon == text.size() && !(is_whole(from) && is_whole(to)))
-    throw InputError(fmt::format("{} does not say how many values; write {}:5 for five, evenly spaced", what, text));
+    throw InputError(fmt::format("{} has no number of values; write {}:5 for five, evenly spaced", what, text));
   const double count = colon == text.size() ? to - from + 1 : number_of(text.substr(colon + 1), what);
   if (count == 1 && from == to) return values.emplace_back(from), true;
   if (!(is_whole(count) && count >= 2 && count <= 1e6))
@@ -130,7 +130,7 @@ int run_over(const StudyOptions& o) {
 
 /// The script describes the study.
 int run_own(const StudyOptions& o) {
-  if (!o.out.empty()) throw InputError("study: --output goes with --over; the script's own study names its file");
+  if (!o.out.empty()) throw InputError("study: --output needs --over; the script's own study names its file");
   Live live(stdout, EventLines(), o.quiet);
   script::Host host;
   host.script = o.script;
@@ -146,7 +146,7 @@ int run_own(const StudyOptions& o) {
   live.clear();
   if (code == ended_well && !host.study.begun)
     throw InputError(
-        fmt::format("{} has no study (trilith.study); give what to vary, as in --over mu=0.2,0.4", o.script));
+        fmt::format("{} has no study (trilith.study); give a parameter to vary, as in --over mu=0.2,0.4", o.script));
   return code == ended_well && host.study.failed ? wrong_input : code;
 }
 
@@ -155,51 +155,49 @@ int run_own(const StudyOptions& o) {
 void add_study(CLI::App& app, int& code) {
   auto o = std::make_shared<StudyOptions>();
   CLI::App* verb = app.add_subcommand(
-      "study", "Run many cases of a script, each in a process of its own; it ends with 1 where one has failed");
-  verb->add_option("script", o->script, "a script with trilith.study, or with --over one that runs a case")
+      "study", "Run many cases of a script, each in its own process; the exit code is 1 if one has failed");
+  verb->add_option("script", o->script, "a script with trilith.study, or with --over a script that runs a case")
       ->required()
       ->type_name("SCRIPT");
   verb->add_option("parameters", o->given, "parameters that are the same in all cases")
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));
   verb->add_option("--over", o->over,
-                   "a parameter and its values, as in mu=0.2,0.4 or copy=1..8 or zeta=0.1..0.5:5 (how many); given "
-                   "again: every value with every other")
+                   "a parameter and its values, as in mu=0.2,0.4 or copy=1..8 or zeta=0.1..0.5:5 (how many); if repeated, all combinations are run")
       ->type_name("NAME=VALUES")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(CLI::Validator(is_assignment, "", ""));
-  verb->add_option("-o,--output", o->out, "the table, with --over; SCRIPT_study.h5 where not given")->type_name("FILE");
-  verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; as many as there are processors where not given")
+  verb->add_option("-o,--output", o->out, "the table, with --over; default SCRIPT_study.h5")->type_name("FILE");
+  verb->add_option("-j,--jobs", o->choice.jobs, "cases at a time; default the number of processors")
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));
   verb->add_option("--on", o->on,
-                   "what runs the cases: local (processes here), or slurm (an array job, followed until it has ended; "
-                   "given again after a break, it follows the job or runs what is missing)")
+                   "where the cases run: local (processes here), or slurm (an array job, followed until it has ended; after an interruption, the same command follows the job or runs the missing cases)")
       ->type_name("WHERE")
       ->check(CLI::IsMember({"local", "slurm"}));
   verb->add_option("--per-task", o->choice.per_task,
-                   "with --on slurm: cases of a task; as many as take some minutes where not given")
+                   "with --on slurm: cases of a task; default as many as take some minutes")
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));
-  verb->add_option("--cases", o->cases, "run these cases alone, and write no table: a task of a cluster")
+  verb->add_option("--cases", o->cases, "run only these cases, and write no table: a task of a cluster")
       ->type_name("N[,N...]");
   verb->add_option("--ida", o->ida, "incremental analysis: from the lowest value of this parameter up, with --stop")
       ->type_name("PARAMETER");
   verb->add_option("--stop", o->stop,
-                   "with --ida: a flag of the cases; where it is true, higher values are passed over")
+                   "with --ida: a flag of the cases; if it is true, higher values are passed over")
       ->type_name("FIGURE");
   add_room_options(*verb, o->room);
   add_checkpoint_option(*verb, o->choice.checkpoint, "of each case; as for trilith run where not given");
-  verb->add_flag("--fresh", o->choice.fresh, "run also those cases again that are finished");
+  verb->add_flag("--fresh", o->choice.fresh, "run finished cases again too");
   verb->add_flag("--list", o->choice.list, "print the command of each case and end");
-  verb->add_flag("--quiet,-q", o->quiet, "show nothing but what goes wrong");
+  verb->add_flag("--quiet,-q", o->quiet, "show only errors");
   verb->callback([o, &code] {
-    if (o->ida.empty() != o->stop.empty()) throw InputError("study: --ida and --stop go together");
+    if (o->ida.empty() != o->stop.empty()) throw InputError("study: --ida needs --stop, and --stop needs --ida");
     if (!o->ida.empty()) o->choice.rise = StudyRise{o->ida, o->stop};
     for (const std::string& number : o->cases.empty() ? std::vector<std::string>() : comma_list(o->cases))
       o->choice.some.push_back(static_cast<int>(number_of(number, "--cases")));
-    if (o->choice.per_task > 0 && o->on != "slurm") throw InputError("study: --per-task goes with --on slurm");
+    if (o->choice.per_task > 0 && o->on != "slurm") throw InputError("study: --per-task needs --on slurm");
     if (o->on == "slurm") o->choice.on_slurm = own_command(*o);
     code = o->over.empty() ? run_own(*o) : run_over(*o);
   });

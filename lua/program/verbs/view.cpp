@@ -25,7 +25,7 @@ int view(const ViewOptions& options) {
                                         ? std::filesystem::path(options.result).replace_extension(".html")
                                         : std::filesystem::path(options.out);
   if (out.extension() != ".html" && out.extension() != ".htm")
-    throw InputError(fmt::format("'{}': a page to view ends with .html", out.string()));
+    throw InputError(fmt::format("'{}': the name of a page must end with .html", out.string()));
   const results::ResultsReader reader(options.result);
   const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("reading frames");
@@ -38,7 +38,8 @@ int view(const ViewOptions& options) {
   fmt::print("{}\n", out.string());
   tell_of_newer_run(reader);
   if (!reader.finished())
-    fmt::print("the run {}: the page holds what it had written\n", reader.running() ? "still goes on" : "was stopped");
+    fmt::print("the run {}: the page shows the part that was written\n",
+               reader.running() ? "is in progress" : "was stopped");
   return ended_well;
 }
 
@@ -47,10 +48,10 @@ int view(const ViewOptions& options) {
 void add_view(CLI::App& app, int& code) {
   auto o = std::make_shared<ViewOptions>();
   CLI::App* verb = app.add_subcommand("view", "Write a page that plays the run in any browser");
-  verb->add_option("result", o->result, "results file, also of a run that was killed or still goes on")
+  verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
-  verb->add_option("-o,--output", o->out, "the page, .html; RESULT with .html where not given")->type_name("FILE");
+  verb->add_option("-o,--output", o->out, "the page, .html; default RESULT with .html")->type_name("FILE");
   add_since(*verb, o->since);
   verb->callback([o, &code] { code = view(*o); });
 }

@@ -360,8 +360,8 @@ TEST_CASE("a table without two rising points about 0 is refused, with the point"
   CHECK(message({{0, 2, 1}, {0, 1, 2}, 0}).find("point 3") != std::string::npos);
   CHECK(message({{0, std::nan("")}, {0, 1}, 0}).find("point 2") != std::string::npos);
   CHECK(message({{0, 1}, {0, unbounded}, 0}).find("point 2") != std::string::npos);
-  CHECK(message({{0.1, 1}, {0, 1}, 0}).find("must reach over 0") != std::string::npos);
-  CHECK(message({{-1, -0.1}, {0, 1}, 0}).find("must reach over 0") != std::string::npos);
+  CHECK(message({{0.1, 1}, {0, 1}, 0}).find("must include 0") != std::string::npos);
+  CHECK(message({{-1, -0.1}, {0, 1}, 0}).find("must include 0") != std::string::npos);
   CHECK(message({{-1, 0}, {0, 1}, 0}).empty());
 }
 

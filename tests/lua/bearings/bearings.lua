@@ -104,7 +104,7 @@ for _, dim in ipairs { 2, 3 } do
       else
         rejects(case == "itself" and "bearing 'x': becomes itself, which has failed by then"
           or case == "ring" and "bearing 'y': becomes 'z', which leads back to 'y'"
-          or "bearing 'x': becomes 'y', which carries from the start", go)
+          or "bearing 'x': becomes 'y', which is active from the start", go)
       end
       b:close()
     end

@@ -116,9 +116,9 @@ refused("span 'S2': 'length' is -30 m, must be above 0", bridge_with(function(b)
 refused("abutment 'A0': 'height' is missing", bridge_with(function(b) b.abutment.height = nil end))
 refused("span 'S1': left: there is no bearing type 'fixd'; did you mean 'fixed'?",
   bridge_with(function(b) b.spans[1].left = "fixd" end))
-refused("span 'S2': left is nil, must be the name of a bearing type, as m:bearing_type gives it",
+refused("span 'S2': left is nil, must be the name of a bearing type, as returned by m:bearing_type",
   bridge_with(function(b) b.span.left = nil; b.spans[1].left = "fixed" end))
-refused("span 'S1': 'length' is missing; is it what 'lenght' is to say?",
+refused("span 'S1': 'length' is missing; is it misspelled as 'lenght'?",
   bridge_with(function(b) b.spans[1] = { name = "S1", lenght = 20 } end))
 refused("pier 'P1': 'x' is given, but follows from lengths and heights of the bridge; leave it out",
   bridge_with(function(b) b.supports[2].x = 3 end))
@@ -154,7 +154,7 @@ refused("span 'S1': from: there is no support 'P3'; did you mean 'P1'?", span_wi
 refused("span 'S1': 'to' is missing; give a pier, an abutment or another body, or its name",
   span_with(function(s) s.to = nil end))
 refused("span 'S1': 'from' is 3, must be a pier", span_with(function(s) s.from = 3 end))
-refused("span 'S1': from is abutment 'A', of which nothing but its outline is known; make it by m:abutment",
+refused("span 'S1': from is abutment 'A', of which only the outline is known; make it with m:abutment",
   span_with(function(s, n)
     n:body { name = "A", material = "concrete", shape = trilith.abutment { x = 0, height = 5, width = 3 } }
     s.from = "A"
@@ -162,13 +162,13 @@ refused("span 'S1': from is abutment 'A', of which nothing but its outline is kn
 refused("span 'S1': from and to are both 'P2'", span_with(function(s) s.from = "P2" end))
 refused("span 'S1': 'P1' at x = 0 m is not to the right of 'P2' at 20 m; from is the left support",
   span_with(function(s) s.from, s.to = "P2", "P1" end))
-refused("span 'S1': 'x0' is given besides from and to", span_with(function(s) s.x0 = 1 end))
+refused("span 'S1': 'x0' is given in addition to from and to", span_with(function(s) s.x0 = 1 end))
 refused("span 'S1': 'weight_per_length' is -1 N/m, must be above 0",
   span_with(function(s) s.weight_per_length = -1 end))
-refused("span 'S1': weight_per_length is given, and another weight", span_with(function(s)
+refused("span 'S1': both weight_per_length and another weight", span_with(function(s)
   s.weight, s.weight_per_length = 1, 1
 end))
-refused("span 'S1': the seat on 'P1' to the right of its joint carries span 'S0'; each takes one",
+refused("span 'S1': the seat on 'P1' to the right of its joint already carries span 'S0'; each seat carries one span",
   span_with(function(s, n)
     local other = {}
     for key, value in pairs(s) do other[key] = value end
@@ -177,11 +177,11 @@ refused("span 'S1': the seat on 'P1' to the right of its joint carries span 'S0'
   end))
 refused("span 'span': 'from' is missing; give the supports from and to, or the places x0 and x1", e.span, e,
   { depth = 1 })
-refused("span 'S1': 'left' goes with from and to", e.span, e, { name = "S1", x0 = 0, x1 = 1, left = "fixed" })
+refused("span 'S1': 'left' needs from and to", e.span, e, { name = "S1", x0 = 0, x1 = 1, left = "fixed" })
 refused("span 'S1': unknown key 'form'; did you mean 'from'?", e.span, e, { name = "S1", form = "P1" })
-refused("bearing type 'fixed': is there already", e.bearing_type, e, { name = "fixed" })
+refused("bearing type 'fixed': exists already", e.bearing_type, e, { name = "fixed" })
 refused("bearing type 'x': 'limit' is given, but no law", e.bearing_type, e, { name = "x", limit = { along = 1 } })
-refused("bearing type 'x': 'height' is given, but no law that would hold the deck up; give axial",
+refused("bearing type 'x': 'height' is given, but no law that supports the deck; give axial",
   e.bearing_type, e, { name = "x", height = 0.1, along = linear })
 refused("bearing type 'x': becomes: there is no contact law 'slid'; did you mean 'slide'?", e.bearing_type, e,
   { name = "x", along = linear, becomes = "slid" })

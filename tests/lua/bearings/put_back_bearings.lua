@@ -65,4 +65,4 @@ ok, message = pcall(m.put_back, m, "prop", { at = 1 })
 assert(not ok and message:find("unknown key 'at'", 1, true), message)
 m:remove "beam"
 ok, message = pcall(m.put_back, m, "beam", { from = "start" })
-assert(not ok and message:find("'from' is of bearings, and none is put back", 1, true), message)
+assert(not ok and message:find("'from' is for bearings, and none is put back", 1, true), message)

@@ -154,14 +154,14 @@ local function refused(text, bearing)
   says(text, function() isolated(bearing) end)
 end
 local soft = trilith.linear { stiffness = 1e5 }
-refused("bearing 'b': has no law, so it carries nothing; give along, across, horizontal or axial a law", {})
+refused("bearing 'b': has no law, so it transfers no force; give along, across, horizontal or axial a law", {})
 refused("unknown key 'turning'; known: name, between", { along = soft, turning = soft })
-refused("friction slides under the compression of the axial law, of which there is none",
+refused("friction slides under the compression of the axial law, which is missing",
   { horizontal = trilith.friction { mu = 0.1, stiffness = 1e6 } })
 refused("'horizontal' is 5, must be a direction law", { horizontal = 5 })
-refused("horizontal is gap, which has no form for both directions at once",
+refused("horizontal is gap, which has no circular form for both directions",
   { horizontal = trilith.gap { stiffness = 1e5, opening = 0 } })
-refused("horizontal is given beside along or across", { horizontal = soft, across = soft })
+refused("both horizontal and along or across are given", { horizontal = soft, across = soft })
 refused("limit displacement is -1, must be above 0", { along = soft, limit = { across = -1 } })
 refused("unknown key 'turning'", { along = soft, limit = { turning = 1 } })
 refused("both angle and turn are given", { along = soft, angle = 1, turn = { axis = { 1, 0, 0 }, angle = 1 } })

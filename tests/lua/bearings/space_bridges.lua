@@ -260,11 +260,11 @@ refused("left names 4 types of bearings for 3 girder lines",
 refused("left: there is no bearing type 'pd'; did you mean 'pad'?", bridge_with(function(b) b.spans[1].left = "pd" end))
 refused("right is nil, must be the name of a bearing type", bridge_with(function(b) b.span.right = nil end))
 refused("bearings 0.1 and 0 m high sit on its top", bridge_with(function(b) b.spans[2].left = "flush" end))
-refused("lines 1 and 2 at y = -0.5 and 0 m are apart by no more than a girder is broad",
+refused("lines 1 and 2 at y = -0.5 and 0 m are not farther apart than the breadth of a girder",
   bridge_with(function(b) b.girders = { at = { -0.5, 0 }, breadth = 0.6 } end))
 refused("line 1 at y = -6 m with a girder 0.6 m broad reaches beyond the deck",
   bridge_with(function(b) b.girders.spacing = 6 end))
-refused("at is given, and count or spacing besides", bridge_with(function(b) b.girders.at = { 0 } end))
+refused("both at and count or spacing are given", bridge_with(function(b) b.girders.at = { 0 } end))
 refused("place 1 of 'at' is the text 'x'", bridge_with(function(b) b.girders = { at = { "x" }, breadth = 1 } end))
 refused("has no seat on it", bridge_with(function(b) b.pier.breadth = 6 end))
 refused("must be above seat and joint together, 0.7 m", bridge_with(function(b) b.abutment.width = 0.5 end))
@@ -281,25 +281,26 @@ refused("of deck, which must be above the 1.2 m of both seats", bridge_with(func
 refused("slab is 2 m, must be below the depth of 1.5 m", bridge_with(function(b) b.span.slab = 2 end))
 refused("the deck is solid; give the slab", bridge_with(function(b) b.span.slab = nil end))
 refused("depth is 2 m, must not be above the girders'", bridge_with(function(b) b.span.diaphragm.depth = 2 end))
-refused("weight_per_length is given, and mass besides", bridge_with(function(b) b.spans[1].mass = 1 end))
+refused("both weight_per_length and mass are given", bridge_with(function(b) b.spans[1].mass = 1 end))
 refused("would reach into the slab of 'S1'",
   bridge_with(function(b) b.abutment.shear_key = { gap = 0.1, height = 1.4, breadth = 0.3 } end))
-refused("shear keys beside the girders need 11.2 m",
+refused("shear keys next to the girders need 11.2 m",
   bridge_with(function(b) b.abutment.shear_key = { gap = 0.1, height = 1, breadth = 2 } end))
 refused("'height' is missing; give gap, height and breadth, or a law",
   bridge_with(function(b) b.abutment.shear_key = { gap = 0.1, breadth = 2 } end))
 refused("gives neither soil nor a law", bridge_with(function(b) b.pier.foundation = {} end))
-refused("soil is given, and 'along' besides", bridge_with(function(b) b.pier.foundation = { soil = 1e7,
+refused("both soil and 'along' are given", bridge_with(function(b) b.pier.foundation = { soil = 1e7,
   along = soft } end))
 refused("has a foundation, but no ground",
   bridge_with(function(b) b.ground = nil; b.pier.foundation = { soil = 1e7 } end))
 refused("both ground and support are given", bridge_with(function(b) b.pier.support = "fixed" end))
-refused("its ground and that of 'A0' would overlap", bridge_with(function(b) b.ground.margin = 20 end))
+refused("its ground and the ground of 'A0' would overlap", bridge_with(function(b) b.ground.margin = 20 end))
 refused("'ground' is 3, must be a table", bridge_with(function(b) b.ground = 3 end))
 refused("bridge: pier 2 is nil, must be a table", bridge_with(function(b)
   b.supports = { b.supports[1], nil, b.supports[3] }
 end))
-refused("span 'middle': there is a support of that name", bridge_with(function(b) b.spans[1].name = "middle" end))
+refused("span 'middle': there is already a support with that name",
+  bridge_with(function(b) b.spans[1].name = "middle" end))
 refused("'gap' is nan, must be a finite number", bridge_with(function(b) b.gap = 0/0 end))
 refused("ground: 'margin' is -1 m", bridge_with(function(b) b.supports[3].ground = { margin = -1 } end))
 refused("pier 'middle': ground: there is no body 'nowhere'", bridge_with(function(b)
@@ -315,7 +316,7 @@ do
     return m.notes
   end
   local told = notes { across = soft, limit = { across = 0.1 } }
-  assert(#told == 1 and told[1] == "bearing type 'kind': carries the deck and lets it slide along for ever, also past "
+  assert(#told == 1 and told[1] == "bearing type 'kind': supports the deck at any displacement along, even beyond "
     .. "the edge of its seat; to end it there, give limit = { along = the length of the seat }", told[1])
   assert(#notes { across = soft } == 1 and #notes { across = soft, limit = { along = 0.3 } } == 0)
   assert(#notes { along = soft } == 0 and #notes { horizontal = soft } == 0)
@@ -367,8 +368,8 @@ do
   assert(#m:bodies {} == 8)
   m:close()
 end
-refused("there are two supports of that name", bridge_with(function(b) b.supports[3].name = "middle" end))
-refused("there are two spans of that name", bridge_with(function(b) b.spans[1].name = "S2" end))
+refused("there are two supports with that name", bridge_with(function(b) b.supports[3].name = "middle" end))
+refused("there are two spans with that name", bridge_with(function(b) b.spans[1].name = "S2" end))
 refused("'footing_weight' is missing", bridge_with(function(b)
   b.pier.section, b.pier.column_breadth = trilith.rectangle_section { width = 1, depth = 1 }, nil
   b.pier.foundation = { soil = 1e7 }
@@ -380,8 +381,8 @@ refused("has no ground of the bridge", function()
 end)
 local e = new()
 refused("bearing type 'x': 'limit' is given, but no law", e.bearing_type, e, { name = "x", limit = { along = 1 } })
-refused("bearing type 'x': 'height' is given, but no law that would hold", e.bearing_type, e,
+refused("bearing type 'x': 'height' is given, but no law that supports", e.bearing_type, e,
   { name = "x", height = 1, across = soft })
 refused("bearing type 'x': unknown key 'acros'; did you mean 'across'?", e.bearing_type, e, { name = "x",
   acros = soft })
-refused("bearing type 'pad': is there already", e.bearing_type, e, { name = "pad" })
+refused("bearing type 'pad': exists already", e.bearing_type, e, { name = "pad" })

@@ -85,7 +85,7 @@ end
 local function beams(more) return plan { beams = more } end
 given.check {
   { function() new():building(beams {}) end,
-    "building 'house': beams: 'along' is missing; give \"x\" or \"y\", the way they span" },
+    "building 'house': beams: 'along' is missing; give \"x\" or \"y\", the direction of their span" },
   { function() new():building(beams(true)) end,
     "building 'house': 'beams' is true, must be a table { along = , spacing = , width = }, a list of such tables, or "
       .. "false for none" },
@@ -98,8 +98,9 @@ given.check {
   { function() new():building(beams { along = "x", width = 0.1 }) end,
     "building 'house': storey 1: beams: give their spacing in m from centre to centre, or their count" },
   { function() new():building(beams { along = "x", count = 3, width = 160 }) end,
-    "building 'house': storey 1: beams: 3 beams of 160 m width need 480 m, and there are 2 m from y = 0.2 to 2.2 m; "
-      .. "give fewer, thinner or nearer ones" },
+    "building 'house': storey 1: beams: 3 beams of 160 m width need 480 m, but the room has 2 m, from y = 0.2 to 2.2 "
+      .. "m; "
+      .. "give fewer, narrower or closer beams" },
   { function() new():wall { name = "w", length = 3, storeys = { { courses = 2, beams = {} } } } end,
     "wall 'w': storey 1: unknown key 'beams'; known: courses, height, slab_height" },
 }

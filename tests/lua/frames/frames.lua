@@ -85,7 +85,8 @@ refused("joint 'b' is 4, must be", p.frame, p, portal(nil, { joints = { a = { 0,
 p:material { name = "stone", density = 2000 }
 refused("stiffness", p.frame, p, portal(nil, { material = "stone" }))
 p:material { name = "steel", density = 7850, solid = trilith.j2 { E = 2e11, nu = 0.3, yield = 2.4e8 } }
-refused("the material of members is elastic, and 'steel' is not (j2", p.frame, p, portal(nil, { material = "steel" }))
+refused("members need an elastic material, and 'steel' is not elastic (j2", p.frame, p,
+  portal(nil, { material = "steel" }))
 refused("unknown key 'inertia'", p.frame, p, portal(nil, { inertia = 3 }))
 local body = p:frame(portal())
 p:consolidate { rest = { ratio = 1e-6, speed = 1e-8 } }
@@ -114,7 +115,7 @@ refused("is not the centroid of its block, (0, 4.5)", b.frame, b, post {
   joints = { foot = { 0, 0 }, head = { at = { 0, 4 }, outline = { { -1, 4 }, { 1, 4 }, { 1, 5 }, { -1, 5 } } } } })
 refused("must be convex", b.frame, b, post {
   joints = { foot = { 0, 0 }, head = { outline = { { -1, 4 }, { 1, 4 }, { 0, 4.1 }, { 0, 5 } } } } })
-refused("what is removed keeps its mass at its nodes", b.frame, b, post {
+refused("a removed member keeps its mass at its nodes", b.frame, b, post {
   members = { { from = "foot", to = "head", section = square,
                 hinge = trilith.end_hinge { sagging = 1e5, ultimate = 0.01, becomes = "removed" } } } })
 local made = b:frame(post {})

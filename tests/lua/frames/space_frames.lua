@@ -141,8 +141,8 @@ local function beam(change)
   return function() return m:beam(t) end
 end
 refused("is 0 m long; its ends must lie apart", beam { to = { 0, 0, 0 } })
-refused("its orientation (-2, 0, 0) runs along it", beam { orientation = { -2, 0, 0 } })
-refused("without a torsion constant, which space asks for; give it torsion",
+refused("its orientation (-2, 0, 0) is parallel to it", beam { orientation = { -2, 0, 0 } })
+refused("without a torsion constant, which is needed in space; give it torsion",
   beam { section = trilith.section { area = 0.1, inertia = 1e-3, depth = 0.4 } })
 refused("without a second moment across; give it inertia_across",
   beam { section = trilith.section { area = 0.1, inertia = 1e-3, depth = 0.4, torsion = 1e-3 } })
@@ -150,9 +150,9 @@ refused("without a profile; give it width",
   beam { section = trilith.section { area = 0.1, inertia = 1e-3, depth = 0.4, torsion = 1e-3, inertia_across = 1e-3 } })
 refused("its members need a material with a stiffness (E, nu); 'stone' has none", beam { material = "stone" })
 refused("'to' is {1, 2}, must be {x, y, z}, three finite numbers", beam { to = { 1, 2 } })
-refused("pinned at both ends; give it two divisions", beam { pinned = { "from", "to" }, divisions = 1 })
+refused("pinned at both ends; give it at least two divisions", beam { pinned = { "from", "to" }, divisions = 1 })
 refused("unknown key 'oriented'", beam { oriented = 1 })
-refused("in space it bends about both axes, and across is 0; give it the yield moment of bending to the sides, such as "
+refused("in space it bends about both axes, and across is 0; give it the yield moment of lateral bending, such as "
   .. "across = 100000", beam { hinge = trilith.end_hinge { sagging = 1e5 } })
 refused("end_hinge: its start is pinned already",
   beam { from_hinge = trilith.end_hinge { sagging = 1e5, across = 1e5 }, pinned = "from" })
@@ -166,7 +166,7 @@ refused("no member leads from joint 'A' to joint 'C'", function()
   m:frame { name = "f", joints = { A = { 0, 0, 0 }, B = { 0, 0, 1 }, C = { 1, 1, 1 } }, material = "concrete",
             members = { { from = "A", to = "B", section = section } } }
 end)
-refused("the body deforms; say with 'at' where the force that follows acts", function()
+refused("the body deforms; give 'at', the point where the force that follows acts", function()
   m:beam { name = "b", from = { 0, 0, 0 }, to = { 1, 0, 0 }, section = section, material = "concrete", floating = true }
   m:point_load { body = "b", force = { 0, 0, 1 }, follow = true }
 end)

@@ -52,7 +52,7 @@ near(damping[1].ratio, damping[1].bands, 1e-6)
 assert(damping.step < damping.unbanded_step and damping.step > 0.85*damping.unbanded_step)
 assert(tostring(damping):find("band of 3 %% from 10 to 400 Hz: %d branches"), tostring(damping))
 m:close()
-refused("must end above its begin", mast, { band_damping = { ratio = 0.03, from = 10, to = 4 } })
+refused("its end must be above its beginning", mast, { band_damping = { ratio = 0.03, from = 10, to = 4 } })
 refused("'ratio' is 0.5", mast, { band_damping = { ratio = 0.5, from = 1, to = 4 } })
 refused("band_damping", mast, { band_damping = 0.03 })
 
@@ -126,9 +126,9 @@ local truss = m:frame { name = "truss", material = "m", floating = true,
              c = { at = { 10, 0 }, support = "fixed" } },
   members = { { from = "a", to = "b", section = bar, pinned = { "from", "to" }, divisions = 2 },
               { from = "b", to = "c", section = bar, pinned = { "from", "to" }, divisions = 2 } } }
-refused("'rate' is given, which is of control = \"time\"", m.pushover, m,
+refused("'rate' is given, which is for control = \"time\"", m.pushover, m,
   { body = truss, at = { 0, 0.5 }, direction = "-y", control = "arc", rate = 1, displacement = 1.2 })
-refused("'arc' is given, which is of control = \"arc\"", m.pushover, m,
+refused("'arc' is given, which is for control = \"arc\"", m.pushover, m,
   { body = truss, at = { 0, 0.5 }, direction = "-y", rate = 1, arc = 1, displacement = 1.2 })
 refused("'control' is 'force'", m.pushover, m, { body = truss, at = { 0, 0.5 }, control = "force", displacement = 1 })
 local file = os.tmpname()

@@ -34,8 +34,8 @@ fails(function() return lower.x end, "body 'lower' was removed at")
 fails(function() m:remove(lower) end, "remove: body 'lower' was removed at")
 fails(function() m:point_load { body = lower, force = { 0, 1 } } end, "was removed at")
 fails(function() m:remove "lowest" end, "there is no body or group 'lowest'")
-fails(function() m:remove {} end, "remove: there is nothing of it")
-fails(function() m:put_back(upper) end, "put_back: body 'upper' is there")
+fails(function() m:remove {} end, "remove: nothing is given")
+fails(function() m:put_back(upper) end, "put_back: body 'upper' is present")
 calm(m)
 near(upper.y, 0.25, 1e-3)
 assert(m.energy.removed ~= 0)
@@ -44,7 +44,7 @@ assert(m.energy.removed ~= 0)
 fails(function() m:block { name = "inside", width = 1, height = 0.5, at = { -0.4, 0.1 }, material = "stone" } end,
   "overlap by")
 fails(function() m:block { name = "high", width = 1, height = 0.5, at = { -0.4, 3 }, material = "stone" } end,
-  "stands on nothing")
+  "has no support")
 m:material { name = "lead", density = 11000 }
 m:contact { between = { "lead", "stone" }, law = trilith.frictional { kn = 2e9, ks = 1e9, mu = 0.1, beta = 1e-4 } }
 local weight = m:block { name = "weight", width = 0.5, height = 0.2, at = { -0.25, 0.5001 }, material = "lead" }
@@ -64,7 +64,7 @@ assert(tie.status == "removed" and tie.force_along == 0)
 fails(function() m:remove(tie) end, "bearing 'tie' was removed already")
 m:put_back(tie)
 assert(tie.status == "intact")
-fails(function() m:put_back(tie) end, "bearing 'tie' is there")
+fails(function() m:put_back(tie) end, "bearing 'tie' is present")
 
 -- From handlers: changes act at the step border and are reported as events; a handler removes itself; a function ends a
 -- stage.
@@ -83,7 +83,7 @@ every = m:every(0.01, function()
   fails(function() return late.x end, "is added at the next step border")
 end)
 local report = m:run { duration = 1, until_true = function() return m.time > 1 and not weight.present end }
-assert(report.ending == "stopped" and report.reason == "until_true came true")
+assert(report.ending == "stopped" and report.reason == "until_true became true")
 -- The removal between the stages was reported first, then the removal of the body together with its bearing.
 assert(calls == 3 and table.concat(seen, " ") == "tie weight tie", table.concat(seen, " "))
 fails(function() m:off(every) end, "is off already")
@@ -129,7 +129,8 @@ local p = tower()
 p:consolidate { rest = { ratio = 1e-6 } }
 local pushed = p:pushover { body = "upper", rate = 1e-3, displacement = 1, local_damping = 0.8,
   until_true = function(model) return model:body("upper").ux > 1e-3 end }
-assert(pushed.ending == "stopped" and pushed.limit == "until" and pushed.reason == "until_true came true", pushed.limit)
+assert(pushed.ending == "stopped" and pushed.limit == "until" and pushed.reason == "until_true became true",
+  pushed.limit)
 near(p:body("upper").ux, 1e-3, 1e-2)
 
 -- The same in space.
@@ -356,7 +357,7 @@ for _, dim in ipairs { 2, 3 } do
   taken:run { duration = 0.01 }
   local hash, kinetic = taken.hash, taken.energy.kinetic
   fails(function() taken:put_back(first) end,
-    "put_back: bodies 'first' and 'second' overlap by 1 m as they would stand")
+    "put_back: bodies 'first' and 'second' overlap by 1 m at their new position")
   assert(not first.present and taken.hash == hash and taken.energy.kinetic == kinetic)
   taken:remove(second)
   taken:put_back(first)

@@ -151,7 +151,7 @@ refused("release: 'fade' is -1 s, must not be below 0", m.release, m, { body = "
 refused("ramp: the duration is 0 s", trilith.ramp, { by = 1, duration = 0 })
 refused("ramp: the distance is 0, so nothing would move", trilith.ramp, { by = 0, duration = 1 })
 refused("pushover: 'displacement' is missing; give a number in m", m.pushover, m, { body = "block", rate = 1 })
-refused("pushover: 'rate' is -1 m/s, must be above 0; the direction has the sign", m.pushover, m,
+refused("pushover: 'rate' is -1 m/s, must be above 0; the direction sets the sign", m.pushover, m,
         { body = "block", rate = -1, displacement = 1 })
 refused("push: body 'base' is held or driven in the direction in which it is to be pushed", m.pushover, m,
         { body = "base", rate = 1, displacement = 1 })
@@ -220,7 +220,7 @@ for _, dim in ipairs { 2, 3 } do
   refused("remove: there is no body or group 'pusch', and no bearing or load; did you mean 'push'?", l.remove, l,
     "pusch")
   refused("known: a, push, wind", l.remove, l, "nothing like it")
-  refused("put_back: load 'push' is there; put a new one on", l.put_back, l, "push")
+  refused("put_back: load 'push' is a load; apply a new one", l.put_back, l, "push")
   l:remove { "push", "push" }
   refused("there is no body or group 'push'", l.remove, l, "push")
   l:run { duration = 0.1 }
@@ -249,6 +249,6 @@ for _, dim in ipairs { 2, 3 } do
     hash = l.hash
   end
   l:pushover { name = "pushed", body = a, direction = "x", rate = 1, displacement = 0.01 }
-  refused("remove: 'pushed' is a push; m:release { push = \"pushed\" } lets it go", l.remove, l, "pushed")
+  refused("remove: 'pushed' is a push; use m:release { push = \"pushed\" }", l.remove, l, "pushed")
   l:close()
 end

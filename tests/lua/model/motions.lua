@@ -23,7 +23,7 @@ assert(wave.npts == 401)
 near(wave:at(1.75), -math.sin(math.pi*1.75/4)^2, 1e-5)
 refused("must be one of g", trilith.motion, { file = name, unit = "stone" })
 refused("unit", trilith.motion, { file = name, dt = 0.01 })
-refused("say the unit", trilith.motion, name)
+refused("give unit", trilith.motion, name)
 
 -- Other columns: by name, by number, after a header, with decimal commas.
 local function write(text)
@@ -44,7 +44,7 @@ near(trilith.motion { file = name, unit = "m/s2", column = 3, skip = 1 }.pga, 0.
 write("t;ns;ew\n" .. table.concat(rows, "\n"):gsub("%.", ","))
 refused("decimal commas", trilith.motion, { file = name, unit = "m/s2", column = "ew" })
 near(trilith.motion { file = name, unit = "m/s2", column = "ew", decimal = "," }.pga, 0.5*wave.pga, 1e-5)
-refused("does not go with", trilith.motion, { velocity = 1, duration = 1, column = 2 })
+refused("cannot be given with", trilith.motion, { velocity = 1, duration = 1, column = 2 })
 os.remove(name)
 
 -- Scaling by the spectrum, and back; a factor of 0 is a control run.
@@ -53,7 +53,7 @@ near(wave:match { spectrum = { { 0.5, 2*wave:sa(0.5) }, { 1, 2*wave:sa(1) } } }.
 near(wave:match { spectrum = { { 0.5, 1 }, { 1, 3 } }, from = 0.8 }:sa(1), 3, 1e-12)
 assert(wave:scale { factor = 0 }.pga == 0 and wave:scale { pga = 0 }.pga == 0)
 refused("give either", wave.scale, wave, { pga = 1, factor = 2 })
-refused("go with sa", wave.scale, wave, { pga = 1, period = 2 })
+refused("are for sa", wave.scale, wave, { pga = 1, period = 2 })
 refused("no point", wave.match, wave, { spectrum = { { 0.5, 1 } }, from = 0.8 })
 
 -- A quarter turn makes the second component the first, and the reversed first the second.

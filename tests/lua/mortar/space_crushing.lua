@@ -38,7 +38,7 @@ assert(m.time < 0.06 and m.energy.contact_fracture <= taken)
 m:continue()
 assert(m.hash == hash)
 local same = m:compare()
-assert(same.same and tostring(same):find "^the same bits at ", tostring(same))
+assert(same.same and tostring(same):find "^identical at ", tostring(same))
 m:rewind(0.05)
 m:point_load { name = "push", body = "block", force = { 2e4, 0, 0 } }
 m:continue()

@@ -77,8 +77,8 @@ local read = {
   { "a mark of the end", ".stl", stl() .. "\x1a" },
   { "zero bytes behind a text", ".stl", stl() .. ("\0"):rep(40) },
   { "binary", ".stl", binary() },
-  { "binary, padded", ".stl", binary(("\0"):rep(12)), note = "12 bytes behind its 12 triangles are left out" },
-  { "binary, padded by more than a triangle", ".stl", binary(("x"):rep(77)), note = "77 bytes behind" },
+  { "binary, padded", ".stl", binary(("\0"):rep(12)), note = "12 bytes after its 12 triangles are ignored" },
+  { "binary, padded by more than a triangle", ".stl", binary(("x"):rep(77)), note = "77 bytes after" },
   { "noise of single precision", ".stl", stl(2e-7), { weld = 1e-6 } },
   { "object", ".obj", "o block\n" .. obj },
   { "lines that go on", ".obj", points .. table.concat(continued, "\r\n") .. "\r\n" },
@@ -93,11 +93,11 @@ for _, case in ipairs(read) do
 end
 
 local refused = {
-  { ".stl", binary("", 13), "is cut short or no STL file" },
-  { ".stl", binary(("\0"):rep(12), 0), "no STL file" },
-  { ".stl", stl(2e-7), "it closes with weld = 5e-07" },
-  { ".stl", stl(2e-5), "it closes with weld = 5e-05" },
-  { ".stl", (stl():gsub("facet normal.-endfacet\n", "", 1)), "close it in the program it comes from" },
+  { ".stl", binary("", 13), "is cut short or not an STL file" },
+  { ".stl", binary(("\0"):rep(12), 0), "not an STL file" },
+  { ".stl", stl(2e-7), "weld = 5e-07 closes it" },
+  { ".stl", stl(2e-5), "weld = 5e-05 closes it" },
+  { ".stl", (stl():gsub("facet normal.-endfacet\n", "", 1)), "close it in the program that made it" },
   { ".obj", points .. "f 1 4 x\\\n 2", "a corner of a face is 'x'" },
 }
 for _, case in ipairs(refused) do
@@ -113,7 +113,7 @@ local second = obj:gsub("v (%S+)", function(x) return ("v %g"):format(x + 2) end
     return "f " .. table.concat(moved, " ")
   end)
 local _, notes, count = solids(".obj", "o Cube\n" .. obj .. "o Cube\n" .. second)
-assert(count == 1 and notes:find("object 'Cube' begins again", 1, true), notes)
+assert(count == 1 and notes:find("object 'Cube' appears again", 1, true), notes)
 assert(notes:find("shells_are_bodies", 1, true), notes)
 _, notes, count = solids(".obj", obj .. second)
 assert(count == 1 and notes:find("shells_are_bodies", 1, true), notes)
@@ -133,9 +133,9 @@ local function mesh_refusal(dim, nodes, elements)
 end
 local flat = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 } }
 local parts = { { 1, 2, 3, 4 }, { 5, 6, 7, 8 } }
-assert(mesh_refusal(2, flat, parts):find("nodes 2 and 5 lie at one place: merge such nodes", 1, true))
+assert(mesh_refusal(2, flat, parts):find("nodes 2 and 5 are at the same place: merge such nodes", 1, true))
 for i = 5, 8 do flat[i][1] = flat[i][1] + 1 end
-assert(mesh_refusal(2, flat, parts):find("by no edge; make a body of each part", 1, true))
+assert(mesh_refusal(2, flat, parts):find("shares no edge with the others; make each part a body", 1, true))
 local deep = {}
 for x = 0, 1 do
   for _, p in ipairs { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
@@ -144,7 +144,7 @@ for x = 0, 1 do
   end
 end
 local message = mesh_refusal(3, deep, { { 1, 2, 3, 4, 5, 6, 7, 8 }, { 9, 10, 11, 12, 13, 14, 15, 16 } })
-assert(message:find("in one place, so it is open there; make them one", 1, true), message)
+assert(message:find("at the same place, so the mesh is open there; merge them", 1, true), message)
 
 -- A joint takes precedence over the place of the same name: a load on it acts as one at its coordinates.
 local function sag(dim, at)

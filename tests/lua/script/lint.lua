@@ -79,21 +79,21 @@ local found = wrong:lint()
 has(found, "contact of 'stone' and 'qq': there is no material, group or body 'qq'")
 has(found, "bodies 'low' and 'in' overlap by 0.25 m")
 has(found, "bodies 'top' and 'in' overlap by 0.25 m")
-has(found, "body 'up' stands on nothing")
-has(found, "body 'higher' stands on nothing")
-has(found, "bearing 'B': becomes bearing 'C', which is not there")
+has(found, "body 'up' has no support")
+has(found, "body 'higher' has no support")
+has(found, "bearing 'B': becomes bearing 'C', which does not exist")
 has(found, friction)
 assert(#found == 7 and found.text:find "^%- contact of", found.text)
 local good, message = pcall(wrong.run, wrong, { duration = 1 })
 assert(not good and message:find(found[1], 1, true), message)
 wrong:block { name = "more", width = 1, height = 0.5, at = { 9, 9 }, material = "stone" }
-has(wrong:lint(), "body 'more' stands on nothing")
+has(wrong:lint(), "body 'more' has no support")
 
 local empty = trilith.model {}
-has(empty:lint(), "model: there is no body; add one at least")
+has(empty:lint(), "model: there is no body; add at least one")
 for i = 1, 30 do empty:body { name = "b" .. i, outline = { { i, 0 }, { i + 0.5, 0 }, { i, 1 } }, mass = 1 } end
 found = empty:lint()
-has(found, "and 20 more that keep it from being built")
+has(found, "and 20 more errors that prevent building the model")
 assert(#found == 11)
 
 -- Contacts damped by less than 1 % of critical. A single moving block: omega = sqrt(kn b/m); both blocks move: m1
@@ -105,7 +105,7 @@ has(one, "law 'joint' damps 1 of 2 contacts by less than 1 % of critical ('base'
 has(one, ("beta = %.2g s gives 10 %% of critical"):format(0.2 / omega))
 has(model { beta = 2 * 0.009 / omega / math.sqrt(2) }:lint(), "law 'joint' damps 2 of 2 contacts by less than 1 %")
 has(model { beta = 0 }:lint(),
-    ("has no damping (beta = 0): what strikes it bounces for ever; beta = %.2g s gives 10 %%"):format(0.2 / omega))
+    ("has no damping (beta = 0): bodies that strike it bounce for ever; beta = %.2g s gives 10 %%"):format(0.2 / omega))
 
 -- Elastic slip of more than 0.001 of the expected slip: the blocks weigh 11.8 kN, which is 16.6 kPa on the side of a
 -- square of their area. 0.6 times this pressure over 5e8 Pa/m is 2e-5 m. The base is fixed, and heavier.
@@ -153,9 +153,9 @@ for _, dim in ipairs { 2, 3 } do
     w:run { duration = 1e-3 }
     assert(#w.notes == expected, ("dim %d, gap %g: %d notes"):format(dim, gap, #w.notes))
     if expected == 1 then
-      assert(w.notes[1] == "law 'mortar' leaves a pair of faces without a bond, as 'b1' and 'b2' stand 1 mm apart: "
-        .. "faces are bonded at a gap of at most 1e-5 of the smaller body's size, and 1e-3 where mortar is fresh "
-        .. "(m:consolidate{ fresh = true }); close the gap, or let another law hold there", w.notes[1])
+      assert(w.notes[1] == "law 'mortar' leaves a pair of faces without a bond, because 'b1' and 'b2' are 1 mm "
+        .. "apart. Faces are bonded at a gap of at most 1e-5 of the smaller body's size, and 1e-3 for fresh mortar "
+        .. "(m:consolidate{ fresh = true }); close the gap, or give another law there", w.notes[1])
     end
     w:close()
   end

@@ -23,5 +23,5 @@ end
 refused("trilith.math.sin: takes numbers; argument 1 is the text 'one'", ours.sin, "one")
 refused("trilith.math.pow: takes numbers; argument 2 is nil", ours.pow, 2)
 refused("trilith.math.atan: takes numbers; argument 2 is a table", ours.atan, 1, {})
-refused("trilith.math.log: gives the natural logarithm alone", ours.log, 8, 2)
+refused("trilith.math.log: returns only the natural logarithm", ours.log, 8, 2)
 refused("trilith.math has no 'sine'", function() return ours.sine(1) end)

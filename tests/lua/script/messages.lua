@@ -26,33 +26,34 @@ given.check {
   { function() new():block { name = "b", width = 1, height = 1, material = "stone", support = { r = "fixed" } } end,
     "block 'b': support: 'r' is written in full: rotation = \"fixed\"" },
   { function() new():block { name = "b", size = { 1, 1, 1 }, material = "stone" } end,
-    "block 'b': 'size' is of blocks in space, of models with dim = 3; in the plane give width and height" },
+    "block 'b': 'size' is for blocks in space, in models with dim = 3; in the plane give width and height" },
   -- bearings, seats and changes without effect or with harmful effect
   { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
       along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
-    "bearing 'b': friction slides under the compression of the axial law, of which there is none, so that it never "
-      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+    "bearing 'b': friction slides under the compression of the axial law, which is missing, so it never transfers a "
+      .. "force; give axial a law that carries compression, such as trilith.linear{...}" },
   { function() with_block("up", 0):bearing { name = "b", between = { "base", "up" }, at = { 0.5, 0 },
       axial = trilith.pendulum { radius = 1, mu = 0.3, stiffness = 1e6 } } end,
-    "bearing 'b': pendulum slides under the compression of the axial law, which slides itself, so that it never "
-      .. "holds anything; give axial a law that presses, such as trilith.linear{...}" },
+    "bearing 'b': pendulum slides under the compression of the axial law, which is itself a sliding law, so it never "
+      .. "transfers a force; give axial a law that carries compression, such as trilith.linear{...}" },
   { function() b:change { bearing = "B1", along = trilith.friction { mu = 0.3, stiffness = 1e6 } } end,
-    "change: bearing 'B1': friction slides under the compression of the axial law, of which there is none, so that it "
-      .. "never holds anything; give axial a law that presses, such as trilith.linear{...}" },
+    "change: bearing 'B1': friction slides under the compression of the axial law, which is missing, so it never "
+      .. "transfers a force; give axial a law that carries compression, such as trilith.linear{...}" },
   { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.8, 0 },
       edge = { 0.5, 0 }, inward = { -1, 0 } } end,
-    "seat 's': 'at_end' lies 0.3 m beyond the edge, so that the seat is lost as it begins; 'inward' goes from the edge "
-      .. "over the seat: turn it round, or leave it out" },
+    "seat 's': 'at_end' lies 0.3 m beyond the edge, so the seat is lost at the start; 'inward' points from the edge "
+      .. "over the seat: reverse it, or leave it out" },
   { function() with_block("up", 0):seat { name = "s", body = "up", support = "base", at_end = { 0.5, 1 },
       edge = { 0.5, 0 } } end,
     "seat 's': 'at_end' is over the edge, so 'inward' does not follow from them; give inward, from the edge over the "
       .. "seat" },
   { function() bonded():change { law = "mortar", tension = 1e6, cohesion = 1e6 } end,
-    "change: cohesive: energy_tension is 20 J/m2, must be above tension^2/(2 kn) = 500, what the joint stores at "
-      .. "its strength; give more energy, or a stiffer joint, or use the bonded law" },
+    "change: cohesive: energy_tension is 20 J/m2, must be above tension^2/(2 kn) = 500, the energy that the joint "
+      .. "stores at its strength; give more energy, or a stiffer joint, or use the bonded law" },
   -- input without effect
   { function() b:fix("block", "") end,
-    "fix: directions are the text '', which names none; give some of x, y and r, as in \"xy\", or leave them out for "
+    "fix: directions are the text '', which names no direction; give some of x, y and r, as in \"xy\", or leave them "
+      .. "out for "
       .. "all" },
   { function() late():run { to = 1, duration = 1 } end,
     "run: both 'to' and 'duration' are given; keep one: the time at which it ends, or how long it lasts" },
@@ -85,7 +86,7 @@ given.check {
     "end_hinge: softening is 0.1 rad, but without a capping rotation it never softens; give capping, the plastic "
       .. "rotation from which it does, or leave softening out" },
   { function() trilith.end_hinge { sagging = 1e5, residual = 0.2 } end,
-    "end_hinge: residual is 0.2, but nothing takes the moment down to it; give capping and softening, or wear, or "
+    "end_hinge: residual is 0.2, but the moment never decreases to it; give capping and softening, or wear, or "
       .. "leave residual out" },
   { function() late():release { push = "q" } end, "release: there is no push 'q'; there are none" },
   { function() meshed():fix("mesh", "r") end,
@@ -94,8 +95,8 @@ given.check {
   -- units and parameters
   { function() return trilith.units "ft inhc" end, "there is no unit 'inhc'; did you mean 'inch'?" },
   { function() return trilith.units "in" end,
-    "there is no unit 'in'; did you mean 'inch'? Others of its kind: m, mm, cm, km, ft, yd" },
-  { function() return trilith.units "lb" end, "there is no unit 'lb'; say lbf for a force, lbm for a mass" },
+    "there is no unit 'in'; did you mean 'inch'? Other units of this kind: m, mm, cm, km, ft, yd" },
+  { function() return trilith.units "lb" end, "there is no unit 'lb'; write lbf for a force, lbm for a mass" },
   { function() return trilith.units(3) end, 'units: takes one text, as in units "ft inch kip"; this is 3' },
   { function() return trilith.modle {} end, "trilith has no 'modle'; did you mean 'model'?" },
   -- model
@@ -104,7 +105,7 @@ given.check {
   { function() trilith.model { gravity = "down" } end,
     "model: 'gravity' is the text 'down', must be a number (downwards) or {x, y}, in m/s2" },
   { function() trilith.model { gravity = -9.81 } end,
-    "model: 'gravity' is -9.81, must be not below 0, as a number counts downwards; what pulls up is a vector" },
+    "model: 'gravity' is -9.81, must be not below 0: a number acts downwards; for other directions give a vector" },
   { function() trilith.model "x" end, "model: takes one table, as in model{ ... }; this is the text 'x'" },
   -- materials and laws
   { function() m:material { density = 2000 } end, "material: 'name' is missing; give a text" },
@@ -122,7 +123,7 @@ given.check {
     "material 'a': 'density' is 23563.1 kg/m3, more than any metal's; a weight by volume (pcf, kcf, N/m3) "
       .. "is given as unit_weight" },
   { function() m:material { name = "stone", density = 1 } end,
-    "material 'stone' is there already; give each one of its own name" },
+    "material 'stone' exists already; give each its own name" },
   { function() m:material { name = "a" } end, "material 'a': give either density (kg/m3) or unit_weight (N/m3)" },
   { function() trilith.frictional { kn = 1e9, mu = 0.5 } end, "frictional: 'ks' is missing; give a number in Pa/m" },
   { function() trilith.frictional { kn = 0, ks = 1, mu = 0.5 } end, "frictional: 'kn' is 0 Pa/m, must be above 0" },
@@ -134,7 +135,7 @@ given.check {
   { function() trilith.elastic_plastic { stiffness = 1, yield = 1, hardening = 1 } end,
     "elastic_plastic: 'hardening' is 1, must be not below 0 and at most 0.99" },
   { function() trilith.table { points = { { 0, 0 }, { 0, 1 } } } end,
-    "table: displacement of point 2 is 0 m, must be above that of point 1 (0 m)" },
+    "table: displacement of point 2 is 0 m, must be above the displacement of point 1 (0 m)" },
   { function() trilith.table { points = { { 0, 0 }, { 1 } } } end,
     "table: point 2 of 'points' is {1}, must be {x, y}, two finite numbers" },
   { function() return stone.nk end, "this law has no 'nk'; did you mean 'kn'?" },
@@ -150,7 +151,7 @@ given.check {
   { function() m:body { name = "a", outline = square, material = "stone", heigth = 2 } end,
     "body 'a': unknown key 'heigth'; did you mean 'weight'?" },
   { function() m:body { name = "a", outline = square, 3 } end,
-    "body 'a': 3 stands there without a key; write key = value" },
+    "body 'a': 3 is given without a key; write key = value" },
   { function() m:body { name = "a", material = "stone" } end,
     "body 'a': 'outline' is missing; give a list of points {{x, y}, ...}" },
   { function() m:body { name = "a", outline = { { 0, 0 }, { 1, nan }, { 1, 1 } }, material = "stone" } end,
@@ -178,7 +179,7 @@ given.check {
   { function() m:body { name = "a", outline = square, mass = 1, support = { z = "fixed" } } end,
     "body 'a': support: unknown key 'z'; known: x, y, rotation" },
   { function() m:body { name = "base", outline = square, mass = 1 } end,
-    "body 'base' is there already; give each one of its own name" },
+    "body 'base' exists already; give each its own name" },
   { function() m:body { outline = square, mass = 1 } end, "body: 'name' is missing; give a text" },
   { function() m:body "bse" end, "body: there is no body 'bse'; did you mean 'base'?" },
   { function() m.body { name = "a" } end, "argument 1 is a table, must be a model; call methods with ':'" },
@@ -191,9 +192,10 @@ given.check {
     "abutment 'abutment': 'side' is 'top', must be one of left, right" },
   { function() m:arch { material = "stone", fixed = "abutment" } end,
     "arch: fixed names 'abutment', but there is no such group or part; did you mean 'abutments'?" },
-  { function() m:arch { span = 4, material = "stone" } end, "arch: span and rise go together; give both or neither" },
+  { function() m:arch { span = 4, material = "stone" } end, "arch: span and rise are given together; give both or "
+    .. "neither" },
   { function() m:arch { span = 4, rise = 1, radius = 3 } end,
-    "arch: span and rise say what radius, half_angle and offset say; keep one of the two" },
+    "arch: span and rise define the same shape as radius, half_angle and offset; keep one of the two" },
   { function() m:rubble { outline = { { 0, 0 }, { 1, 0 }, { 1, 1 } }, stones = 0, material = "stone" } end,
     "rubble: stones is 0, must be a whole number from 1 to 10000" },
   { function() m:wall { name = "w", length = 2, courses = 3, by_group = { slab = { weight = 1 } } } end,
@@ -230,13 +232,14 @@ given.check {
     "bearing 'B': limit: unknown key 'allong'; did you mean 'along'?" },
   { function() return b.bearings.B2 end, "there is no bearing 'B2'; did you mean 'B1'?" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0, 0 } } end,
-    "bearing 'B': has no law, so it carries nothing; give along, axial or turning a law such as trilith.linear{...}" },
+    "bearing 'B': has no law, so it transfers no force; give along, axial or turning a law such as "
+      .. "trilith.linear{...}" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0, 0 }, along = spring,
       becomes = "frictional 1" } end,
     "bearing 'B': becomes 'frictional 1' at its limit, but has none; give limit = { along = }, axial or turning" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0, 0 }, along = spring,
       limit = { along = 1 }, becomes = "frictional 1", becomes_from = "here" } end,
-    "bearing 'B': becomes_from is \"here\", but it becomes no bearing; name one under becomes" },
+    "bearing 'B': becomes_from is \"here\", but no bearing is its successor; name one under becomes" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, becomes_from = "there" } end,
     "bearing 'B': 'becomes_from' is 'there', must be one of start, here" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, becomes_from = 3 } end,
@@ -245,7 +248,7 @@ given.check {
     end, "bearing 'B': becomes_from: unknown key 'allong'; did you mean 'along'?" },
   { function() built():bearing { name = "B", between = { "base", "block" }, at = { 0.5, 3 }, along = spring } end,
     "bearing 'B': its point (0.5, 3) is 2 m away from body 'block', which is 1.41 m large; give a point in it or near "
-      .. "it, in m; or say arm = 2 where a rigid arm of that length holds it" },
+      .. "it, in m; or give arm = 2 for a rigid arm of that length" },
   { function() m:seat { name = "s", body = "base", support = "base", edge = { 0, 0 } } end,
     "seat 's': 'at_end' is missing; give {x, y}" },
   { function() built():seat { name = "s", body = "block", support = "base", at_end = { 0, 0 }, edge = { 7, 0 } } end,
@@ -258,14 +261,16 @@ given.check {
     "motion: sample 3 of 'acceleration' is the text 'x', must be a number in m/s2" },
   { function() trilith.motion { acceleration = { 0, 1, 0 } } end, "motion: 'dt' is missing; give a number in s" },
   { function() trilith.motion { acceleration = { 0, 1, 0 }, dt = 0.1, velocity = 1 } end,
-    "motion: 'acceleration' does not go with 'velocity': velocity is a steady motion instead of samples, which begin "
+    "motion: 'acceleration' cannot be given with 'velocity': velocity is a steady motion instead of samples, which "
+      .. "begin "
       .. "with v0" },
   { function() trilith.motion { velocity = 1, duration = 1, v0 = 1 } end,
-    "motion: 'v0' does not go with 'velocity': it is of records; a steady motion takes velocity and duration alone" },
+    "motion: 'v0' cannot be given with 'velocity': it is for records; a steady motion takes only velocity and "
+      .. "duration" },
   { function() trilith.motion { file = "a.csv", acceleration = { 0, 1 }, dt = 1 } end,
-    "motion: 'acceleration' does not go with 'file': keep one, the samples of the file or those of the script" },
+    "motion: 'acceleration' cannot be given with 'file': keep one, the file or the samples" },
   { function() trilith.motion { acceleration = { 0, 1, 0 }, dt = 0.1, duration = 1 } end,
-    "motion: 'duration' does not go with 'acceleration': samples last as long as their number times dt" },
+    "motion: 'duration' cannot be given with 'acceleration': samples last as long as their number times dt" },
   { function() trilith.motion {} end,
     "motion: 'acceleration' is missing; give a list of numbers in m/s2, or a file, or a velocity and a duration" },
   { function() quake:scale { pga = 1, factor = 2 } end,
@@ -284,20 +289,20 @@ given.check {
     "end_hinge: 'axial' has no points; give { { normal force, share of the moment left }, ... }" },
   { function() built():beam { name = "s", from = { 0, 5 }, to = { 0, 8 }, material = "stone", stations = -1,
       section = trilith.rectangle_section { width = 1, depth = 1 } } end,
-    "beam 's': 'stations' is of a section of fibres, and this one has none; leave it out" },
+    "beam 's': 'stations' is for fibre sections, but this section has no fibres; leave it out" },
   { function() built():run { duration = 1, alpha = "x" } end,
-    "run: 'alpha' is of integrator = \"implicit\", and this stage is explicit; leave it out" },
+    "run: 'alpha' is for integrator = \"implicit\", but this stage is explicit; leave it out" },
   { function() built():run { duration = 1, integrator = "implicit", alpha = -0.1, spectral_radius = 0.8 } end,
-    "run: both 'alpha' and 'spectral_radius' are given; keep one: each says by itself how much is damped" },
+    "run: both 'alpha' and 'spectral_radius' are given; keep one: each sets the numerical damping" },
   { function() trilith.model { threads = 0 } end, "model: 'threads' is 0, must be 1 to 64" },
   { function() trilith.model { threads = 65 } end, "model: 'threads' is 65, must be 1 to 64" },
   { function() trilith.model { threads = 1.5 } end, "model: 'threads' is 1.5, must be a whole number" },
   { function() built():run { duration = 1, accuracy = 1e300 } end,
     "run: 'accuracy' is 1e+300, must be from 0 to 1, a share of energies" },
   { function() built():run { duration = 1, accuracy = 1e-300 } end,
-    "run: 'accuracy' is 1e-300, must be 0, for any, or at least 1e-09, or its steps would hardly end" },
+    "run: 'accuracy' is 1e-300, must be 0 for any error, or at least 1e-09; less needs too many steps" },
   { function() built():consolidate { tolerance = -1 } end,
-    "consolidate: 'tolerance' is of integrator = \"static\", and this stage is explicit; leave it out" },
+    "consolidate: 'tolerance' is for integrator = \"static\", but this stage is explicit; leave it out" },
   { function() built():pushover { body = "block", rate = 1, displacement = 1, storey = 0 } end,
     "pushover: 'storey' is 0, must be at least 1" },
 }
@@ -320,12 +325,12 @@ do
   w:tilt { rate = 0 }
   local notes = w.notes
   assert(#notes == 4, #notes)
-  assert(notes[1] == "body 'up': it is given a spin, and is held there, so that it does not move; free that direction "
-    .. "or leave it out", notes[1])
-  assert(notes[2] == "bearing 'y' waits, and no bearing becomes it, so that it carries nothing; name it in `becomes` "
+  assert(notes[1] == "body 'up': it is given a spin, but is held in that direction and does not move; free that "
+    .. "direction or leave it out", notes[1])
+  assert(notes[2] == "bearing 'y' waits, but it is the successor of no bearing, so it never acts; name it in `becomes` "
     .. "of another one, or leave out waiting", notes[2])
   assert(notes[3]:find("^load 'p': body 'base' is held or driven in all directions"), notes[3])
-  assert(notes[4] == "tilt: rate is 0 rad/s, and gravity does not turn: nothing changes", notes[4])
+  assert(notes[4] == "tilt: rate is 0 rad/s, and gravity is not rotating: nothing changes", notes[4])
   w:tilt { rate = 0.1 }
   w:run { duration = 0.1 }
   w:tilt { rate = 0 } -- stops it

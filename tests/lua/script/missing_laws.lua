@@ -61,7 +61,7 @@ for _, dim in ipairs { 2, 3 } do
   block(m, "floor", "stone", 0, -0.5, { support = "fixed", groups = { "floors" } })
   block(m, "wall", "stone", 0, 0, { groups = { "walls" }, floating = true })
   block(m, "other", "stone", 2, 0, { groups = { "walls" }, floating = true })
-  refused(m, "'other' (stone)", "'wall' (stone)", "before the statements about groups")
+  refused(m, "'other' (stone)", "'wall' (stone)", "before the calls for groups")
 
   -- no law at all; of elements; a sphere
   m = model(dim, {})

@@ -51,8 +51,8 @@ local cases = {
       .. "sides" },
   -- pieces
   { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = box(0.5) } }, material = "stone" } end,
-    "body 'b': its pieces 1 and 2 overlap by 0.5 m (0.29 of the smaller one's size, at most 1e-06 is allowed), and "
-      .. "what they share would count twice; move one of them, or make them bodies of their own" },
+    "body 'b': its pieces 1 and 2 overlap by 0.5 m (0.29 of the smaller one's size, at most 1e-06 is allowed), so "
+      .. "their common part would count twice. Move one of them, or make them separate bodies" },
   { function() m:body { name = "b", pieces = { { hull = box(0) }, { hull = { { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 },
       { 2, 1, 0 } } } }, material = "stone" } end,
     "hull 'b, piece 2': all its points lie in one plane; give points on both sides of it" },
@@ -64,7 +64,7 @@ local cases = {
   { function() m:block { name = "b", size = { 1, -1, 1 }, material = "stone" } end,
     "block 'b': size along y is -1 m, must be finite and above 0" },
   { function() m:block { name = "b", size = { 1e-99, 1e-99, 1e-99 }, material = "stone" } end,
-    "body 'b': is 1.73e-99 m large, must be at least 1e-09 m; look at its unit" },
+    "body 'b': is 1.73e-99 m large, must be at least 1e-09 m; check its unit" },
   { function() m:hull { name = "b", points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1e13 } } } end,
     "hull 'b': point 4 is (0, 0, 1e+13) m, must be finite and within 1e12 m" },
   { function() m:sphere { name = "b", radius = 1e300, material = "stone" } end,
@@ -73,20 +73,20 @@ local cases = {
     "vault 'v': arch: thickness is 3 m, must be below twice the mid radius of 1 m" },
   -- exceeds the memory: nothing is built
   { function() m:wall { name = "w", length = 1e9, courses = 3, material = "stone" } end,
-    "wall 'w': would have about 1.5e+10 parts, at most 200000 are built; look at its sizes and their units, or build "
-      .. "it in stretches" },
+    "wall 'w': would have about 1.5e+10 parts, at most 200000 are allowed; check its sizes and their units, or build "
+      .. "it in sections" },
   { function() m:building { name = "h", walls = { { from = { 0, 0 }, to = { 1e6, 0 } } }, courses = 3 } end,
-    "building 'h': would have about 1.5e+07 parts, at most 200000 are built; look at its sizes and their units, or "
-      .. "build it in stretches" },
+    "building 'h': would have about 1.5e+07 parts, at most 200000 are allowed; check its sizes and their units, or "
+      .. "build it in sections" },
   { function() m:cross_vault { name = "v", stone_length = 1e-6, material = "stone" } end,
-    "cross vault 'v': would have about 6.45e+07 parts, at most 200000 are built; look at its sizes and their units, or "
-      .. "build it in stretches" },
+    "cross vault 'v': would have about 6.45e+07 parts, at most 200000 are allowed; check its sizes and their units, "
+      .. "or build it in sections" },
   { function() m:vault { name = "v", stone_length = 1, stones = 10000, voussoirs = 10000, material = "stone" } end,
-    "vault 'v': would have about 1e+08 parts, at most 200000 are built; look at its sizes and their units, or build it "
-      .. "in stretches" },
+    "vault 'v': would have about 1e+08 parts, at most 200000 are allowed; check its sizes and their units, or build "
+      .. "it in sections" },
   { function() m:dome { name = "d", rings = 1000, sectors = 1000, material = "stone" } end,
-    "dome 'd': would have about 1e+06 parts, at most 200000 are built; look at its sizes and their units, or build it "
-      .. "in stretches" },
+    "dome 'd': would have about 1e+06 parts, at most 200000 are allowed; check its sizes and their units, or build "
+      .. "it in sections" },
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = { mesh = { 100, 100, 100 } } } end,
     "body 'b': its mesh of 100 x 100 x 100 would have 1e+06 elements, at most 200000 are made; divide its sides less" },
   { function() m:block { name = "b", size = { 1, 1, 1 }, weight = -3 } end,
@@ -95,7 +95,7 @@ local cases = {
       storey_height = 1, material = "stone" } end,
     "building 'h': storey 1: 3 courses are given, but its height of 1 m holds 5; keep one of the two" },
   { function() m:calibrate { frequency = 10, vary = "frictional 1.kn" } end,
-    "calibrate: is of models in the plane, and model 'wrong' has dim = 3" },
+    "calibrate: is for models in the plane, but model 'wrong' has dim = 3" },
   -- input without effect
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
       hold = { { from = { 7, 7, 7 }, to = { 8, 8, 8 } } } } end,
@@ -107,7 +107,7 @@ local cases = {
   { function() with_block():point_load { body = "b", force = { 1, 0, 0 }, at = "top" } end,
     "point_load: 'at' is 'top', must be {x, y, z}, \"centroid\" or the name of a joint of 'b'" },
   { function() soft():point_load { name = "p", body = "b", moment = { 1, 0, 0 } } end,
-    "load 'p' on 'b': the body deforms; say with 'at' where the moment acts" },
+    "load 'p' on 'b': the body deforms; give 'at', the point where the moment acts" },
   { function() soft():fix("b", "r") end,
     "fix: body 'b' is made of elements, whose nodes have no rotation to hold; fix x, y and z, or hold some of its nodes"
   },
@@ -144,10 +144,10 @@ do
   w:point_load { name = "p", body = "b", force = { 1, 0, 0 } }
   local notes = w.notes
   assert(#notes == 3, #notes)
-  assert(notes[1] == "body 'b': it is given a velocity along y, and is held there, so that it does not move; free that "
-    .. "direction or leave it out", notes[1])
-  assert(notes[2] == "body 'two': its piece 1 of 1.73 m stands 3 m away from all others, and moves with them as if it "
-    .. "were fast to them; move it, or make it a body of its own", notes[2])
-  assert(notes[3] == "load 'p': body 'b' is held or driven in all directions, so that the load moves nothing before "
-    .. "one of them is free", notes[3])
+  assert(notes[1] == "body 'b': it is given a velocity along y, but is held in that direction and does not move; "
+    .. "free that direction or leave it out", notes[1])
+  assert(notes[2] == "body 'two': its piece 1 of 1.73 m is 3 m away from all others, but moves rigidly with them; "
+    .. "move it, or make it a separate body", notes[2])
+  assert(notes[3] == "load 'p': body 'b' is held or driven in all directions, so the load has no effect before one "
+    .. "of them is free", notes[3])
 end

@@ -36,18 +36,18 @@ given.check {
   { function() late():run { duration = 1, mass_scaling = { step = 0 } } end,
     "stage 'run': mass_scaling: step is 0 s, must be finite and above 0" },
   { function() late():run { duration = 1, dt = 1e-6, mass_scaling = { step = 1e-5 } } end,
-    "stage 'run': dt is 1e-06 s and mass_scaling has a step of 1e-05 s; leave dt out, the step is that of mass_scaling"
+    "stage 'run': dt is 1e-06 s and mass_scaling has a step of 1e-05 s; leave dt out; mass_scaling sets the step"
   },
   { function() late():run { duration = 1, integrator = "implicit", mass_scaling = { step = 1e-5 } } end,
-    "stage 'run': mass_scaling is of explicit steps, and implicit ones are as long without it; keep one" },
+    "stage 'run': mass_scaling is for explicit steps; implicit steps do not need it; keep one" },
   { function() late():consolidate { integrator = "static", mass_scaling = { step = 1e-5 } } end,
-    "consolidate: mass_scaling is of explicit steps; integrator = \"static\" takes none" },
+    "consolidate: mass_scaling is for explicit steps; integrator = \"static\" has none" },
   -- stages
   { function() m:run {} end, "run: 'duration' is missing; give a number in s" },
   { function() m:run { duration = -1 } end, "stage 'run': duration is -1 s, must be finite and above 0" },
   { function() m:run { duration = 1, dt = 1 } end,
-    "stage 'run': dt is 1 s, the longest stable step is 0.1 s at t = 0 s; leave dt out, or: nothing "
-      .. "stiff governs; steps are held to 0.1 s, and to what motions, loads and bearings ask for" },
+    "stage 'run': dt is 1 s, the longest stable step is 0.1 s at t = 0 s; leave dt out, or: no stiffness governs; "
+      .. "steps are limited to 0.1 s, and by motions, loads and bearings" },
   { function() b:shake { body = "bass", x = quake } end,
     "shake: body: there is no body or group 'bass'; did you mean 'base'?" },
   { function() b:shake { body = "base" } end, "shake: no motion is given; give x, y or rotation = trilith.motion ..." },
@@ -55,44 +55,44 @@ given.check {
     "shake: 'x': motion 'samples of the script' is zero everywhere; check the file and its column" },
   { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } } end,
     "shake: 'x': motion 'samples of the script' drifts: 1 m in 2 s, end velocity 100 cm/s (1e+02 % of "
-      .. "PGV), mean of the last quarter 83.3 cm/s (83 %); start it from the velocity its source gives (zero "
-      .. "mean velocity needs -50 cm/s), use a version that begins and ends at rest, or allow drift" },
+      .. "PGV), mean of the last quarter 83.3 cm/s %(83 %%%)%. Start it from the velocity that its source gives (zero "
+      .. "mean velocity needs -50 cm/s), use a version of the record that begins and ends at rest, or allow drift" },
   { function() b:fix("block", "xz") end,
     "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
   { function() b:shake { body = "base", motions = { { body = "base", x = trilith.ramp { by = 1, duration = 1 } } } }
     end,
-    "shake: 'body' does not go with 'motions', whose rows say it each for itself" },
+    "shake: 'body' cannot be given with 'motions'; give it in each row" },
   { function() b:history { name = "of two", of = function() return 1 end, what = "ux" } end,
-    "history 'of two': 'what' does not go with 'of', whose function gives the number; keep one" },
+    "history 'of two': 'what' cannot be given with 'of', whose function gives the number; keep one" },
   { function() new():consolidate { rest = { ratio = 0 } } end,
     "stage 'consolidation': unbalanced ratio at rest is 0, must be finite and above 0" },
-  { function() b:fix(7) end, "fix: 7 is no body; give a body, a set, a name, or a list of these" },
+  { function() b:fix(7) end, "fix: 7 is not a body; give a body, a set, a name, or a list of these" },
   { function() b:fix(m:body "base") end, "fix: body 'base' belongs to another model" },
   { function() b:fix(nobody) end,
-    "fix: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "fix: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:free(nobody) end,
-    "free: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "free: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:free "block" end,
-    "free: body 'block' is free already in x, y, rotation, so there is nothing to let go" },
+    "free: body 'block' is free already in x, y, rotation, so there is nothing to release" },
   { function() b:free({ "block", "other" }, "y") end,
-    "free: the 2 bodies are free already in y, so there is nothing to let go" },
+    "free: the 2 bodies are free already in y, so there is nothing to release" },
   { function() b:release { body = nobody } end,
-    "release: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "release: body: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:release { body = "block" } end,
-    "release: body 'block' is free already in x, y, rotation, so there is nothing to let go" },
+    "release: body 'block' is free already in x, y, rotation, so there is nothing to release" },
   { function() b:release { body = { "block", "other" }, y = true } end,
-    "release: the 2 bodies are free already in y, so there is nothing to let go" },
+    "release: the 2 bodies are free already in y, so there is nothing to release" },
   { function() b:point_load { body = nobody, force = { 1, 0 } } end,
-    "point_load: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "point_load: body: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:pressure { body = nobody, face = "top", value = 1 } end,
-    "pressure: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "pressure: body: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:drive { body = nobody, x = quake } end,
-    "drive: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "drive: body: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:shake { body = nobody, x = quake } end,
-    "shake: body: the set of bodies is empty, so nothing would be done; see what its m:bodies{...} asks for" },
+    "shake: body: the set of bodies is empty, so the call has no effect; check the filters of its m:bodies{...}" },
   { function() b:stop() end, "stop: no stage runs; call it from a handler or a story while one does" },
   { function() return b.energy.kin end,
-    "the energy ledger has no 'kin'; did you mean 'kinetic'? Its terms are kinetic, gravity, contact_elastic, "
+    "the energy balance has no 'kin'; did you mean 'kinetic'? Its terms are kinetic, gravity, contact_elastic, "
       .. "bearing_elastic, strain, contact_damping, contact_friction, contact_fracture, bearing_damping, "
       .. "bearing_inner, bearing_failure, plastic, element_damping, mass_damping, rest_damping, support, load, "
       .. "left_bounds, numerical, added, removed, residual" },
@@ -105,35 +105,38 @@ given.check {
   { function() m:wait "impact" end, "wait: only within a story, see m:story(function() ... end)" },
   { function() m:wait { "impact", wihtin = 3 } end, "wait: unknown key 'wihtin'; did you mean 'within'?" },
   { function() m:history { name = "h", body = "base", what = "z" } end,
-    "history 'h': 'what' is 'z', no number of a body; known: x, y, rotation, vx, vy, spin, ux, uy, speed, mass, "
+    "history 'h': 'what' is 'z', which is not a reading of a body; known: x, y, rotation, vx, vy, spin, ux, uy, "
+      .. "speed, mass, "
       .. "inertia, area, sxx, syy, sxy, reaction_x, reaction_y, plastic" },
   { function() m:history { name = "h", what = "sped" } end,
-    "history 'h': 'what' is 'sped', no number of the model (for others give body, bearing, seat or storey); did "
+    "history 'h': 'what' is 'sped', which is not a reading of the model (for others give body, bearing, seat or "
+      .. "storey); did "
       .. "you mean 'speed'?" },
   { function() m:history { name = "h", what = "" } end,
-    "history 'h': 'what' is '', no number of the model (for others give body, bearing, seat or storey); known: "
+    "history 'h': 'what' is '', which is not a reading of the model (for others give body, bearing, seat or storey); "
+      .. "known: "
       .. "time, dt, steps, thickness, tilted, speed, ratio, residual, base_shear, top_drift, damage, largest_opening, "
       .. "largest_slip, push_force, push_displacement" },
   { function() m:history { name = "h", of = 3 } end, "history 'h': 'of' is 3, must be a function" },
   { function() m:results { frames = 1 } end, "results: 'file' is missing; give a text" },
   { function() m:results { file = "x.h5", frames = 0 } end, "results: 'frames' is 0 s, must be above 0" },
   { function() with_results():results { file = "second.h5" } end,
-    "results: asked for already, into 'first.h5'; a model has one file, so give all in one call" },
+    "results: already set, to 'first.h5'; a model has one file, so give everything in one call" },
   -- errors found when the model is built
   { function() with_contact("stone", "qq"):run { duration = 1 } end,
     "contact of 'stone' and 'qq': there is no material, group or body 'qq'; known: *, stone" },
   { function() with_contact("uup", "stone"):run { duration = 1 } end,
     "contact of 'uup' and 'stone': there is no material, group or body 'uup'; did you mean 'up'?" },
-  { function() trilith.model({}):run { duration = 1 } end, "model: there is no body; add one at least" },
+  { function() trilith.model({}):run { duration = 1 } end, "model: there is no body; add at least one" },
   { function() with_block("in", -0.5):run { duration = 1 } end,
     "bodies 'base' and 'in' overlap by 0.5 m at the start (0.35 of the smaller one's size, at most 1e-06 "
       .. "is allowed); move one of them, or raise overlap_allowed" },
   { function() with_block("up", 5):run { duration = 1 } end,
-    "body 'up' stands on nothing: no contact or bearing leads from it to a fixed or driven body; set it "
-      .. "on something, give a contact law for its material, or say floating = true" },
+    "body 'up' has no support: no contact or bearing connects it to a fixed or driven body; place it on another "
+      .. "body, give a contact law for its material, or give floating = true" },
   { function() late():body { name = "late", outline = square, mass = 1 } end,
-    "body 'late' stands on nothing: no contact or bearing leads from it to a fixed or driven body; set it "
-      .. "on something, give a contact law for its material, or say floating = true" },
+    "body 'late' has no support: no contact or bearing connects it to a fixed or driven body; place it on another "
+      .. "body, give a contact law for its material, or give floating = true" },
   { function() return closed().time end, "the model is closed" },
   -- sets without a body, counts out of range, control characters
   { function() built():pushover { body = built():bodies { name = "none" }, at = "top", rate = 1, displacement = 1 } end,

@@ -147,20 +147,20 @@ end
 local m = model { name = "house" }
 says("model 'house': 'dim' is 4, must be 2 (in the plane) or 3 (in space)",
   function() trilith.model { name = "house", dim = 4 } end)
-says("'thickness' is of models in the plane, and dim is 3", function() trilith.model { dim = 3, thickness = 1 } end)
-says("stack: is of models in the plane, and model 'house' has dim = 3; give its parts a depth by "
+says("'thickness' is for models in the plane, and dim is 3", function() trilith.model { dim = 3, thickness = 1 } end)
+says("stack: is for models in the plane, but model 'house' has dim = 3; give its parts a depth with "
   .. "m:add(trilith.build.stack{...}, { depth = })", function() m:stack { blocks = {} } end)
-says("span: is of models in the plane, and model 'house' has dim = 3", function() m:span {} end)
-says("dome: is of models in space; model is in the plane, give it dim = 3", function() trilith.model():dome {} end)
+says("span: is for models in the plane, but model 'house' has dim = 3", function() m:span {} end)
+says("dome: is for models in space, but model is in the plane; give it dim = 3", function() trilith.model():dome {} end)
 says("block 'b': 'size' is missing", function() m:block { name = "b" } end)
 says("block 'b': 'size' is 1, must be {x, y, z}, three finite numbers", function() m:block { name = "b", size = 1 } end)
 says("unknown key 'widht'", function() m:block { name = "b", size = { 1, 1, 1 }, widht = 2 } end)
 says("'rotation'", function() return m:body "ground".rotation end)
-says("history 'h': 'what' is 'rotation', no number of a body",
+says("history 'h': 'what' is 'rotation', which is not a reading of a body",
   function() m:history { name = "h", body = "ground", what = "rotation" } end)
 says("support: 'y' is 'fixd', must be \"fixed\" or \"free\"",
   function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", support = { y = "fixd" } } end)
-says("'far' stands on nothing", function()
+says("'far' has no support", function()
   local n = model()
   n:block { name = "far", size = { 1, 1, 1 }, at = { 0, 0, 5 }, material = "stone" }
   n:run { duration = 1 }
@@ -206,7 +206,7 @@ do
     assert(not good and why:find(text, 1, true), why)
   end
   refuses(function() s:block { name = "a", width = 1, height = 2, at = { 0, 0, 0 }, material = "stone" } end,
-    "'width' is of blocks in the plane; in space give size = {x, y, z}")
+    "'width' is for blocks in the plane; in space give size = {x, y, z}")
   local b = s:block { name = "b", size = { 1, 1, 1 }, at = { 0, 0, 1 }, material = "stone", floating = true,
     spin = { 0, 0, 1 } }
   local known = select(2, pcall(function() return s.nothing_like_it end))

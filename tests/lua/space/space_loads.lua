@@ -95,10 +95,10 @@ says("pressure: 'face' is missing; give top, bottom, left, right, front, back or
 says("pressure: 'face' is 'side', must be", function() m:pressure { body = block, face = "side", value = 1 } end)
 says("pressure: unknown key 'from'",
   function() m:pressure { body = block, face = "top", from = { 0, 0 }, value = 1 } end)
-says("release: body 'block' is free already in z, so there is nothing to let go",
+says("release: body 'block' is free already in z, so there is nothing to release",
   function() m:release { body = block, z = true } end)
 local ball = m:sphere { name = "ball", radius = 0.1, at = { 2, 2, 1 }, material = "stone", floating = true }
-says("pressure: no plane face of 'ball' looks to the top within 45 degrees",
+says("pressure: no plane face of 'ball' points to the top within 45 degrees",
   function() m:pressure { body = ball, face = "top", value = 1 } end)
 
 -- Equilibrium path of two bars that snap through (von Mises truss), rotated about the vertical. The force has its

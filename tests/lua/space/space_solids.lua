@@ -131,7 +131,7 @@ do
     m:prism { name = "b", radius = 1, height = 1, material = "stone", body = "brick" } end)
   refused("spheres do not deform", function()
     m:sphere { name = "b", radius = 1, material = "stone", body = "brick" } end)
-  refused("hold is of nodes of bodies that deform", function()
+  refused("hold is for nodes of deformable bodies", function()
     m:block { name = "b", size = size, material = "stone", hold = { { from = size, to = size } } } end)
   refused("element 1 of the mesh (tetrahedron) is flat", function()
     m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
@@ -139,7 +139,7 @@ do
   refused("must be a list of four, six, eight or ten numbers of nodes", function()
     m:body { name = "b", material = "stone", mesh = { nodes = { { 0, 0, 0 } }, elements = { { 1, 2, 3 } } } } end)
   m:block { name = "soft", size = size, material = "stone", body = "brick", at = { 0, 0, 0 } }
-  refused("say with 'at' where the force that follows acts", function()
+  refused("give 'at', the point where the force that follows acts", function()
     m:point_load { name = "p", body = "soft", force = { 1, 0, 0 }, follow = true }
   end)
   m:close()

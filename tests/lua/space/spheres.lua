@@ -84,13 +84,13 @@ refused(function(m) m:sphere { name = "a", raduis = 1 } end, "radius")
 refused(function(m) m:clump { name = "c" } end, "clump 'c': 'spheres' is missing")
 refused(function(m)
   m:clump { name = "c", spheres = { { at = { 0, 0, 0 }, radius = 1 }, { at = { 3, 0, 0 }, radius = 1 } } }
-end, "sphere 1 touches none of the others, by 1 m")
+end, "sphere 1 is 1 m away from all others")
 refused(function(m)
   m:clump { name = "c", spheres = { { at = { 0, 0, 0 }, radius = 1 }, { at = { 0.1, 0, 0 }, radius = 0.5 } } }
 end, "sphere 2 lies within sphere 1; leave it out or move it")
 refused(function(m)
   m:pour { low = { 0, 0, 0 }, high = { 1, 1, 1 }, count = 2000, radius = 0.1, material = "stone" }
-end, "its box has room for 64 grains of up to 0.2 m, 2000 are asked for")
+end, "its box has room for 64 grains of up to 0.2 m, but count asks for 2000")
 refused(function(m) m:pour { low = { 0, 0, 0 }, high = { 1, 1, 1 }, radius = { 0.2, 0.1 }, material = "stone" } end,
   "radius is from 0.2 to 0.1 m")
 refused(function(m) m:pour { low = { 0, 0, 0 }, high = { 1, 0.1, 1 }, radius = 0.1, material = "stone" } end,
@@ -102,4 +102,4 @@ end, "bodies 'ground' and 'a' overlap by 0.05 m at the start")
 refused(function(m)
   m:sphere { name = "a", radius = 0.1, at = { 0, 0, 1 }, material = "stone" }
   m:run { duration = 0.1 }
-end, "body 'a' stands on nothing")
+end, "body 'a' has no support")

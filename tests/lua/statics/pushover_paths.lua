@@ -62,7 +62,7 @@ for _, dim in ipairs { 2, 3 } do
         near("motion", other.ux, place, 1e-9)
         near("speed", other.vx, speed, 1e-9)
         local said = table.concat(m.notes, "; ")
-        assert(said:find("motions and loads that are under way wait for the 1 s", 1, true), said)
+        assert(said:find("motions and loads in progress are suspended for the 1 s", 1, true), said)
         m:release { load = "pushover", fade = 0.1 }
         m:run { duration = 2.1, local_damping = 0.8 }
         near("motion at its end", other.ux, 0.2, 1e-9)

@@ -172,7 +172,8 @@ TEST_CASE("damping over a band: the tangent is that of central differences") {
 }
 
 TEST_CASE("damping over a band: bands that cannot be had are refused") {
-  CHECK_THROWS_WITH_AS(damping_branches({0.02, 5, 5}), doctest::Contains("must end above its begin"), InputError);
+  CHECK_THROWS_WITH_AS(damping_branches({0.02, 5, 5}), doctest::Contains("its end must be above its beginning"),
+                       InputError);
   CHECK_THROWS_WITH_AS(damping_branches({0.02, 1e-4, 1e4}), doctest::Contains("is wider than 6.3 decades"), InputError);
   CHECK_THROWS_WITH_AS(damping_branches({0.15, 1, 1000}), doctest::Contains("would be 5.9 times as stiff"), InputError);
   CHECK_THROWS_AS(damping_branches({0.3, 1, 20}), InputError);

@@ -213,7 +213,7 @@ TEST_CASE("what no frame can be is refused, with what to do") {
   CHECK(says(refusal([](BodySpec& b) { b.frame->joints[1].mass = -1; }), "mass"));
   CHECK(says(refusal([](BodySpec& b) { b.frame->joints[1].place.x() = std::nan(""); }), "joint 'to'"));
   CHECK(says(refusal([](BodySpec& b) { b.material = "stone"; }), "stiffness"));
-  CHECK(says(refusal([](BodySpec& b) { b.material = "steel"; }), "the material of members is elastic"));
+  CHECK(says(refusal([](BodySpec& b) { b.material = "steel"; }), "members need an elastic material"));
   CHECK(says(refusal([](BodySpec& b) { b.inertia = 3; }), "inertia"));
   CHECK(says(refusal([](BodySpec& b) { b.thickness = 3; }), "body_thickness"));
 }

@@ -135,7 +135,7 @@ TEST_CASE("modes are refused where nothing can move and for none") {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.fixed("base", box(-1, -1, 1, 0));
   const Model<2> model = scene.builder.build();
-  CHECK_THROWS_WITH_AS(modes(model, initial_state(model), 3), "modes: nothing is free to move", InputError);
+  CHECK_THROWS_WITH_AS(modes(model, initial_state(model), 3), "modes: no degree of freedom is free", InputError);
   CHECK_THROWS_AS(modes(model, initial_state(model), 0), InputError);
 }
 

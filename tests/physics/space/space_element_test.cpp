@@ -251,12 +251,12 @@ TEST_CASE("meshes in space that are no bodies are refused in one clear line, mir
   SpaceMesh open = good;
   open.node.push_back(open.node[static_cast<std::size_t>(open.cell[1].node[0])]);
   open.cell[1].node[0] = static_cast<int>(open.node.size()) - 1;
-  CHECK(refusal(open).find("are in one place, so it is open there") != std::string::npos);
+  CHECK(refusal(open).find("are at the same place, so the mesh is open there") != std::string::npos);
   SpaceMesh apart = good;
   for (const Vec3& x : {Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(5, 1, 0), Vec3(5, 0, 1)}) apart.node.push_back(x);
   const int n = static_cast<int>(good.node.size());
   apart.cell.push_back({ElementShape::tetrahedron, {n, n + 1, n + 2, n + 3}});
-  CHECK(refusal(apart).find("hangs on the others by no face") != std::string::npos);
+  CHECK(refusal(apart).find("shares no face with the others") != std::string::npos);
   SpaceMesh missing = good;
   missing.cell[0].node[3] = 99;
   CHECK(refusal(missing).find("names node 100, there are nodes 1 to 12") != std::string::npos);
@@ -270,8 +270,7 @@ TEST_CASE("a solid that is no brick in topology cannot be one element, and says 
   SolidSpec spec = box_of("post", prism(std::array{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)}, 0, 1), "m", {1, 1, 1});
   CHECK_THROWS_WITH_AS(
       (void)alone_in_space(elastic_in("m", 1000, 1e9, 0.2), spec),
-      "body 'post': it has 6 corners and 5 faces, and an element of a brick has 8 and 6; leave it rigid, "
-      "or give it a mesh",
+      "body 'post': it has 6 corners and 5 faces, but a brick element has 8 and 6; leave it rigid, or give it a mesh",
       InputError);
 }
 
