@@ -144,7 +144,8 @@ void Simulation<D>::require_step(const StageOptions& options) const {
   const double asked = options.implicit ? 0 : options.dt;
   if (asked > 0 && swept_.piece_a >= 0)
     throw InputError(
-        fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could pass through another undetected: {}; leave dt out, and the step is shortened where needed",
+        fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could pass "
+                    "through another undetected: {}; leave dt out, and the step is shortened where needed",
                     options.name, options.dt, swept_.needed(), state_.time, explain_tunnelling_limit(model_, swept_)));
   if (next_.longest == 0 && next_.dt > 0) return;  // reused from an earlier estimate
   if (asked > 0 && asked > next_.longest)

@@ -28,8 +28,8 @@ std::vector<Part> build_stack(const Stack& stack) {
     const double reach = (block.width + below) / 2;
     if (!parts.empty() && std::abs(block.offset) >= reach)
       throw InputError(
-          fmt::format("{}: offset is {:g} m, must be within {:g} m; otherwise it does not stand on the block below", what,
-                      block.offset, reach));
+          fmt::format("{}: offset is {:g} m, must be within {:g} m; otherwise it does not stand on the block below",
+                      what, block.offset, reach));
     middle += block.offset;
     const double top = bottom + block.height;
     parts.push_back({part_name(stack.name, piece),
@@ -45,8 +45,8 @@ std::vector<Part> build_harmonic_stack(const HarmonicStack& stack) {
   const std::string owner = builder_title("harmonic stack", stack.name);
   check_keys(stack, owner);
   if (stack.factor >= 2)
-    throw InputError(fmt::format("{}: factor is {:g}, must be below 2; otherwise the top block has no support",
-                                 owner, stack.factor));
+    throw InputError(fmt::format("{}: factor is {:g}, must be below 2; otherwise the top block has no support", owner,
+                                 stack.factor));
   Stack blocks{stack.name, stack.at, {}};
   blocks.at.x() -= stack.length / 2;  // a block whose right end is aligned with the end of the table
   // From below: block k from the top projects by length / 2k beyond the next, times `factor`. At this distance all

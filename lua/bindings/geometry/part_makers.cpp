@@ -102,9 +102,7 @@ constexpr std::array read_by_hand{
 constexpr auto all_part_makers = [] {
   std::array<PartMaker, part_maker_count> all{};
   auto* next = std::copy(read_by_hand.begin(), read_by_hand.end(), all.begin());
-  DeclaredBuilders::for_each([&]<class B>() {
-    *next++ = PartMaker{B::kind, B::is_single, read_declared<B>};
-  });
+  DeclaredBuilders::for_each([&]<class B>() { *next++ = PartMaker{B::kind, B::is_single, read_declared<B>}; });
   return all;
 }();
 static_assert(read_by_hand.size() + DeclaredBuilders::size == part_maker_count);

@@ -22,8 +22,10 @@ namespace {
 template <int D>
 std::string missed_text(const Model<D>& model, const MissedBonds& missed) {
   return fmt::format(
-      "law '{}' leaves {} without a bond, because '{}' and '{}' are {} apart. Faces are bonded at a gap of at most 1e-5 "
-      "of the smaller body's size, and 1e-3 for fresh mortar (m:consolidate{{ fresh = true }}); close the gap, or give another law there",
+      "law '{}' leaves {} without a bond, because '{}' and '{}' are {} apart. Faces are bonded at a gap of at most "
+      "1e-5 "
+      "of the smaller body's size, and 1e-3 for fresh mortar (m:consolidate{{ fresh = true }}); close the gap, or give "
+      "another law there",
       model.law_names[missed.law],
       missed.count == 1 ? "a pair of faces" : fmt::format("{} pairs of faces", missed.count),
       model.bodies[missed.body_a].name, model.bodies[missed.body_b].name, quantity_text(missed.gap, "m"));

@@ -108,18 +108,22 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
                                                       m.simulation().model().bodies[body].name)
                                         : std::string();
     const std::string event = path.events.empty() ? std::string() : "; last event: " + m.text_of(path.events.back());
-    m.note_at_once(fmt::format("{}: the load path ends at {}, because no equilibrium is found next to it, even with the "
-                               "shortest step{}{}; a shorter 'arc' or a finer mesh at softening joints may help",
-                               o.stage.name, at, where, event),
-                   host);
+    m.note_at_once(
+        fmt::format("{}: the load path ends at {}, because no equilibrium is found next to it, even with the "
+                    "shortest step{}{}; a shorter 'arc' or a finer mesh at softening joints may help",
+                    o.stage.name, at, where, event),
+        host);
   }
   if (path.end == PathEnd::no_resistance)
-    m.note_at_once(fmt::format("{}: the load path ends at {}: the structure can no longer carry the load", o.stage.name, at),
-                   host);
+    m.note_at_once(
+        fmt::format("{}: the load path ends at {}: the structure can no longer carry the load", o.stage.name, at),
+        host);
   if (path.jumps > 0)
-    m.note_at_once(fmt::format("{}: {} times a bond broke and equilibrium was found again at the same displacement with another force",
-                               o.stage.name, path.jumps),
-                   host);
+    m.note_at_once(
+        fmt::format(
+            "{}: {} times a bond broke and equilibrium was found again at the same displacement with another force",
+            o.stage.name, path.jumps),
+        host);
 }
 
 /// { {force =, displacement =, highest =}, ... }: limit points of the force.
@@ -190,7 +194,8 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
   const LoadPath path = follow_loads(model, state, how);
   if (path.end == PathEnd::no_rest)
     throw NoSolution(
-        "pushover: there is no equilibrium to begin from; find it with m:consolidate{ integrator = \"static\" }, which reports the cause");
+        "pushover: there is no equilibrium to begin from; find it with m:consolidate{ integrator = \"static\" }, which "
+        "reports the cause");
   recorder.finish(path, way);
   take_over<D>(m, std::move(state), way.loads, path.points.back().factor);
   m.load_pushes.push_back({push, push_place(way.points.front().state, push)});

@@ -26,7 +26,8 @@ const Checkpoint& require_checkpoint(const ScriptModel& model, double time) {
   const double oldest = kept.list().front().time();
   if (time < oldest - kept.options.every)
     throw InputError(
-        fmt::format("rewind: the oldest checkpoint is at {:.4f} s, {:.4f} s back; to go back further, keep more checkpoints, see checkpoints",
+        fmt::format("rewind: the oldest checkpoint is at {:.4f} s, {:.4f} s back; to go back further, keep more "
+                    "checkpoints, see checkpoints",
                     oldest, model.time() - oldest));
   return *kept.nearest(time);
 }

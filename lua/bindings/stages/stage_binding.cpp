@@ -288,7 +288,8 @@ int tilt(lua_State* L) {
   const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate sets the sign", by));
   keys.finish();
-  if (rate == 0 && !is_tilting(m)) tell_note(L, m, "tilt: rate is 0 rad/s, and gravity is not rotating: nothing changes");
+  if (rate == 0 && !is_tilting(m))
+    tell_note(L, m, "tilt: rate is 0 rad/s, and gravity is not rotating: nothing changes");
   report_implausible(L, m, "tilt", "rate", "rad/s", rate);
   report_implausible(L, m, "tilt", "by", "rad", by);
   const double duration = rate == 0 ? unbounded : by / std::abs(rate);
@@ -346,12 +347,9 @@ int stop(lua_State* L) {
 }
 
 const std::array stage_method_list{
-    Method{"run", guarded<run>},
-    Method{"consolidate", guarded<consolidate>},
-    Method{"shake", guarded<shake>},
-    Method{"drive", guarded<drive>},
-    Method{"tilt", guarded<tilt>},
-    Method{"bounds", guarded<bounds>},
+    Method{"run", guarded<run>},     Method{"consolidate", guarded<consolidate>},
+    Method{"shake", guarded<shake>}, Method{"drive", guarded<drive>},
+    Method{"tilt", guarded<tilt>},   Method{"bounds", guarded<bounds>},
     Method{"stop", guarded<stop>},
 };
 

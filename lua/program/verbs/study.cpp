@@ -163,7 +163,8 @@ void add_study(CLI::App& app, int& code) {
       ->type_name("NAME=VALUE")
       ->check(CLI::Validator(is_assignment, "", ""));
   verb->add_option("--over", o->over,
-                   "a parameter and its values, as in mu=0.2,0.4 or copy=1..8 or zeta=0.1..0.5:5 (how many); if repeated, all combinations are run")
+                   "a parameter and its values, as in mu=0.2,0.4 or copy=1..8 or zeta=0.1..0.5:5 (how many); if "
+                   "repeated, all combinations are run")
       ->type_name("NAME=VALUES")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -173,7 +174,8 @@ void add_study(CLI::App& app, int& code) {
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));
   verb->add_option("--on", o->on,
-                   "where the cases run: local (processes here), or slurm (an array job, followed until it has ended; after an interruption, the same command follows the job or runs the missing cases)")
+                   "where the cases run: local (processes here), or slurm (an array job, followed until it has ended; "
+                   "after an interruption, the same command follows the job or runs the missing cases)")
       ->type_name("WHERE")
       ->check(CLI::IsMember({"local", "slurm"}));
   verb->add_option("--per-task", o->choice.per_task,
@@ -184,8 +186,7 @@ void add_study(CLI::App& app, int& code) {
       ->type_name("N[,N...]");
   verb->add_option("--ida", o->ida, "incremental analysis: from the lowest value of this parameter up, with --stop")
       ->type_name("PARAMETER");
-  verb->add_option("--stop", o->stop,
-                   "with --ida: a flag of the cases; if it is true, higher values are passed over")
+  verb->add_option("--stop", o->stop, "with --ida: a flag of the cases; if it is true, higher values are passed over")
       ->type_name("FIGURE");
   add_room_options(*verb, o->room);
   add_checkpoint_option(*verb, o->choice.checkpoint, "of each case; as for trilith run where not given");
