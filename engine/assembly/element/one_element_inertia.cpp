@@ -1,5 +1,6 @@
 #include "assembly/element/rotary_inertia.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
