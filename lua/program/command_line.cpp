@@ -59,15 +59,14 @@ void describe_command_line(CLI::App& app, int& code) {
   app.description("Simulates structures of separate bodies, through an earthquake to collapse");
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
   app.footer(
-      "Without arguments, trilith opens a console. trilith SCRIPT runs a script; trilith -i SCRIPT opens a console "
-      "after\n"
-      "it. A script runs in a closed room: it starts no programs, and uses files only below its own folder, the "
-      "current\n"
-      "folder and the paths on the command line. The option --trust lifts these limits.\n"
-      "trilith doctor prints where the program, its Lua module and its records are, and whether they work.\n"
-      "Exit code 0 means success, 1 wrong input or an error in a script or case, 2 a wrong command line, 130 "
-      "interrupted.\n"
-      "Exit code 3 means a run that is not to be trusted, or a model without solution; the message names which.");
+      "Without arguments, trilith opens a console. trilith SCRIPT runs a script, and trilith -i SCRIPT\n"
+      "opens a console after it. A script runs in a closed room: it starts no programs, and uses files\n"
+      "only below its own folder, the current folder and the paths on the command line. The option\n"
+      "--trust lifts these limits. trilith doctor prints where the program, its Lua module and its\n"
+      "records are, and whether they work.\n"
+      "Exit codes: 0 success, 1 wrong input or an error in a script or case, 2 a wrong command line,\n"
+      "3 a run that is not to be trusted or a model without solution (the message names which),\n"
+      "130 interrupted.");
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);

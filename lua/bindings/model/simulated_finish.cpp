@@ -35,7 +35,7 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
   const std::unique_ptr<Recording<D>> recording = std::move(recording_);
   std::string why = error.empty() ? broken_ : error;
   if (why.empty() && verdict_->has(EventType::stage_diverged)) why = verdict_->fault(EventType::stage_diverged).first;
-  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was gone back into was not run to its end";
+  if (why.empty() && simulation_->stage() != nullptr) why = "a stage that was rewound was not run to its end";
   if (!why.empty()) {
     recording->abandon(why);
     return fmt::format("results so far, unfinished, are in {}{}", recording->part().string(), close_restart(false));
