@@ -28,7 +28,7 @@ struct Block {
   static constexpr auto keys() {
     using K = KeysOf<Block>;
     return std::tuple(
-        Refused{"size", "'size' is of blocks in space, of models with dim = 3; in the plane give width and height"},
+        Refused{"size", "'size' is for blocks in space, in models with dim = 3; in the plane give width and height"},
         K::Number{&Block::width, "width", "m", "size along its own x", above_zero, must_be_given},
         K::Number{&Block::height, "height", "m", "size along its own y", above_zero, must_be_given},
         K::Point{&Block::at, "at", "position of the anchor"},

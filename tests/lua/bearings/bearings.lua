@@ -121,7 +121,7 @@ for _, axial in ipairs { false, true } do
   b:bearing { name = "k", between = { "base", "top" }, at = { 0.5, 0 }, along = trilith.linear { stiffness = 1e7 },
     axial = axial and trilith.linear { stiffness = 1e8 } or nil, replaces_contact = true }
   b:run { duration = 1e-3 }
-  local said = #b.notes > 0 and b.notes[1]:find("bearing 'k': replaces_contact takes", 1, true) ~= nil
+  local said = #b.notes > 0 and b.notes[1]:find("bearing 'k': replaces_contact removes", 1, true) ~= nil
   assert(said == not axial, table.concat(b.notes, "\n"))
   b:close()
 end

@@ -111,7 +111,7 @@ has(model { beta = 0 }:lint(),
 -- square of their area. 0.6 times this pressure over 5e8 Pa/m is 2e-5 m. The base is fixed, and heavier.
 lacks(model {}:lint(), "before it slides")
 lacks(model {}:lint { slip = 0.021 }, "before it slides")
-has(model {}:lint { slip = 0.019 }, "law 'joint' gives by 2e-05 m before it slides ('low' under its own weight)")
+has(model {}:lint { slip = 0.019 }, "law 'joint' deforms by 2e-05 m before it slides ('low' under its own weight)")
 has(model {}:lint { slip = 0.01 }, "more than 0.001 of a slip of 0.01 m")
 local refused = { { { slip = 0 }, "'slip' is 0, must be a number in m, above 0" },
   { { slide = 1 }, "unknown key 'slide'" }, { 1, "takes a table" } }
