@@ -25,8 +25,8 @@ local sway = m:modes { count = 1 }[1].frequency
 local weight = 7850*9.80665*0.15*0.25
 local limit = (6*100e3 - weight*6^2/4)/(100e3*6/2 + 50e3*4)
 local load, slowly = p.factor*limit, { smooth = 1.5 } -- time in which the load is applied [s]
-m:point_load { body = portal, at = { 3, 4 }, force = { 0, -load*100e3 }, course = slowly }
-m:point_load { body = portal, at = { 0, 4 }, force = { load*50e3, 0 }, course = slowly }
+m:point_load { body = portal, at = { 3, 4 }, force = { 0, -load*100e3 }, load_curve = slowly }
+m:point_load { body = portal, at = { 0, 4 }, force = { load*50e3, 0 }, load_curve = slowly }
 local hinges = 0
 m:on("member.yielded", function() hinges = hinges + 1 end)
 m:results { file = "out/portal.h5", frames = 0.05 }

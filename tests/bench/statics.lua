@@ -41,7 +41,8 @@ local function settle(how)
   return seconds, forces, report
 end
 
-local slow, in_time, report = settle { duration = 60, ratio = p.ratio, speed = 1e-7, safety = 0.8, fresh = true }
+local slow, in_time, report = settle {
+  duration = 60, rest = { ratio = p.ratio, speed = 1e-7 }, safety = 0.8, fresh = true }
 local fast, at_once = settle { integrator = "static", fresh = true }
 local worst, most, where = 0, 0, "-"
 for _, f in pairs(in_time) do most = math.max(most, f.n) end

@@ -111,7 +111,7 @@ TEST_CASE("panels that cannot be built are refused, fields off the grid with the
                build_running_bond(
                    {.columns = 6, .courses = 10, .openings = {{0.8, 1.6, 4, 7}}, .lintels = {{0.6, 1.8, 7, 7}}});
              }),
-             "lintel 1: lies on an opening or lintel given before"));
+             "lintel 1: overlaps an earlier opening or lintel"));
   CHECK(says(refusal_of([] { build_running_bond({.columns = 0}); }), "columns is 0"));
   CHECK(says(refusal_of([] { build_running_bond({.columns = 2000, .courses = 2000}); }), "more than 1000000 units"));
   CHECK(says(refusal_of([] { build_running_bond({.unit_width = 0}); }), "unit width is 0 m"));

@@ -232,7 +232,7 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
   CHECK(says(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
   const auto stl = [](const std::string& text) { return refusal_of([&] { parse_stl(text, {}, "file"); }); };
   CHECK(says(stl("hello"), "is not an STL file"));
-  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends before 'normal'"));
+  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends where 'normal' should be"));
   CHECK(says(stl("solid a\n facet normal 0 0 1\nouter loop\nvertex 0 0 x"), "line 4: a coordinate is 'x'"));
   CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in the file"));
   CHECK(says(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));

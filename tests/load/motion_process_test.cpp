@@ -60,7 +60,7 @@ TEST_CASE("a baseline of a degree takes every polynomial up to it out, and nothi
   for (std::size_t i = 0; i < with.size(); ++i)
     worst = std::max(worst, std::abs(back.samples()[i].acceleration - plain.samples()[i].acceleration));
   CHECK(worst < 1e-12);
-  CHECK(back.description().find("baseline of degree 3 out") != std::string::npos);
+  CHECK(back.description().find("baseline of degree 3 removed") != std::string::npos);
   CHECK_THROWS_AS(baseline_corrected(noise(1), -1), InputError);
   CHECK_THROWS_AS(baseline_corrected(noise(1).scaled(2), 1), InputError);
 }

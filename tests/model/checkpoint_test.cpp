@@ -223,7 +223,7 @@ TEST_CASE("files that are no checkpoint, of another version or byte order are re
   const Model<2> model = small_model();
   CHECK(message_of(model, folder.path / "none").find("No such file") != std::string::npos);
   write_bytes(path, {'h', 'e', 'l', 'l', 'o'});
-  CHECK(message_of(model, path).find("is no checkpoint") != std::string::npos);
+  CHECK(message_of(model, path).find("is not a checkpoint") != std::string::npos);
   save_state(moved_state(model), model, path);
   const std::vector<char> whole = bytes_of(path);
   std::vector<char> other = whole;

@@ -94,7 +94,7 @@ for name, make in pairs(cases) do
         local m, names = make(dim, good)
         local what = ("%s, dim %d, %s, %s"):format(name, dim, good and "below its limit" or "beyond its limit", how)
         local ok, report = pcall(m.consolidate, m, how == "static" and { integrator = "static" }
-          or { duration = 15, ratio = 1e-4, speed = 1e-4, hold = 0.1 })
+          or { duration = 15, rest = { ratio = 1e-4, speed = 1e-4, hold = 0.1 } })
         if good then
           assert(ok and report.rests, what .. ": " .. tostring(report))
           assert(m.verdict.sound and #m.notes == 0, what)
@@ -123,7 +123,7 @@ end
 for _, how in ipairs { "static", "explicit" } do
   local function rest(m, more)
     local o = how == "static" and { integrator = "static" }
-      or { duration = 8, ratio = 1e-3, speed = 1e-3, hold = 0.1 }
+      or { duration = 8, rest = { ratio = 1e-3, speed = 1e-3, hold = 0.1 } }
     for key, value in pairs(more or {}) do o[key] = value end
     local ok, report = pcall(m.consolidate, m, o)
     return ok and report.ending or tostring(report):match "unstable" or tostring(report), m
