@@ -113,7 +113,7 @@ def session_step_at_the_top(place):
 def session_rewind_and_run_on_gives_the_same_bits(place):
     bridge(place)
     s = place.console("-i", "deck.lua")
-    s.ask("m:checkpoints()", r"\d+ checkpoints from .* MB; one each 0\.1 s")
+    s.ask("m:checkpoints()", r"\d+ checkpoints from .* MB; one every 0\.1 s")
     s.ask("m:rewind(1.5)", r"note: back at .*m:continue\(\) continues the stage")
     s.ask("m.hash ~= hash", r"^true$")
     s.ask("m:continue().ending", r"^time$")
