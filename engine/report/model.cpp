@@ -142,14 +142,13 @@ void write_model(const ReportSource& source, HtmlText& html) {
   const results::Header& header = source.header;
   html.element("h2", "Model");
   write_bodies(header, html);
-  html.element(
-      "p",
-      fmt::format("A model in {} dimensions; {} points upwards, angles are anticlockwise, times count{}. "
-                  "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
-                  "N, Pa, J. Contact stiffness is per area and length, Pa/m.",
-                  header.dim, header.dim == 2 ? "y" : "z",
-                  source.origin.since.empty() ? " from the start of the run" : source.origin.text()),
-      R"(class="note")");
+  html.element("p",
+               fmt::format("A model in {} dimensions; {} points upwards, angles are anticlockwise, times count{}. "
+                           "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
+                           "N, Pa, J. Contact stiffness is per area and length, Pa/m.",
+                           header.dim, header.dim == 2 ? "y" : "z",
+                           source.origin.since.empty() ? " from the start of the run" : source.origin.text()),
+               R"(class="note")");
   write_laws(header, html);
   write_bearings(header, html);
 }
