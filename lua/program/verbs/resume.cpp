@@ -33,7 +33,11 @@ void require_broken_off(const std::filesystem::path& results, const script::Rest
   std::error_code error;
   std::filesystem::path part = results;
   part += ".part";
-  if (std::filesystem::exists(part, error) && results::ResultsReader(part).running())
+  // A part beside ".before" was cut as it was copied, and has no rows to read; ".before" holds them.
+  std::filesystem::path before = part;
+  before += ".before";
+  const bool has_rows = std::filesystem::exists(part, error) && !std::filesystem::exists(before, error);
+  if (has_rows && results::ResultsReader(part).running())
     throw InputError(fmt::format("resume: the run of '{}' is still running", results.string()));
   if (!script::resume_point(files).empty()) return;
   if (std::filesystem::exists(results, error) && !std::filesystem::exists(part, error))
