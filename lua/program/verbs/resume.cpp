@@ -33,7 +33,7 @@ void require_broken_off(const std::filesystem::path& results, const script::Rest
   std::error_code error;
   std::filesystem::path part = results;
   part += ".part";
-  // A part beside ".before" was cut as it was copied, and has no rows to read; ".before" holds them.
+  // If ".before" exists, the part was cut while it was copied: it is not readable, and ".before" holds the rows.
   std::filesystem::path before = part;
   before += ".before";
   const bool has_rows = std::filesystem::exists(part, error) && !std::filesystem::exists(before, error);
