@@ -50,33 +50,34 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 namespace {
 
 struct FormerName {
-  std::string_view before, now, written;
+  std::string_view before, now;
+  std::string_view table = {};  ///< how to write `now` where `before` has become a key of its table
 };
-/// Names before version 1.0, the names of today, and how to write them. Of several successors the known one applies.
+/// Names before version 1.0, and the names of today. Of several successors the known one applies.
 constexpr std::array former_names{
-    FormerName{"until_rest", "rest", "rest"},
-    FormerName{"still", "rest", "rest"},
+    FormerName{"until_rest", "rest"},
+    FormerName{"still", "rest"},
     FormerName{"ratio", "rest", "rest = { ratio = }"},
     FormerName{"speed", "rest", "rest = { speed = }"},
     FormerName{"hold", "rest", "rest = { hold = }"},
-    FormerName{"course", "load_curve", "load_curve"},
-    FormerName{"damping", "local_damping", "local_damping"},
-    FormerName{"damping", "damping_ratio", "damping_ratio"},
-    FormerName{"damping", "beta", "beta"},
-    FormerName{"friction", "friction_angle", "friction_angle"},
-    FormerName{"dilation", "dilation_angle", "dilation_angle"},
-    FormerName{"axis", "station", "station"},
-    FormerName{"x", "station", "station"},
-    FormerName{"turn_x", "rotation_x", "rotation_x"},
-    FormerName{"turn_y", "rotation_y", "rotation_y"},
-    FormerName{"turn_z", "rotation_z", "rotation_z"},
+    FormerName{"course", "load_curve"},
+    FormerName{"damping", "local_damping"},
+    FormerName{"damping", "damping_ratio"},
+    FormerName{"damping", "beta"},
+    FormerName{"friction", "friction_angle"},
+    FormerName{"dilation", "dilation_angle"},
+    FormerName{"axis", "station"},
+    FormerName{"x", "station"},
+    FormerName{"turn_x", "rotation_x"},
+    FormerName{"turn_y", "rotation_y"},
+    FormerName{"turn_z", "rotation_z"},
 };
 
 /// How `given` is written today if it is a former name of one of `known`; else "".
 std::string_view written_today(std::string_view given, const std::vector<std::string>& known) {
   for (const FormerName& former : former_names)
     if (former.before == given && std::find(known.begin(), known.end(), former.now) != known.end())
-      return former.written;
+      return former.table.empty() ? former.now : former.table;
   return {};
 }
 

@@ -49,7 +49,7 @@ struct StageOptions {
 
   bool must_rest = false;  ///< with until_rest: the verdict of the run reports a stage without rest in place
   bool watched = true;     ///< unphysical speeds and energies end the stage as diverged.
-  /// With until_rest: a body that comes to rest farther than this share of its size from its position at the begin has
+  /// With until_rest: a body that rests farther than this share of its size from its position at the begin has
   /// left its place, and the stage is unstable (statics/travel.hpp). 0: no limit.
   float within = 0;
 

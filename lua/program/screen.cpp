@@ -55,7 +55,7 @@ void Screen::line(const std::string& text, bool strong) {
   if (strong && colours_)
     std::fputs(fmt::format("\033[1m{}\033[0m\n", terminal_text(text)).c_str(), out_);
   else
-    std::fputs(fmt::format("{}\n", terminal_text(text)).c_str(), out_);  // a run continues if nobody reads its output
+    std::fputs(fmt::format("{}\n", terminal_text(text)).c_str(), out_);  // a closed pipe does not end the run
   std::fflush(out_);
 }
 

@@ -87,7 +87,7 @@ local function all_cases()
       cases[#cases + 1] = case
     end
   end
-  return cases, by_name
+  return cases
 end
 
 local function chosen(cases)
@@ -244,7 +244,7 @@ local function run_all(files, subjects)
 end
 
 local function main()
-  local cases = chosen((all_cases()))
+  local cases = chosen(all_cases())
   if V.list then
     show_list(cases)
     return 0

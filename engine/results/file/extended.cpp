@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "results/file/part_path.hpp"
 #include "results/reading/reader.hpp"
 
 namespace trilith::results {
@@ -146,9 +147,7 @@ void continue_rows(const std::filesystem::path& from, const Header& header, cons
 }
 
 ResultsWriter extended(ResultsWriter before, const Header& header, WriterOptions options) {
-  const std::filesystem::path path = before.path(), part = before.part();
-  std::filesystem::path kept = part;
-  kept += ".before";
+  const std::filesystem::path path = before.path(), part = before.part(), kept = replaced_part_path(path);
   before.flush();
   { const ResultsWriter closed = std::move(before); }
   std::error_code error;

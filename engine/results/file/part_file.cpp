@@ -119,6 +119,9 @@ bool rename_to_free(const std::filesystem::path& from, const std::filesystem::pa
 std::filesystem::path part_path(const std::filesystem::path& name) {
   return name.string() + ".part";
 }
+std::filesystem::path replaced_part_path(const std::filesystem::path& name) {
+  return part_path(name).string() + ".before";
+}
 
 void require_writable(const std::filesystem::path& name) {
   namespace fs = std::filesystem;

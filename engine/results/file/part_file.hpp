@@ -6,18 +6,13 @@
 
 #include "results/file/file_driver.hpp"
 #include "results/file/hdf5_handle.hpp"
+#include "results/file/part_path.hpp"
 
 namespace trilith::results {
-
-/// `<name>.part`: file of the rows until the run finishes.
-std::filesystem::path part_path(const std::filesystem::path& name);
 
 /// Throws ResultsError if `name` may not be written: the folder does not exist, it is a folder or not a regular file,
 /// or it is not a Trilith results file.
 void require_writable(const std::filesystem::path& name);
-
-/// True while another writer holds the part file at `path`.
-bool is_being_written(const std::filesystem::path& path);
 
 /// The part file, held open, locked against a second writer, and closed without errors in any state.
 class PartFile {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "base/bytes.hpp"
@@ -61,12 +59,10 @@ std::string unframed(std::string bytes, const std::string& title) {
   return bytes;
 }
 
-std::string bytes_of(const std::filesystem::path& path, const std::string& title) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (in) bytes << in.rdbuf();
-  if (!in) throw InputError(title + " cannot be read");
-  return bytes.str();
+/// `what`: "restart file".
+std::string contents_of(const std::filesystem::path& path, std::string_view what) {
+  constexpr std::size_t no_limit = std::string::npos;
+  return unframed(text_of_file(path, what, no_limit), fmt::format("{} '{}'", what, path.string()));
 }
 
 }  // namespace
@@ -105,8 +101,7 @@ bool RestartFiles::has(const std::string& name) const {
 
 std::string RestartFiles::get(const std::string& name) const {
   if (const auto waiting = waits_.find(name); waiting != waits_.end()) return waiting->second;
-  const std::string title = fmt::format("restart file '{}'", path_of(name).string());
-  return unframed(bytes_of(path_of(name), title), title);
+  return contents_of(path_of(name), "restart file");
 }
 
 void RestartFiles::remove_all() {
@@ -129,9 +124,8 @@ void RestartFiles::save_as(const std::filesystem::path& file, const std::vector<
 }
 
 RestartFiles RestartFiles::opened(const std::filesystem::path& file) {
-  const std::string title = fmt::format("saved instant '{}'", file.string());
-  const std::string bytes = unframed(bytes_of(file, title), title);
-  ByteReader in(bytes, title);
+  const std::string bytes = contents_of(file, "saved instant");
+  ByteReader in(bytes, fmt::format("saved instant '{}'", file.string()));
   RestartFiles files;
   for (const std::string& name : in.get<std::vector<std::string>>()) files.put(name, in.get<std::string>());
   in.done();

@@ -10,6 +10,7 @@
 #include "bindings/restart/restart_book.hpp"
 #include "model/io/fingerprint.hpp"
 #include "model/io/state_words.hpp"
+#include "results/file/part_path.hpp"
 #include "run/restart/stage_fields.hpp"
 
 namespace trilith::script {
@@ -29,9 +30,8 @@ namespace {
 /// The options of a stage that its results depend on.
 std::string asked_text(const StageOptions& o) {
   return fmt::format(
-      "stage '{}' of {:.17g} s to {:.17g} s, dt {:.17g}, safety {:.17g}, damping {:.17g}, {}, tolerance {:.17g}, "
-      "accuracy "
-      "{:.17g} and {:.17g}{}{}{}",
+      "stage '{}' of {:.17g} s to {:.17g} s, dt {:.17g}, safety {:.17g}, local_damping {:.17g}, {}, "
+      "tolerance {:.17g}, accuracy {:.17g} and {:.17g}{}{}{}",
       o.name, o.duration, o.end_time, o.dt, o.safety, o.rest_share,
       o.may_change ? "auto"
       : o.implicit ? "implicit"
@@ -68,8 +68,7 @@ std::filesystem::path kept_rows(const RestartFiles& files) {
 /// Moves the rows of the interrupted run to the restart folder. If they are there already, an earlier continuation was
 /// interrupted before it had copied them.
 void take_rows(const RestartFiles& files, const std::filesystem::path& results) {
-  std::filesystem::path part = results, before = results;
-  part += ".part", before += ".part.before";
+  const std::filesystem::path part = results::part_path(results), before = results::replaced_part_path(results);
   std::error_code error;
   const bool copied_before = std::filesystem::exists(before, error);  // it was being replaced by one with more bodies
   if (copied_before || std::filesystem::exists(kept_rows(files), error)) std::filesystem::remove(part, error);

@@ -10,7 +10,7 @@
 #include "bindings/restart/restart_book.hpp"
 #include "program/run_options.hpp"
 #include "program/verbs.hpp"
-#include "results/reading/reader.hpp"
+#include "results/file/part_path.hpp"
 
 namespace trilith::program {
 namespace {
@@ -31,13 +31,9 @@ std::filesystem::path results_of(std::filesystem::path given) {
 
 void require_broken_off(const std::filesystem::path& results, const script::RestartFiles& files) {
   std::error_code error;
-  std::filesystem::path part = results;
-  part += ".part";
-  // If ".before" exists, the part was cut while it was copied: it is not readable, and ".before" holds the rows.
-  std::filesystem::path before = part;
-  before += ".before";
-  const bool has_rows = std::filesystem::exists(part, error) && !std::filesystem::exists(before, error);
-  if (has_rows && results::ResultsReader(part).running())
+  const std::filesystem::path part = results::part_path(results);
+  // The file is not read: a run may have been killed before it had rows.
+  if (results::is_being_written(part))
     throw InputError(fmt::format("resume: the run of '{}' is still running", results.string()));
   if (!script::resume_point(files).empty()) return;
   if (std::filesystem::exists(results, error) && !std::filesystem::exists(part, error))

@@ -54,7 +54,7 @@ return {
   formula = [[c = \sqrt{\frac{E}{\rho}}, \qquad \sigma = \tfrac{1}{2}\rho c v, \qquad T = \frac{2 L}{c}]],
   text = "Two equal elastic bars that collide stay in contact for the time in which a wave goes to the free end " ..
     "and back, " ..
-    "and exchange their speeds. A short bar on one of twice its length comes to rest. The patch test loads a " ..
+    "and exchange their speeds. A short bar stops when it strikes a bar of twice its length. The patch test loads a " ..
     "share of the stress, so that the change of " ..
     "the geometry has no effect.",
   cases = {

@@ -63,7 +63,7 @@ for _, row in ipairs { { 20, .914 }, { 40, 1.322 }, { 50, 1.506 }, { 60, 1.696 }
 end
 
 cases[#cases + 1] = {
-  name = "dropped_cube", title = "cube of 1 m dropped flat from 1 m, comes to rest",
+  name = "dropped_cube", title = "cube of 1 m dropped flat from 1 m, until it rests",
   parameters = { { "kn", 1e8, "Pa/m" } },
   checks = { { "first touch", unit = "s", exact = .45160, tolerance = 0.005 },
     { "speed then", unit = "m/s", exact = 4.42869, tolerance = 0.005 },

@@ -348,7 +348,7 @@ do
   m:close()
 end
 
--- A rejected bridge leaves nothing behind: the model then accepts the correct one, which comes to rest.
+-- A rejected bridge leaves nothing behind: the model then accepts the correct one and consolidates.
 do
   local m = new()
   local function count() return #m:bodies {} + #m.bearings + #m.seats end
