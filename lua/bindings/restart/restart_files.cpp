@@ -73,6 +73,10 @@ std::filesystem::path restart_folder(const std::filesystem::path& results) {
   return folder;
 }
 
+std::filesystem::path kept_rows(const RestartFiles& files) {
+  return files.folder() / "rows.h5";
+}
+
 std::string this_build() {
   return fmt::format("{} {}", TRILITH_VERSION, results::built_from());
 }

@@ -67,6 +67,9 @@ class RestartFiles {
   std::map<std::string, std::string> waits_;
 };
 
+/// The rows of the interrupted run, until they are copied to the new file.
+std::filesystem::path kept_rows(const RestartFiles& files);
+
 template <class File>
 void each_field(File& file, RestartCall& c) {
   file.item(c.build), file.item(c.folder), file.item(c.script), file.item(c.text), file.item(c.named_results);

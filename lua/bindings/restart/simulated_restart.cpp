@@ -60,11 +60,6 @@ void require_same_stage(const MomentHead& saved, const MomentHead& now, const st
     throw InputError(fmt::format("{}: the model has another state at the start of stage {}", owner, now.stage));
 }
 
-/// The rows of the interrupted run, until they are copied to the new file.
-std::filesystem::path kept_rows(const RestartFiles& files) {
-  return files.folder() / "rows.h5";
-}
-
 /// Moves the rows of the interrupted run to the restart folder. If they are there already, an earlier continuation was
 /// interrupted before it had copied them.
 void take_rows(const RestartFiles& files, const std::filesystem::path& results) {

@@ -29,15 +29,23 @@ std::filesystem::path results_of(std::filesystem::path given) {
   return std::filesystem::absolute(given);
 }
 
-void require_broken_off(const std::filesystem::path& results, const script::RestartFiles& files) {
+/// True if the results are complete and no rows of an interrupted run exist.
+bool is_finished(const std::filesystem::path& results, const script::RestartFiles& files) {
   std::error_code error;
+  for (const auto& rows : {results::part_path(results), results::replaced_part_path(results), script::kept_rows(files)})
+    if (std::filesystem::exists(rows, error)) return false;
+  return std::filesystem::exists(results, error);
+}
+
+void require_broken_off(const std::filesystem::path& results, const script::RestartFiles& files) {
   const std::filesystem::path part = results::part_path(results);
   // The file is not read: a run may have been killed before it had rows.
   if (results::is_being_written(part))
     throw InputError(fmt::format("resume: the run of '{}' is still running", results.string()));
-  if (!script::resume_point(files).empty()) return;
-  if (std::filesystem::exists(results, error) && !std::filesystem::exists(part, error))
+  // Its checkpoints remain if it was killed just before it removed them.
+  if (is_finished(results, files))
     throw InputError(fmt::format("resume: '{}' is finished; there is nothing to resume", results.string()));
+  if (!script::resume_point(files).empty()) return;
   throw InputError(
       fmt::format("resume: there is no checkpoint in '{}'; a run writes the first one after {:g} s of wall clock, or "
                   "as trilith run --checkpoint SECONDS states; run the script again",
