@@ -1,6 +1,6 @@
 # Where CMAKE_UNITY_BUILD is on (every preset but apart), sources of one folder are compiled several at a time, as one file: their shared
 # headers are read once for all of them. Only sources of one folder meet, so that a name inside a file must be its own within
-# its room and no further. Called from the folder that makes the target; why: docs/decisions/0002-unity-builds.md.
+# its room and no further. Called from the folder that makes the target; why: docs/decisions/code/0002-unity-builds.md.
 set(TRILITH_TOGETHER 12 CACHE STRING "Sources of one folder that are compiled as one file where CMAKE_UNITY_BUILD is on")
 
 function(compile_together target)

@@ -241,14 +241,19 @@ def gallery(source, pages):
     return head + '<div class="cards">\n' + "\n".join(cards) + "\n</div>\n"
 
 
+def below_decisions(page):
+    """The path of a page from the folder of the decisions, which has a folder for each subject."""
+    return os.path.relpath(page, "docs/decisions")
+
+
 def hidden_menu(pages):
-    names = "\n".join(os.path.basename(page)[:-3] for page in pages)
+    names = "\n".join(below_decisions(page)[:-3] for page in pages)
     return f"\n\n```{{toctree}}\n:hidden:\n\n{names}\n```\n"
 
 
 def decisions(source, pages):
     """The list of the decisions, where they have no page of their own for it."""
-    rows = [f"- [{title_of(read(os.path.join(source, p))) or os.path.basename(p)[:-3]}]({os.path.basename(p)})" for p in pages]
+    rows = [f"- [{title_of(read(os.path.join(source, p))) or os.path.basename(p)[:-3]}]({below_decisions(p)})" for p in pages]
     head = "# Design decisions\n\nEach page states the context, the decision and its consequences.\n\n"
     return head + "\n".join(rows) + hidden_menu(pages)
 
@@ -266,7 +271,7 @@ def main(source, target):
     for path in scripts:
         text, abouts[path] = script_page(path, source)
         write(os.path.join(target, path[:-4] + ".md"), text)
-    numbered = [p for p in pages if re.match(r"docs/decisions/\d", p)]
+    numbered = sorted((p for p in pages if re.match(r"docs/decisions/(\w+/)?\d", p)), key=os.path.basename)
     made = {"scripts/index.md": list_of_scripts([p for p in scripts if not p.startswith(CASES)], abouts),
             "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")])}
     if "docs/decisions/README.md" not in pages:

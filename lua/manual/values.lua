@@ -2,7 +2,7 @@ return {
   name = "values", title = "Units, parameters, laws and motions",
   { "trilith.units", "Returns the factors that convert units to SI: local ft, kip = trilith.units \"ft kip\".",
     args = "names  text  unit names, separated by blanks", gives = "number..." },
-  -- As in Lua's `math`, which calls the C library (docs/decisions/0011-same-bits.md).
+  -- As in Lua's `math`, which calls the C library (docs/decisions/code/0011-same-bits.md).
   { "trilith.math.sin", "Sine, the same bits on every processor.", args = "angle  number rad  any", gives = "number" },
   { "trilith.math.cos", "Cosine, the same bits on every processor.", args = "angle  number rad  any",
     gives = "number" },

@@ -17,7 +17,7 @@ PAGES = {
     "docs/guide/a.md": "# A page\n\n## Two words\n\n## Two words\n\n[again](#two-words-1)\n\n```sh\n[no link](nowhere.md)\n```\n",
     "docs/gallery/wall.md": "# A wall\n\nA wall of stones. It stands.\n\n![wall](wall.png)\n",
     "docs/gallery/wall.png": "",
-    "docs/decisions/0001-first.md": "# 1. First\n",
+    "docs/decisions/code/0001-first.md": "# 1. First\n",
     "docs/reference/laws.md": "# Laws\n\n### `trilith.bonded{...}`\n\n| key | is |\n|---|---|\n| `kn` | number |\n\n### `event type`\n\n"
                               "| field | is |\n|---|---|\n| `seat.lost` | speed |\n",
     "docs/glossary.md": "# Glossary\n\n| term | meaning | unit | symbol | key |\n|---|---|---|---|---|\n| stiffness | of a joint | Pa/m | | `kn` |\n",
@@ -62,7 +62,7 @@ def staged():
             "docs/reference/laws.md": ["single: trilith.bonded\n", "single: kn; of trilith.bonded\n", "single: seat.lost (event)\n"],
             "docs/glossary.md": ["single: stiffness\n", "single: rigidity\n"],
             "docs/gallery/index.md": ["**A wall**", "A wall of stones.\n", "![A wall](wall.png)"],
-            "docs/decisions/index.md": ["[1. First](0001-first.md)"],
+            "docs/decisions/index.md": ["[1. First](code/0001-first.md)", "\ncode/0001-first\n"],
             "scripts/x.md": ["# x.lua\n\nA script.\n", "```lua\nlocal m = 1\n```"],
         }
         for path, parts in wanted.items():

@@ -1,5 +1,5 @@
 -- A ridge or corner shared by several pieces of one body slides as on one convex piece: no braking without friction,
--- and Coulomb friction otherwise (docs/decisions/0038-shared-edges.md).
+-- and Coulomb friction otherwise (docs/decisions/contact/0038-shared-edges.md).
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
