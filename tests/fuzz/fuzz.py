@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """usage: fuzz.py PROGRAM LIBRARY SECONDS FOLDER [SEED [PART...]]
 
-Inputs nobody would think of, of all parts or of those named: texts, programs, scripts, results, words, console. LIBRARY
-is the engine's archive, for what the readers of text stand on, which are compiled while the rest runs. Findings are
-kept in FOLDER, each in a folder of its own with the command that repeats it; code 1 where there are any. One seed gives
-the same inputs every time.
+Inputs nobody would think of, of all parts or of those named: texts, programs, scripts, results, restarts, words,
+console. LIBRARY is the engine's archive, for what the readers of text stand on, which are compiled while the rest runs.
+Findings are kept in FOLDER, each in a folder of its own with the command that repeats it; code 1 where there are any.
+One seed gives the same inputs every time.
 """
 import concurrent.futures
 import os
@@ -13,6 +13,7 @@ import time
 
 import console
 import programs
+import restarts
 import results
 import scripts
 import shared
@@ -20,7 +21,7 @@ import texts
 import words
 
 # Parts and their shares of the run time.
-SHARES = {"programs": 0.35, "scripts": 0.1, "results": 0.2, "words": 0.1, "console": 0.1, "texts": 0.15}
+SHARES = {"programs": 0.35, "scripts": 0.1, "results": 0.15, "restarts": 0.05, "words": 0.1, "console": 0.1, "texts": 0.15}
 
 
 def main(program, library, seconds, out, seed="1", *wanted):
@@ -42,6 +43,7 @@ def main(program, library, seconds, out, seed="1", *wanted):
             "programs": lambda until: programs.fuzz(made, until, findings),
             "scripts": lambda until: scripts.fuzz(program, until, seed, findings),
             "results": lambda until: results.fuzz(program, until, seed, findings),
+            "restarts": lambda until: restarts.fuzz(program, until, seed, findings),
             "words": lambda until: words.fuzz(program, until, seed, findings),
             "console": lambda until: console.fuzz(program, until, seed, findings, made)}
     begun, total, passed = time.monotonic(), sum(shares.values()), 0
