@@ -64,6 +64,96 @@ cases[#cases + 1] = {
   end,
 }
 
+-- A floor of 6 m x 4 m on columns at its corners, the right pair stiffer across.
+cases[#cases + 1] = {
+  name = "eccentric_floor", title = "floor of 20 t on four columns, stiffer across on one side",
+  parameters = { { "kx", 1e6, "N/m" }, { "ky left", 1e6, "N/m" }, { "ky right", 2e6, "N/m" } },
+  checks = checks({ 2.25079, 2.57587, 4.62851 }, 1e-4),
+  run = function()
+    local m = trilith.model { name = "floor", dim = 3, gravity = 0 }
+    m:material { name = "concrete", density = 2400 }
+    m:contact { between = { "*", "*" }, law = "none" }
+    m:block { name = "ground", size = { 6, 4, 1 }, at = { -3, -2, -1 }, material = "concrete", support = "fixed" }
+    m:block { name = "floor", size = { 6, 4, 0.2 }, at = { -3, -2, 0 }, mass = 2e4, material = "concrete",
+      inertia = 2e4*(6^2 + 4^2)/12, support = { z = "fixed", rotation_x = "fixed", rotation_y = "fixed" },
+      floating = true }
+    for i, at in ipairs { { -3, -2, 1e6 }, { -3, 2, 1e6 }, { 3, -2, 2e6 }, { 3, 2, 2e6 } } do
+      m:bearing { name = "column " .. i, between = { "ground", "floor" }, at = { at[1], at[2], 0 },
+        along = trilith.linear { stiffness = 1e6 }, across = trilith.linear { stiffness = at[3] } }
+    end
+    return named(m:modes { count = 3 }, 3)
+  end,
+}
+
+-- A lattice of masses that move along x alone; springs join neighbours, and the outer masses and walls.
+local counts, springs = { 3, 2, 2 }, { 1e6, 2e6, 3e6 }
+local function lattice_modes()
+  local list = {}
+  for i = 1, counts[1] do
+    for j = 1, counts[2] do
+      for k = 1, counts[3] do
+        local sum = 0
+        for axis, n in ipairs { i, j, k } do
+          sum = sum + springs[axis]*math.sin(math.pi*n/(2*(counts[axis] + 1)))^2
+        end
+        list[#list + 1] = math.sqrt(4/10*sum)/(2*math.pi)
+      end
+    end
+  end
+  table.sort(list)
+  return list
+end
+cases[#cases + 1] = {
+  name = "lattice", title = "lattice of 3 x 2 x 2 masses of 10 kg between walls",
+  parameters = { { "springs along x", springs[1], "N/m" }, { "along y", springs[2], "N/m" },
+    { "along z", springs[3], "N/m" } },
+  checks = checks(lattice_modes(), 1e-4),
+  run = function()
+    local m = trilith.model { name = "lattice", dim = 3, gravity = 0 }
+    m:material { name = "steel", density = 7850 }
+    m:contact { between = { "*", "*" }, law = "none" }
+    local function name(at) return ("mass %d %d %d"):format(at[1], at[2], at[3]) end
+    local function is_wall(at)
+      for axis = 1, 3 do
+        if at[axis] == 0 or at[axis] == counts[axis] + 1 then return true end
+      end
+      return false
+    end
+    local function add(at)
+      m:block { name = name(at), size = { 0.2, 0.2, 0.2 }, anchor = "centre", at = at, mass = 10, material = "steel",
+        support = is_wall(at) and "fixed" or { y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed",
+          rotation_z = "fixed" }, floating = true }
+    end
+    local made = {}
+    local function made_once(at)
+      if not made[name(at)] then
+        made[name(at)] = true
+        add(at)
+      end
+    end
+    for i = 1, counts[1] do
+      for j = 1, counts[2] do
+        for k = 1, counts[3] do
+          for axis = 1, 3 do
+            for _, way in ipairs { -1, 1 } do
+              local here, there = { i, j, k }, { i, j, k }
+              there[axis] = there[axis] + way
+              made_once(here)
+              made_once(there)
+              if way == 1 or is_wall(there) then
+                m:bearing { name = ("spring %d %d %d %d %d"):format(i, j, k, axis, way),
+                  between = { name(here), name(there) }, at = here, arm = 2,
+                  along = trilith.linear { stiffness = springs[axis] } }
+              end
+            end
+          end
+        end
+      end
+    end
+    return named(m:modes { count = 12 }, 12)
+  end,
+}
+
 -- Rods that hang on each other: pinned frames, with the stiffness of their tension.
 for _, row in ipairs { { 2, 1, { 0.42648, 1.14392 } }, { 4, 0.5, { 0.42453, 1.02373, 1.79717, 2.95906 } } } do
   cases[#cases + 1] = {

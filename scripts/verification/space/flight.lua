@@ -125,6 +125,45 @@ cases[#cases + 1] = {
   end,
 }
 
+-- A tall block on one corner that falls in the plane of its diagonal.
+for _, row in ipairs { { 0.25, .23855 }, { 0.5, .39321 }, { 0.75, .61422 } } do
+  cases[#cases + 1] = {
+    name = ("corner_fall_%.0f"):format(100*row[1]), title = "block of 0.4 m x 0.4 m x 1.2 m released on one corner",
+    parameters = { { "share of 25.2394 deg", row[1] } }, slow = true,
+    checks = { { "flat after", unit = "s", exact = row[2], tolerance = 0.01 },
+      { "distance from the plane of the diagonal", unit = "m", exact = 0, within = 1e-4 } },
+    run = function()
+      local angle = row[1]*math.atan(math.sqrt(0.08), 0.6)
+      local s, c = math.sin(angle), math.cos(angle)
+      -- The corner at (0.2, 0.2, 0) carries the block; positions in the diagonal plane, `u` from that corner.
+      local function place(u, z)
+        local along = u*c - z*s
+        return { 0.2 - along/math.sqrt(2), 0.2 - along/math.sqrt(2), z*c + u*s }
+      end
+      local r = math.sqrt(0.08)
+      local centre, far = place(r, 0.6), place(2*r, 0)
+      local m = trilith.model { name = "corner", dim = 3, overlap_allowed = 1e-3 }
+      m:material { name = "stone", density = 1000 }
+      m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e14, ks = 1e14, mu = 2, beta = 1e-7 } }
+      m:block { name = "floor", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone", support = "fixed" }
+      -- The corner is a pyramid: the block starts at the depth that carries its weight.
+      centre[3], far[3] = centre[3] - 1e-4, far[3] - 1e-4
+      local block = m:block { name = "block", size = { 0.4, 0.4, 1.2 }, anchor = "centre", at = centre,
+        turn = { axis = { -1, 1, 0 }, angle = angle }, material = "stone", floating = true }
+      local left, rate
+      m:run { duration = 1, until_true = function()
+        local h = select(3, block:point(far))
+        if h < 2*r*0.002 then
+          left, rate = h/(2*r), math.sqrt(block.spin_x^2 + block.spin_y^2)
+        end
+        return left ~= nil
+      end }
+      return { ["flat after"] = m.time + left/rate, ["distance from the plane of the diagonal"] =
+        math.abs(block.x - block.y)/math.sqrt(2) }
+    end,
+  }
+end
+
 return {
   title = "Rigid bodies in flight and in impact",
   source = "Goldstein, Poole and Safko (2002), Classical Mechanics, sections 5.6 and 5.7; impulse and momentum of " ..

@@ -76,6 +76,33 @@ for _, row in ipairs { { 0.5, 0.3, .099362 }, { 0.6, 0.5, .082387 } } do
   }
 end
 
+-- A pulse of the base in two directions at once.
+cases[#cases + 1] = {
+  name = "two_way_pulse", title = "base moved along x and y by sines of 1 Hz and 2 Hz for 1 s",
+  parameters = { { "ax", 0.4, "g" }, { "ay", 0.3, "g" }, { "mu", 0.25 } },
+  checks = { { "largest slip", unit = "m", exact = .12284, tolerance = 0.01 },
+    { "slip along x at the end", unit = "m", exact = .0041, within = 0.002 },
+    { "slip along y at the end", unit = "m", exact = .0585, within = 0.002 } },
+  run = function(p)
+    local m, block = slab({ 0.1, 0.1, 0.01 }, p.mu, g, { support = { rotation_x = "fixed", rotation_y = "fixed",
+      rotation_z = "fixed" } })
+    local ground, x, y, dt = m:body "ground", {}, {}, 1e-3
+    for i = 0, 2500 do
+      local t = i*dt
+      x[i + 1] = t < 1 and p.ax*g*trilith.math.sin(2*pi*t) or 0
+      y[i + 1] = t < 1 and p.ay*g*trilith.math.sin(4*pi*t) or 0
+    end
+    local most = 0
+    m:shake { body = "ground", x = trilith.motion { acceleration = x, dt = dt, allow_drift = true },
+      y = trilith.motion { acceleration = y, dt = dt, allow_drift = true }, duration = 2.5, until_true = function()
+        most = math.max(most, math.sqrt((block.x - ground.x)^2 + (block.y - ground.y)^2))
+        return false
+      end }
+    return { ["largest slip"] = most, ["slip along x at the end"] = math.abs(block.x - ground.x),
+      ["slip along y at the end"] = math.abs(block.y - ground.y) }
+  end,
+}
+
 -- A thin plate that slides and spins.
 for _, row in ipairs { { 0, 10, nil, .59228, 0, 2.9614 }, { 1, 5, nil, .4808, .2301, 1.2685 },
   { 1, 10, nil, .7142, .3714, 3.511 } } do

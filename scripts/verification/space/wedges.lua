@@ -62,7 +62,7 @@ for _, sides in ipairs { 6, 8, 12 } do
     cases[#cases + 1] = {
       name = ("prism_%.0f_%s"):format(sides, side < 0 and "below" or "above"),
       title = ("prism of %.0f sides on a slope, %s %.1f deg"):format(sides, side < 0 and "below" or "above", limit),
-      parameters = { { "sides", sides }, { "slope", limit + side, "deg" } },
+      parameters = { { "sides", sides }, { "slope", limit + side, "deg" } }, slow = true,
       checks = { { "prism", exact = side < 0 and "stays" or "rolls" } },
       run = function(p)
         local angle = p.slope*deg
@@ -90,7 +90,7 @@ end
 for _, share in ipairs { 0.95, 1.05 } do
   cases[#cases + 1] = {
     name = ("two_way_corbel_%.0f"):format(100*share), title = "corbel of five blocks that turns a corner",
-    parameters = { { "share", share }, { "blocks", 5 } },
+    parameters = { { "share", share }, { "blocks", 5 } }, slow = true,
     checks = { { "corbel", exact = share < 1 and "stands" or "falls" } },
     run = function(p)
       local m = trilith.model { name = "corbel", dim = 3 }

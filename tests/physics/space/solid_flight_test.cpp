@@ -1,9 +1,9 @@
-// VALIDATION T27 to T30, T36, and random colliding solids: impacts conserve energy and momenta.
+// VALIDATION T27 to T29, T36 (T30: scripts/verification/space/flight.lua), and random colliding solids: impacts
+// conserve energy and momenta.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "build/block_list.hpp"
 #include "geometry/space/convex_hull.hpp"
@@ -182,34 +182,6 @@ TEST_CASE("T29: a cube that spins as it falls touches first with the corner, the
   CHECK(near(at.x(), -0.10110, 1e-3));
   CHECK(near(at.y(), -0.15203, 1e-3));
   CHECK(near(run.velocity(1).z() + cross(run.spin(1), corner).z(), -7.40502, 1e-3));
-}
-
-TEST_CASE("T30: a block let go on one corner falls flat in time, in the plane of its diagonal" *
-          doctest::test_suite("long")) {
-  const double alpha = std::atan(std::sqrt(0.08) / 0.6);
-  for (const auto& [part, time, rate] :
-       {std::tuple(0.25, 0.23855, 0.96906), std::tuple(0.5, 0.39321, 1.27205), std::tuple(0.75, 0.61422, 1.42437)}) {
-    const double share = part;
-    SpaceBuilder builder;
-    builder.gravity(Vec3(0, 0, -standard_gravity));
-    builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
-    const Vec3 across = Vec3(-1, 1, 0).normalized(), pivot(0.2, 0.2, 0);
-    const UnitQuaternion lean = rotation_by(share * alpha * across);
-    // The supporting corner stands on a pyramid: the block starts with the penetration that carries its weight.
-    const Vec3 centre = pivot + Turn3(lean).apply(Vec3(0, 0, 0.6) - pivot) - Vec3(0, 0, 1e-4);
-    builder.add(stone("block", box_at(Vec3(0.4, 0.4, 1.2), centre, lean)));
-    builder.contact(0, 0, frictional(1e14, 1e14, 2, 1e-5), "corner");
-    SolidRun run(builder.build(), 1e-6);
-    const auto left = [&] { return share * alpha + across.dot(run.turned(1)); };
-    // Evaluated just before the other corners land; from this point on the angular velocity grows by p^2 sin(alpha),
-    // with p = 3.36837/s.
-    REQUIRE(run.run_until(1, [&] { return left() < 0.002; }));
-    const double spin = -across.dot(run.spin(1)), gains = 2 * 3.36837 * 3.36837 * std::sin(alpha) * left();
-    CHECK(near(run.time() + left() / rate, time, 1e-2));
-    CHECK(near(std::sqrt(spin * spin + gains), rate, 1e-2));
-    const Vec3 turn = run.turned(1);
-    CHECK((turn - across.dot(turn) * across).norm() < 1e-4);
-  }
 }
 
 TEST_CASE("T36: 27 stones of a list have its mass and momenta, and keep them and their energy through their impacts") {
