@@ -100,7 +100,8 @@ def join_theme(app, error):
 
 
 def setup(app):
-    app.add_lexer("row", TextLexer)  # rows of code that tests insert into files
+    for name in stage.INSERTED:
+        app.add_lexer(name, TextLexer)
     app.add_html_math_renderer("katex", (inline_math, None), (block_math, None))
     app.connect("html-page-context", add_summaries)
     app.connect("build-finished", copy_katex)

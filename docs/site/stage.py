@@ -13,6 +13,8 @@ import textwrap
 FENCE = re.compile(r"^\s*(```+|~~~+)")
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
 CASES = "scripts/verification/"  # listed by the pages of docs/verification
+INSERTED = ("row", "event")  # languages of blocks that tests insert into source files
+LANGUAGES = ("lua", "cpp", "sh", "text", "python", "py", "cmake", "json") + INSERTED
 MADE = ("docs/gallery/index.md", "docs/decisions/index.md", "scripts/index.md")
 
 
@@ -153,7 +155,7 @@ def entries_block(entries):
 
 
 def glossary_entries(lines):
-    """Each term of the glossary, under the heading of its subject."""
+    """Each term of the glossary, under the heading of its subject. With "(term)" the search lists pages on the subject first."""
     out, at, pending = [], 0, []
     for line in lines + ["## end"]:
         row = re.match(r"\| ([^|`]+?) \|", line)
@@ -162,7 +164,7 @@ def glossary_entries(lines):
                 out[at:at] = entries_block(pending)
             pending, at = [], len(out)
         elif row and row[1] not in ("term", "") and not row[1].startswith("-"):
-            pending.append(f"single: {row[1].replace(',', ' and').replace(';', ' ')}")
+            pending.append(f"single: {row[1].replace(',', ' and').replace(';', ' ')} (term)")
         out.append(line)
     return out[:-1]
 

@@ -14,7 +14,7 @@ local function add_keys(lines, keys)
   end
   for _, key in ipairs(keys) do
     lines[#lines + 1] = ("  %-" .. wide .. "s  %-" .. math.min(wide_type, 32) .. "s  %s"):format(key.name,
-      type_text(key), key.doc)
+      type_text(key), console.key_text(key))
   end
 end
 

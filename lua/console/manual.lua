@@ -9,8 +9,27 @@ local kind_names = {
 }
 local law_kinds = { "contact law", "direction law", "solid law", "fibre law", "hinge law", "section" }
 
---- "name  number s = 3  sentence" as { name, type, unit, preset, optional, doc }.
+--- A range for a table: "0 to 1" for "not below 0 and at most 1".
+local function short_range(text)
+  text = text:gsub("^finite and ", ""):gsub("^from ", ""):gsub("^not below (%S+) and at most ", "%1 to ")
+  return (text:gsub("^not below", "at least"):gsub(" and at most", ", at most"))
+end
+
+local function joined_range(allowed, usual)
+  local parts = {}
+  for _, text in ipairs { allowed, usual } do parts[#parts + 1] = text ~= "" and text or nil end
+  return #parts > 0 and table.concat(parts, "; "):gsub("e%+0*(%d)", "e%1") or nil
+end
+
+--- The sentence of a key with its range.
+function console.key_text(key)
+  return key.range and ("%s (%s)"):format(key.doc, key.range) or key.doc
+end
+
+--- "name  number s = 3  sentence  <range>" as { name, type, unit, preset, optional, doc, range }.
 local function read_key(line)
+  local allowed = line:match "%s%s<([^>]+)>$"
+  if allowed then line = line:gsub("%s%s<[^>]+>$", "") end
   local name, kind, doc = line:match "^(%S+)%s%s+(%S.-)%s%s+(%S.*)$"
   if not name then error("manual: cannot read '" .. line .. "'", 0) end
   local key = { name = name, doc = doc }
@@ -21,8 +40,7 @@ local function read_key(line)
   key.optional = key.optional > 0 or preset ~= nil
   local number, unit = kind:match "^(number) (.+)$"
   key.type, key.unit = number or kind, unit or ""
-  local usual = number and core.usual(name, unit) or ""
-  if usual ~= "" then key.doc = ("%s (%s)"):format(doc, usual) end
+  key.range = joined_range(short_range(allowed or ""), number and core.usual(name, unit) or "")
   return key
 end
 
@@ -95,7 +113,7 @@ local function add_laws(manual)
       end
       for _, p in ipairs(laws[name].parameters) do
         entry.keys[#entry.keys + 1] = { name = p.name, type = "number", unit = p.unit == "1" and "" or p.unit,
-          doc = p.doc .. " (" .. p.range .. ")", optional = p.preset ~= nil,
+          doc = p.doc, range = joined_range(short_range(p.range), p.usual), optional = p.preset ~= nil,
           preset = p.preset and ("%g"):format(p.preset) }
       end
       manual.add(entry)
@@ -171,10 +189,8 @@ function console.manual()
     if page.makers then add_makers(manual, page, shared) end
     if page.tables then add_tables(manual, page) end
     if page.has_events then add_events(manual, page) end
+    if page.has_laws then add_laws(manual) end
   end
-  manual.pages[#manual.pages + 1] = { name = "laws",
-    title = "Laws of contacts, bearings, solids, fibres and hinges; sections of beams" }
-  add_laws(manual)
   manual.pages[#manual.pages + 1] = { name = "fields", title = "Readings, by kind of object" }
   add_fields(manual, types)
   add_examples(manual)

@@ -43,7 +43,7 @@ end
 local function key_line(key)
   local unit = key.unit ~= "" and " [" .. key.unit .. "]" or ""
   local preset = key.preset and " (default " .. key.preset .. ")" or ""
-  return key.doc .. unit .. preset
+  return console.key_text(key) .. unit .. preset
 end
 
 local function options_class(entry)

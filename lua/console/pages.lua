@@ -5,16 +5,21 @@ local function cell(text)
   return (text:gsub("|", "\\|"):gsub("\n", " "))
 end
 
-local function key_row(key)
+local function key_row(key, with_range)
   local preset = key.preset and cell(key.preset) or key.optional and "–" or "needed"
   local unit = key.unit == "1" and "" or cell(key.unit)
-  return ("| `%s` | %s | %s | %s | %s |"):format(key.name, cell(key.type), unit, preset, cell(key.doc))
+  local range = with_range and cell(key.range or "") .. " | " or ""
+  return ("| `%s` | %s | %s | %s | %s%s |"):format(key.name, cell(key.type), unit, preset, range, cell(key.doc))
 end
 
 local function add_keys(lines, keys, title)
   if #keys == 0 then return end
-  lines[#lines + 1] = ("\n| %s | is | unit | default | |\n|---|---|---|---|---|"):format(title)
-  for _, key in ipairs(keys) do lines[#lines + 1] = key_row(key) end
+  local with_range = false
+  for _, key in ipairs(keys) do with_range = with_range or key.range ~= nil end
+  local range = with_range and "range | " or ""
+  lines[#lines + 1] = ("\n| %s | type | unit | default | %smeaning |"):format(title, range)
+  lines[#lines + 1] = with_range and "|---|---|---|---|---|---|" or "|---|---|---|---|---|"
+  for _, key in ipairs(keys) do lines[#lines + 1] = key_row(key, with_range) end
 end
 
 --- Entry that lists the keys of all bodies, in the plane or in space.
@@ -38,9 +43,11 @@ local function add_keys_of_bodies(lines, entry)
   add_keys(lines, more, "key")
 end
 
---- The entry of the model's own function, where a builder of parts repeats its keys.
+--- The entry that lists the keys of a builder, where `entry` is another function with the same keys.
 local function main_of(entry)
-  local main = console.manual().by_name["model:" .. entry.member]
+  local known = console.manual().by_name
+  local main = known["model:" .. entry.member]
+  if not (main and main.made) then main = known["trilith.build." .. entry.member] end
   if entry.made and main and main.made and main ~= entry then return main end
   return nil
 end
@@ -94,7 +101,7 @@ local function add_fields(lines, entries)
   end
   table.sort(owners)
   for _, owner in ipairs(owners) do
-    lines[#lines + 1] = ("\n### `%s`\n\n| field | is | unit | |\n|---|---|---|---|"):format(owner)
+    lines[#lines + 1] = ("\n### `%s`\n\n| field | type | unit | meaning |\n|---|---|---|---|"):format(owner)
     for _, entry in ipairs(of[owner]) do lines[#lines + 1] = field_row(entry) end
   end
 end

@@ -7,7 +7,7 @@ body     body?             only of this body
 bearing  bearing?          only of this bearing
 seat     seat?             only of this seat
 group    text?             only of a body of this group
-above    number?           only with a value above this
+above    number?           only with a value above this  <at least 0>
 when     function?         pauses when f(model) becomes true
 line     text or integer?  a line of a script: "bridge.lua:40"
 once     flag = false      only the first time]], gives = "integer" },
@@ -23,9 +23,9 @@ once     flag = false      only the first time]], gives = "integer" },
     keys = "to  number s  time to go back to", gives = "number" },
   { "model:checkpoints", "Sets the checkpoints kept in memory. The console keeps one every 0.1 s by default.",
     keys = [[
-every  number s = 0.1      interval
-count  integer = 400       largest number
-bytes  number = 256e6      largest memory, in bytes
+every  number s = 0.1      interval  <at least 0>
+count  integer = 400       largest number  <at least 1>
+bytes  number = 256e6      largest memory, in bytes  <above 0>
 on     flag = true         false: no checkpoints]], gives = "findings" },
   { "model:compare", "Differences between the run before rewind and the present one.", gives = "findings" },
   { "model:change", "Changes numbers of a law or a bearing, from now on; in a handler, from the end of the step. "
@@ -53,6 +53,28 @@ becomes_from  text or table?  origin of the successor's displacement: "start" or
 slip  number m = 0.1  expected slip of joints: the elastic slip of friction should be below 0.001 of it]],
     gives = "findings" },
   examples = {
+    ["model:break_on"] = [[
+m:break_on { "impact", above = 0.5 }]],
+    ["model:break_off"] = [[
+local number = m:break_on "impact"
+m:break_off(number)]],
+    ["model:breaks"] = [[
+m:break_on "impact"
+for _, line in ipairs(m:breaks()) do print(line) end]],
+    ["model:step"] = [[
+m:step(10)
+print(m.time)]],
+    ["model:continue"] = [[
+m:checkpoints { every = 0.05, count = 10 }
+m:run { duration = 0.2 }
+m:rewind(0.1)
+m:continue()]],
+    ["model:compare"] = [[
+m:checkpoints { every = 0.05, count = 10 }
+m:run { duration = 0.2 }
+m:rewind(0.1)
+m:continue()
+print(m:compare())]],
     ["model:change"] = [[
 m:contact { between = { "block", "ground" }, name = "joint",
   law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 } }

@@ -6,7 +6,7 @@ name          text                name
 from          point               start, on the axis of the section
 to            point               end
 section       section             such as trilith.rectangle_section{...}, or trilith.fibre_section{...}
-divisions     integer = 8         number of beam elements
+divisions     integer = 8         number of beam elements  <1 to 1000>
 shear         flag = false        with shear deformation (Timoshenko)
 pinned        names?              "from", "to" or both: ends without moment
 hinge         hinge law?          a plastic hinge at both ends
@@ -26,9 +26,9 @@ outline  points  corners in order: x out of the plane, y up, in metres]], gives 
   { "trilith.fibre_section", "A section of fibres with uniaxial laws: concrete with bars, or steel.", keys = [[
 shape      section         outline, such as trilith.rectangle_section{...}
 law        fibre law       law such as trilith.kent_park{...}; with a cover, law of the core
-layers     integer?        number of layers over the depth, 20; in space 8, each with four fibres at each place across
-layers_across  integer?    in space: number of places across; default gives about square cells
-cover      number m = 0    thickness of the cover outside the core
+layers     integer?        layers over the depth; 20, in space 8 with four fibres at each place across  <1 to 1000>
+layers_across  integer?    in space: number of places across; default gives about square cells  <at least 1>
+cover      number m = 0    thickness of the cover outside the core  <at least 0>
 cover_law  fibre law?      law of the cover; default: law of the core
 core       section?        shape of the core, instead of the shape inside the cover
 bars       list?           rows { area =, height = }: area of the row, height; in space count, across, spread
@@ -58,6 +58,32 @@ load            point?           steady force [N], distributed like the mass
 floating        flag = false     it needs no support at the start
 hold            table?           boxes { from = , to = } whose nodes are held]] },
   examples = {
+    ["model:frame"] = [[
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+local section = trilith.rectangle_section { width = 0.1, depth = 0.2 }
+m:frame { name = "portal", material = "steel",
+  joints = { A = { at = { 3, 0 }, support = "fixed" }, B = { 3, 3 },
+    C = { 6, 3 }, D = { at = { 6, 0 }, support = "fixed" } },
+  members = { { from = "A", to = "B", section = section }, { from = "B", to = "C", section = section },
+    { from = "D", to = "C", section = section } } }]],
+    ["trilith.fibre_section"] = [[
+local section = trilith.fibre_section {
+  shape = trilith.rectangle_section { width = 0.4, depth = 0.6 }, law = trilith.kent_park { strength = 30e6 },
+  bars = { { area = 1.2e-3, height = 0.05 }, { area = 1.2e-3, height = 0.55 } },
+  bar_law = trilith.menegotto_pinto { E = 200e9, yield = 500e6 } }]],
+    ["body:hinges"] = [[
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+local post = m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",
+  section = trilith.rectangle_section { width = 0.1, depth = 0.2 }, from_hinge = trilith.end_hinge { sagging = 1e5 } }
+m:run { duration = 0.01 }
+for _, hinge in ipairs(post:hinges()) do print(hinge.rotation, hinge.moment) end]],
+    ["body:fibres"] = [[
+m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
+local post = m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",
+  section = trilith.fibre_section { shape = trilith.rectangle_section { width = 0.1, depth = 0.2 },
+    law = trilith.bilinear_steel { E = 2.1e11, yield = 355e6 } } }
+m:run { duration = 0.01 }
+print(post:fibres()[1].curvature)]],
     ["model:beam"] = [[
 m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
 m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",

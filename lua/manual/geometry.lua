@@ -11,26 +11,26 @@ base_level  number m   bottom of the ground]], beside = { to = true } },
 name               text?         name
 station            number m      position of the axis along the bridge
 ground_level       number m = 0  top of the ground
-height             number m      height above the ground
+height             number m      height above the ground  <above 0>
 stem_width         number m = the top's  width of the stem; not needed with seat and gap
 top_width          number m = the stem's  width of the cap
-cap_thickness      number m = 0  thickness of the cap
-footing_width      number m = 0  width of the footing
-footing_thickness  number m = 0  thickness of the footing
-seat               number m?     length of each of the two seats; the top is as wide as both and the joint
-gap                number m?     joint between the two decks on the pier]] },
+cap_thickness      number m = 0  thickness of the cap  <at least 0>
+footing_width      number m = 0  width of the footing  <at least 0>
+footing_thickness  number m = 0  thickness of the footing  <at least 0>
+seat               number m?     length of each of the two seats; the top is as wide as both and the joint  <at least 0>
+gap                number m?     joint between the two decks on the pier  <at least 0>]] },
     { "abutment", "A stub abutment with a back wall.", keys = [[
 name              text?          name
 side              text = "left"  "left" or "right"
 x                 number m?      edge of the seat; or station
 station           number m?      middle of the joint between deck and back wall; needs seat and gap
 ground_level      number m = 0   bottom of the abutment
-height            number m       height of the seat above the bottom
+height            number m       height of the seat above the bottom  <above 0>
 width             number m       total width
-back_wall_height  number m = 0  height of the back wall above the seat
+back_wall_height  number m = 0  height of the back wall above the seat  <at least 0>
 back_wall_width   number m = from seat and gap  width of the back wall; or seat and gap
-seat              number m?      length of the seat under the deck
-gap               number m?      joint between deck and back wall]] },
+seat              number m?      length of the seat under the deck  <at least 0>
+gap               number m?      joint between deck and back wall  <at least 0>]] },
   },
   { "model:span", "A deck on two supports, which give its position, seats and bearings; or a deck alone, between "
     .. "x0 and x1. Seats, and bearings of types with a law, have names such as \"S1.left\": span.seats.left, "
@@ -38,19 +38,19 @@ gap               number m?      joint between deck and back wall]] },
 name               text = "span"  name
 from               body?          left support: an abutment, a pier or a body with a horizontal top
 to                 body?          right support
-left               text?          bearing type on the left support, see model:bearing_type
-right              text?          bearing type on the right support
-gap                number m?      joint on supports without a gap of their own
-depth              number m       height of the deck
+left               text?          with from and to: bearing type on the left support, see model:bearing_type
+right              text?          with from and to: bearing type on the right support
+gap                number m?      joint on supports without a gap of their own  <at least 0>
+depth              number m       height of the deck  <above 0>
 soffit_level       number m = on its left bearing  level of the underside
-weight_per_length  number N/m?    weight of the deck over its full length; or weight, mass, density
+weight_per_length  number N/m?    weight of the deck over its full length; or weight, mass, density  <above 0>
 x0                 number m?      deck alone: axis of the left support
 x1                 number m?      deck alone: axis of the right support
 end_gap            number m = 0   distance from the axis to the end of the deck]], with = "body", gives = "body" },
   { "model:bearing_type", "A type of bearing for the ends of spans. Without a law the deck slides on its seat, as on "
     .. "an expansion bearing.", keys = [[
 name     text            name
-height   number m = 0    height from the seat to the deck; above 0 an axial law is needed
+height   number m = 0    height from the seat to the deck; above 0 an axial law is needed  <at least 0>
 along    direction law?  law of the force along; alone it is a dowel, and the deck lies on its seat
 axial    direction law?  law of the axial force on the deck; without height it replaces the flat contact
 turning  direction law?  law of the moment
@@ -63,13 +63,54 @@ supports      list          from left to right: name, height from ground to deck
 spans         list          from left to right: name, length from axis to axis, keys of model:span
 x             number m = 0  axis of the first support
 soffit_level  number m = 0  underside of the decks; seats are lower by the height of their bearings
-gap           number m?     default joint at supports
-seat          number m?     default length of seats
+gap           number m?     default joint at supports  <at least 0>
+seat          number m?     default length of seats  <at least 0>
 material      text?         default material
 abutment      table?        default keys of both abutments; back_wall_height counts from the underside of the deck
 pier          table?        default keys of all piers
 span          table?        default keys of all spans]], gives = "table" },
   examples = {
+    ["model:ground"] = [[
+m:ground { name = "valley", surface = { { 10, 0 }, { 20, -6 }, { 30, 0 } }, base_level = -10, material = "stone",
+  support = "fixed" }]],
+    ["model:pier"] = [[
+m:pier { name = "P1", station = 12, height = 8, stem_width = 1.2, seat = 0.6, gap = 0.1, material = "stone" }]],
+    ["model:abutment"] = [[
+m:abutment { name = "A0", side = "left", station = 10, height = 4, width = 3, seat = 0.6, gap = 0.1,
+  back_wall_height = 1.5, material = "stone" }]],
+    ["model:span"] = [[
+local left = m:abutment { name = "A0", side = "left", station = 10, height = 4, width = 3, seat = 0.6, gap = 0.1,
+  back_wall_height = 1.5, material = "stone" }
+local pier = m:pier { name = "P1", station = 25, height = 4, seat = 0.6, gap = 0.1, material = "stone" }
+m:bearing_type { name = "sliding" }
+local span = m:span { name = "S1", from = left, to = pier, left = "sliding", right = "sliding", depth = 1.5,
+  material = "stone" }
+print(span.seats.left.length)]],
+    ["model:bearing_type"] = [[
+m:contact { between = { "ground", "block" }, name = "sliding",
+  law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.1, beta = 2e-4 } }
+m:bearing_type { name = "dowel", along = trilith.linear { stiffness = 2e8 }, limit = { along = 0.01 },
+  becomes = "sliding" }]],
+    ["model:bridge"] = [[
+m:bearing_type { name = "sliding" }
+local bridge = m:bridge {
+  x = 10, soffit_level = 5, gap = 0.1, seat = 0.5, material = "stone",
+  abutment = { height = 5, width = 4, back_wall_height = 1.5 }, pier = { height = 5 },
+  span = { depth = 1.5, left = "sliding", right = "sliding" },
+  supports = { { name = "A0" }, { name = "P1" }, { name = "A2" } },
+  spans = { { name = "S1", length = 20 }, { name = "S2", length = 20 } } }
+print(bridge.spans.S1.mass)]],
+    ["model:harmonic_stack"] = [[
+m:harmonic_stack { name = "leaning", count = 5, length = 0.4, height = 0.1, table_height = 0.5, material = "stone" }]],
+    ["model:flying_buttress"] = [[
+m:flying_buttress { name = "flyer", material = "stone" }]],
+    ["model:running_bond"] = [[
+m:running_bond { name = "panel", material = "stone" }]],
+    ["model:bench_wall"] = [[
+m:bench_wall { courses = 6, material = "stone" }]],
+    ["trilith.build.span"] = [[
+local deck = trilith.build.span { x0 = 0, x1 = 20, depth = 1.5, soffit_level = 6 }
+m:add(deck, { material = "stone", floating = true })]],
     ["model:block"] = [[
 m:block { name = "upper", width = 0.4, height = 0.5, at = { -0.2, 1 }, material = "stone" }]],
     ["model:stack"] = [[

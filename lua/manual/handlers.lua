@@ -31,6 +31,8 @@ body     body?      only of this body
 bearing  bearing?   only of this bearing
 seat     seat?      only of this seat
 group    text?      only of a body of this group
-above    number?    only with a value above this
-within   number s?  longest time to wait]], gives = "event" },
+above    number?    only with a value above this  <at least 0>
+within   number s?  longest time to wait  <at least 0>]], gives = "event",
+    example = 'm:story(function()\n  local e = m:wait { "impact", body = "block", within = 2 }\n'
+      .. '  if e then print("first impact", e.time) end\nend)' },
 }

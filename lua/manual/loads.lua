@@ -31,7 +31,7 @@ name       text?      name in results]], gives = "string",
   { "model:set_load", "Changes the share of a load, smoothly, from the call on.", keys = [[
 name      text          name of the load
 factor    number        new share
-duration  number s = 0  time in which the share is reached]],
+duration  number s = 0  time in which the share is reached  <at least 0>]],
     example = 'local push = m:point_load { body = "block", force = { 100, 0 } }\n'
       .. 'm:set_load { name = push, factor = 0.5, duration = 1 }' },
   { "model:release", "Releases a support, a load or a push without a jolt.", keys = [[
@@ -41,7 +41,7 @@ push      text?         name of a push
 x         flag = false  for bodies: release this direction; all directions if none is given
 y         flag = false  release this direction; z too in space
 rotation  flag = false  release this direction
-fade      number s = 1  time in which the force decreases to 0]],
+fade      number s = 1  time in which the force decreases to 0  <at least 0>]],
     example = 'm:fix("block", "x")\nm:run { duration = 0.01 }\nm:release { body = "block", x = true, fade = 0.1 }' },
   { "model:pushover", "A stage under displacement control: pushes bodies steadily and returns the capacity curve.",
     also = "nonlinear static analysis, capacity curve, pushover curve, limit load, displacement control, arc length",
@@ -51,17 +51,17 @@ at            place = "centroid"  a point {x, y} of one body, {x, y, z} in space
 direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    distribution of the force over the bodies: mass, uniform or triangle
 control       text = "time"    "time": steady motion; "arc": states of equilibrium by arc length, past limit points
-rate          number m/s?      control "time": speed; if left out, slow enough that inertia stays small
+rate          number m/s?      control "time": speed; if left out, slow enough that inertia stays small  <above 0>
 arc           number m?        control "arc": length of the first step; 0.01 of the displacement if left out
-displacement  number m?        displacement at which the stage ends; or drift
-drift         number m?        drift of the top at which the stage ends; in space along the push
-storey        integer?         storey of this drift
-drop          number?          share of the peak force at which the stage ends
-samples       integer?         number of points of the curve; control "arc": largest number
-local_damping  number = 0.8    control "time": local damping coefficient, share of the unbalanced force of each body
+displacement  number m?        displacement at which the stage ends; or drift  <above 0>
+drift         number m?        drift of the top at which the stage ends; in space along the push  <above 0>
+storey        integer?         storey of this drift  <at least 1>
+drop          number?          share of the peak force at which the stage ends  <at least 0, below 1>
+samples       integer?         number of points of the curve; control "arc": largest number  <at least 2>
+local_damping  number = 0.8    control "time": local damping coefficient  <at least 0, below 1>
 name          text?            name in results
-dt            number s?        control "time": fixed time step
-safety        number = 0.5     control "time": share of the longest stable step, at most 0.9]] .. until_keys,
+dt            number s?        control "time": fixed time step  <at least 0>
+safety        number = 0.5     control "time": share of the longest stable step  <above 0, at most 0.9>]] .. until_keys,
     gives = "pushover report", example = 'm:consolidate { rest = { ratio = 1e-4 } }\n'
       .. 'local p = m:pushover { body = "block", rate = 0.01, displacement = 1e-3 }\n'
       .. 'print(p.peak_force, p.displacement_at_peak, #p.curve.t)' },

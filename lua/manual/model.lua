@@ -2,31 +2,32 @@ return {
   name = "model", title = "Models: materials, bodies, contacts and bearings",
   { "trilith.model", "Makes a new model. Several models can exist at the same time.", keys = [[
 name             text = ""           name in messages
-dim              integer = 2         2 in the plane, 3 in space: see "Models in space"
-thickness        number m = 1        thickness out of the plane, of every contact
-gravity          number m/s2 = 9.80665  gravity, downwards; or a vector {x, y}, in space {x, y, z}
-threads          integer = chosen at run time  number of threads, 1 to 64; results are the same bits
-mass_damping     number 1/s = 0      mass-proportional damping: damping force over momentum
-impact_speed     number m/s = 0.5    closing speed above which a new contact is an impact
-apart_time       number s = 0.02     time after which an open contact is lost
-still_speed      number m/s?         speed below which a body is at rest, after still_time
-still_time       number s = 0.5      see still_speed
+dim              integer = 2         2 in the plane, 3 in space: see "Models in space"  <2 or 3>
+thickness        number m = 1        thickness out of the plane, of every contact  <above 0>
+gravity          number m/s2 = 9.80665  gravity, downwards; or a vector {x, y}, in space {x, y, z}  <at least 0>
+threads          integer = chosen at run time  number of threads; results are the same bits  <1 to 64>
+mass_damping     number 1/s = 0      mass-proportional damping: damping force over momentum  <at least 0>
+impact_speed     number m/s = 0.5    closing speed above which a new contact is an impact  <above 0>
+apart_time       number s = 0.02     time after which an open contact is lost  <at least 0>
+still_speed      number m/s?         speed below which a body is at rest, after still_time  <above 0>
+still_time       number s = 0.5      see still_speed  <at least 0>
 body             body form = "rigid"  default form of bodies: "rigid", "quad", { mesh = {nx, ny} }; in space "brick"
-overlap_allowed  number = 1e-6  allowed overlap at the start, as a share of the size of a body]],
+overlap_allowed  number = 1e-6  allowed overlap at the start, as a share of the size of a body  <at least 0>]],
     gives = "model" },
   { "model:close", "Ends the recording and deletes the model." },
   { "model:material", "Declares a material. Bodies refer to it by name.", keys = [[
 name         text              name
-density      number kg/m3?     density; or
-unit_weight  number N/m3?      unit weight
-E            number Pa?        Young's modulus, for bodies that deform
-nu           number = 0  Poisson's ratio
-beta         number s = 0  stiffness-proportional damping: stress per strain rate over E
+density      number kg/m3?     density; or  <above 0>
+unit_weight  number N/m3?      unit weight  <above 0, at most 225553>
+E            number Pa?        Young's modulus, for bodies that deform  <above 0>
+nu           number = 0  Poisson's ratio  <0 to 0.499>
+beta         number s = 0  stiffness-proportional damping: stress per strain rate over E  <0 to 1>
 band_damping  table?           of members of frames: { ratio =, from =, to = }, damping ratio between frequencies [Hz]
 solid        solid law?        instead of E: a constitutive law such as trilith.mohr_coulomb{...}
 plane        text = "stress"   "stress" or "strain"
 form         text = "assumed"  element formulation, "assumed" or "plain"; "plain" keeps the limit of perfect plasticity
-strain_limit  number = 0.5     largest valid strain of its elements; beyond it the stage diverges]], gives = "string" },
+strain_limit  number = 0.5     largest valid strain of its elements; beyond it the stage diverges  <above 0>]],
+    gives = "string" },
   { "model:contact", "Sets the contact law between materials, groups or bodies. A later call takes precedence. "
     .. "Two bodies that may meet need a law before a stage begins.", keys = [[
 between  names          two names of materials, groups or bodies; "*" for any
@@ -56,7 +57,7 @@ between            two bodies     two bodies, or their names
 at                 point?         place; or from and to
 from               point?         point on the first body
 to                 point?         point on the second body, through which both forces act
-arm                number m = 0   largest length of a massless rigid arm from a body to its point
+arm                number m = 0   largest length of a massless rigid arm from a body to its point  <at least 0>
 angle              number rad = 0  angle of the direction along, from x to y
 turn               table?         in space, instead: { axis = , angle = } of all its axes
 along              direction law?  law of the force along
@@ -93,10 +94,10 @@ material        text?            material
 groups          names?           groups of the body
 density         number kg/m3?    density instead of the material's; or
 unit_weight     number N/m3?     unit weight; or
-mass            number kg?       mass; or
-weight          number N?        weight
-inertia         number kg m2?    moment of inertia about the centroid
-body_thickness  number m = the model's  thickness out of the plane
+mass            number kg?       mass; or  <above 0>
+weight          number N?        weight  <above 0>
+inertia         number kg m2?    moment of inertia about the centroid  <above 0>
+body_thickness  number m = the model's  thickness out of the plane  <above 0>
 support         text = "free"  "fixed", "free" or directions { x = "fixed" }
 velocity        point = {0, 0}  velocity at the start [m/s]
 spin            number rad/s = 0  angular velocity at the start

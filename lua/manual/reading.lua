@@ -32,12 +32,13 @@ storey   integer?   or storey; the model if none is given
 of       function?  or a function; its value is recorded
 unit     text?      unit of the function's values
 doc      text?      description of the values
-every    number s?  without a results file: interval]], gives = "history", beside = { unit = true, doc = true } },
+every    number s?  without a results file: interval  <above 0>]], gives = "history",
+    beside = { unit = true, doc = true } },
   { "model:results", "Sets the contents of the results file and the intervals.", keys = [[
 file        text              name of the HDF5 file
-frames      number s = 0.05   interval of frames, the states of the whole model
-histories   number s = 0.01   interval of the samples of histories
-energy      number s = 0.05   interval of the energy terms
+frames      number s = 0.05   interval of frames, the states of the whole model  <above 0>
+histories   number s = 0.01   interval of the samples of histories  <above 0>
+energy      number s = 0.05   interval of the energy terms  <above 0>
 velocities  flag = false      write the velocities in each frame
 joints      flag = true       write opening, slip and damage of each joint]] },
   { "model:explain_dt", "Describes the body and the contacts that govern the time step.", gives = "string" },
@@ -51,22 +52,30 @@ joints      flag = true       write opening, slip and damage of each joint]] },
     .. "factor_x, factor_y, damping, shape }; shape by body's name: { x, y, rotation }. "
     .. "In space mass_z and factor_z too, and shapes { x, y, z, rotation_x, rotation_y, rotation_z }. "
     .. "Prints as a table, and is written to the results file.",
-    keys = "count  integer = 10  number of modes", gives = "table[]" },
+    keys = "count  integer = 10  number of modes  <at least 1>", gives = "table[]" },
   { "model:damping", "Damping ratio of each mode in the present state: { frequency, ratio, contacts, bearings, "
     .. "elements, bands, mass }, the sum and its parts. The fields step and unbanded_step [s] are the longest stable "
     .. "step with and without band damping. Prints as a table.",
-    keys = "count  integer = 10  number of modes", gives = "table[]" },
+    keys = "count  integer = 10  number of modes  <at least 1>", gives = "table[]" },
   { "model:calibrate", "Fits stiffnesses of joints to a measured frequency, in the plane. The model keeps them. "
     .. "Returns { value, values, frequency, mode, tries }, which prints as a table of the tries.", keys = [[
-frequency  number Hz        measured frequency
+frequency  number Hz        measured frequency  <above 0>
 vary       names            such as "mortar.kn"; several keep their ratio: { "mortar.kn", "mortar.ks" }
-mode       integer = 1      number of the mode with this frequency; or
+mode       integer = 1      number of the mode with this frequency; or  <at least 1>
 shape      table?           a shape from m:modes: the most similar mode is used
 between    numbers?         least and greatest value of the first number; default 0.001 and 1000 times its present value
-tolerance  number = 0.0001  relative tolerance of the frequency
+tolerance  number = 0.0001  relative tolerance of the frequency  <above 0>
 settle     flag = false     finds rest by statics after each change]], gives = "table" },
   { "model:stresses", "Mean stress by body name, in the plane: { xx, yy, xy, major, minor } [Pa].", gives = "table" },
   examples = {
+    ["model:results"] = [[
+m:results { file = "out/manual_example.h5", frames = 0.1, histories = 0.02 }
+m:run { duration = 0.1 }]],
+    ["model:calibrate"] = [[
+m:contact { between = { "block", "ground" }, name = "mortar",
+  law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 } }
+m:consolidate { integrator = "static" }
+print(m:calibrate { frequency = 40, vary = { "mortar.kn", "mortar.ks" }, mode = 1 }.value)]],
     ["model:bodies"] = [[
 print(#m:bodies { material = "stone" })]],
     ["set:has"] = [[

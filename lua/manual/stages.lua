@@ -22,38 +22,38 @@ integrator       text = "explicit"   "explicit", "implicit" (Newton's method), o
 alpha            number = -0.05      implicit, HHT: from -1/3 to 0; 0 has no numerical damping (Newmark)
 spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
 tolerance        number = 1e-8       implicit: residual force, as a share of the largest force
-accuracy         number?             energy error of a step, 0: any; default implicit 1e-3, explicit 0.02
+accuracy         number?             energy error of a step, 0: any; default implicit 1e-3, explicit 0.02  <0 to 1>
 watch       flag = true   ends the stage as diverged if speeds or energies have no physical source]]
 
 return {
   name = "stages", title = "Stages: runs, and changes between and within them",
   { "model:run", "A stage of motion. Where the model pauses, it continues the paused stage up to that time.",
     also = "time history analysis, transient analysis, time integration", keys = [[
-duration    number s?     duration
+duration    number s?     duration  <above 0>
 to          number s?     or the end time
 name        text = "run"  name in results
-local_damping  number = 0  local damping coefficient: share of the unbalanced force that brakes each body
-dt          number s?     fixed time step; chosen automatically if left out. Implicit: the longest step (5 ms)
-safety      number = 0.5  share of the longest stable step, at most 0.9; 0.8 where accuracy is given
+local_damping  number = 0  local damping coefficient: braking share of the unbalanced force  <at least 0, below 1>
+dt          number s?     fixed time step; by default automatic. Implicit: the longest step (5 ms)  <at least 0>
+safety      number = 0.5  share of the longest stable step; 0.8 where accuracy is given  <above 0, at most 0.9>
 ]] .. scaling .. in_time .. [[
 
 rest  rest?         ends the stage at rest: ]] .. rest .. until_keys, gives = "report",
     example = "local report = m:run { duration = 0.1 }\nprint(report.ending, report.steps)" },
   { "model:consolidate", "Brings the model to rest under dead load, by dynamic relaxation or statics.",
     also = "dead load, self weight, dynamic relaxation, static equilibrium", keys = [[
-duration  number s = 60           longest duration
+duration  number s = 60           longest duration  <above 0>
 rest      rest?                   limits of rest: { ratio = 1e-5, speed = [m/s], hold = [s], from = [s] }
-local_damping  number = 0.8       local damping coefficient: share of the unbalanced force that brakes each body
-grow      number s = 0.5          time in which gravity grows
+local_damping  number = 0.8       local damping coefficient: braking share of the residual  <at least 0, below 1>
+grow      number s = 0.5          time in which gravity grows  <at least 0>
 fresh     flag = false            mortar sets at the end: joints are bonded in their state at the end
 or_go_on  flag = false            without rest, or at rest in another place: a note instead of an error
-within    number = 0.25           largest motion of a body, as a share of its size; beyond it the model is unstable
+within    number = 0.25           largest motion of a body over its size; beyond it the model is unstable  <above 0>
 integrator  text = "explicit"     "explicit", or "static": equilibrium by Newton's method, without time and damping
 shares     integer = 1            static: number of load increments
 tolerance  number = 1e-8          static: residual force, as a share of the largest force
 name      text = "consolidation"  name in results
-dt        number s?               fixed time step
-safety    number = 0.5            share of the longest stable step, at most 0.9
+dt        number s?               fixed time step  <at least 0>
+safety    number = 0.5            share of the longest stable step  <above 0, at most 0.9>
 ]] .. scaling .. [[
 
 watch     flag = true             ends the stage as diverged if speeds or energies have no physical source]]
@@ -63,12 +63,12 @@ watch     flag = true             ends the stage as diverged if speeds or energi
     also = "time history analysis, response history, earthquake, base excitation, seismic, ground motion",
     keys = drive .. [[
 
-duration  number s?       duration; up to the end of the motions if left out
+duration  number s?       duration; up to the end of the motions if left out  <above 0>
 rest      rest?           ends the stage at rest after the motions: ]] .. rest .. [[
 
 name      text = "shake"  name in results
-dt        number s?       fixed time step
-safety    number = 0.5    share of the longest stable step, at most 0.9; 0.8 where accuracy is given
+dt        number s?       fixed time step  <at least 0>
+safety    number = 0.5    share of the longest stable step; 0.8 where accuracy is given  <above 0, at most 0.9>
 ]] .. scaling .. in_time .. until_keys,
     beside = in_space, gives = "report",
     example = "local pulse = trilith.motion { acceleration = { 0, 2, -2, 0 }, dt = 0.05 }\n"
@@ -86,7 +86,7 @@ directions  text = all  of x, y and r, as in "xy"; in space of x, y, z and r; r 
     example = 'm:fix("block")\nm:free("block", "x")' },
   { "model:tilt", "Turns gravity, from the call on.", keys = [[
 rate     number rad/s    counter-clockwise rate; 0 stops it
-by       number rad?     angle at which it stops
+by       number rad?     angle at which it stops  <above 0>
 towards  number rad = 0  in space: azimuth of the tilt, counted from x to y]], beside = { towards = true },
     example = "m:tilt { rate = 0.05, by = 0.1 }" },
   { "model:bounds", "Sets the region outside which bodies leave the model. A body that leaves stops, has no more "

@@ -14,5 +14,9 @@ count       integer?     number of sampled cases
 seed        integer = 1  seed of the samples
 histories   table?       figures from histories: names: largest absolute value; or name = last, max, min, largest
 ida         table?       { over = parameter, stop = flag }: from its lowest value up, until the flag is true
-jobs        integer = processors  number of cases at a time]], gives = "table", unread = true },
+jobs        integer = processors  number of cases at a time]], gives = "table", unread = true,
+    example = "local study = trilith.study {\n"
+      .. '  file = "out/manual_study.h5", parameters = { mu = { 0.2, 0.4 }, pga = { 1, 2 } },\n'
+      .. "  case = function(p) return { slides = p.pga > p.mu*9.81 } end }\n"
+      .. "for _, row in ipairs(study.rows) do print(row.mu, row.pga, row.slides) end" },
 }

@@ -36,7 +36,7 @@ frequencies  numbers     their frequencies, in Hz]], gives = "table" },
     keys = [[
 file          text?              file of accelerations
 acceleration  numbers?           samples [m/s2]
-dt            number s?          time step of the samples, also of a file of plain columns
+dt            number s?          time step of the samples, also of a file of plain columns  <1e-9 to 1e6>
 unit          text?              file of plain columns: unit of the accelerations, as in "cm/s2" or "g"
 column        text?              file of plain columns: number or name of the column; "rows": samples line by line
 skip          integer?           file of plain columns: number of header lines
@@ -44,32 +44,32 @@ decimal       text?              file of plain columns: decimal sign, "." or ","
 v0            number m/s = 0     velocity at the start
 u0            number m = 0       displacement at the start
 velocity      number m/s?        instead of samples: steady velocity
-duration      number s?          duration of the steady velocity
+duration      number s?          duration of the steady velocity  <above 0>
 allow_drift   flag = false       the motion may end at speed
 name          text?              name in messages]], gives = "motion",
     beside = { duration = true, unit = true, column = true, skip = true, decimal = true } },
   { "trilith.ramp", "A smooth motion from rest to rest, for supports.", keys = [[
 by        number           displacement [m] or rotation [rad]
-duration  number s         duration]], gives = "motion" },
+duration  number s         duration  <above 0>]], gives = "motion" },
   { "motion:scale", "Scales a motion; factor 0 gives a control run.", keys = [[
-pga      number m/s2?   peak acceleration after scaling; or
+pga      number m/s2?   peak acceleration after scaling; or  <above 0>
 factor   number?        factor; or
 sa       number m/s2?   spectral acceleration at the period
-period   number s?      period of sa
-damping_ratio  number = 0.05  damping ratio of sa]], gives = "motion" },
+period   number s?      period of sa  <0, or 0.001 to 100>
+damping_ratio  number = 0.05  damping ratio of sa  <at least 0, below 1>]], gives = "motion" },
   { "motion:match", "Scales a motion so that its spectrum fits a target, by the mean of the logarithm.", keys = [[
 spectrum  list           { { period, acceleration [m/s2] }, ... }
 from      number s?      ignore shorter periods
 to        number s?      ignore longer periods
-damping_ratio  number = 0.05  damping ratio of the spectrum]], gives = "motion" },
+damping_ratio  number = 0.05  damping ratio of the spectrum  <at least 0, below 1>]], gives = "motion" },
   { "motion:baseline", "Baseline correction: subtracts the polynomial that fits the acceleration best.",
     args = "degree  integer  0 to 10", gives = "motion" },
   { "motion:filter", "Butterworth filter, forward and backward: no phase shift, -3 dB at the corner frequencies.",
     keys = [[
 low    number Hz?    remove lower frequencies
 high   number Hz?    remove higher frequencies
-order  integer = 4   order of each side, 1 to 10
-pad    number s = 0  time of rest added before and after the record]], gives = "motion" },
+order  integer = 4   order of each side  <1 to 10>
+pad    number s = 0  time of rest added before and after the record  <0 to 10000>]], gives = "motion" },
   { "motion:resample", "Resamples by linear interpolation; a filter precedes a longer step.",
     args = "dt  number s  new time step", gives = "motion" },
   { "motion:rotate", "Rotates two horizontal components counter-clockwise: a cos + b sin, and "
@@ -78,7 +78,7 @@ other  motion      the other component
 angle  number rad  angle of rotation]], gives = "motion, motion" },
   { "motion:passage", "Delays a motion by the travel time of a wave, for supports along a bridge.", keys = [[
 distance  number m    distance from the origin of the motion
-velocity  number m/s  velocity of the wave]], gives = "motion" },
+velocity  number m/s  velocity of the wave  <above 0>]], gives = "motion" },
   { "motion:difference", "Largest relative displacement and velocity of two motions, such as those at two supports: "
     .. "{ displacement, displacement_time, velocity, velocity_time }, in m, s and m/s.",
     args = "other  motion  other motion", gives = "table" },
@@ -100,6 +100,30 @@ damping  number = 0.05  damping ratio]], gives = "number" },
     ["trilith.units"] = [[
 local ft, kip = trilith.units "ft kip"
 print(12*ft, 3*kip)]],
+    ["trilith.math.sin"] = [[
+print(trilith.math.sin(math.pi/6))]],
+    ["trilith.math.cos"] = [[
+print(trilith.math.cos(math.pi/3))]],
+    ["trilith.math.tan"] = [[
+print(trilith.math.tan(math.pi/4))]],
+    ["trilith.math.asin"] = [[
+print(trilith.math.asin(0.5))]],
+    ["trilith.math.acos"] = [[
+print(trilith.math.acos(0.5))]],
+    ["trilith.math.atan"] = [[
+print(trilith.math.atan(1, 2))]],
+    ["trilith.math.exp"] = [[
+print(trilith.math.exp(-0.5))]],
+    ["trilith.math.log"] = [[
+print(trilith.math.log(10))]],
+    ["trilith.math.pow"] = [[
+print(trilith.math.pow(2, 0.5))]],
+    ["trilith.params"] = [[
+local p = trilith.params { pga = { 0.4, unit = "g", "peak acceleration" },
+  bond = { "english", choices = { "english", "flemish" } } }
+print(p.pga, p.bond)]],
+    ["trilith.version"] = [[
+print(trilith.version)]],
     ["trilith.rayleigh"] = [[
 local damping = trilith.rayleigh { ratios = { 0.05, 0.05 }, frequencies = { 1, 10 } }
 print(damping.mass_damping, damping.beta)]],
@@ -111,18 +135,50 @@ local ramp = trilith.ramp { by = 0.05, duration = 2 }]],
     ["motion:scale"] = [[
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
 print(pulse:scale { pga = 3 }.pga)]],
+    ["motion:match"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local scaled = pulse:match { spectrum = { { 0.1, 4 }, { 0.5, 4 }, { 1, 2 } }, from = 0.1, to = 1 }]],
+    ["motion:baseline"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+print(pulse:baseline(1).pga)]],
+    ["motion:filter"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local smooth = pulse:filter { low = 0.2, high = 4, order = 4, pad = 1 }]],
+    ["motion:resample"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local fine = pulse:resample(0.01)]],
+    ["motion:rotate"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local other = trilith.motion { acceleration = { 0, 0.5, -0.5, 0 }, dt = 0.1 }
+local along, across = pulse:rotate(other, math.pi/6)]],
+    ["motion:passage"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local at_pier = pulse:passage { distance = 120, velocity = 800 }]],
+    ["motion:difference"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local later = pulse:delay(0.05)
+print(pulse:difference(later).displacement)]],
+    ["motion:scale_as"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local scaled = pulse:scale { pga = 3 }
+local vertical = trilith.motion { acceleration = { 0, 0.5, -0.5, 0 }, dt = 0.1 }:scale_as(scaled)]],
+    ["motion:time_scale"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local slow = pulse:time_scale(2)]],
+    ["motion:delay"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local later = pulse:delay(0.5)]],
+    ["motion:reverse"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local other_way = pulse:reverse()]],
+    ["motion:start_velocity"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local moving = pulse:start_velocity(-0.1)]],
+    ["motion:at"] = [[
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+local acceleration, velocity, displacement = pulse:at(0.15)]],
     ["motion:sa"] = [[
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
 print(pulse:sa(0.5))]],
-    ["trilith.frictional"] = [[
-local law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.6, beta = 2e-4 }]],
-    ["trilith.bonded"] = [[
-local law = trilith.bonded { kn = 6e9, ks = 3e9, mu = 0.6, beta = 1e-4, tension = 1e5, cohesion = 2e5 }]],
-    ["trilith.linear"] = [[
-local law = trilith.linear { stiffness = 1e6, damping = 1e3 }]],
-    ["trilith.pendulum"] = [[
-local law = trilith.pendulum { radius = 1, mu = 0.05, stiffness = 5e6 }]],
-    ["trilith.rectangle_section"] = [[
-local section = trilith.rectangle_section { width = 0.3, depth = 0.5 }]],
   },
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The check of the links tells right from wrong, on a small tree; the staged pages have their links, menu and index."""
+"""The checks of links and pages pass a right tree and report each kind of error; the staged pages have links, menu and index."""
 import contextlib
 import io
 import os
@@ -7,6 +7,7 @@ import sys
 import tempfile
 
 import check_links
+import check_pages
 from check_links import stage
 
 PAGES = {
@@ -40,14 +41,45 @@ WRONG = [  # a change, and a part of the line that it must give
 ]
 
 
-def lines_of(pages):
+FUNCTION = ("# Laws\n\n### `trilith.bonded{...}`\n\nA bond.\n\n```lua\nlocal law = 1\n```\n\n"
+            "| key | type | unit | default | meaning |\n|---|---|---|---|---|\n| `kn` | number | | needed | stiffness |\n")
+GUIDE = "# A page\n\nAfter this page you can stack.\n\n```lua\nlocal m = 1\n```\n\n## Detail\n"
+RIGHT_PAGES = {"README.md": "# Start\n\nTrilith simulates stones.\n", "CONTRIBUTING.md": "# Contributing\n\nThis page is short.\n",
+               "docs/guide/a.md": GUIDE, "docs/scripting.md": GUIDE, "docs/reference/laws.md": FUNCTION,
+               "docs/site/synonyms.txt": "rigidity; docs/guide/a.md\n"}
+WRONG_PAGES = [
+    ("docs/guide/a.md", GUIDE.replace("After this page you", "You"), "docs/guide/a.md: begins with 'You can stack.'"),
+    ("docs/guide/a.md", GUIDE.replace("```lua\nlocal m = 1\n```", "Text."), "docs/guide/a.md: has no example before its second heading"),
+    ("docs/guide/a.md", GUIDE.replace("```lua", "```lau"), "docs/guide/a.md:5: the site has no language 'lau'"),
+    ("docs/scripting.md", GUIDE + "line\n" * 200, "docs/scripting.md: has 209 lines, at most 200"),
+    ("docs/reference/laws.md", FUNCTION.replace("```lua\nlocal law = 1\n```", ""), "trilith.bonded{...} has no example"),
+    ("docs/reference/laws.md", FUNCTION.replace("| unit ", "| in "), "has a table with the head '| key | type | in | default | meaning |'"),
+    ("docs/reference/more.md", FUNCTION, "trilith.bonded{...} is listed in docs/reference/laws.md too"),
+    ("docs/site/synonyms.txt", "", "docs/guide/a.md: 'rigidity' is in no heading"),
+]
+
+
+def lines_of(pages, check=check_links.main):
     with tempfile.TemporaryDirectory() as folder:
         for path, text in pages.items():
             stage.write(os.path.join(folder, path), text)
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
-            code = check_links.main(folder)
+            code = check(folder)
         return code, out.getvalue()
+
+
+def check_of_pages(folder):
+    return check_pages.main(folder, {"rigidity": "docs/guide/a"})
+
+
+def compared(right, wrong, check):
+    """The check passes the right tree, and reports each wrong one with its line."""
+    code, out = lines_of(right, check)
+    yield from [f"a right tree gives {code}: {out}"] if code or out else []
+    for path, text, line in wrong:
+        code, out = lines_of({**right, path: text}, check)
+        yield from [f"{path} = {text!r} gives {code} and {out!r}, not {line!r}"] if code != 1 or line not in out else []
 
 
 def staged():
@@ -60,7 +92,7 @@ def staged():
                          "docs/gallery/index\ndocs/gallery/wall\n", "<genindex>"],
             "docs/README.md": ["[start](../index.md)", "[`scripts/x.lua`](../scripts/x.md)"],
             "docs/reference/laws.md": ["single: trilith.bonded\n", "single: kn; of trilith.bonded\n", "single: seat.lost (event)\n"],
-            "docs/glossary.md": ["single: stiffness\n", "single: rigidity\n"],
+            "docs/glossary.md": ["single: stiffness (term)\n", "single: rigidity\n"],
             "docs/gallery/index.md": ["**A wall**", "A wall of stones.\n", "![A wall](wall.png)"],
             "docs/decisions/index.md": ["[1. First](code/0001-first.md)", "\ncode/0001-first\n"],
             "scripts/x.md": ["# x.lua\n\nA script.\n", "```lua\nlocal m = 1\n```"],
@@ -71,14 +103,9 @@ def staged():
 
 
 def main():
-    trouble = list(staged())
-    code, out = lines_of(PAGES)
-    trouble += [f"a right tree gives {code}: {out}"] if code or out else []
-    for path, text, line in WRONG:
-        code, out = lines_of({**PAGES, path: text})
-        trouble += [f"{path} = {text!r} gives {code} and {out!r}, not {line!r}"] if code != 1 or line not in out else []
-    print("".join(line + "\n" for line in trouble), end="")
-    return 1 if trouble else 0
+    errors = [*staged(), *compared(PAGES, WRONG, check_links.main), *compared(RIGHT_PAGES, WRONG_PAGES, check_of_pages)]
+    print("".join(line + "\n" for line in errors), end="")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-// Sets the formulas of a page, marks tables of keys and terms, and adds the first sentence of each page to the results of the search.
+// Sets the formulas of a page, marks tables of keys and terms, keeps numbers and units together, and adds the first sentence of each
+// page to the results of the search.
 document.addEventListener("DOMContentLoaded", () => {
   for (const place of document.querySelectorAll(".formula")) {
     katex.render(place.textContent, place, { displayMode: place.tagName === "DIV", throwOnError: false, strict: false });
@@ -6,6 +7,10 @@ document.addEventListener("DOMContentLoaded", () => {
   for (const table of document.querySelectorAll("article table")) {
     const head = [...table.querySelectorAll("thead th")].map((cell) => cell.textContent.trim());
     if (head.length >= 4 && ["key", "argument", "field", "term"].includes(head[0])) table.classList.add("facts");
+    if (head[0] === "term") table.classList.add("terms");
+  }
+  for (const cell of document.querySelectorAll("article td")) {
+    if (/^[+-]?[\d.,]+(e[+-]?\d+)?( \S{1,6}){0,2}$/.test(cell.textContent.trim())) cell.classList.add("number");
   }
   const results = document.getElementById("search-results");
   if (!results || !window.summaries) return;

@@ -65,8 +65,8 @@ struct PushLaw {
         set_text(L, "name", p.name);
         set_text(L, "unit", p.unit);
         set_text(L, "doc", p.sentence);
-        const std::string usual = plausible_range_text(p.name, p.unit);
-        set_text(L, "range", p.range() + (usual.empty() ? "" : ", ") + usual);
+        set_text(L, "range", p.range());
+        set_text(L, "usual", plausible_range_text(p.name, p.unit));
         if (!p.required()) {
           lua_pushnumber(L, p.preset);
           lua_setfield(L, -2, "preset");
@@ -79,8 +79,8 @@ struct PushLaw {
   }
 };
 
-/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, preset } }, in six tables: contact laws,
-/// bearing direction laws, solids, fibre laws, hinge laws, and section shapes.
+/// core.laws(): by name, { doc, parameters = list of { name, unit, doc, range, usual, preset } }, in six tables:
+/// contact laws, bearing direction laws, solids, fibre laws, hinge laws, and section shapes.
 int laws(lua_State* L) {
   lua_newtable(L);
   ContactLaws::for_each(PushLaw{L});

@@ -150,7 +150,20 @@ std::string_view kind_text(const Key& key) {
   ? key.name : "list";
 }
 
-/// The keys of a builder as a page of the manual: a line each of name, kind and sentence.
+/// The allowed numbers of a key, as the manual has them at the end of a line: "  <above 0>"; "" where any is allowed.
+template <class B, class Key>
+std::string range_text(const Key& key) {
+  using Kinds = KeysOf<B>;
+  if constexpr (std::is_same_v<Key, typename Kinds::Number> || std::is_same_v<Key, typename Kinds::MaybeNumber>)
+    return key.range.least == -unbounded ? "" : fmt::format("  <{}>", key.range.text());
+  else if constexpr (std::is_same_v<Key, typename Kinds::Count>)
+    return key.least == -any_count ? ""
+           : key.most == any_count ? fmt::format("  <at least {}>", key.least)
+                                   : fmt::format("  <from {} to {}>", key.least, key.most);
+  return "";
+}
+
+/// The keys of a builder as a page of the manual: a line each of name, kind, sentence and range.
 template <DeclaresKeys B>
 std::string declared_key_lines() {
   const B usual;
@@ -165,8 +178,8 @@ std::string declared_key_lines() {
           requires { key.entry; } && !requires { key.most; })
         optional = "?";
       if constexpr (requires { key.texts; }) choices = fmt::format(": \"{}\"", fmt::join(key.texts, "\" or \""));
-      text += fmt::format("{}{}  {}{}{}{}  {}{}", text.empty() ? "" : "\n", key.name, kind_text<B>(key), unit, optional,
-                          preset_text(usual, key), key.sentence, choices);
+      text += fmt::format("{}{}  {}{}{}{}  {}{}{}", text.empty() ? "" : "\n", key.name, kind_text<B>(key), unit,
+                          optional, preset_text(usual, key), key.sentence, choices, range_text<B>(key));
     }
   });
   return text;

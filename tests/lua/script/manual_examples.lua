@@ -10,12 +10,14 @@ local function new_model(name)
   return m
 end
 
-local run = 0
+local run, scratch = 0, os.tmpname()  -- files in out/ go to the folder for temporary files
 local function run_example(name, text)
+  text = text:gsub('"out/', '"' .. scratch)
   local m = new_model(name)
   local there = setmetatable({ m = m, trilith = trilith, print = function() end }, { __index = _G })
   local good, message = pcall(assert(load(text, "=the example of " .. name, "t", there)))
-  assert(good, message)
+  local is_stock = not good and message:find "only the program can begin one"  -- a study, in the stock interpreter
+  assert(good or is_stock, message)
   m:close()
   run = run + 1
 end
@@ -27,4 +29,5 @@ for file in io.popen("ls ../../lua/manual/*.lua"):lines() do
   end
   for name, text in pairs(page.examples or {}) do run_example(name, text) end
 end
-assert(run >= 70, ("only %d examples ran"):format(run))
+os.execute(("rm -rf %s*"):format(scratch))
+assert(run >= 160, ("only %d examples ran"):format(run))
