@@ -35,7 +35,8 @@ def walk(source, top, ending):
 
 
 def pages_of(source):
-    return ["README.md", "CONTRIBUTING.md"] + [p for p in walk(source, "docs", ".md") if not p.startswith("docs/site/")]
+    top = [p for p in ("README.md", "CONTRIBUTING.md", "SECURITY.md") if os.path.exists(os.path.join(source, p))]
+    return top + [p for p in walk(source, "docs", ".md") if not p.startswith("docs/site/")]
 
 
 def navigation(source):

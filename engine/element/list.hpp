@@ -1,5 +1,5 @@
-// The kinds of bodies. A new kind is its own file of equations and a row here. docs/decisions/0022-body-kinds.md lists
-// the other places that it affects.
+// The kinds of bodies. A new kind is its own file of equations and a row here.
+// docs/decisions/bodies/0022-body-kinds.md lists the other places that it affects.
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ def paragraphs(text):
 def form_of(page, text):
     """What is wrong with the beginning and the length of a page."""
     first = paragraphs(text)[0] if paragraphs(text) else ""
-    if not page.startswith(("docs/decisions/0", "docs/reference/")) and not BEGINS.match(first):
+    if not re.match(r"docs/(decisions/.*\d{4}-|reference/)", page) and not BEGINS.match(first):
         yield f"{page}: begins with '{first[:50]}'; begin with what the reader can do after it: 'After this page you can ...'"
     if WITH_EXAMPLE.match(page) and page not in WITHOUT_EXAMPLE:
         beginning = re.split(r"^## ", text, flags=re.M)[:2]
