@@ -48,6 +48,7 @@ function console.entry_text(entry)
     add_keys(lines, entry.with)
   end
   if entry.gives then lines[#lines + 1] = "  gives: " .. entry.gives end
+  if entry.example then lines[#lines + 1] = "  example:\n    " .. entry.example:gsub("\n", "\n    ") end
   if entry.also then lines[#lines + 1] = "  search words: " .. entry.also end
   return table.concat(lines, "\n")
 end

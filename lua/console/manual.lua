@@ -133,7 +133,7 @@ end
 
 --- Tables that calls return: their fields are rows of a page.
 local function add_tables(manual, page)
-  for _, name in ipairs { "report", "pushover report", "energy", "event", "findings", "part" } do
+  for _, name in ipairs { "report", "pushover report", "bilinear", "energy", "event", "findings", "part" } do
     for _, key in ipairs(read_keys(page.tables[name])) do
       manual.add { name = name .. "." .. key.name, owner = name, member = key.name, doc = key.doc, unit = key.unit,
         type = key.type, optional = key.optional, is_field = true, is_row = true, args = {}, keys = {}, with = {},
@@ -199,8 +199,10 @@ end
 
 --- The table of functions for an owner of entries: the module or a table in it; nil for kinds of handles.
 function console.table_of(owner)
+  if owner == "trilith" then return core.module end
   local inner = owner:match "^trilith%.(%w+)$"
-  return owner == "trilith" and core.module or inner and rawget(core.module, inner) or nil
+  local member = inner and rawget(core.module, inner)
+  return type(member) == "table" and member or nil
 end
 
 --- The name of a kind of handle in declarations: "set" for "set of bodies".

@@ -7,7 +7,7 @@ local class_of = {
   ["contact law"] = "trilith.contact_law", ["direction law"] = "trilith.direction_law",
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
   section = "trilith.section", report = "trilith.report", ["pushover report"] = "trilith.pushover_report",
-  energy = "trilith.energy",
+  energy = "trilith.energy", bilinear = "trilith.bilinear_curve",
   findings = "trilith.findings",
   event = "trilith.event", part = "trilith.part", space = "trilith.space_model",
 }
@@ -113,7 +113,7 @@ end
 function console.meta_text()
   local manual = console.manual()
   local lines = { "---@meta trilith", "-- Made by trilith manual --meta; see docs/editor.md.", "" }
-  for _, owner in ipairs { "report", "pushover report", "energy", "findings", "event", "part",
+  for _, owner in ipairs { "report", "pushover report", "bilinear", "energy", "findings", "event", "part",
     "direction law", "solid law", "fibre law",
     "hinge law", "section", "model", "space",
     "body", "set",

@@ -4,24 +4,7 @@ local model_methods = core.members "model"
 
 local what_is = core.what_is
 
-local function check_keys(owner, options, known)
-  if type(options) ~= "table" then
-    core.fail(("%s: takes a table { %s = , ... }; this is %s"):format(owner, known[1], what_is(options)))
-  end
-  local is_known, unknown = {}, nil
-  for _, key in ipairs(known) do is_known[key] = true end
-  for key in pairs(options) do
-    if not is_known[key] and (not unknown or tostring(key) < unknown) then unknown = tostring(key) end
-  end
-  if unknown then core.fail(("%s: unknown key '%s'%s"):format(owner, unknown, core.hint(unknown, known))) end
-end
-
-local function positive(owner, key, value, unit)
-  if type(value) ~= "number" or not (value > 0 and value < math.huge) then
-    core.fail(("%s: '%s' is %s, must be a number above 0%s"):format(owner, key, what_is(value), unit))
-  end
-  return value
-end
+local check_keys, positive = core.check_keys, core.positive
 
 --- Two numbers above 0.
 local function pair(owner, options, key, unit)

@@ -69,6 +69,16 @@ material      text?         default material
 abutment      table?        default keys of both abutments; back_wall_height counts from the underside of the deck
 pier          table?        default keys of all piers
 span          table?        default keys of all spans]], gives = "table" },
+  { "trilith.dxf", "Closed outlines of an ASCII DXF drawing as parts for m:add. Outlines are closed polylines, and "
+    .. "lines and open polylines of a layer whose ends meet. A part has its layer as name and group; blanks become "
+    .. "underscores. The fields open and skipped count open chains and entities of other types.",
+    also = "CAD, AutoCAD, drawing, facade, import", keys = [[
+file          text           path, from the current folder or from the folder of the script
+unit          text?          "mm", "cm", "dm", "m", "in" or "ft"; default: $INSUNITS of the file
+layers        names?         layers to read; default all
+origin        point = {0, 0}  point of the drawing that becomes the origin, in m
+arc_segments  number = 4     chords per quarter circle of an arc
+tolerance     number m = 0.0001  largest distance of ends that meet]], gives = "part[]" },
   examples = {
     ["model:ground"] = [[
 m:ground { name = "valley", surface = { { 10, 0 }, { 20, -6 }, { 30, 0 } }, base_level = -10, material = "stone",

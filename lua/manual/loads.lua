@@ -65,4 +65,28 @@ safety        number = 0.5     control "time": share of the longest stable step 
     gives = "pushover report", example = 'm:consolidate { rest = { ratio = 1e-4 } }\n'
       .. 'local p = m:pushover { body = "block", rate = 0.01, displacement = 1e-3 }\n'
       .. 'print(p.peak_force, p.displacement_at_peak, #p.curve.t)' },
+  { "trilith.bilinear", "Bilinear idealisation of a capacity curve by code, with the displacements of the limit "
+    .. "states, and the target displacement under a spectrum. Code eurocode8 (EN 1998-1 annex B) takes the peak "
+    .. "force as yield force, with equal areas up to the peak. Code ntc2018 takes the secant stiffness at a share of "
+    .. "the peak, with equal areas up to the drop.",
+    also = "capacity curve, N2 method, idealised curve, performance point, ductility, limit states", keys = [[
+curve          table         report of m:pushover, or its curve
+code           text = "eurocode8"  "eurocode8" or "ntc2018"
+drop           number = 0.2  ultimate displacement: the force has fallen by this share of its peak; ntc2018: 0.15
+elastic        number = 0.6  ntc2018: share of the peak force for the stiffness
+mass           number kg?    mass of the equivalent oscillator, for the period
+participation  number = 1    participation factor of the oscillator
+spectrum       table?        demand from trilith.spectrum, for the target displacement]], gives = "bilinear",
+    example = 'local curve = { displacement = { 0.01, 0.02, 0.06 }, force = { 8e4, 1e5, 1e5 } }\n'
+      .. 'print(trilith.bilinear { curve = curve, code = "ntc2018" }.ductility)' },
+  { "trilith.drift_limit", "Drift limit of a masonry wall in its plane as a share of its height, by EN 1998-3 "
+    .. "annex C. At significant damage it is 0.004 in shear and 0.008 height/depth in flexure. Secondary walls have "
+    .. "0.006 and 0.012. At near collapse it is 4/3 of this.",
+    keys = [[
+mode       text          failure mode: "flexure" or "shear"
+state      text = "significant damage"  limit state: "significant damage" or "near collapse"
+secondary  flag = false  a secondary wall
+height     number m?     flexure: distance from the section to the point of contraflexure
+depth      number m?     flexure: length of the wall in its plane]], gives = "number",
+    example = 'print(trilith.drift_limit { mode = "flexure", height = 2.5, depth = 1.5 })' },
 }

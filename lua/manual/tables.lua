@@ -32,6 +32,23 @@ carried_at_peak       number N   part of the peak force that the structure carri
 quasi_static          flag       false where inertia and damping exceed 5 % of the peak force
 limits                list?      control "arc": limit points of the path, { force = , displacement = , highest = }
 happened              list?      control "arc": sentences on yielding and failures along the path]],
+    bilinear = [[
+code                   text      "eurocode8" or "ntc2018"
+yield_force            number N  force of the horizontal branch
+yield_displacement     number m  displacement at the corner
+stiffness              number N/m  of the elastic branch
+ultimate_displacement  number m  where the force has fallen by the drop; else the end of the curve
+reached_drop           flag      false where the curve ends before the drop
+ductility              number    ultimate_displacement over yield_displacement
+peak_force             number N  largest force of the curve
+displacement_at_peak   number m  its displacement
+energy                 number J  area of the curve up to the ultimate displacement
+damage_limitation      number m  EN 1998-3: the yield displacement
+significant_damage     number m  EN 1998-3: 3/4 of the ultimate displacement
+near_collapse          number m  EN 1998-3: the ultimate displacement
+period                 number s?  of the oscillator; with mass
+target                 number m?  displacement under the spectrum, EN 1998-1 annex B.5; with mass and spectrum
+demand_to_capacity     number?   target over ultimate_displacement]],
     energy = [[
 kinetic           number J  kinetic energy
 gravity           number J  potential energy of the weight, from the start

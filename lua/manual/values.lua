@@ -62,6 +62,26 @@ spectrum  list           { { period, acceleration [m/s2] }, ... }
 from      number s?      ignore shorter periods
 to        number s?      ignore longer periods
 damping_ratio  number = 0.05  damping ratio of the spectrum  <at least 0, below 1>]], gives = "motion" },
+  { "trilith.spectrum", "An elastic design spectrum by code name. Returns a list of points { period [s], "
+    .. "acceleration [m/s2] } for motion:match, with the fields S, TB, TC, TD (asce7: SDS, SD1) and the function "
+    .. "at(period). Code eurocode8 (EN 1998-1) takes type, ground and ag. Code asce7 (ASCE 7-16) takes SDS and SD1, "
+    .. "or Ss, S1 and ground A to D. Code ntc2018 takes ground, ag, F0 and TC_star.",
+    also = "response spectrum, Eurocode 8, ASCE 7, NTC 2018, code spectrum", keys = [[
+code           text            "eurocode8", "asce7" or "ntc2018"
+type           number = 1      eurocode8: 1 for surface-wave magnitudes above 5.5, or 2
+ground         text?           ground type or site class: "A", "B", "C", "D" or "E"
+ag             number m/s2?    eurocode8, ntc2018: peak acceleration on rock
+F0             number?         ntc2018: amplification of the spectrum on rock
+TC_star        number s?       ntc2018: start of the branch of constant velocity on rock
+topography     number = 1      ntc2018: topographic factor
+Ss             number?         asce7: mapped acceleration at short periods, as a share of g
+S1             number?         asce7: mapped acceleration at 1 s, as a share of g
+SDS            number?         asce7: design acceleration at short periods, instead of Ss, as a share of g
+SD1            number?         asce7: design acceleration at 1 s, instead of S1, as a share of g
+TL             number s = 8    asce7: long-period transition
+damping_ratio  number = 0.05   eurocode8, ntc2018: damping ratio
+periods        numbers?        periods of the points, in s; default 60 from 0.02 s to 4 s and the corners]],
+    gives = "list" },
   { "motion:baseline", "Baseline correction: subtracts the polynomial that fits the acceleration best.",
     args = "degree  integer  0 to 10", gives = "motion" },
   { "motion:filter", "Butterworth filter, forward and backward: no phase shift, -3 dB at the corner frequencies.",
@@ -127,6 +147,10 @@ print(trilith.version)]],
     ["trilith.rayleigh"] = [[
 local damping = trilith.rayleigh { ratios = { 0.05, 0.05 }, frequencies = { 1, 10 } }
 print(damping.mass_damping, damping.beta)]],
+    ["trilith.spectrum"] = [[
+local target = trilith.spectrum { code = "eurocode8", type = 1, ground = "C", ag = 2.5 }
+local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
+print(target.at(0.5), pulse:match { spectrum = target, from = 0.2, to = 2 }.pga)]],
     ["trilith.motion"] = [[
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
 print(pulse.pga)]],

@@ -72,7 +72,7 @@ refused("there is no stiffness 'mortar.kx'; it may vary mortar.kn, mortar.ks", m
   { frequency = 20, vary = "mortar.kx" })
 refused("never 200 Hz", m.calibrate, m, { frequency = 200, vary = "mortar.kn", between = { 1e8, 1e10 } })
 refused("it would have to be softer", m.calibrate, m, { frequency = 1, vary = "mortar.kn", between = { 1e9, 1e10 } })
-refused("'frequency' is nil", m.calibrate, m, { vary = "mortar.kn" })
+refused("'frequency' is missing", m.calibrate, m, { vary = "mortar.kn" })
 refused("'vary' is missing", m.calibrate, m, { frequency = 20 })
 refused("unknown key 'varies'", m.calibrate, m, { frequency = 20, varies = "mortar.kn" })
 refused("there are 3 modes, none is number 4", m.calibrate, m, { frequency = 20, vary = "mortar.kn", mode = 4 })

@@ -1,0 +1,345 @@
+-- trilith.dxf{...}: closed outlines of a DXF drawing as parts for m:add, with their layers as groups.
+local trilith, core = ...
+
+local owner = "dxf"
+local units = { [1] = 0.0254, [2] = 0.3048, [4] = 1e-3, [5] = 1e-2, [6] = 1, [14] = 0.1 } -- $INSUNITS to m
+local unit_names = { mm = 1e-3, cm = 1e-2, dm = 0.1, m = 1, ["in"] = 0.0254, ft = 0.3048 }
+-- Entities without geometry of their own.
+local silent_types = { VERTEX = true, SEQEND = true, ENDSEC = true, TEXT = true, MTEXT = true, DIMENSION = true,
+  POINT = true, LEADER = true, MULTILEADER = true, VIEWPORT = true, ATTDEF = true }
+
+--- Folder of the running script, with a final slash; "" if it is unknown.
+local function script_folder()
+  for level = 2, 20 do
+    local info = debug.getinfo(level, "S")
+    if not info then break end
+    local folder = info.source:match "^@(.*/)"
+    if folder then return folder end
+  end
+  return ""
+end
+
+--- A file in the current folder or in the folder of the script. `io` is the script's own one, whose paths are limited.
+local function open_drawing(path)
+  local open = rawget(_G, "io").open
+  local file, why = open(path, "rb")
+  if not file and path:sub(1, 1) ~= "/" and script_folder() ~= "" then file = open(script_folder() .. path, "rb") end
+  if not file then core.fail(("%s: cannot read '%s': %s"):format(owner, path, tostring(why))) end
+  return file
+end
+
+--- All groups of the file: codes and values, in turn.
+local function read_groups(path)
+  local file = open_drawing(path)
+  local text = file:read "a"
+  file:close()
+  if text:find("^AutoCAD Binary DXF") then
+    core.fail(("%s: '%s' is a binary DXF file; save it as ASCII DXF"):format(owner, path))
+  end
+  local codes, values, line = {}, {}, 0
+  for row in (text:gsub("\r\n?", "\n") .. "\n"):gmatch "(.-)\n" do
+    line = line + 1
+    local content = row:match "^%s*(.-)%s*$"
+    if line % 2 == 1 then
+      if content == "" then break end
+      local code = tonumber(content)
+      if not code then
+        core.fail(("%s: '%s', line %d: '%s' is not a group code; the file is not an ASCII DXF file, or it is damaged")
+          :format(owner, path, line, content:sub(1, 40)))
+      end
+      codes[#codes + 1] = code
+    else
+      values[#values + 1] = content
+    end
+    if line > 2e7 then core.fail(("%s: '%s' has more than 20,000,000 lines"):format(owner, path)) end
+  end
+  if #codes ~= #values or #codes < 2 then
+    core.fail(("%s: '%s' ends within a group; the file is not an ASCII DXF file, or it is cut off"):format(owner, path))
+  end
+  return codes, values
+end
+
+local function number_of(path, code, value)
+  local number = tonumber(value)
+  if not number or number ~= number or math.abs(number) == math.huge then
+    core.fail(("%s: '%s': group %d has the value '%s', must be a number"):format(owner, path, code, value))
+  end
+  return number
+end
+
+--- Entities of the section ENTITIES as { type, layer, groups = { {code, value}, ... } }, and the unit of the header.
+local function read_entities(path)
+  local codes, values = read_groups(path)
+  local entities, section, entity, unit
+  entities = {}
+  for i, code in ipairs(codes) do
+    local value = values[i]
+    if code == 0 and value == "SECTION" then
+      section = codes[i + 1] == 2 and values[i + 1] or nil
+    elseif code == 0 and value == "ENDSEC" then
+      section, entity = nil, nil
+    elseif section == "HEADER" and code == 9 and value == "$INSUNITS" and codes[i + 1] == 70 then
+      unit = units[tonumber(values[i + 1])]
+    elseif section == "ENTITIES" and code == 0 then
+      entity = { type = value, layer = "0", groups = {} }
+      entities[#entities + 1] = entity
+    elseif section == "ENTITIES" and entity then
+      if code == 8 then entity.layer = value else entity.groups[#entity.groups + 1] = { code, value } end
+    end
+  end
+  return entities, unit
+end
+
+--- Value of the first group `code` of an entity.
+local function group_of(path, entity, code, preset)
+  for _, group in ipairs(entity.groups) do
+    if group[1] == code then return number_of(path, code, group[2]) end
+  end
+  return preset
+end
+
+--- Points along the arc from a to b with the bulge tan(angle/4), without a and with b.
+local function add_side(points, a, b, bulge, steps)
+  if bulge ~= 0 and (a[1] ~= b[1] or a[2] ~= b[2]) then
+    local angle = 4*trilith.math.atan(bulge)
+    local count = math.max(1, math.ceil(math.abs(angle)/(math.pi/2)*steps))
+    -- The centre lies on the perpendicular bisector of the chord.
+    local away = (1 - bulge^2)/(4*bulge)
+    local cx = (a[1] + b[1])/2 - (b[2] - a[2])*away
+    local cy = (a[2] + b[2])/2 + (b[1] - a[1])*away
+    for k = 1, count - 1 do
+      local c, s = trilith.math.cos(angle*k/count), trilith.math.sin(angle*k/count)
+      local x, y = a[1] - cx, a[2] - cy
+      points[#points + 1] = { cx + c*x - s*y, cy + s*x + c*y }
+    end
+  end
+  points[#points + 1] = { b[1], b[2] }
+end
+
+--- The points of corners { x, y, bulge }, with arcs as chords. Closed: the first point is not repeated.
+local function flattened(corners, closed, steps)
+  local points = { { corners[1][1], corners[1][2] } }
+  for i = 2, #corners do add_side(points, corners[i - 1], corners[i], corners[i - 1].bulge, steps) end
+  if closed then
+    add_side(points, corners[#corners], corners[1], corners[#corners].bulge, steps)
+    points[#points] = nil
+  end
+  return points
+end
+
+local function corners_of_lwpolyline(path, entity)
+  local corners = {}
+  for _, group in ipairs(entity.groups) do
+    local code = group[1]
+    if code == 10 then
+      corners[#corners + 1] = { number_of(path, code, group[2]), 0, bulge = 0 }
+    elseif #corners > 0 and code == 20 then
+      corners[#corners][2] = number_of(path, code, group[2])
+    elseif #corners > 0 and code == 42 then
+      corners[#corners].bulge = number_of(path, code, group[2])
+    end
+  end
+  return corners
+end
+
+--- Vertices that follow a POLYLINE, up to SEQEND.
+local function corners_of_polyline(path, entities, first)
+  local corners = {}
+  for i = first + 1, #entities do
+    local entity = entities[i]
+    if entity.type ~= "VERTEX" then break end
+    corners[#corners + 1] = { group_of(path, entity, 10, 0), group_of(path, entity, 20, 0),
+      bulge = group_of(path, entity, 42, 0) }
+  end
+  return corners
+end
+
+--- Chains of points { layer, closed, points } of the drawing, and numbers of skipped entities by type.
+local function read_chains(path, entities, steps)
+  local chains, skipped = {}, {}
+  for i, entity in ipairs(entities) do
+    local corners
+    local closed = math.tointeger(group_of(path, entity, 70, 0)//1) & 1 == 1
+    if entity.type == "LINE" then
+      corners = { { group_of(path, entity, 10, 0), group_of(path, entity, 20, 0), bulge = 0 },
+        { group_of(path, entity, 11, 0), group_of(path, entity, 21, 0), bulge = 0 } }
+      closed = false
+    elseif entity.type == "LWPOLYLINE" then
+      corners = corners_of_lwpolyline(path, entity)
+    elseif entity.type == "POLYLINE" then
+      corners = corners_of_polyline(path, entities, i)
+    elseif not silent_types[entity.type] then
+      skipped[entity.type] = (skipped[entity.type] or 0) + 1
+    end
+    if corners and #corners > 1 then
+      chains[#chains + 1] = { layer = entity.layer, closed = closed, points = flattened(corners, closed, steps) }
+    end
+  end
+  return chains, skipped
+end
+
+local function reversed(points)
+  local out = {}
+  for i = #points, 1, -1 do out[#out + 1] = points[i] end
+  return out
+end
+
+--- Joins open chains of a layer whose ends meet. Ends are compared on a grid of the tolerance, and in its neighbours.
+local function join(chains, tolerance)
+  local ends = {}
+  local function cell(p, dx, dy)
+    return ("%d,%d"):format(math.floor(p[1]/tolerance + 0.5) + dx, math.floor(p[2]/tolerance + 0.5) + dy)
+  end
+  local function add(chain, p)
+    local key = cell(p, 0, 0)
+    ends[key] = ends[key] or {}
+    table.insert(ends[key], chain)
+  end
+  for _, chain in ipairs(chains) do add(chain, chain.points[1]) add(chain, chain.points[#chain.points]) end
+  local function next_at(p)
+    for dx = -1, 1 do
+      for dy = -1, 1 do
+        for _, chain in ipairs(ends[cell(p, dx, dy)] or {}) do
+          if not chain.used then
+            local a, b = chain.points[1], chain.points[#chain.points]
+            if math.max(math.abs(a[1] - p[1]), math.abs(a[2] - p[2])) <= tolerance then return chain, chain.points end
+            if math.max(math.abs(b[1] - p[1]), math.abs(b[2] - p[2])) <= tolerance then
+              return chain, reversed(chain.points)
+            end
+          end
+        end
+      end
+    end
+    return nil
+  end
+  local loops, open = {}, 0
+  for _, start in ipairs(chains) do
+    if not start.used then
+      start.used = true
+      local points = table.move(start.points, 1, #start.points, 1, {})
+      for _ = 1, 2 do -- from its end, then from its begin
+        local chain, more = next_at(points[#points])
+        while chain do
+          chain.used = true
+          table.move(more, 2, #more, #points + 1, points)
+          chain, more = next_at(points[#points])
+        end
+        points = reversed(points)
+      end
+      local a, b = points[1], points[#points]
+      if #points > 3 and math.max(math.abs(a[1] - b[1]), math.abs(a[2] - b[2])) <= tolerance then
+        points[#points] = nil
+        loops[#loops + 1] = { layer = start.layer, points = points }
+      else
+        open = open + 1
+      end
+    end
+  end
+  return loops, open
+end
+
+--- Without points that repeat their predecessor within the tolerance.
+local function cleaned(points, tolerance)
+  local out = {}
+  for _, p in ipairs(points) do
+    local last = out[#out]
+    if not last or math.max(math.abs(last[1] - p[1]), math.abs(last[2] - p[2])) > tolerance then out[#out + 1] = p end
+  end
+  while #out > 1 and math.max(math.abs(out[1][1] - out[#out][1]), math.abs(out[1][2] - out[#out][2])) <= tolerance do
+    out[#out] = nil
+  end
+  return out
+end
+
+--- Loops of the drawing in the order of their layers in the file, and the number of open chains.
+local function loops_of(chains, wanted, tolerance)
+  local loops, open_by_layer, layers, open = {}, {}, {}, 0
+  for _, chain in ipairs(chains) do
+    if not wanted or wanted[chain.layer] then
+      if chain.closed then
+        loops[#loops + 1] = chain
+      else
+        if not open_by_layer[chain.layer] then
+          open_by_layer[chain.layer], layers[#layers + 1] = {}, chain.layer
+        end
+        table.insert(open_by_layer[chain.layer], chain)
+      end
+    end
+  end
+  for _, layer in ipairs(layers) do
+    local joined, left = join(open_by_layer[layer], tolerance)
+    table.move(joined, 1, #joined, #loops + 1, loops)
+    open = open + left
+  end
+  return loops, open
+end
+
+local function scale_of(options, unit, path)
+  if options.unit == nil then
+    if unit then return unit end
+    core.fail(("%s: '%s' names no unit of length; give unit = \"mm\", \"cm\", \"m\", \"in\" or \"ft\""):format(owner,
+      path))
+  end
+  return unit_names[core.one_of(owner, "unit", options.unit, { "mm", "cm", "dm", "m", "in", "ft" })]
+end
+
+local function wanted_layers(options, chains)
+  if options.layers == nil then return nil end
+  local given = type(options.layers) == "string" and { options.layers } or options.layers
+  if type(given) ~= "table" then
+    core.fail(("%s: 'layers' is %s, must be a name or a list of names"):format(owner, core.what_is(given)))
+  end
+  local known, names, wanted = {}, {}, {}
+  for _, chain in ipairs(chains) do
+    if not known[chain.layer] then known[chain.layer], names[#names + 1] = true, chain.layer end
+  end
+  for _, layer in ipairs(given) do
+    if not known[layer] then
+      core.fail(("%s: there is no layer '%s' with lines%s"):format(owner, tostring(layer),
+        core.hint(tostring(layer), names)))
+    end
+    wanted[layer] = true
+  end
+  return wanted
+end
+
+local function list_text(skipped)
+  local names = {}
+  for name, count in pairs(skipped) do names[#names + 1] = ("%d %s"):format(count, name) end
+  table.sort(names)
+  return table.concat(names, ", ")
+end
+
+function trilith.dxf(options)
+  core.check_keys(owner, options, { "file", "unit", "layers", "origin", "arc_segments", "tolerance" })
+  if type(options.file) ~= "string" then
+    core.fail(("%s: 'file' is %s, must be the path of a DXF file"):format(owner,
+      options.file == nil and "missing" or core.what_is(options.file)))
+  end
+  local steps = options.arc_segments == nil and 4 or core.positive(owner, "arc_segments", options.arc_segments, "")
+  local tolerance = options.tolerance == nil and 1e-4 or core.positive(owner, "tolerance", options.tolerance, " m")
+  local origin = options.origin or { 0, 0 }
+  if type(origin) ~= "table" or type(origin[1]) ~= "number" or type(origin[2]) ~= "number" then
+    core.fail(("%s: 'origin' is %s, must be a point {x, y} of the drawing, in m"):format(owner, core.what_is(origin)))
+  end
+  local entities, unit = read_entities(options.file)
+  local chains, skipped = read_chains(options.file, entities, steps)
+  local scale = scale_of(options, unit, options.file)
+  local loops, open = loops_of(chains, wanted_layers(options, chains), tolerance/scale)
+  local parts, count = {}, {}
+  for _, loop in ipairs(loops) do
+    local points = cleaned(loop.points, tolerance/scale)
+    if #points >= 3 then
+      local layer = loop.layer:gsub("%s+", "_")
+      count[layer] = (count[layer] or 0) + 1
+      local outline = {}
+      for i, p in ipairs(points) do outline[i] = { p[1]*scale - origin[1], p[2]*scale - origin[2] } end
+      parts[#parts + 1] = { name = ("%s.%d"):format(layer, count[layer]), outline = outline, groups = { layer } }
+    end
+  end
+  if #parts == 0 then
+    core.fail(("%s: '%s' has no closed outline%s; draw each stone as a closed polyline, or give a larger 'tolerance'")
+      :format(owner, options.file, next(skipped) and " (not read: " .. list_text(skipped) .. ")" or ""))
+  end
+  return setmetatable(parts, { __index = { open = open, skipped = list_text(skipped), unit = scale } })
+end
