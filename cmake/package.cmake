@@ -1,4 +1,4 @@
-# `cpack` makes one Debian package of program, Lua module, C++ package, manual page, completion, examples and pages.
+# `cpack` makes one Debian package of program, Lua module, Python module, C++ package, manual page, completion, examples and pages.
 # It is made from a build of `all` (./dev package), in one piece. Debian's lua5.4 looks for modules in /usr/lib/lua/5.4.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME trilith)
@@ -19,7 +19,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS lua5.4)
-# Packages needed to compile against the C++ package.
+# Packages needed to compile against the C++ package, for films, and for the Python module.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, libtbb-dev, bash-completion, python3-h5py")
+  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, libtbb-dev, bash-completion, ffmpeg, python3-h5py, python3-pandas, python3-matplotlib")
 include(CPack)
