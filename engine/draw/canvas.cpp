@@ -119,11 +119,12 @@ struct Canvas::Content {
   std::vector<std::function<void(cairo_t*)>> acts;
   std::vector<PageBox> texts;
 
-  void play(cairo_surface_t* surface, double scale) const {
+  void play(cairo_surface_t* surface, double scale, double from_left = 0, double from_top = 0) const {
     const Context context(cairo_create(surface));
-    cairo_scale(context.get(), scale, scale);
     set_source(context.get(), palette().paper);
     cairo_paint(context.get());
+    cairo_translate(context.get(), from_left, from_top);
+    cairo_scale(context.get(), scale, scale);
     for (const auto& act : acts) act(context.get());
     if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS)
       throw std::runtime_error(fmt::format("drawing failed: {}", cairo_status_to_string(cairo_status(context.get()))));
@@ -324,6 +325,21 @@ std::string Canvas::bytes(PictureFormat format, double pixels_per_inch) const {
                                                    static_cast<int>(std::ceil(height_ * scale))));
   content_->play(surface.get(), scale);
   cairo_surface_write_to_png_stream(surface.get(), append, &out);
+  return out;
+}
+
+std::string Canvas::pixels(int columns, int rows) const {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows));
+  const double scale = std::min(columns / width_, rows / height_);
+  content_->play(surface.get(), scale, (columns - scale * width_) / 2, (rows - scale * height_) / 2);
+  cairo_surface_flush(surface.get());
+  const unsigned char* data = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  std::string out;
+  out.reserve(4 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int row = 0; row < rows; ++row)  // a pixel is a 32-bit word; on little-endian machines its first byte is blue
+    out.append(reinterpret_cast<const char*>(data) + static_cast<std::ptrdiff_t>(row) * stride,
+               4 * static_cast<std::size_t>(columns));
   return out;
 }
 

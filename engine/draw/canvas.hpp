@@ -97,6 +97,10 @@ class Canvas {
   /// The finished file's bytes: the same drawing gives the same bytes. `pixels_per_inch` (36 to 1200) is for PNG only.
   std::string bytes(PictureFormat format, double pixels_per_inch = 220) const;
 
+  /// The page as a film frame of `columns` x `rows` pixels, both at least 1, scaled to fit, centred, on paper: rows
+  /// from the top, 4 bytes per pixel: blue, green, red, unused.
+  std::string pixels(int columns, int rows) const;
+
   /// Writes the file in the format of its extension, completely or not at all. Throws InputError with the system's
   /// message if it cannot be written.
   void save(const std::filesystem::path& path, double pixels_per_inch = 220) const;

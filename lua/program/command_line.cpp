@@ -52,6 +52,18 @@ std::string failure_text(const CLI::App* app, const CLI::Error& error) {
          fmt::format("\nRun trilith {}--help for more information.\n", verb);
 }
 
+/// `trilith help`, `trilith help draw`, and `trilith help trilith.wall`, which is a page of the manual.
+std::vector<std::string> words_of_help(const CLI::App& app, std::vector<std::string> words) {
+  const bool is_verb = !words.empty() && std::ranges::any_of(listed_verbs(app), [&](const CLI::App* verb) {
+    return verb->get_name() == words[0];
+  });
+  if (words.empty() || is_verb)
+    words.emplace_back("--help");
+  else
+    words.insert(words.begin(), "manual");
+  return words;
+}
+
 }  // namespace
 
 void describe_command_line(CLI::App& app, int& code) {
@@ -70,11 +82,13 @@ void describe_command_line(CLI::App& app, int& code) {
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);
+  add_new(app, code);
   add_run(app, code);
   add_resume(app, code);
   add_study(app, code);
   add_verify(app, code);
   add_draw(app, code);
+  add_movie(app, code);
   add_plot(app, code);
   add_view(app, code);
   add_report(app, code);
@@ -93,6 +107,7 @@ std::vector<const CLI::App*> listed_verbs(const CLI::App& app) {
 
 std::vector<std::string> words_with_verb(const CLI::App& app, std::vector<std::string> words) {
   if (words.empty()) return {console_verb};
+  if (words[0] == "help") words = words_of_help(app, {words.begin() + 1, words.end()});
   if (words[0] == "-i" || words[0] == "--interactive") words[0] = console_verb;
   const std::string& first = words[0];
   const bool is_option = first.starts_with("-");

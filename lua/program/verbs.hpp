@@ -21,6 +21,8 @@ void add_resume(CLI::App& app, int& code);
 void add_study(CLI::App& app, int& code);
 void add_verify(CLI::App& app, int& code);
 void add_draw(CLI::App& app, int& code);
+void add_movie(CLI::App& app, int& code);
+void add_new(CLI::App& app, int& code);
 void add_plot(CLI::App& app, int& code);
 void add_manual(CLI::App& app, int& code);
 void add_motion(CLI::App& app, int& code);

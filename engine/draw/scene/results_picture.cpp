@@ -360,16 +360,27 @@ Scene results_scene(const ResultsReader& reader, double time, const SceneChoice&
   return results_scenes(reader, {time}, choice)[0];
 }
 
+std::optional<SpaceBox> box_of_free_bodies(const ResultsReader& reader, const std::vector<double>& times) {
+  std::optional<SpaceBox> box;
+  if (reader.header().dim < 3) return box;
+  for (const double time : times) {
+    const Frame frame = frame_for(reader, time, false);
+    box = joined(box,
+                 box_of_free(reader.header(), results::Placement(reader.header(), frame), left_bodies(reader, time)));
+  }
+  return box;
+}
+
 std::vector<Scene> results_scenes(const ResultsReader& reader, const std::vector<double>& times,
                                   const SceneChoice& choice) {
   check_choice(reader, choice);
   std::vector<Moment> moments;
   const Header& header = reader.header();
-  SharedSpace shared;
+  SharedSpace shared{choice.around, {}};
   if (header.dim == 3 && choice.cracks) shared.joints = solid_joints(header);
   for (const double time : times) {
     moments.push_back(moment_at(reader, time, choice));
-    if (header.dim < 3) continue;
+    if (header.dim < 3 || choice.around) continue;
     const results::Placement at(header, moments.back().frame);
     shared.around = joined(shared.around, box_of_free(header, at, moments.back().left));
   }

@@ -9,6 +9,7 @@
 #include "draw/chart/energy_chart.hpp"
 #include "draw/scene/scene_picture.hpp"
 #include "draw/scene/solid_piece.hpp"
+#include "draw/scene/trimmed_ground.hpp"
 #include "draw/scene/view_direction.hpp"
 #include "results/file/time_origin.hpp"
 #include "results/reading/reader.hpp"
@@ -26,8 +27,13 @@ struct SceneChoice {
   std::string colour = {};          ///< bodies coloured by one of colour_names(); "" means "group"
   ViewDirection from = {};          ///< of a model in space: view direction
   results::TimeOrigin origin = {};  ///< origin of the times in the caption
-  std::optional<CutPlane> cut = std::nullopt;  ///< of a model in space: the part on the eye's side is omitted
+  std::optional<CutPlane> cut = std::nullopt;     ///< of a model in space: the part on the eye's side is omitted
+  std::optional<SpaceBox> around = std::nullopt;  ///< of a model in space: the ground is cut off around this AABB;
+                                                  ///< none: around the free bodies of the figure
 };
+
+/// AABB of the free bodies in the frames at `times` [s]; none in the plane.
+std::optional<SpaceBox> box_of_free_bodies(const results::ResultsReader& reader, const std::vector<double>& times);
 
 /// Role of a body in a picture, by BodyRow::support.
 BodyRole role_of(const std::string& support);

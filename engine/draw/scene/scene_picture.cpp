@@ -161,6 +161,65 @@ Canvas scene_canvas(const std::vector<Scene>& scenes, int columns, const Picture
   return canvas;
 }
 
+namespace {
+
+/// Common data of the pictures of a series.
+struct SeriesPage {
+  PictureStyle style;
+  SceneView view;
+  Layout layout;
+  double head = 0, legend_tall = 0;
+  TextStyle legend_style;
+  std::vector<LegendItem> legend;
+};
+
+constexpr double usual_height = 430;  // [pt]
+
+/// The first line of `text`, marked where it continues.
+std::vector<std::string> first_line(const std::string& text, const TextStyle& style, double width) {
+  std::vector<std::string> lines = wrap_text(text, style, width - style.size);
+  if (lines.size() > 1) lines = {lines[0] + " …"};
+  return lines;
+}
+
+SeriesPage series_page(const std::vector<Scene>& samples, const PictureStyle& style) {
+  SeriesPage page{style, scene_view(samples, style), {}, 0, 0, {style.font_size - 0.5}, {}};
+  if (style.height == 0) page.style.height = usual_height;
+  page.head = 1.3 * title_style(style, true).size + 1.35 * style.font_size + head_gap;
+  const bool labels = std::ranges::any_of(samples, [&](const Scene& s) { return has_labels(s, style); });
+  const double inner = style.width - 2 * page_margin;
+  PictureStyle fitted = page.style;
+  for (int pass = 0; pass < 3; ++pass) {  // the legend contains the scale bar, so its height depends on the scale
+    page.layout = {};
+    fit_scale(page.layout, page.view, labels, fitted);
+    page.legend = scene_legend(samples, page.view, page.layout.scale, style);
+    page.legend_tall = legend_height(page.legend, page.legend_style, inner);
+    const double excess = 2 * page_margin + legend_gap + page.legend_tall + page.head + page.layout.plot_height;
+    if (excess <= page.style.height) break;
+    fitted.height = std::max(100.0, fitted.height - (excess - page.style.height));
+  }
+  page.layout.panel_width = inner;
+  page.view.axes = corner_for_axes(samples, panel_page(page.layout, {0, 0}));
+  return page;
+}
+
+Canvas series_picture(const SeriesPage& page, const Scene& scene) {
+  const double width = page.layout.panel_width;
+  Canvas canvas(page.style.width, page.style.height);
+  const Head head{first_line(scene.title, title_style(page.style, true), width),
+                  first_line(subtitle(scene), subtitle_style(page.style), width)};
+  draw_head(canvas, head, {page_margin, page_margin}, true, page.style);
+  draw_panel(canvas, scene, page.view, page.layout, {page_margin, page_margin + page.head}, page.style);
+  draw_legend(canvas, page.legend, page.legend_style, {page_margin, canvas.height() - page_margin - page.legend_tall},
+              width);
+  return canvas;
+}
+
+}  // namespace
+
+SceneSeries::SceneSeries(const std::vector<Scene>& samples, const PictureStyle& style)
+    : draw_([page = series_page(samples, style)](const Scene& scene) { return series_picture(page, scene); }) {}
+
 void draw_scene(const Scene& scene, const PictureStyle& style, const std::filesystem::path& path) {
   draw_panels({scene}, 1, style, path);
 }

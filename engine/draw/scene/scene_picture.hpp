@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -124,6 +125,19 @@ struct PictureStyle {
 /// (b), ... Throws InputError (with scene and body) for no scene or no body, an outline with fewer than three points,
 /// and a value that is not finite. It also throws for a point beyond 1e9 m and an invalid view or style.
 Canvas scene_canvas(const std::vector<Scene>& scenes, int columns, const PictureStyle& style = {});
+
+/// Pictures of many moments with the same page, view, colours and legend: the frames of a film. Each page is
+/// PictureStyle::width x height; title and subtitle have one line each.
+class SceneSeries {
+ public:
+  /// `samples`: scenes over the whole duration, which determine the view, the range of values and the legend. Throws
+  /// InputError as scene_canvas.
+  SceneSeries(const std::vector<Scene>& samples, const PictureStyle& style);
+  [[nodiscard]] Canvas picture(const Scene& scene) const { return draw_(scene); }
+
+ private:
+  std::function<Canvas(const Scene&)> draw_;
+};
 
 /// One scene to a .svg, .pdf or .png file. Throws InputError as scene_canvas and Canvas::save.
 void draw_scene(const Scene& scene, const PictureStyle& style, const std::filesystem::path& path);

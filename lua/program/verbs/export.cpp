@@ -1,20 +1,25 @@
-// trilith export RESULT --to vtk [-o FOLDER] [--frames FROM:TO:EVERY]
+// trilith export RESULT --to vtk|csv [-o FOLDER] [--frames FROM:TO:EVERY] [--table NAME] [--at T,...]
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/whole_file.hpp"
+#include "program/comma_list.hpp"
 #include "program/newer_run.hpp"
+#include "program/output_folder.hpp"
+#include "program/scene_options.hpp"
 #include "program/share_status.hpp"
 #include "program/verbs.hpp"
+#include "results/csv/csv_table.hpp"
 #include "results/vtk/vtk_export.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct ExportOptions {
-  std::string result, to = "vtk", out, frames;
+  std::string result, to = "vtk", out, frames, table, at = "end";
 };
 
 /// "10:200:5", "10:200", ":200", "::5", "7": range of frames, counted from 0, both ends included.
@@ -44,10 +49,57 @@ results::FrameRange frame_range(const std::string& text) {
   return range;
 }
 
-int export_results(const ExportOptions& options) {
+/// The folder of --output; by default the path of the results with an ending.
+std::filesystem::path folder_of(const ExportOptions& options, const char* ending) {
   const std::filesystem::path result = options.result;
-  const std::filesystem::path out = options.out.empty() ? result.parent_path() / (result.stem().string() + "_vtk")
-                                                        : std::filesystem::path(options.out);
+  return options.out.empty() ? result.parent_path() / (result.stem().string() + ending)
+                             : std::filesystem::path(options.out);
+}
+
+/// Moments for the tables of bodies and bearings; empty without frames.
+std::vector<double> csv_times(const results::ResultsReader& reader, const std::string& at) {
+  std::vector<double> times;
+  if (reader.frame_times().empty()) return times;
+  const SceneWindow window = scene_window(reader, {});
+  for (const std::string& text : comma_list(at)) {
+    times.push_back(scene_time(reader, window, text, "--at"));
+    if (times.back() < reader.frame_times().front() || times.back() > reader.frame_times().back())
+      throw InputError(fmt::format("--at: {:g} s is outside the frames of '{}', {:g} s to {:g} s", times.back(),
+                                   reader.path().string(), reader.frame_times().front(), reader.frame_times().back()));
+  }
+  return times;
+}
+
+int export_csv(const ExportOptions& options) {
+  if (!options.frames.empty()) throw InputError("--frames: is for --to vtk; csv takes moments, --at T[,T...]");
+  const results::ResultsReader reader(options.result);
+  const std::vector<double> times = csv_times(reader, options.at);
+  if (!options.table.empty()) {
+    const std::string text = results::csv_table(reader, options.table, times);
+    if (options.out.empty() || options.out == "-") {
+      fmt::print("{}", text);
+    } else {
+      make_folder_for(options.out);
+      write_whole_file(options.out, text);
+      fmt::print("{}\n", options.out);
+    }
+    return ended_well;
+  }
+  const std::filesystem::path out = folder_of(options, "_csv");
+  make_folder_for(out / "");
+  for (const std::string& name : results::csv_table_names()) {
+    const std::filesystem::path path = out / (name + ".csv");
+    write_whole_file(path, results::csv_table(reader, name, times));
+    fmt::print("{}\n", path.string());
+  }
+  tell_of_newer_run(reader);
+  return ended_well;
+}
+
+int export_results(const ExportOptions& options) {
+  if (options.to == "csv") return export_csv(options);
+  if (!options.table.empty()) throw InputError("--table: is for --to csv");
+  const std::filesystem::path out = folder_of(options, "_vtk");
   const results::FrameRange range = options.frames.empty() ? results::FrameRange{} : frame_range(options.frames);
   const results::ResultsReader reader(options.result);
   ShareStatus status("writing frames");
@@ -62,14 +114,22 @@ int export_results(const ExportOptions& options) {
 
 void add_export(CLI::App& app, int& code) {
   auto o = std::make_shared<ExportOptions>();
-  CLI::App* verb = app.add_subcommand("export", "Write a run for other programs: ParaView reads vtk");
+  CLI::App* verb =
+      app.add_subcommand("export", "Write a run for other programs: csv for spreadsheets, vtk for ParaView");
   verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
-  verb->add_option("--to", o->to, "the format")->check(CLI::IsMember({"vtk"}))->capture_default_str();
-  verb->add_option("-o,--output", o->out, "folder; default RESULT with _vtk")->type_name("FOLDER");
-  verb->add_option("--frames", o->frames, "which frames, counted from 0, as in 0:300:10; default all")
+  verb->add_option("--to", o->to, "the format")->check(CLI::IsMember({"vtk", "csv"}))->capture_default_str();
+  verb->add_option("-o,--output", o->out,
+                   "folder; default RESULT with _vtk or _csv; with --table a file, or - for here")
+      ->type_name("FOLDER");
+  verb->add_option("--frames", o->frames, "vtk: which frames, counted from 0, as in 0:300:10; default all")
       ->type_name("FROM:TO:EVERY");
+  verb->add_option("--table", o->table, "csv: one table alone")->check(CLI::IsMember(results::csv_table_names()));
+  verb->add_option("--at", o->at,
+                   "csv: moments of the tables of bodies and bearings: seconds, 'start', 'end' or an event")
+      ->type_name("T[,T...]")
+      ->capture_default_str();
   verb->callback([o, &code] { code = export_results(*o); });
 }
 

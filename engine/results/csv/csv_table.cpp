@@ -1,0 +1,268 @@
+#include "results/csv/csv_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "results/file/placement.hpp"
+#include "results/file/presence.hpp"
+
+namespace trilith::results {
+namespace {
+
+/// Rows of cells under construction.
+class CsvText {
+ public:
+  CsvText& cell(std::string_view text) {
+    if (!begun_)
+      begun_ = true;
+    else
+      text_ += ',';
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+      text_ += text;
+      return *this;
+    }
+    text_ += '"';
+    for (const char c : text) {
+      if (c == '"') text_ += '"';
+      text_ += c;
+    }
+    text_ += '"';
+    return *this;
+  }
+  /// The shortest digits that give the same number; empty for NaN.
+  CsvText& cell(double value) { return cell(std::isnan(value) ? std::string() : fmt::format("{}", value)); }
+  CsvText& count(std::int64_t value) { return cell(fmt::format("{}", value)); }
+  CsvText& head(std::string_view name, std::string_view unit) {
+    return cell(unit.empty() || unit == "1" ? std::string(name) : fmt::format("{} [{}]", name, unit));
+  }
+  /// "x [m]", "y [m]" and, in space, "z [m]" behind `prefix`.
+  CsvText& axes(std::string_view prefix, std::string_view unit, int dim) {
+    for (int k = 0; k < dim; ++k) head(fmt::format("{}{}", prefix, "xyz"[k]), unit);
+    return *this;
+  }
+  CsvText& triple(const Vec3& value, int dim) {
+    for (int k = 0; k < dim; ++k) cell(value[k]);
+    return *this;
+  }
+  void end_row() {
+    text_ += '\n';
+    begun_ = false;
+  }
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+  bool begun_ = false;
+};
+
+/// Columns of numbers below a time.
+std::string columns_text(const std::vector<double>& times, const std::vector<Quantity>& heads,
+                         const std::vector<std::vector<double>>& columns) {
+  CsvText out;
+  out.head("time", "s");
+  for (const Quantity& q : heads) out.head(q.name, q.unit);
+  out.end_row();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    out.cell(times[i]);
+    for (const std::vector<double>& column : columns) out.cell(column[i]);
+    out.end_row();
+  }
+  return out.take();
+}
+
+std::string histories_text(const ResultsReader& reader) {
+  std::vector<std::vector<double>> columns;
+  for (const Quantity& q : reader.header().histories) columns.push_back(reader.history(q.name));
+  return columns_text(reader.history_times(), reader.header().histories, columns);
+}
+
+std::string energy_text(const ResultsReader& reader) {
+  const EnergyTable energy = reader.energy();
+  std::vector<Quantity> heads = reader.header().energy_terms;
+  std::vector<std::vector<double>> columns = energy.terms;
+  heads.push_back({"residual", "J", ""});
+  columns.push_back(energy.residual);
+  return columns_text(energy.time, heads, columns);
+}
+
+std::string events_text(const ResultsReader& reader) {
+  CsvText out;
+  for (const char* name : {"id", "time [s]", "step", "stage", "type", "body_a", "body_b", "bearing", "x [m]", "y [m]",
+                           "z [m]", "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2", "cause", "text"})
+    out.cell(name);
+  out.end_row();
+  for (const EventRow& e : reader.events()) {
+    out.count(e.id).cell(e.time).count(e.step).count(e.stage).cell(e.type);
+    out.cell(e.body_a_name).cell(e.body_b_name).cell(e.bearing_name);
+    for (int k = 0; k < 3; ++k) {
+      if (e.has_place && k < reader.header().dim)
+        out.cell(e.place[k]);
+      else
+        out.cell("");
+    }
+    for (const Figure& f : {e.first, e.second}) {
+      if (f.name.empty())
+        out.cell("").cell("").cell("");
+      else
+        out.cell(f.name).cell(f.value).cell(f.unit);
+    }
+    out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).cell(e.text).end_row();
+  }
+  return out.take();
+}
+
+std::string stages_text(const ResultsReader& reader) {
+  CsvText out;
+  out.cell("name").cell("kind").head("begin", "s").head("end", "s").cell("why").end_row();
+  for (const StageRow& s : reader.stages()) {
+    out.cell(s.name).cell(s.kind).cell(s.begin);
+    if (s.ended)
+      out.cell(s.end);
+    else
+      out.cell("");
+    out.cell(s.why).end_row();
+  }
+  return out.take();
+}
+
+std::string notes_text(const ResultsReader& reader) {
+  CsvText out;
+  out.head("time", "s").cell("text").end_row();
+  for (const Note& n : reader.notes()) out.cell(n.time).cell(n.text).end_row();
+  return out.take();
+}
+
+std::string modes_text(const ResultsReader& reader) {
+  const int dim = reader.header().dim;
+  CsvText out;
+  out.cell("analysis").cell("number").head("time", "s").head("frequency", "Hz").cell("damping");
+  out.axes("effective mass ", "kg", dim).end_row();
+  for (const ModeRow& m : reader.modes()) {
+    out.count(m.analysis).count(m.number).cell(m.time).cell(m.frequency).cell(m.damping);
+    out.triple(Vec3(m.mass[0], m.mass[1], m.mass[2]), dim).end_row();
+  }
+  return out.take();
+}
+
+std::string parameters_text(const ResultsReader& reader) {
+  CsvText out;
+  out.cell("name").cell("value").cell("unit").cell("default").cell("text").end_row();
+  for (const ParameterRow& p : reader.header().provenance.parameters)
+    out.cell(p.name).cell(p.value).cell(p.unit).cell(p.fallback).cell(p.text).end_row();
+  return out.take();
+}
+
+double mass_of(const Header& header, const BodyRow& body) {
+  double mass = 0;
+  for (int i = 0; i < body.node_count; ++i) mass += header.node_mass[static_cast<std::size_t>(body.first_node + i)];
+  return mass;
+}
+
+/// Centre of mass of a body's nodes; without mass, the mean of its nodes.
+Vec3 centre_of(const Header& header, const BodyRow& body, const Placement& at) {
+  const double mass = mass_of(header, body);
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < body.node_count; ++i) {
+    const double share =
+        mass > 0 ? header.node_mass[static_cast<std::size_t>(body.first_node + i)] / mass : 1.0 / body.node_count;
+    sum += share * at.node(body.first_node + i);
+  }
+  return sum;
+}
+
+/// The centre at the start, the displacement from it, and the rotation of the first node.
+std::string bodies_text(const ResultsReader& reader, const std::vector<double>& times) {
+  const Header& header = reader.header();
+  const Presence presence(reader.events(), header.bodies.size());
+  const Frame start = start_frame(header);
+  const Placement at_start(header, start);
+  CsvText out;
+  out.head("time", "s").cell("body").cell("kind").cell("material").cell("groups").cell("support").head("mass", "kg");
+  out.cell("present").axes("", "m", header.dim).axes("u", "m", header.dim).head("rotation", "rad").end_row();
+  for (const double time : times) {
+    const Frame frame = reader.frame_at(time);
+    const Placement now(header, frame);
+    for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+      const BodyRow& body = header.bodies[i];
+      const Vec3 centre = centre_of(header, body, now);
+      out.cell(time).cell(body.name).cell(body.kind).cell(body.material).cell(body.groups).cell(body.support);
+      out.cell(mass_of(header, body)).count(presence.is_followed(i, time) ? 1 : 0).triple(centre, header.dim);
+      out.triple(centre - centre_of(header, body, at_start), header.dim).cell(now.turned(body.first_node)).end_row();
+    }
+  }
+  return out.take();
+}
+
+const char* state_name(BearingState state) {
+  constexpr const char* names[] = {"intact", "yielded", "failed", "changed", "waiting", "absent"};
+  return names[static_cast<int>(state)];
+}
+
+std::string bearings_text(const ResultsReader& reader, const std::vector<double>& times) {
+  const Header& header = reader.header();
+  const auto dim = static_cast<std::size_t>(header.dim);
+  CsvText out;
+  out.head("time", "s").cell("bearing").cell("body_a").cell("body_b").cell("law").cell("state");
+  out.axes("force on b, ", "N", header.dim).head("displacement along", "m");
+  if (header.dim == 3) out.head("displacement across", "m");
+  out.head("displacement axial", "m").end_row();
+  for (const double time : times) {
+    const Frame frame = reader.frame_at(time);
+    for (std::size_t i = 0; i < header.bearings.size(); ++i) {
+      const BearingRow& b = header.bearings[i];
+      out.cell(time).cell(b.name).cell(header.bodies[static_cast<std::size_t>(b.body_a)].name);
+      out.cell(header.bodies[static_cast<std::size_t>(b.body_b)].name).cell(b.law);
+      out.cell(state_name(frame.bearing_state[i]));
+      for (const std::vector<double>* values : {&frame.bearing_force, &frame.bearing_displacement})
+        for (std::size_t k = 0; k < dim; ++k) out.cell((*values)[dim * i + k]);
+      out.end_row();
+    }
+  }
+  return out.take();
+}
+
+using Writer = std::function<std::string(const ResultsReader&, const std::vector<double>&)>;
+
+/// A table without moments.
+template <std::string (*write)(const ResultsReader&)>
+std::string whole_run(const ResultsReader& reader, const std::vector<double>&) {
+  return write(reader);
+}
+
+const std::vector<std::pair<std::string, Writer>>& writers() {
+  static const std::vector<std::pair<std::string, Writer>> list{{"histories", whole_run<histories_text>},
+                                                                {"energy", whole_run<energy_text>},
+                                                                {"events", whole_run<events_text>},
+                                                                {"stages", whole_run<stages_text>},
+                                                                {"bodies", bodies_text},
+                                                                {"bearings", bearings_text},
+                                                                {"modes", whole_run<modes_text>},
+                                                                {"notes", whole_run<notes_text>},
+                                                                {"parameters", whole_run<parameters_text>}};
+  return list;
+}
+
+}  // namespace
+
+const std::vector<std::string>& csv_table_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto& entry : writers()) list.push_back(entry.first);
+    return list;
+  }();
+  return names;
+}
+
+std::string csv_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times) {
+  for (const auto& [known, write] : writers())
+    if (known == name) return write(reader, times);
+  throw InputError(fmt::format("there is no table '{}'{}", name, name_hint(name, csv_table_names())));
+}
+
+}  // namespace trilith::results
