@@ -308,8 +308,9 @@ void ResultsWriter::Body::flush() {
   guarded([&] { write_rows(); });
 }
 
-// The order provides the guarantee: rows first, synchronised if requested, and only then their counters. The whole file
-// is flushed once, because HDF5 walks through its whole cache for each separately flushed set.
+// The order provides the guarantee: rows first, synchronised if requested, and only then their counters, synchronised
+// too because a checkpoint that follows relies on them. The whole file is flushed once, because HDF5 walks through its
+// whole cache for each separately flushed set.
 void ResultsWriter::Body::write_rows() {
   for (GrowingSet* set : sets_) set->write();
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
@@ -318,6 +319,7 @@ void ResultsWriter::Body::write_rows() {
   write_committed(committed_.get(), counts());
   h5::check(H5Fflush(file_->file(), H5F_SCOPE_LOCAL), "cannot flush the file");
   file_->require_written();
+  if (options_.sync) file_->sync();
 }
 
 void ResultsWriter::Body::finish() {

@@ -82,7 +82,9 @@ std::string this_build() {
 }
 
 void RestartFiles::put(const std::string& name, std::string bytes) {
-  if (std::find(order_.begin(), order_.end(), name) == order_.end()) order_.push_back(name);
+  // Newer contents are written after all that they follow, also where an earlier store failed.
+  std::erase(order_, name);
+  order_.push_back(name);
   waits_[name] = std::move(bytes);
 }
 
