@@ -9,6 +9,7 @@
 #include "base/whole_file.hpp"
 #include "bindings/core/guard.hpp"
 #include "bindings/core/open.hpp"
+#include "bindings/restart/random_state.hpp"
 #include "interrupt.hpp"
 #include "script_limits.hpp"
 #include "script_room.hpp"
@@ -40,9 +41,20 @@ int print_apart(lua_State* L) {
   return 0;
 }
 
+/// Each run draws the same random numbers unless the script gives another seed.
+void seed_random_numbers(lua_State* L) {
+  script::find_random_state(L);
+  lua_getglobal(L, "math");
+  lua_getfield(L, -1, "randomseed");
+  lua_pushinteger(L, 1);
+  lua_call(L, 1, 0);
+  lua_pop(L, 1);
+}
+
 int set_up(lua_State* L) {
   auto& host = *static_cast<script::Host*>(lua_touserdata(L, 1));
   luaL_openlibs(L);
+  seed_random_numbers(L);
   open_interruptible_calls(L);
   lua_pushlightuserdata(L, &host);
   lua_getglobal(L, "print");

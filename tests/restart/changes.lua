@@ -1,5 +1,6 @@
 -- A model that its handlers change while a stage runs: bodies come and go, a law changes, a body is freed. A story
 -- waits. Handlers register another handler and a timer, and remove one.
+-- They draw random numbers.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/changes.h5", "results" }, duration = { 6, unit = "s", "of the stage" } }
 local m = trilith.model { name = "changes" }
@@ -19,6 +20,7 @@ m:consolidate { rest = { ratio = 1e-4 } }
 
 local function drop(x, y)
   state.dropped = state.dropped + 1
+  x = x + 0.02 * math.random()
   m:block { name = "drop " .. state.dropped, width = 0.3, height = 0.2, at = { x, y }, material = "stone",
             floating = true }
 end

@@ -12,7 +12,7 @@
 namespace trilith::script {
 
 /// Version of the format of restart files; files of another version are refused.
-inline constexpr std::uint32_t restart_version = 1;
+inline constexpr std::uint32_t restart_version = 2;
 
 /// `<results file>.restart`
 std::filesystem::path restart_folder(const std::filesystem::path& results);

@@ -51,7 +51,7 @@ void require_same_stage(const MomentHead& saved, const MomentHead& now, const st
   if (saved.mark.structure != now.mark.structure)
     throw InputError(
         fmt::format("{}: the script has built another model: bodies, laws or bearings differ at the start of stage {}; "
-                    "it must read the same files, and neither the clock nor random numbers without a seed",
+                    "it must read the same files, and neither the clock nor math.randomseed without a number",
                     owner, now.stage));
   if (saved.mark.conditions != now.mark.conditions)
     throw InputError(fmt::format("{}: supports, motions, gravity, damping or loads differ at the start of stage {}",

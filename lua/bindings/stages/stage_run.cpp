@@ -10,6 +10,7 @@
 #include "base/nearest.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/interrupt_watch.hpp"
+#include "bindings/restart/random_state.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace trilith::script {
@@ -82,15 +83,15 @@ class Handlers {
     l.on_history = [this] { sample_functions(); };
     l.replay = [this](const HandlerCall& c) {
       host_.silent = true;
-      keep_tables(c.kept);
+      restore_script(c.kept);
       call_function(c);
       lua_settop(L_, first_ + functions - 1);
       host_.silent = false;
     };
-    l.kept = [this] { return model_.keeps_tables ? text_of(kept) : ""; };
+    l.kept = [this] { return packed(random_state(L_), tables_kept()); };
     l.unkept = [this] { return text_of(unkept); };
     l.watch_state = [this] { static_cast<void>(text_of(watch_state)); };
-    l.keep_again = [this](const std::string& bytes) { keep_tables(bytes); };
+    l.keep_again = [this](const std::string& bytes) { restore_script(bytes); };
     if (host_.console != nullptr) l.at_border = [this, nested] { border(nested); };
     return l;
   }
@@ -128,20 +129,28 @@ class Handlers {
     if (c.function == wake) model_.wake_at = unbounded;
     const std::uint64_t before = model_.effects;
     HandlerCall kept_call = c;
-    if (model_.keeps_tables && model_.finishes_step()) kept_call.kept = text_of(kept);
+    const RandomState random = random_state(L_);
+    const std::string tables = model_.finishes_step() ? tables_kept() : "";
     begin(c.function);
     if (c.has_event) push_event(L_, 1, c.event);
     if (c.function == tick || c.function == sample) lua_pushinteger(L_, c.index);
     const bool good = run(arguments(c), c.function == sample ? 1 : 0);
-    if (good && model_.effects != before) model_.keep_change(&kept_call);
+    if (good && model_.effects != before) {
+      kept_call.kept = packed(random, tables);
+      model_.keep_change(&kept_call);
+    }
     return good;
   }
   static int arguments(const HandlerCall& c) {
     return c.has_event || c.function == tick || c.function == sample ? 1 : 0;
   }
 
-  /// Restores the tables of m:keep.
-  void keep_tables(const std::string& bytes) {
+  /// The bytes of the tables of m:keep.
+  std::string tables_kept() { return model_.keeps_tables ? text_of(kept) : ""; }
+
+  /// Restores the random numbers and the tables of m:keep.
+  void restore_script(const std::string& all) {
+    const std::string bytes = unpacked(L_, all);
     begin(keep_again);
     lua_pushlstring(L_, bytes.data(), bytes.size());
     call(L_, 1, 0);
