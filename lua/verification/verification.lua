@@ -66,14 +66,17 @@ if V.file then return run_file() end
 
 local function pattern_of(name) return "^" .. name:gsub("[%^%$%(%)%%%.%[%]%+%-%?]", "%%%0"):gsub("%*", ".*") .. "$" end
 
-local function names_of(case) return { case.name, case.file.name, case.file.subject, case.file.subject .. "/" ..
-  case.file.name } end
+local function file_name(file) return file.subject .. "/" .. file.name end
 
-local function fits(case, pattern)
-  for _, name in ipairs(names_of(case)) do
-    if name:find(pattern) then return true end
+-- The subject, file and case name of a case, as far as `pattern` fits them.
+local function matches_of(case, pattern)
+  local found = {}
+  if case.file.subject:find(pattern) then found[#found + 1] = "the subject " .. case.file.subject end
+  if case.file.name:find(pattern) or file_name(case.file):find(pattern) then
+    found[#found + 1] = "the file " .. file_name(case.file)
   end
-  return false
+  if case.name:find(pattern) then found[#found + 1] = ("the case %s of %s"):format(case.name, file_name(case.file)) end
+  return found
 end
 
 local function all_cases()
@@ -90,17 +93,33 @@ local function all_cases()
   return cases
 end
 
-local function chosen(cases)
+-- A name without * must fit exactly one subject, file or case.
+local function require_one(name, found)
+  if #found < 2 or name:find("*", 1, true) then return end
+  error(("verify: '%s' is %s; write SUBJECT/FILE for a file, or SUBJECT/* or '%s*' for all of them")
+    :format(name, table.concat(found, " and "), name), 0)
+end
+
+local function wanted_by_name(cases)
   local wanted = {}
   for _, name in ipairs(V.names) do
-    local pattern, any = pattern_of(name), false
+    local pattern, found = pattern_of(name), {}
     for _, case in ipairs(cases) do
-      if fits(case, pattern) then wanted[case], any = true, true end
+      for _, match in ipairs(matches_of(case, pattern)) do
+        wanted[case] = true
+        if not found[match] then found[match], found[#found + 1] = true, match end
+      end
     end
-    if not any then error(("verify: there is no subject, file or case '%s'; see trilith verify --list"):format(name),
-      0) end
+    if #found == 0 then
+      error(("verify: there is no subject, file or case '%s'; see trilith verify --list"):format(name), 0)
+    end
+    require_one(name, found)
   end
-  local list = {}
+  return wanted
+end
+
+local function chosen(cases)
+  local wanted, list = wanted_by_name(cases), {}
   for _, case in ipairs(cases) do
     if (#V.names == 0 or wanted[case]) and not (V.quick and case.slow) then list[#list + 1] = case end
   end
@@ -120,7 +139,7 @@ local function show_list(cases)
   print(("%d cases"):format(#cases))
 end
 
--- Files of a subject, in order, and which subjects are done when they are.
+-- Files of a subject, in order. `left`: number of processes of a subject that have not ended.
 local function grouped(cases)
   local files, subjects, by_file, by_subject = {}, {}, {}, {}
   for _, case in ipairs(cases) do
@@ -136,7 +155,7 @@ local function grouped(cases)
         by_subject[declared.subject] = subject
         subjects[#subjects + 1] = subject
       end
-      subject.files[#subject.files + 1], subject.left = file, subject.left + 1
+      subject.files[#subject.files + 1] = file
       file.subject = subject
     end
     file.cases[#file.cases + 1] = case
@@ -196,9 +215,9 @@ local function print_subject(subject, tally)
   print ""
 end
 
-local function taken(text, file, trouble, errors)
+local function taken(text, part, trouble, errors)
   local by_name = {}
-  for _, case in ipairs(file.cases) do by_name[case.name] = case end
+  for _, case in ipairs(part.cases) do by_name[case.name] = case end
   local environment = {
     done = function(t)
       local case = by_name[table.remove(t, 1)]
@@ -213,31 +232,50 @@ local function taken(text, file, trouble, errors)
   end
   local first = errors:match "[^\n]+"
   local why = trouble ~= "" and trouble .. (first and ": " .. first or "") or "the process printed nothing of it"
-  for _, case in ipairs(file.cases) do
+  for _, case in ipairs(part.cases) do
     if not case.values and not case.reason then case.reason = why:sub(1, most_reason) end
   end
 end
 
+-- One process for each file, and one for each of its slow cases, which begin first.
+local function parts_of(files)
+  local slow, others = {}, {}
+  for _, file in ipairs(files) do
+    local rest = { file = file, cases = {} }
+    for _, case in ipairs(file.cases) do
+      if case.slow then
+        slow[#slow + 1] = { file = file, cases = { case } }
+      else
+        rest.cases[#rest.cases + 1] = case
+      end
+    end
+    if #rest.cases > 0 then others[#others + 1] = rest end
+  end
+  for _, part in ipairs(others) do slow[#slow + 1] = part end
+  for _, part in ipairs(slow) do part.file.subject.left = part.file.subject.left + 1 end
+  return slow
+end
+
 local function run_all(files, subjects)
-  local orders, tally = {}, { cases = 0, checks = 0, failed = {} }
-  for i, file in ipairs(files) do
-    orders[i] = { "verify", "--file", file.path }
-    for _, case in ipairs(file.cases) do table.insert(orders[i], case.name) end
+  local parts, orders, tally = parts_of(files), {}, { cases = 0, checks = 0, failed = {} }
+  for i, part in ipairs(parts) do
+    orders[i] = { "verify", "--file", part.file.path }
+    for _, case in ipairs(part.cases) do table.insert(orders[i], case.name) end
     if V.pages then table.insert(orders[i], "+plots") end
   end
   local next_subject, finished = 1, 0
-  V.status(("0 of %d files"):format(#files))
+  V.status(("0 of %d files"):format(#parts))
   local whole = V.processes(orders, V.jobs, function(i, output, errors, trouble)
-    taken(output, files[i], trouble, errors)
+    taken(output, parts[i], trouble, errors)
     finished = finished + 1
-    files[i].subject.left = files[i].subject.left - 1
+    parts[i].file.subject.left = parts[i].file.subject.left - 1
     V.status()
     while subjects[next_subject] and subjects[next_subject].left == 0 do
       print_subject(subjects[next_subject], tally)
       next_subject = next_subject + 1
     end
     io.flush()
-    if finished < #files then V.status(("%d of %d files"):format(finished, #files)) end
+    if finished < #parts then V.status(("%d of %d files"):format(finished, #parts)) end
   end, V.output)
   V.status()
   return tally, whole

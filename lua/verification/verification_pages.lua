@@ -53,7 +53,8 @@ local function add_file(page, file, folder)
   end
   local script = ("scripts/verification/%s/%s.lua"):format(declared.subject, declared.name)
   add(wrapped(("Source: %s."):format(declared.source))) add ""
-  add(("Script: [%s](../../%s). To run it: `trilith verify %s`."):format(script, script, declared.name)) add ""
+  add(("Script: [%s](../../%s). To run it: `trilith verify %s/%s`."):format(script, script, declared.subject,
+    declared.name)) add ""
   add "| case | quantity | exact | ours | error | tolerance | |"
   add "|---|---|---|---|---|---|---|"
   for _, case in ipairs(file.cases) do
