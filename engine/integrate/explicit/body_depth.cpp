@@ -67,20 +67,27 @@ bool is_behind_surface(const Model<2>& model, const Work<2>& work, int piece, co
   return behind;
 }
 
+/// True inside the outline of the body of a piece. The pieces of a meshed body cover only its outer elements.
 bool is_in_body(const Model<2>& model, const Work<2>& work, int piece, const Vec2& point) {
   const Body& body = model.bodies[model.piece_body[piece]];
+  bool inside = false;
   for (int other = body.first_piece; other < body.first_piece + body.pieces; ++other)
-    if (contains(PieceOutline(model, work, other).points(), point)) return true;
-  return false;
+    each_surface_edge(model, work, other, [&](const Vec2& from, const Vec2& to) {
+      if ((from.y() > point.y()) == (to.y() > point.y())) return;
+      const double share = (point.y() - from.y()) / (to.y() - from.y());
+      if (point.x() < from.x() + share * (to.x() - from.x())) inside = !inside;
+    });
+  return inside;
 }
 
-/// Of the surface of piece `other` in the body of `owner` [m].
+/// Depth of the surface of piece `other` in the body of `owner`, where it is nearest to the surface of that piece [m].
 double passed_into(const Model<2>& model, const Work<2>& work, int owner, int other) {
   double deepest = 0;
   each_surface_edge(model, work, other, [&](const Vec2& from, const Vec2& to) {
     const Vec2 middle = 0.5 * (from + to);
     if (!is_behind_surface(model, work, owner, middle) || !is_in_body(model, work, owner, middle)) return;
-    deepest = std::max(deepest, body_distance(model, work, owner, middle));
+    const double depth = body_distance(model, work, owner, middle);
+    if (surface_distance(model, work, owner, 1, middle) <= depth) deepest = std::max(deepest, depth);
   });
   return deepest > piece_width(model, work, owner) ? deepest : 0;
 }
@@ -120,12 +127,12 @@ double piece_width(const Model<2>& model, const Work<2>& work, int piece) {
   return least_width(outline.points());
 }
 
-double thickness_at(const Model<2>& model, int piece) {
-  if (has_surface(model, piece)) return model.piece_thickness[piece];
-  const Body& body = model.bodies[model.piece_body[piece]];
+double body_thickness(const Model<2>& model, int body) {
+  const Body& b = model.bodies[body];
+  if (b.pieces == 1) return model.piece_thickness[b.first_piece];
   double least = unbounded;
-  for (int other = body.first_piece; other < body.first_piece + body.pieces; ++other)
-    if (has_surface(model, other)) least = std::min(least, model.piece_thickness[other]);
+  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+    if (has_surface(model, piece)) least = std::min(least, model.piece_thickness[piece]);
   return least;
 }
 

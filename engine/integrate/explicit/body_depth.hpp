@@ -23,7 +23,7 @@ bool is_thin_for(const Model<2>& model, const Work<2>& work, int p, int q, doubl
 /// Least width of a piece as it is placed [m].
 double piece_width(const Model<2>& model, const Work<2>& work, int piece);
 
-/// Thickness of its body behind the surface of a piece; of a piece without surface the least of its body [m].
-double thickness_at(const Model<2>& model, int piece);
+/// Least thickness of a body behind its surface [m].
+double body_thickness(const Model<2>& model, int body);
 
 }  // namespace trilith

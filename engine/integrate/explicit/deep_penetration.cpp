@@ -97,9 +97,17 @@ double holding_stiffness(const Model<2>& model, const State<2>& state, int p, in
   return twice / (length * most * most);
 }
 
-/// How much of their bodies' thickness two pieces may share [m].
+/// Distances to both surfaces reach half of the thickness only in the middle of a body. They count from this share on.
+constexpr double share_of_half = 0.9;
+
+/// Thickness of the thinner one of the bodies of two pieces [m].
+double thinner_body(const Model<2>& model, int p, int q) {
+  return std::min(body_thickness(model, model.piece_body[p]), body_thickness(model, model.piece_body[q]));
+}
+
+/// Overlap of the bodies of two pieces above which they are too deep [m].
 double deepest_of_bodies(const Model<2>& model, int p, int q) {
-  return deep_penetration_share * std::min(thickness_at(model, p), thickness_at(model, q));
+  return share_of_half * deep_penetration_share * thinner_body(model, p, q);
 }
 
 /// Depth of two bodies at two of their pieces [m].
@@ -111,7 +119,7 @@ double depth_of_bodies(const Model<2>& model, const Work<2>& work, int p, int q)
 void tell_bodies(const Model<2>& model, int p, int q, double depth, const Two& two, Event& e) {
   e.value = depth;
   e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; take a stiffer law", two.closing_speed(),
-                       deepest_of_bodies(model, p, q) / deep_penetration_share);
+                       thinner_body(model, p, q));
 }
 
 /// Adds the event of a deep pair and stores the pair in State::passed. The faster body is named first.

@@ -52,31 +52,4 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
--- Meshes of elements far thinner than the overlap, in the plane: one of both bodies.
-local function sink_fine(heavy_body, base_body, density, kn, integrator)
-  local m = trilith.model { name = "fine", thickness = 1 }
-  m:material { name = "stone", density = 2400, E = 1e7, nu = 0.2 }
-  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = kn, ks = kn/2, mu = 0.6, beta = 1e-3 } }
-  m:block { name = "base", width = 1, height = 0.5, at = { -0.5, -0.5 }, material = "stone", support = "fixed",
-            body = base_body }
-  local heavy = m:block { name = "heavy", width = 0.5, height = 0.5, at = { -0.25, 0 }, material = "stone",
-                          floating = true, mass = density*0.25, body = heavy_body }
-  local told, depth = 0, nil
-  m:on("body.passed", function(e) told, depth = told + 1, e.value end)
-  m:run { duration = 0.6, integrator = integrator }
-  local at, text = heavy.y - 0.25, m.verdict.text
-  m:close()
-  return told, at, text, depth
-end
-for _, case in ipairs { { "quad", { mesh = { 32, 16 } } }, { { mesh = { 16, 16 } }, "rigid" } } do
-  for _, integrator in ipairs { "explicit", "auto" } do
-    local told, at, text, depth = sink_fine(case[1], case[2], 2e5, 1e5, integrator)
-    assert(told == 1 and text:find "heavy", ("%s: told %d, at %g m: %s"):format(integrator, told, at, text))
-    assert(depth > 0.2 and depth < 0.35, depth)  -- half of the thinner one is 0.25 m
-    -- A body that stays above that depth is not reported.
-    told, at, text = sink_fine(case[1], case[2], 2400, 1e7, integrator)
-    assert(told == 0 and at > -0.01, ("%s: told %d, at %g m: %s"):format(integrator, told, at, text))
-  end
-end
-
 print("all that sinks is reported")
