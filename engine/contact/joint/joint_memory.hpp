@@ -42,8 +42,9 @@ struct PatchMemory {
   double active = 0;                      ///< area that carries shear [m2]
   double slip = 0;                        ///< accumulated sliding distance, mean of its points [m]
   double crushed = 0;                     ///< crushed depth of its mortar [m]
+  double opened = 0;                      ///< opening by the slip of the last step [m]
 
-  /// Calls f with each number but `crushed` in turn. `Self`: const or not.
+  /// Calls f with each number but `crushed` and `opened` in turn. `Self`: const or not.
   template <class Self, class F>
   static void fields(Self& m, F&& f) {
     for (auto* numbers : {&m.elastic_x, &m.elastic_y, &m.total_x, &m.total_y, &m.damage})
@@ -71,6 +72,13 @@ struct JointMemory {
     double most = 0;
     if (sound) return most;
     for (const PatchMemory& p : patch) most = std::max(most, p.crushed);
+    return most;
+  }
+  /// Largest opening of a patch by the slip of the last step [m].
+  [[nodiscard]] double most_opened() const {
+    double most = 0;
+    if (sound) return most;
+    for (const PatchMemory& p : patch) most = std::max(most, p.opened);
     return most;
   }
 };

@@ -177,9 +177,13 @@ class JointStep {
     if constexpr (is_softening<K>) {
       soften_patch(law_, trial, was, stress.area, normal, is, sums.lost);
       keep_bond(k);
-      // Sliding that opens the joint does work against the pressure; friction dissipates less by this amount.
-      const double opened = opened_by(law_, is.slip) - opened_by(law_, was.slip);
+      // Sliding that opens the joint does work against the pressure, see Cohesive::Kernel::lifting.
+      const double opened = opened_by(law_, is.slip) - opened_by(law_, was.slip), last = was.opened;
+      is.opened = opened;
       if (opened > 0) sums.lost.friction -= law_.kn * (stress.force + 0.5 * opened * stress.area) * opened;
+      if (last > 0)
+        sums.lost.friction -=
+            0.5 * law_.kn * stress.area * last * motion_.moved.plus(before_.moved, -1)(plan_.patch[k].middle);
     } else {
       const bool bonded = after_.bonded(static_cast<int>(k));
       const Lanes limit = bonded ? Lanes{} + std::numeric_limits<double>::max() : law_.mu * larger(normal, Lanes{});

@@ -120,7 +120,7 @@ TRILITH_INLINE FaceResponse<T, M> respond_face_motion(const Motion<T>& motion, F
   }
   out.lost_fracture += law.end(halves, before, own, out.memory, out.own);
   remember(overlap, motion.over_step(), before, law.dt, s[0], s[1], out);
-  out.lost_friction -= law.lifting(before, out.memory, own, s);
+  out.lost_friction -= law.lifting(halves, before, out.memory, own, s, out.own);
   spread_to_ends(overlap, s[0], s[1], out);
   return out;
 }

@@ -110,10 +110,12 @@ struct Cohesive::Kernel : Mortar {
 
   template <class T>
   struct Memory {
-    T set[2]{};          ///< gaps at both ends of the shared length when the mortar set [m]
-    T damage[2]{};       ///< of a bonded half: lost share of its strength
-    T crushed[2]{};      ///< crushed depth of the mortar of each half [m]
-    T worn{};            ///< 1: was a general contact after first touching, and no longer dilates
+    T set[2]{};      ///< gaps at both ends of the shared length when the mortar set [m]
+    T damage[2]{};   ///< of a bonded half: lost share of its strength
+    T crushed[2]{};  ///< crushed depth of the mortar of each half [m]
+    /// 1: was a general contact after first touching, and no longer dilates. Negative: minus the opening by the slip of
+    /// the last step [m].
+    T worn{};
     T crushing_force{};  ///< general contact: force that crushes its mortar, 0 while intact [N]
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
@@ -132,8 +134,8 @@ struct Cohesive::Kernel : Mortar {
   TRILITH_INLINE T end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
                        FaceMemory<T>& memory, Memory<T>& after) const;
   template <class T>
-  TRILITH_INLINE T lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory, const Memory<T>& own,
-                           const HalfResponse<T>* s) const;
+  TRILITH_INLINE T lifting(const FaceHalves<T>& halves, const FaceMemory<T>& before, const FaceMemory<T>& memory,
+                           const Memory<T>& own, const HalfResponse<T>* s, Memory<T>& after) const;
   template <class T>
   TRILITH_INLINE static Mask<T> changes(const FaceMemory<T>& before, const Memory<T>& own, const FaceMemory<T>& memory,
                                         const Memory<T>& after);

@@ -194,14 +194,27 @@ TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMe
   return lost;
 }
 
-/// Sliding that opens the joint does work against the pressure; friction dissipates less by this amount.
+/// Sliding does work against the pressure as it opens the joint. It is taken from friction.
+///
+/// The pressure P of an instant acts with the opening by the slip up to the step before. The energy E includes the
+/// opening d that the last step has added: P = kn A (u - d), E = kn A u^2 / 2. The next step adds d' and lets the faces
+/// part by G under the mean of both pressures. Then the sum of energies is constant if friction loses (P' + kn A d' /
+/// 2) d' and receives kn A d G / 2.
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceMemory<T>& before, const FaceMemory<T>& memory,
-                                           const Memory<T>& own, const HalfResponse<T>* s) const {
+TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceHalves<T>& halves, const FaceMemory<T>& before,
+                                           const FaceMemory<T>& memory, const Memory<T>& own, const HalfResponse<T>* s,
+                                           Memory<T>& after) const {
   if (!(dilation > 0)) return T{};
-  const T opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
+  const T zero{}, opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
   const T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
-  return (pressure + 0.5 * kn * opened * (s[0].active + s[1].active)) * opened;
+  const T last = larger(zero, zero - own.worn);
+  T parting{};
+  for (const int h : {0, 1}) {
+    const T crushed = dt > 0 ? after.crushed[h] - own.crushed[h] : zero;  // it is in the rates
+    parting += s[h].active * (0.5 * dt * (halves.half[h].m0 + halves.half[h].m1) - crushed);
+  }
+  after.worn = select(own.worn > zero, own.worn, zero - opened);
+  return (pressure + 0.5 * kn * opened * (s[0].active + s[1].active)) * opened - 0.5 * kn * last * parting;
 }
 
 /// A bond lost, first damage of a bond, or first crushing.

@@ -103,8 +103,9 @@ struct Coulomb {
   }
   /// Work of sliding against the pressure as it opens the joint [J].
   template <class T, class M>
-  TRILITH_INLINE T lifting(const FaceMemory<T>& /*before*/, const FaceMemory<T>& /*memory*/, const M& /*own*/,
-                           const HalfResponse<T>* /*s*/) const {
+  TRILITH_INLINE T lifting(const FaceHalves<T>& /*halves*/, const FaceMemory<T>& /*before*/,
+                           const FaceMemory<T>& /*memory*/, const M& /*own*/, const HalfResponse<T>* /*s*/,
+                           M& /*after*/) const {
     return T{};
   }
   /// True where the step began or ended a state that is reported.

@@ -183,7 +183,12 @@ template <class File, class Joint>
 void walk_crushed(File& file, Joint& joint, std::uint32_t patches) {
   for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.patch[k].crushed);
 }
-constexpr std::uint32_t crushed_mark = 1U << 15U;
+/// Openings of its patches by the slip of the last step, where there are any.
+template <class File, class Joint>
+void walk_opened(File& file, Joint& joint, std::uint32_t patches) {
+  for (std::uint32_t k = 0; k < patches; ++k) file.number(joint.patch[k].opened);
+}
+constexpr std::uint32_t crushed_mark = 1U << 15U, opened_mark = 1U << 16U;
 
 /// One contact of solids, for both writer and reader. `patches`: of its joint, 0 without a joint.
 template <class File, class Memory>
@@ -206,12 +211,13 @@ void Writer::contacts(const SolidHistory& s) {
     if (!has) continue;
     walk_plan(*this, *joint->plan);
     const auto face = [](int f) { return static_cast<std::uint32_t>(f + 1); };
-    const bool crushed = joint->most_crushed() > 0;
+    const bool crushed = joint->most_crushed() > 0, opened = joint->most_opened() > 0;
     pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8 |
-             (crushed ? crushed_mark : 0U),
+             (crushed ? crushed_mark : 0U) | (opened ? opened_mark : 0U),
          joint->bonds);
     walk_patches(*this, *joint, patches);
     if (crushed) walk_crushed(*this, *joint, patches);
+    if (opened) walk_opened(*this, *joint, patches);
   }
 }
 
@@ -221,13 +227,14 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
   walk_plan(*this, *plan);
   if (plan->outline.size() < 3) fail("has a joint without an area");
   divide_joint(*plan);
-  // Bit 0: intact; seven bits each for the faces that its seats follow, from 1 on; then whether some patch is crushed.
+  // Bit 0: intact; seven bits each for the faces that its seats follow, from 1 on; then whether some patch is crushed,
+  // and whether slip opens one.
   std::uint32_t marks = 0;
   pair(marks, s.bonds);
   plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
-  const bool crushed = (marks & crushed_mark) != 0;
+  const bool crushed = (marks & crushed_mark) != 0, opened = (marks & opened_mark) != 0;
   s.plan = plan, s.sound = (marks & 1U) == 1;
-  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 16 != 0 || (s.sound && crushed))
+  if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 17 != 0 || (s.sound && (crushed || opened)))
     fail("has a joint that does not fit its faces");
   if (s.sound)
     leave_out_patches(*plan);
@@ -235,6 +242,7 @@ void Reader::joint(JointMemory& s, std::uint32_t patches) {
     divide(s);
   walk_patches(*this, s, patches);
   if (crushed) walk_crushed(*this, s, patches);
+  if (opened) walk_opened(*this, s, patches);
 }
 
 void Reader::contacts(SolidHistory& s) {
