@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "contact/contact_samples.hpp"
+#include "contact/joint/face_resultant.hpp"
 #include "contact/law_trial.hpp"
+#include "contact/plane/face_pair.hpp"
 #include "law/contact/form_check.hpp"
 #include "near.hpp"
 
@@ -205,3 +207,16 @@ static_assert(takes_one_type<decltype([](const Coulomb& k) { return k.kn; })>, "
 static_assert(!takes_one_type<decltype([](const auto& k) { return k.kn; })>);
 
 }  // namespace
+
+TEST_CASE("two faces that slide hold the friction of their law at their slip speed") {
+  const Rubbing law(Frictional{1e9, 5e8, 0.3, 0}, 0.5, 1e-2);
+  for (const double speed : {0.2, 0.7}) {
+    const FaceEnds<double> a{1, 0, 0, 0, 0, 0, 0, 0}, b{0, -1.45e-4, 1, -1.55e-4, speed, 0, speed, 0};
+    const auto r = respond_face_pair<Rubbing, double>(a, b, 1.0, {}, {}, law);
+    const double shear = std::abs(r.memory.shear_total[0] + r.memory.shear_total[1]), normal = 1e9 * 0.5 * 1.5e-4;
+    CHECK(near(shear, (0.3 + speed) * normal, 1e-9));
+    CHECK(near(face_friction(a, b, normal, law), shear, 1e-12));
+  }
+  const Coulomb plain(Frictional{1e9, 5e8, 0.3, 0}, 0.5, 1e-2);
+  CHECK(face_friction({}, {}, 100, plain) == 30);
+}

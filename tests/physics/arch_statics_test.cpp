@@ -30,7 +30,7 @@ struct ArchForces {
     Work<2> work;
     evaluate(model, state, work, state.last_dt);
     std::vector<TouchingContact> joints;
-    contact_resultants(model, work, joints);
+    contact_resultants(model, state, work, joints);
     for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
       const int n = model.bodies[b].first_node;
       if (!model.moves(n)) continue;

@@ -45,7 +45,7 @@ Fate fate_of(const Arch& arch, double mu = 10, double stiffness = 4e12, double s
 double thrust(const Simulation<2>& sim, const std::string& left, const std::string& right) {
   const Model<2>& model = sim.model();
   std::vector<TouchingContact> contacts;
-  contact_resultants(model, sim.work(), contacts);
+  contact_resultants(model, sim.state(), sim.work(), contacts);
   const int a = model.find_body(left), b = model.find_body(right);
   double force = 0, weight = 0;
   for (const TouchingContact& c : contacts)

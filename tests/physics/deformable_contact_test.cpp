@@ -54,7 +54,7 @@ TEST_CASE("C6: uniform pressure goes through faces that do not match whatever ki
       settle(sim, 20, 1e-9);
       sim.refresh();
       std::vector<TouchingContact> touching;
-      contact_resultants(sim.model(), sim.work(), touching);
+      contact_resultants(sim.model(), sim.state(), sim.work(), touching);
       double lowest = 1e9, highest = 0;
       for (const TouchingContact& c : touching) {
         if (c.body_a != 1 && c.body_b != 1) continue;

@@ -56,7 +56,7 @@ struct MovedSlider {
   }
   double follow(const Instant<2>& now) {
     std::vector<TouchingContact> contacts;
-    contact_resultants(now.model, now.work, contacts);
+    contact_resultants(now.model, now.state, now.work, contacts);
     const double force = std::abs(contacts.at(0).resultant.force.x());
     const double x = now.state.position[slider_].x() - from_, trial = loop_stiffness * (x - slip_);
     const double expected = std::clamp(trial, -loop_friction, loop_friction);

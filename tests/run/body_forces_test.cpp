@@ -65,7 +65,7 @@ MeanStress stress_of(const Hanging& h) {
   CHECK(settle(sim, 50, 1e-8).end == StageEnd::rest);
   sim.refresh();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
   return mean_stress(sim.model(), sim.state(), sim.work(), touching)[sim.model().find_body("upper")];
 }
 

@@ -169,7 +169,7 @@ TEST_CASE("base shear is what contacts do to the base, and what accelerates all 
     });
     listener.on_history = [&](const Instant<2>& now) {
       const Vec2 shear = force_on(now.model, now.work, base);
-      contact_resultants(now.model, now.work, touching);
+      contact_resultants(now.model, now.state, now.work, touching);
       Vec2 contacts = Vec2::Zero();
       for (const TouchingContact& c : touching)
         if (c.body_a == 0 || c.body_b == 0) contacts += (c.body_a == 0 ? -1 : 1) * c.resultant.force;
@@ -196,7 +196,7 @@ TEST_CASE("mean stress in a stack at rest is the weight above and half its own, 
     testing::settle(sim);
     sim.refresh();
     std::vector<TouchingContact> touching;
-    contact_resultants(sim.model(), sim.work(), touching);
+    contact_resultants(sim.model(), sim.state(), sim.work(), touching);
     const std::vector<MeanStress> stress = mean_stress(sim.model(), sim.state(), sim.work(), touching);
     const double w = 2000 * standard_gravity;  // of 1 m2
     const std::array<double, 4> across{0, -(3 * w + w) / 2, -(w + w) / 2, -w / 2};
@@ -221,7 +221,7 @@ TEST_CASE("the line of thrust under a tilted block leaves its middle by half its
   testing::settle(sim);
   sim.refresh();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
   const std::vector<int> chain{0, 1, 2}, back{2, 1, 0};
   const std::vector<ThrustPoint<2>> line = thrust_line(chain, touching), other = thrust_line(back, touching);
   REQUIRE(line.size() == 2);

@@ -25,7 +25,7 @@ Reading read(const Simulation<2>& sim) {
   const Energy energy = sim.energy();
   out.values.assign(energy.value.begin(), energy.value.end());
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
   for (const TouchingContact& c : touching)
     for (const int k : {0, 1}) out.values.insert(out.values.end(), {c.resultant.point[k], c.resultant.force[k]});
   for (const Vec2& f : sim.work().bearing_force) out.values.insert(out.values.end(), {f.x(), f.y()});

@@ -326,7 +326,7 @@ TEST_CASE("the line of thrust in space leaves the middle by height and tilt, alo
   sim.refresh();
   std::vector<SolidResultant> touching;
   for (std::size_t i = 0; i < sim.work().general_touching.size(); ++i)
-    touching.push_back(solid_resultant(sim.model(), sim.work(), i));
+    touching.push_back(solid_resultant(sim.model(), sim.state(), sim.work(), i));
   const std::vector<ThrustPoint<3>> line = thrust_line(std::vector<int>{0, 1, 2}, touching),
                                     back = thrust_line(std::vector<int>{2, 1, 0}, touching);
   REQUIRE(line.size() == 2);

@@ -8,11 +8,31 @@
 namespace trilith {
 namespace {
 
-/// Bonded if one of both halves is bonded; otherwise the shear is compared with mu N.
-ContactHold hold_of(const ContactMemory& memory, const ContactResultant& r, double mu) {
-  if (memory.bonds != 0) return ContactHold::bonded;
+/// Friction that a contact holds at most, by its law at its pressure and slip rate [N].
+double friction_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row,
+                   const ContactResultant& r) {
+  const NearPair& p = work.pairs[row];
+  const ContactMemory& memory = work.contacts.memory[row];
+  return with_kernel(law_in_use(model, p.law), [&]<class K>(const K& law) {
+    if ((memory.state & contact_general) == 0)
+      return face_friction(face_ends(work, p.a0, p.a1), face_ends(work, p.b0, p.b1), r.normal, law);
+    return friction_limit_of(law, r.normal, (memory.active[0] + memory.active[1]) * model.thickness, [&] {
+      PieceCorners a, b;
+      const Vec2 slip = placed_piece(model, state, work, p.piece_b, b).velocity_at(r.point) -
+                        placed_piece(model, state, work, p.piece_a, a).velocity_at(r.point);
+      const Vec2 normal = r.force - r.shear * left_of(r.force).normalized();
+      return std::abs(left_of(normal).normalized().dot(slip));
+    });
+  });
+}
+
+/// Bonded if one of both halves is bonded; otherwise the shear is compared with the friction limit.
+ContactHold hold_of(const Model<2>& model, const State<2>& state, const Work<2>& work, int row,
+                    const ContactResultant& r) {
+  if (work.contacts.memory[row].bonds != 0) return ContactHold::bonded;
   // Sliding shear equals the limit, up to rounding.
-  return std::abs(r.shear) >= (1 - 1e-9) * mu * r.normal ? ContactHold::sliding : ContactHold::sticking;
+  const double limit = (1 - 1e-9) * friction_of(model, state, work, row, r);
+  return std::abs(r.shear) >= limit ? ContactHold::sliding : ContactHold::sticking;
 }
 
 }  // namespace
@@ -26,14 +46,14 @@ ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, cons
   });
 }
 
-void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out) {
+void contact_resultants(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                        std::vector<TouchingContact>& out) {
   out.clear();
   // The resultants of general contacts are in the list of this evaluation; their memory does not contain the force.
   const auto append = [&](int row, const ContactResultant& r) {
     const NearPair& p = work.pairs[row];
-    const double mu = std::visit([](const auto& law) { return law.mu; }, model.laws[p.law]);
     out.push_back(
-        {row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(work.contacts.memory[row], r, mu)});
+        {row, model.piece_body[p.piece_a], model.piece_body[p.piece_b], r, hold_of(model, state, work, row, r)});
   };
   std::size_t general = 0;  // both lists are sorted by row
   for (int row = 0; row < static_cast<int>(work.pairs.size()); ++row) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/joint/face_resultant.hpp"
+#include "model/state.hpp"
 #include "model/work.hpp"
 
 namespace trilith {
@@ -20,7 +21,8 @@ struct TouchingContact {
 
 /// Lists every touching contact, in the order of Work::pairs. `work` must be evaluated at the present instant. `out` is
 /// overwritten; its memory is reused.
-void contact_resultants(const Model<2>& model, const Work<2>& work, std::vector<TouchingContact>& out);
+void contact_resultants(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                        std::vector<TouchingContact>& out);
 
 /// Resultant of two faces with the contact memory `memory` and the law memory `law_numbers`.
 ContactResultant face_resultant(const Model<2>& model, const Work<2>& work, const NearPair& pair,

@@ -16,7 +16,10 @@ struct SolidResultant {
   ContactHold hold;
 };
 
+/// Normal force and shear of the contact at `place` of Work::general_touching, on the second body [N].
+Vec3 solid_force(const Work<3>& work, std::size_t place);
+
 /// Resultant of the contact at `place` of Work::general_touching, as evaluated.
-SolidResultant solid_resultant(const Model<3>& model, const Work<3>& work, std::size_t place);
+SolidResultant solid_resultant(const Model<3>& model, const State<3>& state, const Work<3>& work, std::size_t place);
 
 }  // namespace trilith

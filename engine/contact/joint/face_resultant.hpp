@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/space.hpp"
 #include "law/contact/list.hpp"
@@ -51,6 +52,27 @@ ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double
   out.point = origin + s * d + (height_a + 0.5 * gap) * n;
   out.force = out.normal * n - out.shear * d;
   return out;
+}
+
+/// Friction that two faces hold at most under a law without bonds or mortar, each half by its own pressure and slip
+/// rate [N]. `normal`: pressing force of both [N].
+template <class K>
+double face_friction(const FaceEnds<double>& a, const FaceEnds<double>& b, double normal, const K& law) {
+  if constexpr (!has_own_friction<K>) {
+    return law.mu * normal;
+  } else {
+    const FaceOverlap<double> o(a, b);
+    const FaceRates<double> rates(o, a, b);
+    const FaceHalves<double> halves(o, rates, rates, {});
+    std::array<HalfResponse<double>, 2> pressed{};
+    std::array<double, 2> active{};
+    law.press(halves.half, active.data(), pressed.data());
+    double sum = 0;
+    for (const std::size_t h : {0, 1})
+      sum += friction_limit_of(law, pressed[h].normal, active[h] * halves.half[h].length * law.thickness,
+                               [&] { return std::abs(halves.half[h].slip_rate); });
+    return sum;
+  }
 }
 
 /// For a general contact: `normal` is its normal resultant on the second body at `centre`.

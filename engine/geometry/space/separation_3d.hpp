@@ -18,12 +18,13 @@ enum class SeparatingFeature : std::uint8_t { face_of_a, face_of_b, edges };
 
 /// Distance of two convex solids along the best axis.
 struct Separation3 {
-  double distance;  ///< [m]. Negative: exact least translation that separates them. Positive: lower bound of the
-                    ///< distance (exact where a face or two edges are nearest, not two corners)
-  Vec3 axis;        ///< unit vector from `a` towards `b`
-  SeparatingFeature feature;
-  int a, b;  ///< face_of_a: face of `a` and corner of `b`; face_of_b: corner of `a` and face of `b`; edges: an edge of
-             ///< each
+  /// [m]. Negative: exact least translation that separates them. Positive: lower bound of the distance (exact where a
+  /// face or two edges are nearest, not two corners).
+  double distance = 0;
+  Vec3 axis = Vec3::UnitX();  ///< unit vector from `a` towards `b`
+  SeparatingFeature feature = SeparatingFeature::face_of_a;
+  /// face_of_a: face of `a` and corner of `b`; face_of_b: corner of `a` and face of `b`; edges: an edge of each.
+  int a = 0, b = 0;
 };
 
 /// Largest distance over the normals of a's faces, of b's faces and over pairs of edges, in this order; of equal ones

@@ -88,7 +88,7 @@ struct Friction {
     out.memory.force = std::clamp(trial, -limit, limit);
     if (std::abs(trial) > limit) {
       out.memory.inner = m.displacement - out.memory.force / stiffness;
-      out.yielding = true;
+      out.yielding = limit > 0;  // without load nothing holds, and nothing yields
     }
     const double slid = out.memory.inner - before.inner;
     out.memory.travelled += std::abs(slid);
@@ -113,7 +113,7 @@ struct Friction {
     if (size > limit) {
       out.force = limit / size * trial;
       inner = m.displacement - out.force / stiffness;
-      out.yielding = true;
+      out.yielding = limit > 0;
     }
     const Vec2 slid = inner - was;
     out.memory.travelled += portable::hypot(slid.x(), slid.y());

@@ -81,9 +81,9 @@ Vec2 force_on(const Model<2>& model, const Work<2>& work, std::span<const int> b
 Vec3 force_on(const Model<3>& model, const Work<3>& work, std::span<const int> bodies) {
   Vec3 force = Vec3::Zero();
   for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
-    const SolidResultant contact = solid_resultant(model, work, i);
-    if (is_one_of(bodies, contact.body_b)) force += contact.force;
-    if (is_one_of(bodies, contact.body_a)) force -= contact.force;
+    const NearPair& pair = work.pairs[work.general_touching[i].row];
+    if (is_one_of(bodies, model.piece_body[pair.piece_b])) force += solid_force(work, i);
+    if (is_one_of(bodies, model.piece_body[pair.piece_a])) force -= solid_force(work, i);
   }
   add_bearings(model, work, bodies, force);
   return force;

@@ -96,7 +96,7 @@ State<D> places_of(const State<D>& state) {
 
 template <>
 void Recording<2>::take_contacts(const Instant<2>& now) {
-  contact_resultants(now.model, now.work, touching_);
+  contact_resultants(now.model, now.state, now.work, touching_);
   contacts_.clear();
   for (const TouchingContact& c : touching_) {
     results::ContactForce out;
@@ -144,7 +144,7 @@ template <>
 void Recording<3>::take_contacts(const Instant<3>& now) {
   contacts_.clear();
   for (std::size_t i = 0; i < now.work.general_touching.size(); ++i) {
-    const SolidResultant r = solid_resultant(now.model, now.work, i);
+    const SolidResultant r = solid_resultant(now.model, now.state, now.work, i);
     results::ContactForce out;
     for (const int k : {0, 1, 2}) out.point[k] = r.point[k], out.force[k] = -r.force[k], out.normal[k] = r.normal[k];
     out.body_a = r.body_a, out.body_b = r.body_b;

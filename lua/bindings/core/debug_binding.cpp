@@ -212,7 +212,7 @@ std::string contact_text(const std::string& other, ContactHold hold, double norm
 
 std::string contacts_text(const Simulation<2>& s, int body) {
   std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.work(), touching);
+  contact_resultants(s.model(), s.state(), s.work(), touching);
   std::string text;
   for (const TouchingContact& c : touching)
     if (c.body_a == body || c.body_b == body)
@@ -223,7 +223,7 @@ std::string contacts_text(const Simulation<2>& s, int body) {
 std::string contacts_text(const Simulation<3>& s, int body) {
   std::string text;
   for (std::size_t i = 0; i < s.work().general_touching.size(); ++i) {
-    const SolidResultant c = solid_resultant(s.model(), s.work(), i);
+    const SolidResultant c = solid_resultant(s.model(), s.state(), s.work(), i);
     if (c.body_a != body && c.body_b != body) continue;
     const double normal = c.normal.dot(c.force);
     text += contact_text(s.model().bodies[c.body_a == body ? c.body_b : c.body_a].name, c.hold, normal,

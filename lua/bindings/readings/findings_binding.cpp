@@ -251,7 +251,7 @@ int stresses(lua_State* L) {
   PlaneModel& m = this_plane(L);
   const Simulation<2>& sim = m.evaluated();
   std::vector<TouchingContact> touching;
-  contact_resultants(sim.model(), sim.work(), touching);
+  contact_resultants(sim.model(), sim.state(), sim.work(), touching);
   const std::vector<MeanStress> all = mean_stress(sim.model(), sim.state(), sim.work(), touching);
   lua_createtable(L, 0, static_cast<int>(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -11,13 +11,13 @@ namespace trilith::script {
 
 inline std::vector<TouchingContact> touching_now(const Simulation<2>& s) {
   std::vector<TouchingContact> touching;
-  contact_resultants(s.model(), s.work(), touching);
+  contact_resultants(s.model(), s.state(), s.work(), touching);
   return touching;
 }
 inline std::vector<SolidResultant> touching_now(const Simulation<3>& s) {
   std::vector<SolidResultant> touching;
   for (std::size_t i = 0; i < s.work().general_touching.size(); ++i)
-    touching.push_back(solid_resultant(s.model(), s.work(), i));
+    touching.push_back(solid_resultant(s.model(), s.state(), s.work(), i));
   return touching;
 }
 

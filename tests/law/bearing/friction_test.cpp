@@ -96,3 +96,20 @@ TEST_CASE("R6: a weight let go on a pendulum turns nearer by 2 mu R each time, a
   CHECK(near(times[0], 1.41875, 0.01));
   CHECK(near(times[1] - times[0], 1.41875, 0.01));
 }
+
+TEST_CASE("a slider without load moves and does not yield, with load it yields once it slides") {
+  const auto yields = [](double load, double path) {
+    LedLaw<Friction> led{{0.1, 1e9, 0, 0, 50, 1, 0}, 1e-3, load};
+    LedLaw<Pendulum> on_dish{{1, 0.1, 1e9, 0, 0, 50, 1, 0, 0}, 1e-3, load};
+    led.to(path), on_dish.to(path);
+    const HorizontalMotion motion{{path, path}, {path / 1e-3, path / 1e-3}, 1e-3, load};
+    const bool both = Friction{0.1, 1e9, 0, 0, 50, 1, 0}.respond_horizontal(motion, {}).yielding;
+    CHECK(led.now.yielding == on_dish.now.yielding);
+    CHECK(led.now.yielding == both);
+    return led.now.yielding;
+  };
+  CHECK(!yields(0, 1e-15));
+  CHECK(!yields(0, 0.1));
+  CHECK(!yields(1e5, 0.99e-5 / std::sqrt(2.0)));  // below 0.1 N over the stiffness, along both axes too
+  CHECK(yields(1e5, 1.01e-5));
+}

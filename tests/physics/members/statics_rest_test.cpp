@@ -23,7 +23,7 @@ std::vector<TouchingContact> joint_forces(const Model<2>& model, const State<2>&
   Work<2> work;
   evaluate(model, state, work, state.last_dt);
   std::vector<TouchingContact> out;
-  contact_resultants(model, work, out);
+  contact_resultants(model, state, work, out);
   return out;
 }
 
