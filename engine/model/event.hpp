@@ -38,6 +38,7 @@ enum class EventType : int {
   body_removed,
   bearing_added,
   bearing_removed,
+  bond_skipped,
   count  ///< number of the types; stays last
 };
 inline constexpr int event_types = static_cast<int>(EventType::count);

@@ -210,6 +210,14 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .value = {"displacement", "m"},
      .doc = "a bearing was removed",
      .sentence = "bearing {bearing} was removed{at}"},
+    {.type = EventType::bond_skipped,
+     .name = "bond.skipped",
+     .heading = "bond skipped",
+     .severity = Severity::invalid,
+     .traits = can_cause,
+     .value = {"missing work", "J", "missing work"},
+     .doc = "a given dt skipped work of a bond; the run is not valid from here",
+     .sentence = "bond of {a} and {b} was skipped: {text}"},
 });
 
 constexpr bool rows_match_types() {

@@ -18,6 +18,7 @@
 #include "integrate/explicit/central_difference.hpp"
 #include "integrate/explicit/deep_penetration.hpp"
 #include "integrate/explicit/impact_step.hpp"
+#include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
 #include "integrate/implicit/implicit_step.hpp"
 #include "run/stage_end.hpp"
@@ -107,8 +108,11 @@ void Simulation<D>::refresh() {
   swept_ = tunnelling_limit(model_, state_, work_, whole_step(), next_.safety > 0 ? depth_per_step : deepest_per_step);
   if (const double accuracy = impact_accuracy(); accuracy > 0)
     swept_.dt = impact_step(model_, state_, work_, swept_.dt, {accuracy, next_.safety});
-  // A given step is kept, even if a bond breaks within it without part of its work.
-  if (next_.safety > 0 && !state_.implicit()) swept_.dt = bond_step(model_, state_, work_, swept_.dt, watch_->bonds());
+  // A given step is kept, even if a bond breaks within it without part of its work: skipped_bonds reports it.
+  if (!state_.implicit()) {
+    const double dt = bond_step(model_, state_, work_, swept_.dt, watch_->bonds());
+    if (next_.safety > 0) swept_.dt = dt;
+  }
   clock.mark(StepPart::estimate);
   if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   add_inertia(model_, state_, work_, {swept_.dt, rest_});
@@ -319,9 +323,11 @@ bool Simulation<D>::step_in_time(double dt) {
   work_.threads = threads_.threads();
   const Clock::time_point began = threads_.is_open() ? Clock::now() : Clock::time_point{};
   const Energy before = state_.implicit() ? energy() : Energy{};
+  const bool may_skip = watch_->bonds().near && next_.safety == 0 && !state_.implicit();
   commit(model_, state_, work_, times_);
   if (!take_step(dt, before)) return false;
   refresh();
+  if (may_skip) add_skipped_bonds(model_, state_, work_);
   if (threads_.is_open()) threads_.took(std::chrono::duration<double>(Clock::now() - began).count());
   return true;
 }

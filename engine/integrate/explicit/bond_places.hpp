@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "law/contact/bond_curve.hpp"
 #include "model/model.hpp"
@@ -17,7 +18,17 @@ struct PlacedBond {
   double at = 0, rate = 0;  ///< displacement [m] and its rate [m/s]; after an implicit step, the mean rate over the
                             ///< step
   double size = 0;          ///< size of the whole joint: length [m], or area in space [m2]
+  double share = 1;         ///< of the joint, represented by this place [1]
+  int row = -1;             ///< of its pair
   int body_a = -1, body_b = -1;
+};
+
+/// Work of one joint that a step has skipped.
+struct SkippedBond {
+  PlacedBond bond;                                      ///< any place of it
+  double missing = 0;                                   ///< [J]
+  double most = 0;                                      ///< of any place, as a share of the allowed miss [1]
+  double longest = std::numeric_limits<double>::max();  ///< step that would follow the bond [s]
 };
 
 /// Reduced mass of two bodies, m_a m_b / (m_a + m_b); 0 if neither moves [kg].

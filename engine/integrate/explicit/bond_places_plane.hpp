@@ -51,6 +51,7 @@ void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work
     if (!(overlap.shared > 0)) continue;
     const FaceRates<double> r = bond_rates(work, p, overlap);
     PlacedBond bond;
+    bond.share = 0.5, bond.row = static_cast<int>(row);
     bond.size = overlap.shared, bond.body_a = model.piece_body[p.piece_a], bond.body_b = model.piece_body[p.piece_b];
     with_kernel(law_in_use(model, p.law, dt), [&]<class K>(const K& law) {
       if constexpr (K::bonds) {

@@ -42,6 +42,7 @@ class JointBonds {
 
  private:
   void each_corner() {
+    bond_.share = 1 / static_cast<double>(plan_.outline.size());
     for (const Vec2& p : plan_.outline) {
       const Vec2 shear = law_.ks > 0 ? Vec2(intact_shear_at(plan_, joint_.elastic, p - plan_.whole.middle) / law_.ks)
                                      : Vec2(Vec2::Zero());
@@ -53,6 +54,7 @@ class JointBonds {
   void each_of(std::size_t k) {
     const JointPatch& patch = plan_.patch[k];
     const PatchMemory& m = joint_.patch[k];
+    bond_.share = patch.area / (patch_points * plan_.whole.area);
     const PatchOverlaps o(plan_, patch, joint_.moved.raised(opened_by(law_, m.slip) - m.crushed));
     const double per = law_.ks * 0.25 * m.active;
     for (std::size_t i = 0; i < patch_points; ++i) {
@@ -100,6 +102,7 @@ void each_bond(const Model<3>& model, const State<3>& state, const Work<3>& work
     if (joint == nullptr || joint->empty() || joint->bonds == 0) continue;
     const NearPair& p = work.pairs[row];
     PlacedBond bond;
+    bond.row = static_cast<int>(row);
     bond.size = joint->plan->whole.area;
     bond.body_a = model.piece_body[p.piece_a], bond.body_b = model.piece_body[p.piece_b];
     const JointMotion motion = bond_motion(model, state, work, p, *joint, after ? 0 : dt);

@@ -2,10 +2,15 @@
 
 #include "integrate/explicit/node_gain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "events/body_events.hpp"
 #include "integrate/explicit/bond_places.hpp"
+#include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
 
 namespace trilith {
@@ -21,6 +26,8 @@ constexpr double shortened_share = 0.004;
 constexpr double steps_ahead = 4;
 /// Energy that an implicit step may miss, as a share of the fracture energy.
 constexpr double missed_share = 0.01;
+/// Energy that a given explicit step may miss without an event, as a share of the fracture energy.
+constexpr double skipped_share = 0.1;
 /// Energy that any step may miss, as a share of the kinetic energy of the relative motion of two bodies.
 constexpr double kinetic_share = 1e-4;
 /// Bonds shorten no step below this share of its length.
@@ -90,10 +97,28 @@ bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& roo
   return room.room > steps_ahead * room.speed * dt || room.speed * dt < room.way;
 }
 
+/// Longest path of a bond in one step, as steps that are not given have it [m].
+template <int D>
+double followed_path(const Work<D>& work, const PlacedBond& bond) {
+  const bool brittle = !(bond.curve.last > bond.curve.peak);
+  return allowed_share(work, bond, bond.rate, brittle ? past_brittle_peak : softening_share) * bond.curve.whole;
+}
+
+template <int D>
+void tell_skipped(const State<D>& state, Work<D>& work, const SkippedBond& joint) {
+  if (!(joint.most > 1)) return;
+  Event e = event_now(state, EventType::bond_skipped, joint.bond.body_a, joint.bond.body_b);
+  e.value = joint.missing;
+  e.text = fmt::format("a step of {:.3g} s did {:.3g} J {} work than its law; leave dt out, or give at most {:.2g} s",
+                       state.last_dt, std::abs(joint.missing), joint.missing > 0 ? "less" : "more", joint.longest);
+  work.events.push_back(e);
+}
+
 }  // namespace
 
 template <int D>
 double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
+  room.near = false;
   if (room.none || is_far(state, work, dt, room)) return dt;
   constexpr double far = std::numeric_limits<double>::max();
   room = {far, 0, far, !has_bonds(model)};
@@ -107,7 +132,7 @@ double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& wo
     room.speed = std::max(room.speed, std::abs(bond.rate));
     room.way = std::min(room.way, (c.last > c.peak ? past_peak : past_brittle_peak) * c.whole);
     if (bond.at + steps_ahead * (std::abs(bond.rate) + gain) * dt > c.peak)
-      time = std::min(time, time_of(model, state, work, bond, dt));
+      room.near = true, time = std::min(time, time_of(model, state, work, bond, dt));
   });
   return time < dt ? settled_step(time, 1) : dt;
 }
@@ -125,6 +150,25 @@ double bond_miss(const Model<D>& model, const State<D>& state, const Work<D>& wo
   return most;
 }
 
+template <int D>
+void add_skipped_bonds(const Model<D>& model, const State<D>& state, Work<D>& work) {
+  SkippedBond joint;
+  const double dt = state.last_dt;
+  each_bond(model, state, work, false, dt, [&](const PlacedBond& bond) {
+    if (bond.row != joint.bond.row) tell_skipped(state, work, std::exchange(joint, {}));
+    joint.bond = bond;
+    const double missing = bond.curve.missing(bond.at, bond.at + bond.rate * dt);
+    if (missing == 0 || !(bond.curve.energy > 0)) return;
+    const double allowed = allowed_share(work, bond, bond.rate, skipped_share);
+    joint.missing += missing * bond.share * bond.size;
+    joint.most = std::max(joint.most, std::abs(missing) / (bond.curve.energy * allowed));
+    joint.longest = std::min(joint.longest, followed_path(work, bond) / bond.rate);
+  });
+  tell_skipped(state, work, joint);
+}
+
+template void add_skipped_bonds(const Model<2>&, const State<2>&, Work<2>&);
+template void add_skipped_bonds(const Model<3>&, const State<3>&, Work<3>&);
 template double bond_step(const Model<2>&, const State<2>&, const Work<2>&, double, BondRoom&);
 template double bond_step(const Model<3>&, const State<3>&, const Work<3>&, double, BondRoom&);
 template double bond_miss(const Model<2>&, const State<2>&, const Work<2>&, double);

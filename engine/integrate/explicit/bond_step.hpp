@@ -24,6 +24,7 @@ struct BondRoom {
   double speed = 0;   ///< largest rate of any bond; after the check an upper bound [m/s]
   double way = 0;     ///< opening in one step that needs no check [m]
   bool none = false;  ///< the model has no bonds
+  bool near = false;  ///< at the last call some bond could come near its peak within the step
 
   /// Forces a check at the next call, after a change of the model, the state or its pairs.
   void reset() { *this = {}; }

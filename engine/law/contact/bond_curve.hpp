@@ -38,10 +38,12 @@ struct BondCurve {
            rest * std::max(u - last, 0.0);
   }
   /// Work of the law minus work of the mean traction, for a step that passes the peak.
-  [[nodiscard]] double missed(double from, double to) const {
+  [[nodiscard]] double missing(double from, double to) const {
     if (!(to > peak) || !(to > from)) return 0;
-    return std::abs(work(to) - work(from) - 0.5 * (traction(from) + traction(to)) * (to - from));
+    return work(to) - work(from) - 0.5 * (traction(from) + traction(to)) * (to - from);
   }
+  /// Its size.
+  [[nodiscard]] double missed(double from, double to) const { return std::abs(missing(from, to)); }
 };
 
 /// A displacement along a curve and its rate.
