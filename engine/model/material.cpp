@@ -24,10 +24,10 @@ void check_material(const Material& material, const std::vector<Material>& other
 }
 
 void require_material(const std::vector<Material>& materials, const std::string& name, const std::string& owner) {
+  if (std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; })) return;
   std::vector<std::string> known;
   for (const Material& m : materials) known.push_back(m.name);
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    throw InputError(fmt::format("{}: there is no material '{}'{}", owner, name, name_hint(name, known)));
+  throw InputError(fmt::format("{}: there is no material '{}'{}", owner, name, name_hint(name, known)));
 }
 
 }  // namespace trilith

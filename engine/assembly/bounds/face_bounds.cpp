@@ -2,6 +2,8 @@
 #include "assembly/bounds/face_bounds.hpp"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "assembly/bounds/local_springs.hpp"
 #include "assembly/whole_body.hpp"
@@ -35,36 +37,55 @@ void add_stiffer_section(const Model<2>& model, int from, int to, const ContactT
   }
 }
 
+/// Replaces `stiffest` by the stiffest face of a body under the law `numbers`, if that is stiffer.
+void add_stiffer_faces(const Model<2>& model, const Body& b, const ContactTangent& numbers, Local& stiffest) {
+  for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
+    for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
+      if (!model.edge_is_face[first + c]) continue;
+      const int from = model.corner_skin[first + c], to = model.corner_skin[first + (c + 1) % count];
+      if (b.skin_is_sections()) {
+        add_stiffer_section(model, from, to, numbers, stiffest);
+        continue;
+      }
+      if (!b.is_rigid()) {
+        add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
+        continue;
+      }
+      // Weight 2: the other body moves too.
+      const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
+      const double length = (q - p).norm();
+      const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
+      Local local;
+      add_spring(local, n, arm, numbers.normal * length, numbers.beta, length, t, 2);
+      add_spring(local, t, arm, numbers.shear * length, numbers.beta, length, t, 2);
+      if (local.k.trace() > stiffest.k.trace()) stiffest = local;
+    }
+}
+
+/// Laws between the surface of a body and the others, in their order, without repetition in sequence.
+std::vector<ContactTangent> tangents_of(const Model<2>& model, const Body& b) {
+  std::vector<ContactTangent> out;
+  int last = -1;
+  for (int other = 0; other < model.surfaces; ++other)
+    if (const int law = model.law_of[b.surface * model.surfaces + other]; law >= 0 && law != std::exchange(last, law))
+      out.push_back(spring_tangent(model, law, 0));
+  return out;
+}
+
 /// The stiffest face of a body under the stiffest law of its surface, as if in full contact with an equal body, in the
-/// axes of the body.
+/// axes of the body. Laws that are softer in both directions than another one are skipped.
 Local on_stiffest_face(const Model<2>& model, int body) {
   Local stiffest;
   const Body& b = model.bodies[body];
-  for (int other = 0; other < model.surfaces; ++other) {
-    const int law = model.law_of[b.surface * model.surfaces + other];
-    if (law < 0) continue;
-    const ContactTangent numbers = spring_tangent(model, law, 0);
-    for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
-      for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {
-        if (!model.edge_is_face[first + c]) continue;
-        const int from = model.corner_skin[first + c], to = model.corner_skin[first + (c + 1) % count];
-        if (b.skin_is_sections()) {
-          add_stiffer_section(model, from, to, numbers, stiffest);
-          continue;
-        }
-        if (!b.is_rigid()) {
-          add_stiffer_face(model, model.skin_node[from], model.skin_node[to], numbers, stiffest);
-          continue;
-        }
-        // Weight 2: the other body moves too.
-        const Vec2 &p = model.skin_place[from], &q = model.skin_place[to];
-        const double length = (q - p).norm();
-        const Vec2 t = (q - p) / length, n(t.y(), -t.x()), arm = 0.5 * (p + q);
-        Local local;
-        add_spring(local, n, arm, numbers.normal * length, numbers.beta, length, t, 2);
-        add_spring(local, t, arm, numbers.shear * length, numbers.beta, length, t, 2);
-        if (local.k.trace() > stiffest.k.trace()) stiffest = local;
-      }
+  const std::vector<ContactTangent> tangents = tangents_of(model, b);
+  ContactTangent hardest{0, 0, 0}, most{-1, -1, 0};
+  for (const ContactTangent& t : tangents)
+    if (t.normal > hardest.normal) hardest = t;
+  for (const ContactTangent& t : tangents) {
+    if (t.normal < hardest.normal && t.shear <= hardest.shear && hardest.shear < hardest.normal) continue;
+    if (t.normal <= most.normal && t.shear <= most.shear) continue;
+    if (t.normal >= most.normal && t.shear >= most.shear) most = t;
+    add_stiffer_faces(model, b, t, stiffest);
   }
   return stiffest;
 }
@@ -76,9 +97,8 @@ RateBound around_outline(const Model<2>& model, int body) {
   if (!whole.moves()) return {};
   ContactTangent stiffest{0, 0, 0};
   const Body& b = model.bodies[body];
-  for (int other = 0; other < model.surfaces; ++other)
-    if (const int law = model.law_of[b.surface * model.surfaces + other]; law >= 0)
-      if (const ContactTangent t = spring_tangent(model, law, 0); t.normal > stiffest.normal) stiffest = t;
+  for (const ContactTangent& t : tangents_of(model, b))
+    if (t.normal > stiffest.normal) stiffest = t;
   Local out;
   for (int piece = b.first_piece; piece < b.first_piece + b.pieces; ++piece)
     for (int c = 0, count = model.corners_of(piece), first = model.piece_first[piece]; c < count; ++c) {

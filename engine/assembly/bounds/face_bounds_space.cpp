@@ -50,9 +50,11 @@ AreaSprings cap_springs(const ConvexSolid& solid, const ContactTangent& law) {
 /// The stiffest law between the surface of a body and any other.
 ContactTangent stiffest_law(const Model<3>& model, const Body& body) {
   ContactTangent most{0, 0, 0};
+  int last = -1;
   for (int other = 0; other < model.surfaces; ++other) {
     const int law = model.law_of[body.surface * model.surfaces + other];
-    if (law < 0) continue;
+    if (law < 0 || law == last) continue;
+    last = law;
     const ContactTangent t = solid_tangent(model, law, 0);
     most = {std::max(most.normal, t.normal), std::max(most.shear, t.shear), std::max(most.beta, t.beta)};
   }

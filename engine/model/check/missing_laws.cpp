@@ -71,24 +71,32 @@ Sides sides_of(const Body& a, const Body& b) {
   return std::minmax(side_of(a), side_of(b));
 }
 
-/// Pairs of surfaces with bodies that may meet, keyed by their names in a statement.
+/// Calls f(a, b, declared) with two example bodies for each pair of surfaces with bodies that may meet.
+template <int D, class F>
+void each_meeting(const Model<D>& model, F&& f) {
+  const std::vector<SurfaceBodies> surface = bodies_by_surface(model);
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    for (std::size_t j = i; j < surface.size(); ++j) {
+      const auto [a, b] = i == j ? may_meet(surface[i]) : may_meet(surface[i], surface[j]);
+      if (a >= 0 && b >= 0) f(a, b, model.law_of[i * surface.size() + j] != undeclared_law);
+    }
+}
+
+/// Pairs of surfaces with bodies that may meet, keyed by their names in a statement. `declared` is only filled if some
+/// are missing: names are costly to compare for all pairs of many surfaces.
 struct MeetingSurfaces {
   std::map<Sides, std::pair<int, int>> missing;  ///< example bodies
   std::set<Sides> declared;                      ///< pairs of materials with a statement for some bodies
 
   template <int D>
   explicit MeetingSurfaces(const Model<D>& model) {
-    const std::vector<SurfaceBodies> surface = bodies_by_surface(model);
-    for (std::size_t i = 0; i < surface.size(); ++i)
-      for (std::size_t j = i; j < surface.size(); ++j) {
-        const auto [a, b] = i == j ? may_meet(surface[i]) : may_meet(surface[i], surface[j]);
-        if (a < 0 || b < 0) continue;
-        const Sides sides = sides_of(model.bodies[a], model.bodies[b]);
-        if (model.law_of[i * surface.size() + j] == undeclared_law)
-          missing.try_emplace(sides, std::pair{a, b});
-        else
-          declared.insert(sides);
-      }
+    each_meeting(model, [&](int a, int b, bool has_law) {
+      if (!has_law) missing.try_emplace(sides_of(model.bodies[a], model.bodies[b]), std::pair(a, b));
+    });
+    if (missing.empty()) return;
+    each_meeting(model, [&](int a, int b, bool has_law) {
+      if (has_law) declared.insert(sides_of(model.bodies[a], model.bodies[b]));
+    });
   }
 };
 

@@ -38,22 +38,31 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() <= most ? shown : fmt::format("{} and {} more", shown, names.size() - most);
 }
 
+/// Names of the bodies from `first` on that contain spheres, for each law of their surfaces.
+std::vector<std::vector<std::string>> spheres_by_law(const Model<3>& model, int first) {
+  std::vector<std::vector<std::string>> out(model.laws.size());
+  for (std::size_t b = static_cast<std::size_t>(first); b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    if (!has_sphere(model, body)) continue;
+    for (int s = 0; s < model.surfaces; ++s) {
+      const int law = model.law_of[body.surface * model.surfaces + s];
+      if (law < 0) continue;
+      std::vector<std::string>& names = out[static_cast<std::size_t>(law)];
+      if (names.empty() || names.back() != body.name) names.push_back(body.name);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 void note_sphere_laws(const Model<3>& model, int first, std::vector<std::string>& notes) {
-  const auto holds = [&](const Body& body, int law) {
-    for (int s = 0; s < model.surfaces; ++s)
-      if (model.law_of[body.surface * model.surfaces + s] == law) return true;
-    return false;
-  };
+  const std::vector<std::vector<std::string>> spheres = spheres_by_law(model, first);
   for (std::size_t law = 0; law < model.laws.size(); ++law) {
+    const std::vector<std::string>& bodies = spheres[law];
+    if (bodies.empty()) continue;
     const std::vector<std::string> keys = idle_keys(model.laws[law]);
     if (keys.empty()) continue;
-    std::vector<std::string> bodies;
-    for (std::size_t b = static_cast<std::size_t>(first); b < model.bodies.size(); ++b)
-      if (const Body& body = model.bodies[b]; has_sphere(model, body) && holds(body, static_cast<int>(law)))
-        bodies.push_back(body.name);
-    if (bodies.empty()) continue;
     notes.push_back(
         fmt::format("contact law '{}': contacts of spheres use only kn, ks, mu and beta, so {} {} not act on {}; use "
                     "trilith.frictional for them, or polyhedra if the bond must hold",

@@ -89,18 +89,25 @@ std::string law_name(Keys& keys, ScriptModel& m, const std::string& name) {
   return law;
 }
 
-void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
-  std::set<std::string> names{"*"};
-  for (const Material& material : m.materials) {
-    if (material.name == side) return;
-    names.insert(material.name);
-  }
+/// True if `side` names materials, groups or bodies of the model.
+bool is_known_side(const ScriptModel& m, const std::string& side) {
+  if (side == "*") return true;
+  if (std::any_of(m.materials.begin(), m.materials.end(), [&](const Material& known) { return known.name == side; }))
+    return true;
   for (int b = 0; b < m.body_count(); ++b) {
-    if (m.body_name(b) == side) return;
-    for (const std::string& g : m.groups_of(b)) names.insert(g);
+    const std::vector<std::string>& groups = m.groups_of(b);
+    if (m.body_name(b) == side || std::find(groups.begin(), groups.end(), side) != groups.end()) return true;
   }
-  if (names.contains(side)) return;
-  // Groups and bodies may be added later, so only a name close to a known one is rejected here.
+  return false;
+}
+
+/// Groups and bodies may be added later, so only a name close to a known material or group is rejected here.
+void check_side(Keys& keys, const ScriptModel& m, const std::string& side) {
+  if (is_known_side(m, side)) return;
+  std::set<std::string> names{"*"};
+  for (const Material& material : m.materials) names.insert(material.name);
+  for (int b = 0; b < m.body_count(); ++b)
+    for (const std::string& g : m.groups_of(b)) names.insert(g);
   const std::vector<std::string> known(names.begin(), names.end());
   if (nearest_name(side, known).empty()) return;
   keys.problem(fmt::format("there is no material, group or body '{}'{}", side, name_hint(side, known)));
