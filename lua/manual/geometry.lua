@@ -80,6 +80,13 @@ origin        point = {0, 0}  point of the drawing that becomes the origin, in m
 arc_segments  number = 4     chords per quarter circle of an arc
 tolerance     number m = 0.0001  largest distance of ends that meet]], gives = "part[]" },
   examples = {
+    ["trilith.dxf"] = [[
+local path = os.tmpname() .. ".dxf"
+local file = io.open(path, "w")
+file:write("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nstone\n90\n4\n70\n1\n10\n1\n20\n0",
+  "\n10\n2\n20\n0\n10\n2\n20\n1\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n")
+file:close()
+m:add(trilith.dxf { file = path, unit = "m" }, { material = "stone" })]],
     ["model:ground"] = [[
 m:ground { name = "valley", surface = { { 10, 0 }, { 20, -6 }, { 30, 0 } }, base_level = -10, material = "stone",
   support = "fixed" }]],
