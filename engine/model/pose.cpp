@@ -13,6 +13,7 @@
 #include "geometry/plane/polygon.hpp"
 #include "geometry/space/face_distance.hpp"
 #include "model/contact/skin_places.hpp"
+#include "model/one_element.hpp"
 
 namespace trilith {
 namespace {
@@ -189,11 +190,12 @@ double body_inertia(const Model<2>& model, int body) {
   if (b.is_rigid()) return model.inertia[b.first_node];
   const Vec2 centre = body_start(model, body);
   double sum = 0;
-  // One element has its own inertia (assembly/element/rotary_inertia.hpp); several have the inertia of the nodal
-  // masses.
-  if (b.kind == BodyKind::quad || (b.kind == BodyKind::mesh && b.nodes == 3)) {
-    const auto first = model.start_position.begin() + b.first_node;
-    const PolygonMoments shape = polygon_moments(Polygon(first, first + b.nodes));
+  // One element has its own inertia, several have the inertia of the nodal masses.
+  if (is_one_element(model, body)) {
+    const Element& element = first_element(model.elements, body);
+    Polygon outline;
+    for (int i = 0; i < element.nodes; ++i) outline.push_back(model.start_position[element.node[i]]);
+    const PolygonMoments shape = polygon_moments(outline);
     for (int n = b.first_node; n < b.first_node + b.nodes; ++n) sum += model.mass[n];
     return sum * shape.second_moment / shape.area;
   }

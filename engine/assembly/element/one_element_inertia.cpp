@@ -1,102 +1,110 @@
-#include "assembly/element/rotary_inertia.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
+#include "assembly/element/integration_shares.hpp"
+#include "assembly/element/rotary_inertia.hpp"
 #include "assembly/whole_body.hpp"
 
 namespace trilith {
 namespace {
 
-/// The element of a body with a single one, otherwise null. Elements are stored body by body.
-template <class E>
-const E* only_element(const std::vector<E>& elements, int body) {
-  const auto at = std::lower_bound(elements.begin(), elements.end(), body,
-                                   [](const E& element, int b) { return element.body < b; });
-  if (at == elements.end() || at->body != body) return nullptr;
-  const auto next = at + 1;
-  return next != elements.end() && next->body == body ? nullptr : &*at;
+TurnMatrix<2> inertia_of(double mass, const Vec2& arm) {
+  return TurnMatrix<2>(turn_inertia(mass, arm));
+}
+TurnMatrix<3> inertia_of(double mass, const Vec3& arm) {
+  return turn_inertia(mass, arm);
 }
 
+/// Without the inertia of the body itself.
 template <int D>
-struct Lumped {
-  Vec<D> centre = Vec<D>::Zero();
+RotaryInertia<D> lumped_inertia(const Model<D>& model, const State<D>& state, const Body& body) {
+  RotaryInertia<D> out;
   double mass = 0;
-  TurnMatrix<D> inertia = TurnMatrix<D>::Zero();
-};
-
-template <int D>
-Lumped<D> lumped_inertia(const Model<D>& model, const State<D>& state, const Body& body) {
-  Lumped<D> out;
-  const int end = body.first_node + body.nodes;
-  for (int n = body.first_node; n < end; ++n)
-    out.mass += model.mass[n], out.centre += model.mass[n] * state.position[n];
-  out.centre /= out.mass;
-  for (int n = body.first_node; n < end; ++n) {
-    const Vec<D> arm = state.position[n] - out.centre;
-    if constexpr (D == 2)
-      out.inertia(0, 0) += model.mass[n] * arm.squaredNorm();
-    else
-      out.inertia += turn_inertia(model.mass[n], arm);
+  out.nodes.count = body.nodes;
+  for (int i = 0; i < body.nodes; ++i) {
+    const auto n = static_cast<std::size_t>(body.first_node + i);
+    out.nodes.mass[i] = model.mass[n];
+    mass += model.mass[n], out.centre += model.mass[n] * state.position[n];
+  }
+  out.centre /= mass;
+  for (int i = 0; i < body.nodes; ++i) {
+    out.nodes.arm[i] = state.position[static_cast<std::size_t>(body.first_node + i)] - out.centre;
+    out.lumped += inertia_of(out.nodes.mass[i], out.nodes.arm[i]);
   }
   return out;
 }
 
-/// Signs of the natural coordinates of a brick's nodes.
-constexpr std::array<std::array<double, 3>, 8> corner{
-    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+template <int D>
+RotaryInertia<D> proportional(RotaryInertia<D> of, double multiple) {
+  of.multiple = multiple, of.own = of.lumped / multiple;
+  return of;
+}
 
-/// Position in a brick as a polynomial of its natural coordinates.
-struct BrickShape {
+/// Arms of the element's nodes, in its own order.
+template <int D, class E>
+NodeVectors<D> element_arms(RotaryInertia<D>& of, const Body& body, const E& element) {
+  NodeVectors<D> out;
+  for (int i = 0; i < corners_in<D>; ++i) {
+    of.place[i] = element.node[i] - body.first_node;
+    out[i] = of.nodes.arm[of.place[i]];
+  }
+  return out;
+}
+
+constexpr double proportional_share = 1e-6;  // of squares
+
+/// True if a quad is a parallelogram within 0.1 % of its size.
+bool is_proportional(const NodeVectors<2>& arm, const RotaryInertia<2>& of) {
+  double mass = 0;
+  for (const double m : of.nodes.mass) mass += m;
+  return (arm[0] + arm[2]).squaredNorm() * mass <= proportional_share * of.lumped(0, 0);
+}
+/// True if the faces of a brick are parallelograms within 0.1 %. The position is a polynomial of the natural
+/// coordinates.
+bool is_proportional(const NodeVectors<3>& arm, const RotaryInertia<3>& /*of*/) {
   Vec3 x = Vec3::Zero(), y = x, z = x, yz = x, zx = x, xy = x, xyz = x;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto [a, b, c] = corner_signs<3>[i];
+    const Vec3 part = 0.125 * arm[i];
+    x += a * part, y += b * part, z += c * part;
+    yz += b * c * part, zx += c * a * part, xy += a * b * part, xyz += a * b * c * part;
+  }
+  return yz.squaredNorm() + zx.squaredNorm() + xy.squaredNorm() + xyz.squaredNorm() <=
+         proportional_share * std::min({x.squaredNorm(), y.squaredNorm(), z.squaredNorm()});
+}
 
-  explicit BrickShape(const std::array<Vec3, 8>& arm) {
-    for (std::size_t i = 0; i < 8; ++i) {
-      const auto [a, b, c] = corner[i];
-      const Vec3 part = 0.125 * arm[i];
-      x += a * part, y += b * part, z += c * part;
-      yz += b * c * part, zx += c * a * part, xy += a * b * part, xyz += a * b * c * part;
+/// The mass of a quad or brick at its integration points: shares of the volume at the start, so that mass stays where
+/// it is in the material.
+template <int D, class E>
+void set_points(const Model<D>& model, const E& element, const NodeVectors<D>& arm, RotaryInertia<D>& of) {
+  double volume = 0, mass = 0;
+  of.points.count = corners_in<D>;
+  for (int g = 0; g < corners_in<D>; ++g) {
+    Eigen::Matrix<double, D, D> jacobian = Eigen::Matrix<double, D, D>::Zero();
+    of.points.arm[g].setZero();
+    for (int i = 0; i < corners_in<D>; ++i) {
+      for (int k = 0; k < D; ++k)
+        jacobian.col(k) += slope_share<D>(i, g, k) * model.start_position[static_cast<std::size_t>(element.node[i])];
+      of.points.arm[g] += node_share<D>(i, g) * arm[i];
     }
+    of.points.mass[g] = jacobian.determinant(), volume += of.points.mass[g], mass += of.nodes.mass[g];
   }
-  /// True if the faces are parallelograms within 0.1 %.
-  [[nodiscard]] bool is_parallelepiped() const {
-    constexpr double share = 1e-6;  // of squares
-    const double size = std::min({x.squaredNorm(), y.squaredNorm(), z.squaredNorm()});
-    return yz.squaredNorm() + zx.squaredNorm() + xy.squaredNorm() + xyz.squaredNorm() <= share * size;
+  for (int g = 0; g < corners_in<D>; ++g) {
+    of.points.mass[g] *= mass / volume;
+    of.own += inertia_of(of.points.mass[g], of.points.arm[g]);
   }
-};
+}
 
-/// Inertia of a brick of mass 1 about its centroid, by 2 x 2 x 2 Gauss points, relative to the mean of its nodes.
-Eigen::Matrix3d brick_inertia(const BrickShape& s, const Vec3& from_mean) {
-  const double at = 1 / std::sqrt(3.0);
-  double volume = 0;
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  for (const auto& sign : corner) {
-    const double a = at * sign[0], b = at * sign[1], c = at * sign[2];
-    const Vec3 da = s.x + c * s.zx + b * s.xy + b * c * s.xyz, db = s.y + c * s.yz + a * s.xy + a * c * s.xyz,
-               dc = s.z + b * s.yz + a * s.zx + a * b * s.xyz;
-    const double share = cross(da, db).dot(dc);
-    const Vec3 r =
-        a * s.x + b * s.y + c * s.z + b * c * s.yz + c * a * s.zx + a * b * s.xy + a * b * c * s.xyz - from_mean;
-    volume += share, second += share * (r * r.transpose());
-  }
-  second /= volume;
-  return second.trace() * Eigen::Matrix3d::Identity() - second;
+template <int D, class E>
+RotaryInertia<D> inertia_of_element(const Model<D>& model, const State<D>& state, const Body& body, const E& element) {
+  RotaryInertia<D> out = lumped_inertia(model, state, body);
+  const NodeVectors<D> arm = element_arms(out, body, element);
+  if (is_proportional(arm, out)) return proportional(out, 3);
+  set_points(model, element, arm, out);
+  return out;
 }
 
 }  // namespace
-
-bool is_one_element(const Model<2>& model, int body) {
-  const Body& b = model.bodies[body];
-  if (b.kind == BodyKind::quad) return true;
-  return b.kind == BodyKind::mesh && b.nodes <= 4 && only_element(model.elements, body) != nullptr;
-}
-bool is_one_element(const Model<3>& model, int body) {
-  const Body& b = model.bodies[body];
-  return b.kind == BodyKind::brick || (b.kind == BodyKind::mesh && b.nodes == 4);
-}
 
 template <int D>
 bool has_one_element_bodies(const Model<D>& model) {
@@ -106,46 +114,25 @@ bool has_one_element_bodies(const Model<D>& model) {
   return false;
 }
 
-/// Inertia of a polygon whose nodes follow its outline.
 RotaryInertia<2> rotary_inertia(const Model<2>& model, const State<2>& state, int body) {
   const Body& b = model.bodies[body];
-  const Lumped<2> lumped = lumped_inertia(model, state, b);
-  double twice = 0, second = 0;
-  for (int i = 0; i < b.nodes; ++i) {
-    const Vec2 p = state.position[b.first_node + i] - lumped.centre,
-               q = state.position[b.first_node + (i + 1) % b.nodes] - lumped.centre;
-    const double area = cross(p, q);
-    twice += area, second += area * (p.squaredNorm() + p.dot(q) + q.squaredNorm());
-  }
-  RotaryInertia<2> out{lumped.centre, lumped.inertia, {}};
-  out.own(0, 0) = lumped.mass * second / (6 * twice);
-  return out;
+  if (b.nodes == 3) return proportional(lumped_inertia(model, state, b), 4);
+  return inertia_of_element(model, state, b, first_element(model.elements, body));
 }
 
 RotaryInertia<3> rotary_inertia(const Model<3>& model, const State<3>& state, int body) {
   const Body& b = model.bodies[body];
-  const Lumped<3> lumped = lumped_inertia(model, state, b);
-  RotaryInertia<3> out{lumped.centre, lumped.inertia, {}};
-  if (b.nodes == 4) return {lumped.centre, lumped.inertia, lumped.inertia / 5, 5};
-  const SpaceElement* element = only_element(model.space_elements, body);
-  std::array<Vec3, 8> arm;
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < 8; ++i) arm[i] = state.position[element->node[i]], mean += 0.125 * arm[i];
-  for (Vec3& a : arm) a -= mean;
-  const BrickShape shape(arm);
-  if (shape.is_parallelepiped()) return {lumped.centre, lumped.inertia, lumped.inertia / 3, 3};
-  out.own = lumped.mass * brick_inertia(shape, lumped.centre - mean);
-  return out;
+  if (b.nodes == 4) return proportional(lumped_inertia(model, state, b), 5);
+  return inertia_of_element(model, state, b, first_element(model.space_elements, body));
 }
 
 template <int D>
 double lumped_over_own(const Model<D>& model, const State<D>& state, int body) {
   if (!is_one_element(model, body)) return 1;
   const RotaryInertia<D> of = rotary_inertia(model, state, body);
+  if (of.multiple > 0) return of.multiple;
   if constexpr (D == 2)
     return of.lumped(0, 0) / of.own(0, 0);
-  else if (of.multiple > 0)
-    return of.multiple;
   else
     return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(of.lumped, of.own, Eigen::EigenvaluesOnly)
         .eigenvalues()

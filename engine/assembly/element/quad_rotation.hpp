@@ -2,7 +2,7 @@
 //
 // Most quads are parallelograms. Their own moment of inertia is a third of the moment Jl of their lumped masses m_i at
 // arms r_i from the centroid. So the moment M of the nodal forces needs the additional forces
-//   f_i = (3 / Jl - 1 / Jl) M m_i (-r_iy, r_ix),
+//   f_i = (3 / Jl - 1 / Jl) M m_i (-r_iy, r_ix) - (1 - 1/3) s^2 m_i r_i,      s the spin,
 // which rotary_inertia.hpp states for any body of one element.
 #pragma once
 

@@ -1,12 +1,11 @@
 #include "assembly/element/rotary_inertia.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "assembly/element/quad_rotation.hpp"
+#include "assembly/element/spin_terms.hpp"
 #include "assembly/node_motions.hpp"
 #include "assembly/whole_body.hpp"
 #include "base/team.hpp"
@@ -24,88 +23,79 @@ bool is_unheld(const Model<D>& model, const Body& body) {
   return held == 0;
 }
 
-/// T' D v of the nodes of a body.
-template <int D, class Velocity>
-TurnVector<D> angular_momentum(const Model<D>& model, const State<D>& state, const Body& body, const Vec<D>& centre,
-                               Velocity&& velocity) {
-  TurnVector<D> sum = TurnVector<D>::Zero();
-  for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
-    const auto v = velocity(n);
-    for (int k = 0; k < D; ++k) sum += model.mass[n] * v[k] * turn_row(k, Vec<D>(state.position[n] - centre));
-  }
-  return sum;
-}
-
-/// Gyroscopic term of y: with the lumped angular momentum H and s = Jl^-1 H, it is Jl^-1 (J Jl^-1 (s x H) - s x J s).
-/// It is zero if J is a multiple of Jl, and so in the plane.
-template <int D>
-TurnVector<D> gyroscopic_part(const RotaryInertia<D>& of, const TurnVector<D>& momentum) {
-  if constexpr (D == 2) {
-    return TurnVector<2>::Zero();
-  } else {
-    if (of.multiple > 0) return Vec3::Zero();
-    const Eigen::Matrix3d back = of.lumped.inverse();
-    const Vec3 spin = back * momentum;
-    return back * (of.own * (back * cross(spin, momentum)) - cross(spin, Vec3(of.own * spin)));
-  }
-}
-
-/// Computes y, with `free` = Jf and `sum` the moment of forces and of driven masses. Velocities refer to half a step
-/// before; the present angular momentum follows from its rate.
-template <int D>
-TurnVector<D> turning_answer(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
-                             const TurnMatrix<D>& free, const TurnVector<D>& sum) {
-  const TurnMatrix<D> off = of.taken_off(), left = (TurnMatrix<D>::Identity() - off * free).inverse();
-  TurnVector<D> y = left * (off * sum);
-  if (D == 2 || of.multiple > 0) return y;
-  TurnVector<D> momentum = angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
-  const TurnVector<D> guess = y + left * gyroscopic_part(of, momentum);
-  momentum += 0.5 * state.last_dt * (sum + free * guess);
-  return y + left * gyroscopic_part(of, momentum);
-}
-
-/// Adds y of a free body. force(n): on a node [N].
+/// Adds the forces of a free body whose J is a multiple of Jl. force(i): on its node i [N].
 template <int D, class Force>
-void add_to_free(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
-                 Force&& force, std::vector<Vec<D>>& added) {
+void add_proportional(const State<D>& state, const RotaryInertia<D>& of, int first_node, Force&& force,
+                      std::vector<Vec<D>>& added) {
   TurnVector<D> moment = TurnVector<D>::Zero();
-  const int end = body.first_node + body.nodes;
-  for (int n = body.first_node; n < end; ++n) {
-    const Vec<D> f = force(n);
-    for (int k = 0; k < D; ++k) moment += f[k] * turn_row(k, Vec<D>(state.position[n] - of.centre));
+  for (int i = 0; i < of.nodes.count; ++i) {
+    const Vec<D> f = force(i);
+    for (int k = 0; k < D; ++k) moment += f[k] * turn_row(k, of.nodes.arm[i]);
   }
-  if constexpr (D == 2) {
-    const double y = (1 / of.own(0, 0) - 1 / of.lumped(0, 0)) * moment[0];
-    for (int n = body.first_node; n < end; ++n)
-      added[n] += model.mass[n] * cross(y, Vec2(state.position[n] - of.centre));
-  } else {
-    const Vec3 y = of.multiple > 0 ? Vec3((of.multiple - 1) * (of.lumped.inverse() * moment))
-                                   : turning_answer<3>(model, state, of, body, of.lumped, moment);
-    for (int n = body.first_node; n < end; ++n)
-      added[n] += model.mass[n] * cross(y, Vec3(state.position[n] - of.centre));
+  // Velocities refer to half a step before. The rate of the angular momentum of the lumped masses is J^-1 Jl (moment).
+  const SpinTerms<D> terms(of, angular_momentum(of, [&](int i) { return state.velocity[first_node + i]; }) +
+                                   0.5 * state.last_dt * of.multiple * moment);
+  const TurnVector<D> y = (of.multiple - 1) * (of.lumped.inverse() * moment) + terms.rate;
+  for (int i = 0; i < of.nodes.count; ++i) {
+    Vec<D>& to = added[first_node + i];
+    to += terms.force[i];
+    for (int k = 0; k < D; ++k) to[k] += of.nodes.mass[i] * turn_row(k, of.nodes.arm[i]).dot(y);
   }
 }
 
+/// Forces on the free axes of the nodes of a body, and accelerations of the others.
 template <int D>
-void add_to_held(const Model<D>& model, const State<D>& state, const RotaryInertia<D>& of, const Body& body,
-                 const NodeMotions<D>& motions, std::vector<Vec<D>>& added) {
+struct NodeActions {
+  NodeVectors<D> force, rise;
+  std::array<std::array<bool, D>, corners_in<D>> is_free;
+};
+
+/// Adds the forces of any body. Velocities refer to half a step before, so the terms of the spin are found twice: with
+/// these velocities and with velocities at the instant.
+template <int D>
+void add_any(const State<D>& state, const RotaryInertia<D>& of, int first_node, NodeActions<D>& on,
+             std::vector<Vec<D>>& added) {
+  const TurnMatrix<D> off = of.taken_off();
   TurnMatrix<D> free = TurnMatrix<D>::Zero();
-  TurnVector<D> sum = TurnVector<D>::Zero();
-  const int end = body.first_node + body.nodes;
-  for (int n = body.first_node; n < end; ++n) {
-    const NodeForces<D> f = motions.forces(n);
+  NodeVectors<D> velocity, extra;
+  for (int i = 0; i < of.nodes.count; ++i) {
+    velocity[i] = state.velocity[first_node + i];
     for (int k = 0; k < D; ++k) {
-      const TurnVector<D> row = turn_row(k, Vec<D>(state.position[n] - of.centre));
-      if (model.support[n][k] == Support::free)
-        free += model.mass[n] * row * row.transpose(), sum += f.force[k] * row;
-      else
-        sum += model.mass[n] * motions.driven(n, k) * row;
+      const TurnVector<D> row = turn_row(k, of.nodes.arm[i]);
+      if (on.is_free[i][k]) free += of.nodes.mass[i] * row * row.transpose();
     }
   }
-  const TurnVector<D> y = turning_answer(model, state, of, body, free, sum);
-  for (int n = body.first_node; n < end; ++n)
-    for (int k = 0; k < D; ++k)
-      added[n][k] += model.mass[n] * turn_row(k, Vec<D>(state.position[n] - of.centre)).dot(y);
+  const TurnMatrix<D> left = (TurnMatrix<D>::Identity() - off * free).inverse();
+  for (const int pass : {0, 1}) {
+    const SpinTerms<D> terms(of, velocity);
+    TurnVector<D> sum = TurnVector<D>::Zero();
+    for (int i = 0; i < of.nodes.count; ++i)
+      for (int k = 0; k < D; ++k)
+        sum += (on.is_free[i][k] ? on.force[i][k] + terms.force[i][k] : of.nodes.mass[i] * on.rise[i][k]) *
+               turn_row(k, of.nodes.arm[i]);
+    const TurnVector<D> y = left * (off * sum + terms.rate);
+    for (int i = 0; i < of.nodes.count; ++i)
+      for (int k = 0; k < D; ++k) {
+        extra[i][k] = terms.force[i][k] + of.nodes.mass[i] * turn_row(k, of.nodes.arm[i]).dot(y);
+        if (on.is_free[i][k]) on.rise[i][k] = (on.force[i][k] + extra[i][k]) / of.nodes.mass[i];
+        if (pass == 0) velocity[i][k] += 0.5 * state.last_dt * on.rise[i][k];
+      }
+  }
+  for (int i = 0; i < of.nodes.count; ++i) added[first_node + i] += extra[i];
+}
+
+template <int D>
+NodeActions<D> node_actions(const Model<D>& model, const Body& body, const NodeMotions<D>& motions) {
+  NodeActions<D> out;
+  for (int i = 0; i < body.nodes; ++i) {
+    const int n = body.first_node + i;
+    out.force[i] = along_of(motions.forces(n).force);
+    for (int k = 0; k < D; ++k) {
+      out.is_free[i][k] = model.support[n][k] == Support::free;
+      out.rise[i][k] = motions.driven(n, k);
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -126,14 +116,17 @@ struct RotaryPass {
     const Body& body = model.bodies[b];
     if (!model.body_moves(b)) return;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
-    if (!is_unheld(model, body))
-      add_to_held(model, state, of, body, motions, added);
-    else if (all_count)
-      add_to_free(
-          model, state, of, body, [&](int n) -> const Vec<D>& { return work.force[n]; }, added);
-    else
-      add_to_free(
-          model, state, of, body, [&](int n) { return along_of(motions.forces(n).force); }, added);
+    const int first = body.first_node;
+    if (!(of.multiple > 0) || !is_unheld(model, body)) {
+      NodeActions<D> actions = node_actions(model, body, motions);
+      add_any(state, of, first, actions, added);
+    } else if (all_count) {
+      add_proportional(
+          state, of, first, [&](int i) -> const Vec<D>& { return work.force[first + i]; }, added);
+    } else {
+      add_proportional(
+          state, of, first, [&](int i) { return along_of(motions.forces(first + i).force); }, added);
+    }
   }
   void add_range(int first, int last, const NodeMotions<D>& motions) const {
     for (int b = first; b < last; ++b)
@@ -197,11 +190,9 @@ double rotary_kinetic(const Model<D>& model, const State<D>& state, const Work<D
     if (!is_one_element(model, b) || !model.body_moves(b)) continue;
     const Body& body = model.bodies[b];
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
-    const TurnVector<D> before =
-        angular_momentum<D>(model, state, body, of.centre, [&](int n) { return state.velocity[n]; });
+    const TurnVector<D> before = angular_momentum(of, [&](int i) { return state.velocity[body.first_node + i]; });
     const TurnVector<D> ahead =
-        state.last_dt > 0 ? angular_momentum<D>(model, state, body, of.centre, [&](int n) { return motions.ahead(n); })
-                          : before;
+        state.last_dt > 0 ? angular_momentum(of, [&](int i) { return motions.ahead(body.first_node + i); }) : before;
     sum -= 0.5 * before.dot(of.taken_off() * ahead);
   }
   return sum;
@@ -213,8 +204,8 @@ double rotary_energy(const Model<D>& model, const State<D>& state) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (!is_one_element(model, b) || !model.body_moves(b)) continue;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
-    const TurnVector<D> h =
-        angular_momentum<D>(model, state, model.bodies[b], of.centre, [&](int n) { return state.velocity[n]; });
+    const int first = model.bodies[b].first_node;
+    const TurnVector<D> h = angular_momentum(of, [&](int i) { return state.velocity[first + i]; });
     sum -= 0.5 * h.dot(of.taken_off() * h);
   }
   return sum;
@@ -233,23 +224,21 @@ void add_rotary_diagonal(const Model<D>& model, const State<D>& state, std::vect
   });
 }
 
-/// -D T B T' D a, and in space the gyroscopic term.
+/// - D T (B T' D a + k) - f_s.
 template <int D>
 void add_rotary_forces(const Model<D>& model, const State<D>& state, bool rising, std::vector<Dofs<D>>& out) {
   for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
     if (!is_one_element(model, b) || !model.body_moves(b)) continue;
-    const Body& body = model.bodies[b];
+    const int first = model.bodies[b].first_node;
     const RotaryInertia<D> of = rotary_inertia(model, state, b);
-    const auto moment = [&](const std::vector<Vec<D>>& rate) {
-      return angular_momentum<D>(model, state, body, of.centre, [&](int n) { return rate[n]; });
-    };
-    TurnVector<D> y = TurnVector<D>::Zero();
-    if (rising) y = of.taken_off() * moment(state.acceleration);
-    if (D == 3 && !(of.multiple > 0)) y += gyroscopic_part(of, moment(state.velocity));
-    for (int n = body.first_node; n < body.first_node + body.nodes; ++n) {
-      const Vec<D> arm = state.position[n] - of.centre;
-      for (int k = 0; k < D; ++k) out[n][k] -= model.mass[n] * turn_row(k, arm).dot(y);
-    }
+    NodeVectors<D> velocity;
+    for (int i = 0; i < of.nodes.count; ++i) velocity[i] = state.velocity[first + i];
+    const SpinTerms<D> terms(of, velocity);
+    TurnVector<D> y = terms.rate;
+    if (rising) y += of.taken_off() * angular_momentum(of, [&](int i) { return state.acceleration[first + i]; });
+    for (int i = 0; i < of.nodes.count; ++i)
+      for (int k = 0; k < D; ++k)
+        out[first + i][k] -= of.nodes.mass[i] * turn_row(k, of.nodes.arm[i]).dot(y) + terms.force[i][k];
   }
 }
 

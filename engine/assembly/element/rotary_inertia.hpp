@@ -13,22 +13,34 @@
 //
 //     y = (1 - B Jf)^-1 B (T' f + T' D a of driven nodes),     Jf = T' D T of the free directions.
 //
-// This follows from Sherman, Morrison and Woodbury, so no system of equations is solved. Without constraints y = (J^-1
-// - Jl^-1) (moment of f). In space T, J and Jl rotate with the body. The angular momentum J s, with the spin s = Jl^-1
-// T' D v, follows the moment only if B ( ) in y is replaced by B ( ) + Jl^-1 (J Jl^-1 (s x Jl s) - s x J s). The
-// additional term does no work. It is 0 if J is a multiple of Jl, as for parallelepipeds and tetrahedra.
+// The nodal forces f_s of the spin are added to f. This follows from Sherman, Morrison and Woodbury, so no system of
+// equations is solved. Without constraints and spin y = (J^-1 - Jl^-1) (moment of f).
+//
+// Spin. J is the inertia of masses m_g at the integration points r_g = sum N_i(r_g) r_i of the element, which move with
+// the nodes. Let s = Jl^-1 H with H = T' D v be the spin, and dJ, dJl the rates of J and Jl by the velocities without
+// the rotation s. The lumped masses lie farther out than the body. So their centripetal force becomes the force of
+// the masses m_g, and y gets the rate of B H that belongs to it:
+//
+//     f_s = D s x (s x r) - N' m_g s x (s x r_g),    Jl k = J Jl^-1 (dJl s + s x H) - dJ s - s x H,
+//     y = (1 - B Jf)^-1 (B (T' (f + f_s) + ...) + k).
+//
+// With these terms the angular momentum J s follows the moment of f, and v' M v / 2 its work, as the body deforms. If J
+// is a multiple of Jl (parallelograms, parallelepipeds, triangles, tetrahedra), with c = J/Jl
+//
+//     f_s = (1 - c) D s x (s x r),    k = -(1 - c) Jl^-1 (s x H).
 //
 // Because K T = 0, the frequencies of the element are unchanged. Contacts with the frequency n on the lumped masses
 // have at most n Jl/J on the rotation. The step follows from max(n + e, n Jl/J), with e of the element.
 #pragma once
 
 #include <Eigen/LU>
-#include <optional>
-#include <type_traits>
+
+#include <array>
 
 #include "assembly/node_forces.hpp"
 #include "assembly/step_options.hpp"
 #include "model/model.hpp"
+#include "model/one_element.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
 
@@ -52,12 +64,29 @@ inline TurnVector<3> turn_row(int k, const Vec3& arm) {
   return {arm.y(), -arm.x(), 0};
 }
 
+template <int D>
+inline constexpr int corners_in = D == 2 ? 4 : 8;
+/// A vector for each node of a body of one element, in the order of the body's nodes.
+template <int D>
+using NodeVectors = std::array<Vec<D>, corners_in<D>>;
+
+/// Masses [kg] at arms from the centroid [m].
+template <int D>
+struct MassCloud {
+  int count = 0;
+  std::array<double, corners_in<D>> mass;
+  NodeVectors<D> arm;
+};
+
 /// Inertia of a body of one element, in the present position of its nodes.
 template <int D>
 struct RotaryInertia {
-  Vec<D> centre;
-  TurnMatrix<D> lumped, own;  ///< Jl, J [kg m2]
-  double multiple = 0;        ///< Jl over J in space if they are proportional, otherwise 0
+  Vec<D> centre = Vec<D>::Zero();
+  TurnMatrix<D> lumped = TurnMatrix<D>::Zero(), own = lumped;  ///< Jl, J [kg m2]
+  double multiple = 0;                                         ///< Jl over J if they are proportional, otherwise 0
+  MassCloud<D> nodes;                                          ///< lumped masses
+  MassCloud<D> points;                     ///< masses at the integration points, none if they are proportional
+  std::array<int, corners_in<D>> place{};  ///< index in `nodes` of the element's nodes
 
   [[nodiscard]] TurnMatrix<D> taken_off() const {
     const TurnMatrix<D> back = lumped.inverse();
@@ -65,10 +94,6 @@ struct RotaryInertia {
   }
 };
 
-/// True for a body of one element with corrected rotary inertia: a quad or triangle, in space a brick or a tetrahedron
-/// of four nodes.
-bool is_one_element(const Model<2>& model, int body);
-bool is_one_element(const Model<3>& model, int body);
 template <int D>
 bool has_one_element_bodies(const Model<D>& model);
 
@@ -79,7 +104,8 @@ RotaryInertia<3> rotary_inertia(const Model<3>& model, const State<3>& state, in
 template <int D>
 double lumped_over_own(const Model<D>& model, const State<D>& state, int body);
 
-/// Adds D T y to `added` [node] for all bodies of one element; the forces on their nodes must be complete.
+/// Adds D T y and the forces of the spin to `added` [node] for all bodies of one element; the forces on their nodes
+/// must be complete.
 template <int D>
 void add_rotary_inertia(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options,
                         bool all_count, std::vector<Vec<D>>& added);

@@ -71,6 +71,112 @@ for axis = 1, 3 do
   assert(math.abs(m.energy.residual) < 1e-3*m.energy.kinetic, m.energy.residual)
 end
 
+-- A mesh of one element reads and moves with the same inertia, whatever the order of its nodes.
+for _, points in ipairs {
+  { { 0, 0 }, { 2, 0 }, { 2, 0.5 }, { 0, 0.5 } }, { { 2, 0.5 }, { 0, 0.5 }, { 0, 0 }, { 2, 0 } } } do
+  local m = free(2)
+  local b = element(m, points, { spin = 3 })
+  near(b.inertia, b.mass*(2^2 + 0.5^2)/12, 1e-12, "inertia")
+  near(m.energy.kinetic, 0.5*b.inertia*3^2, 1e-9, "energy of its inertia")
+  m:close()
+end
+
+-- A soft square or cube that spins fast stretches by the centrifugal force of its own mass. Angular momentum and energy
+-- are kept: J0 w^2/2 = J0 (J0/J) w^2/2 + E e^2 V at the largest stretch e of both sides, with J = J0 (1 + e)^2.
+local function spinning(dim, spin, integrator, dt)
+  local E, side = 1e6, 1
+  local m = trilith.model { name = "spinning", dim = dim, gravity = 0 }
+  m:material { name = "soft", density = 2000, E = E, nu = 0, plane = dim == 2 and "stress" or nil }
+  m:contact { between = { "*", "*" }, law = "none" }
+  local b
+  if dim == 2 then
+    b = m:block { name = "b", width = side, height = side, at = { 0, 0 }, material = "soft", body = "quad",
+      floating = true, spin = spin }
+  else
+    b = m:block { name = "b", size = { side, side, side }, at = { 0, 0, 0 }, material = "soft", body = "brick",
+      floating = true, spin = { 0, 0, spin } }
+  end
+  local energy, most, off = m.energy.kinetic, 0, 0
+  m:on_step(function()
+    local ax, ay = b:point(dim == 2 and { 0, 0 } or { 0, 0, 0 })
+    local bx, by = b:point(dim == 2 and { side, side } or { side, side, 0 })
+    most = math.max(most, math.sqrt(((bx - ax)^2 + (by - ay)^2)/2)/side - 1)
+    off = math.max(off, math.abs(m.energy.residual), math.abs(m.energy.numerical))
+  end)
+  m:run { duration = 0.3, integrator = integrator, dt = dt, alpha = integrator == "implicit" and 0 or nil }
+  local low, high = 0, 3
+  for _ = 1, 60 do
+    local e = (low + high)/2
+    if energy*(1 - (1 + e)^-2) > E*e*e then low = e else high = e end
+  end
+  local what = ("%dD, %s, %g rad/s"):format(dim, integrator, spin)
+  near(most, low, 0.01, "stretch of " .. what)
+  assert(off < 2e-3*energy, ("%s: %g of %g J"):format(what, off, energy))
+  m:close()
+  return low
+end
+for _, dim in ipairs { 2, 3 } do
+  for _, spin in ipairs { 4, 16, 30 } do
+    spinning(dim, spin, "explicit", 5e-5)
+    spinning(dim, spin, "implicit", 5e-4)
+  end
+end
+assert(spinning(2, 30, "explicit", 5e-5) > 0.2)
+
+-- General quadrilaterals keep their energy at large strains. As bricks of the same outline in space they move as in
+-- the plane.
+local quads = {
+  trapezium = { { 0, 0 }, { 1.2, 0 }, { 0.9, 1 }, { 0.2, 1 } },
+  kite = { { 0, 0 }, { 1, 0.2 }, { 1.3, 1.1 }, { 0.1, 0.8 } },
+}
+local function soft_quad(points, options)
+  local m = trilith.model { name = "soft", gravity = options.gravity or 0, thickness = 1 }
+  m:material { name = "s", density = 2000, E = 2e6, nu = 0 }
+  m:contact { between = { "*", "*" }, law = "none" }
+  local numbers = { 1, 2, 3, 4 }
+  m:body { name = "b", material = "s", floating = true, spin = options.spin, hold = options.hold,
+    mesh = { nodes = points, elements = { numbers } } }
+  return m
+end
+local function most_strain(m, b, points, go)
+  local space, most, off = m.dim == 3, 0, 0
+  local begun = m.energy.kinetic
+  local function place(p)
+    local x, y, z = b:point(space and { p[1], 0, p[2] } or p)
+    return x, space and z or y
+  end
+  local ax, ay = place(points[1])
+  local bx, by = place(points[3])
+  local first = math.sqrt((bx - ax)^2 + (by - ay)^2)
+  m:on_step(function()
+    ax, ay = place(points[1])
+    bx, by = place(points[3])
+    most = math.max(most, math.abs(math.sqrt((bx - ax)^2 + (by - ay)^2)/first - 1))
+    off = math.max(off, math.abs(m.energy.residual), math.abs(m.energy.numerical))
+  end)
+  m:run(go)
+  return most, off/math.max(begun, 1e-3), bx, by
+end
+for name, points in pairs(quads) do
+  for _, spin in ipairs { 5, 20 } do
+    for _, go in ipairs { { duration = 0.2, integrator = "explicit", dt = 5e-5 },
+                          { duration = 0.2, integrator = "implicit", dt = 4e-4, alpha = 0 } } do
+      local what = ("%s, %s, %g rad/s"):format(name, go.integrator, spin)
+      local m = soft_quad(points, { spin = spin })
+      local space = m:extruded()
+      local most, off, x, y = most_strain(m, m:body "b", points, go)
+      assert(off < 2e-3, ("%s: misses %g of its energy"):format(what, off))
+      assert(spin < 20 or most > 0.05, most)
+      local in_space, off_space, x_space, y_space = most_strain(space, space:body "b", points, go)
+      near(in_space, most, 1e-4, "strain in space of " .. what)
+      assert(off_space < 2e-3, ("in space %s: misses %g of its energy"):format(what, off_space))
+      assert(math.abs(x_space - x) < 1e-4 and math.abs(y_space - y) < 1e-4, what)
+      m:close()
+      space:close()
+    end
+  end
+end
+
 -- Pinned at one corner it swings as a compound pendulum: only some of its nodes are fixed.
 do
   local w, h = 1, 2

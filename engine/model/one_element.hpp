@@ -1,0 +1,19 @@
+// Bodies of one finite element, which have the rotary inertia of the body (assembly/element/rotary_inertia.hpp).
+#pragma once
+
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace trilith {
+
+/// True for a body of one element with corrected rotary inertia: a quad or triangle, in space a brick or a tetrahedron
+/// of four nodes.
+bool is_one_element(const Model<2>& model, int body);
+bool is_one_element(const Model<3>& model, int body);
+
+/// The first element of a body that has elements.
+template <class E>
+const E& first_element(const std::vector<E>& elements, int body);
+
+}  // namespace trilith
