@@ -34,7 +34,7 @@ struct PushPeak {
                        ///< carried by supports; the largest estimate counts.
 
   /// Largest share of inertia and damping at which the force counts as a capacity.
-  static constexpr double most_of_inertia = 0.05;
+  static constexpr double most_of_inertia = 0.02;
   [[nodiscard]] double share_of_inertia() const;
   /// True if the force is static within this share.
   [[nodiscard]] bool is_static() const { return share_of_inertia() <= most_of_inertia; }

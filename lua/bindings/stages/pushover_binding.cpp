@@ -79,16 +79,16 @@ GroundMotion gentle_push(const Simulation<D>& sim, const PushOrder<D>& o) {
 }
 
 /// A peak with a share of inertia and damping is not a capacity.
-void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double rate, double usual,
+void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double rate, double usual, bool gently,
                   const PushPeak& peak) {
   if (peak.is_static()) return;
   const double slower = std::min(usual, rate * PushPeak::most_of_inertia / peak.share_of_inertia());
   m.note_at_once(
       fmt::format(
           "{}: the peak of {} at {} is not a static capacity: the structure carries {} of it, and inertia and damping "
-          "the rest, {:.0f} %. Push more slowly, at {:.2g} m/s or less, or leave out rate, or use control = \"arc\"",
+          "the rest, {:.1f} %. Push more slowly, at {:.2g} m/s or less, {}or use control = \"arc\"",
           name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"), quantity_text(peak.carried, "N"),
-          100 * peak.share_of_inertia(), slower),
+          100 * peak.share_of_inertia(), slower, gently ? "" : "or leave out rate, "),
       host(L));
 }
 
@@ -117,7 +117,7 @@ int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUnt
   const PushCurve curve = with_peak(recorder.curve(), recorder.peak());
   add_curve(L, curve, curve.peak(), met ? "until" : recorder.limit().empty() ? "displacement" : recorder.limit());
   add_statics(L, recorder.peak().carried, recorder.peak().is_static());
-  note_inertia(L, m, o.stage.name, o.rate, usual, recorder.peak());
+  note_inertia(L, m, o.stage.name, o.rate, usual, gently, recorder.peak());
   return 1;
 }
 
