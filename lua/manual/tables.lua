@@ -2,6 +2,7 @@ local report = [[
 name         text      name of the stage
 ending       text      time, rest, unstable, stopped, not at rest, diverged, all left or not converged
 rests        flag      true where the stage ended at rest
+collapsed    flag      true where until_collapse ended the stage
 reason       text      reason, where the stage did not end as requested
 steps        integer   number of time steps
 begun        number s  time at the begin

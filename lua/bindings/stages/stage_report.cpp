@@ -54,13 +54,15 @@ void push_report(lua_State* L, const StageReport& r) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, key);
   };
-  lua_createtable(L, 0, 15);
+  lua_createtable(L, 0, 16);
   lua_pushstring(L, r.name.c_str());
   lua_setfield(L, -2, "name");
   lua_pushstring(L, name_of(r.end));
   lua_setfield(L, -2, "ending");
   lua_pushboolean(L, r.end == StageEnd::rest ? 1 : 0);
   lua_setfield(L, -2, "rests");
+  lua_pushboolean(L, r.reason == collapse_reason ? 1 : 0);
+  lua_setfield(L, -2, "collapsed");
   lua_pushstring(L, r.reason.c_str());
   lua_setfield(L, -2, "reason");
   lua_pushinteger(L, r.steps);

@@ -271,7 +271,7 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
       listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
         inner(time, dt);
         if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true became true";
-        if (met.empty() && fallen.look()) met = "collapse, by until_collapse";
+        if (met.empty() && fallen.look()) met = collapse_reason;
         if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps)) model.stop();
       };
     StageReport report = model.run(options, listener, h);

@@ -37,6 +37,9 @@ void save_instant(lua_State* L, ScriptModel& model, const std::filesystem::path&
 /// Takes further steps of the stage of a paused model. A pause requested meanwhile ends them.
 void run_on(lua_State* L, ScriptModel& model, RunLimit limit);
 
+/// StageReport::reason of a stage that until_collapse has ended.
+inline constexpr const char* collapse_reason = "collapse, by until_collapse";
+
 /// Pushes the report of a stage for scripts.
 void push_report(lua_State* L, const StageReport& report);
 

@@ -116,7 +116,8 @@ local t = tower()
 t:consolidate { rest = { ratio = 1e-6 } }
 t:every(0.1, function(model) if model:body("lower").present then model:remove "lower" end end)
 local fall = t:run { duration = 5, until_collapse = { drop = 0.2 } }
-assert(fall.ending == "stopped" and fall.reason:find "collapse", fall.reason)
+assert(fall.ending == "stopped" and fall.collapsed == true and fall.reason:find "collapse", fall.reason)
+assert(t:run { duration = 1e-3, until_collapse = { drop = 100 } }.collapsed == false)
 fails(function() t:run { duration = 1, until_collapse = 3 } end, "until_collapse")
 fails(function() t:run { duration = 1, until_true = 3 } end, "until_true")
 fails(function() t:run { duration = 1, ["until"] = print } end, "'until' is a word of Lua; write until_true")
