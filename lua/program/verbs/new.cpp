@@ -99,7 +99,8 @@ void add_new(CLI::App& app, int& code) {
   };
   auto o = std::make_shared<NewOptions>();
   CLI::App* verb = app.add_subcommand("new", "Write a commented starting model with a README");
-  verb->add_option("name", o->kind, "arch, bridge, frame, house3d or wall; without it, the list")->type_name("NAME");
+  verb->add_option("name", o->kind, "arch, bridge, facade, frame, house3d or wall; without it, the list")
+      ->type_name("NAME");
   verb->add_option("folder", o->folder, "folder for the files, made if necessary; default NAME")->type_name("FOLDER");
   verb->callback([o, &code] { code = write_template(o->kind, o->folder); });
 }
