@@ -54,7 +54,7 @@ struct MovingMember {
   }
 };
 
-TEST_CASE("the tangent of a beam is that of its forces: elastic, in fibres, at hinges, damped, with rigid ends") {
+TEST_CASE("the tangent of a beam matches finite differences: elastic, fibres, hinges, damped, rigid ends") {
   BilinearSteel steel;
   steel.young = 2.1e11, steel.yield = 240e6, steel.hardening = 0.02;
   HingeLaw axial = plain_hinge();

@@ -62,7 +62,7 @@ TEST_CASE("contacts that parted a moment ago and close are found, and no others,
   }
 }
 
-TEST_CASE("a contact has closed again in the step in which it does, and not in the next") {
+TEST_CASE("the closing of a contact is reported in its own step") {
   ChanceStep step(50, 50, 3);
   take_back(step.state, step.work);
   const std::size_t closed = step.work.closed_again.size();

@@ -80,7 +80,7 @@ TEST_CASE("a link keeps momentum and angular momentum, of any length and with po
   }
 }
 
-TEST_CASE("a link's force is the same in a world turned by any angle") {
+TEST_CASE("a link's force is the same in a frame rotated by any angle") {
   for (const double turn : {17.0, 90.0, 203.0}) {
     const double angle = turn * testing::degree;
     for (const BearingSpec& link : many_links()) {
@@ -95,7 +95,7 @@ TEST_CASE("a link's force is the same in a world turned by any angle") {
   }
 }
 
-TEST_CASE("a finite link turned with its bodies as one gives no force") {
+TEST_CASE("a link rotated rigidly with its bodies has no force") {
   for (const BearingSpec& link : many_links()) {
     Model<2> model = linked_pair(link);
     State<2> state = initial_state(model);
@@ -148,7 +148,7 @@ struct Pulled {
   }
 };
 
-TEST_CASE("the last force of a bearing works for half a step more, and the ledger has it to rounding") {
+TEST_CASE("the last force of a bearing acts for another half step, and the energy balance has it to rounding") {
   // Without contact and weight a block of 2,000 kg pulls a spring with a dashpot until it breaks. Without the half step
   // of the last force the residual would be F v dt / 2: about 2 % at steps of 4 ms.
   for (const bool implicitly : {false, true})
@@ -179,7 +179,7 @@ TEST_CASE("the last force of a bearing works for half a step more, and the ledge
     }
 }
 
-TEST_CASE("a bearing beyond its limit ends, and what was stored in it is given off") {
+TEST_CASE("a bearing fails at its limit and dissipates its stored energy") {
   Pulled p;
   p.scene.builder.set_contact("*", "*", "none");
   BearingSpec l = p.link();
@@ -247,7 +247,7 @@ TEST_CASE("a bearing becomes contact: the two bodies touch from then on, under t
   }
 }
 
-TEST_CASE("a bearing placed at a point that is not a number is refused") {
+TEST_CASE("a bearing placed at a point that is not a number is rejected") {
   Pulled p;
   BearingSpec l = p.link();
   l.point_b.x() = std::nan("");

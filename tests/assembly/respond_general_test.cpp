@@ -74,7 +74,7 @@ Trace follow(const Model<2>& model, Change&& change) {
 
 }  // namespace
 
-TEST_CASE("which edge is remembered to keep two pieces apart, and which corner to be in the other, changes no bit") {
+TEST_CASE("the cached separating edge or corner of two pieces changes no bit") {
   const Model<2> model = falling_stones();
   const Trace kept = follow(model, [](Work<2>&, int) {});
   REQUIRE(kept.hints > 1000);
@@ -101,7 +101,7 @@ TEST_CASE("which edge is remembered to keep two pieces apart, and which corner t
   CHECK(wrong.digest == kept.digest);
 }
 
-TEST_CASE("rows of general shape that threads answer in runs have the bits of one row after the other") {
+TEST_CASE("general contacts computed in partitions by threads have the bits of a sequential evaluation") {
   const Model<2> model = falling_stones();
   const Trace alone = follow(model, [](Work<2>&, int) {});
   REQUIRE(alone.runs == 1);

@@ -107,7 +107,7 @@ std::vector<Polyhedron> chevron(const UnitQuaternion& turn, const Vec3& at) {
   return both;
 }
 
-TEST_CASE("the tangent in space is that of everything: stones and balls by chance and stones of two pieces, poured") {
+TEST_CASE("the tangent in space matches finite differences: poured random stones, balls and stones of two pieces") {
   std::mt19937_64 bits(5);
   SolidModelBuilder builder = on_a_floor(frictional(5e6, 3e6, 0.6, 1e-3));
   for (int i = 0; i < 4; ++i) {
@@ -130,7 +130,7 @@ TEST_CASE("the tangent in space is that of everything: stones and balls by chanc
   CHECK(worst_on_the_way(builder.build(), 1e-4, 0.4, 8, 6e-9) < 1e-6);
 }
 
-TEST_CASE("the tangent in space is that of everything: boxes of elements that fall on stones and on each other") {
+TEST_CASE("the tangent in space matches finite differences: boxes of elements that fall on stones and on each other") {
   for (const ElementShape shape : all_shapes) {
     SolidModelBuilder builder = on_a_floor(frictional(5e6, 3e6, 0.4, 1e-3));
     builder.add_body(
@@ -150,7 +150,7 @@ TEST_CASE("the tangent in space is that of everything: boxes of elements that fa
   }
 }
 
-TEST_CASE("the tangent in space is that of everything: mortar that holds, tears and is crushed") {
+TEST_CASE("the tangent in space matches finite differences: mortar that is intact, torn and crushed") {
   for (const ContactLaw& law :
        {ContactLaw(soft_mortar(2e8, 1e8, 0.7, 2e4, 1e4, 5, 20)), ContactLaw(brittle_mortar(2e8, 2e8, 0.7, 1e5, 1e5))}) {
     SolidModelBuilder builder = on_a_floor(law);
@@ -162,7 +162,7 @@ TEST_CASE("the tangent in space is that of everything: mortar that holds, tears 
   }
 }
 
-TEST_CASE("the tangent in space is that of everything: bearings, a frame on them and loads that follow") {
+TEST_CASE("the tangent in space matches finite differences: bearings, a frame on them and follower loads") {
   for (const DirectionSample& sample : direction_samples(2e3))
     for (const std::size_t direction : {0UL, 2UL, 4UL}) {
       SolidModelBuilder builder = on_a_floor(frictional(5e6, 3e6, 0.4, 1e-3));

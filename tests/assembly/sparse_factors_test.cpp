@@ -40,7 +40,7 @@ double left_of_solution(const SparseFactors& factors, const Matrix& matrix) {
   return (matrix * factors.solve(right) - right).norm() / right.norm();
 }
 
-TEST_CASE("a matrix of symmetric pattern is solved with whether its numbers are symmetric or not") {
+TEST_CASE("a matrix of symmetric pattern is solved with symmetric and unsymmetric values") {
   SparseFactors factors;
   for (const double skew : {0.0, 0.1, 0.7})
     for (const int side : {1, 2, 13, 40}) {

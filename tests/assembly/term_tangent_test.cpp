@@ -97,7 +97,7 @@ constexpr std::array joint_cases{JointCase{"pressed", -2.3e-5, 1e-6, 0},
                                  JointCase{"rolls on it", -2.7e-4, 0.905, 1.4e-3},
                                  JointCase{"deep", -0.02, 0.31, 0.01}};
 
-TEST_CASE("the tangent of a contact by itself is that of everything: all laws and branches and kinds of bodies") {
+TEST_CASE("the tangent of a single contact matches the full tangent: all laws, branches and kinds of bodies") {
   for (const ContactSample& sample : contact_samples())
     for (const bool deform : {false, true}) {
       TwoBlocks blocks(sample.law, deform);
@@ -149,7 +149,7 @@ struct TwoOnBearing {
   }
 };
 
-TEST_CASE("the tangent of a bearing by itself is that of everything: all laws in all directions") {
+TEST_CASE("the tangent of a single bearing matches the full tangent: all laws in all directions") {
   for (const DirectionSample& sample : direction_samples(2e3))
     for (int at = 0; at < 6; ++at) {
       const int direction = at % 3;
@@ -168,7 +168,7 @@ TEST_CASE("the tangent of a bearing by itself is that of everything: all laws in
     }
 }
 
-TEST_CASE("the tangent of a structure as it comes down is that of everything") {
+TEST_CASE("the tangent of a collapsing structure matches finite differences of all forces") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     State<2> state = start_state(model);
@@ -192,7 +192,7 @@ TEST_CASE("the tangent of a structure as it comes down is that of everything") {
   }
 }
 
-TEST_CASE("the tangent of a beam on a bed, on bearings and beside a block is that of everything") {
+TEST_CASE("the tangent of a beam on a bed, on bearings and next to a block matches the full tangent") {
   Scene scene(Frictional{1e8, 5e7, 0.4, 1e-4});
   scene.builder.add_material(elastic_material("concrete", 2400, 30e9, 0.2, 1e-4));
   scene.builder.overlap_allowed = 1e-3;
@@ -212,7 +212,7 @@ TEST_CASE("the tangent of a beam on a bed, on bearings and beside a block is tha
   CHECK(worst_entry(model, state, 1e-3, 10) < 1e-6);
 }
 
-TEST_CASE("the tangent of loads that follow is that of everything: at points and on faces of all kinds of bodies") {
+TEST_CASE("the tangent of follower loads matches the full tangent: at points and on faces of all kinds of bodies") {
   for (const int kind : {0, 1, 2}) {
     Scene scene(Frictional{1e6, 1e6, 0.5, 0});
     scene.builder.add_material(elastic("soft", 2000, 1e9, 0.2, Plane::stress, ElementForm::assumed, 1e-4));

@@ -71,7 +71,7 @@ TEST_CASE("fresh files have names nobody can foresee and the rights of any new f
   CHECK(fs::status(folder / "page").permissions() == fs::status(folder / "usual").permissions());
 }
 
-TEST_CASE("a fresh file keeps the links at the name it takes, whether what they lead to is there or not") {
+TEST_CASE("a new file keeps symbolic links at its name, whether or not their targets exist") {
   const Folder folder;
   fs::create_directory(folder / "far");
   for (const char* real : {"far/page", "far/none"}) {
@@ -97,7 +97,7 @@ TEST_CASE("a link that leads back to itself is an error, not an endless search")
   CHECK_THROWS_AS(FreshFile(folder / "none" / "page"), std::system_error);
 }
 
-TEST_CASE("where the standard streams are closed no fresh file takes their place") {
+TEST_CASE("closed standard streams are not replaced by new files") {
   const Folder folder;
   const pid_t child = ::fork();
   if (child == 0) {

@@ -15,13 +15,13 @@ TEST_CASE("the nearest name is offered only when it is near") {
   CHECK(nearest_name("zzzz", {"width", "height"}).empty());
 }
 
-TEST_CASE("a word broken off stands for the only name that begins so") {
+TEST_CASE("an abbreviated word selects the only name that begins with it") {
   CHECK(nearest_name("kin", {"gravity", "kinetic"}) == "kinetic");
   CHECK(nearest_name("bea", {"bearing_elastic", "bearing_damping"}).empty());
   CHECK(nearest_name("ki", {"gravity", "kinetic"}).empty());
 }
 
-TEST_CASE("a former name is answered by the way it is written today") {
+TEST_CASE("a former name is rejected with the present name") {
   CHECK(name_hint("until_rest", {"duration", "rest"}) == "; since version 1.0 it is 'rest'");
   CHECK(name_hint("ratio", {"duration", "rest"}) == "; since version 1.0 it is 'rest = { ratio = }'");
   CHECK(name_hint("damping", {"density", "beta"}) == "; since version 1.0 it is 'beta'");

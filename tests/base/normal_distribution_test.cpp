@@ -13,7 +13,7 @@ using trilith::normal_quantile;
 using trilith::normal_share;
 using trilith::testing::near;
 
-TEST_CASE("shares of the normal distribution are those of tables, in the tails too") {
+TEST_CASE("the normal distribution matches tables, in the tails too") {
   CHECK(near(normal_share(0), 0.5, 1e-15));
   CHECK(near(normal_share(1), 0.841344746068542949, 1e-14));
   CHECK(near(normal_share(-1), 0.158655253931457051, 1e-14));
@@ -33,7 +33,7 @@ TEST_CASE("the normal density is the slope of the share") {
   }
 }
 
-TEST_CASE("quantiles of the normal distribution are those of tables, and shares taken back") {
+TEST_CASE("quantiles of the normal distribution match tables and invert the distribution") {
   CHECK(std::abs(normal_quantile(0.5)) < 1e-14);
   CHECK(near(normal_quantile(0.84), 0.994457883209753, 1e-12));
   CHECK(near(normal_quantile(0.95), 1.644853626951473, 1e-12));

@@ -50,7 +50,7 @@ TEST_CASE("a product of rotations turns by the second and then by the first") {
   CHECK((Turn3(inverse(a)).apply(v) - Turn3(a).undo(v)).norm() < 1e-15 * 10);
 }
 
-TEST_CASE("axes give back the rotation that made them") {
+TEST_CASE("a rotation is recovered from its axes") {
   for (const Vec3& angle : some_angles) {
     const Eigen::Matrix3d axes = matrix_of(rotation_by(angle));
     CHECK((matrix_of(rotation_of(axes)) - axes).norm() < 4e-15);

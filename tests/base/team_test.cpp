@@ -14,7 +14,7 @@
 
 using namespace trilith;
 
-TEST_CASE("a shared loop comes to every item once, whatever the number of threads and the stretch") {
+TEST_CASE("a parallel loop visits every item once, for any number of threads and any chunk size") {
   for (const int threads : {1, 2, 3, 8})
     for (const int stretch : {1, 7, 64})
       for (const int count : {0, 1, 7, 1000}) {
@@ -29,7 +29,7 @@ TEST_CASE("a shared loop comes to every item once, whatever the number of thread
       }
 }
 
-TEST_CASE("what follows a shared loop in order has the sum of one thread to the bit") {
+TEST_CASE("an ordered reduction after a parallel loop has the sum of one thread to the bit") {
   constexpr int count = 5000;
   const auto term = [](int i) { return 1.0 / (1 + i * i % 97); };
   double expected = 0;
@@ -54,7 +54,7 @@ TEST_CASE("what follows a shared loop in order has the sum of one thread to the 
     }
 }
 
-TEST_CASE("what an item of a shared loop throws comes to the one who asked") {
+TEST_CASE("an exception in a parallel loop reaches the caller") {
   for (const int threads : {1, 3}) {
     CHECK_THROWS_AS(share(threads, 100, 1,
                           [](int first, int, int) {
@@ -67,7 +67,7 @@ TEST_CASE("what an item of a shared loop throws comes to the one who asked") {
   }
 }
 
-TEST_CASE("what several threads ask for is made once, and is there for all of them") {
+TEST_CASE("an object requested by several threads is created once for all") {
   constexpr int things = 97, asked = 20000;
   for (const int threads : {1, 2, 4}) {
     std::vector<std::uint8_t> made(things, 0);
@@ -85,7 +85,7 @@ TEST_CASE("what several threads ask for is made once, and is there for all of th
   }
 }
 
-TEST_CASE("what could not be made is made by the next who asks") {
+TEST_CASE("an object whose creation failed is created at the next request") {
   for (const int threads : {1, 2}) {
     std::uint8_t made = 0;
     int thing = 0;
@@ -96,7 +96,7 @@ TEST_CASE("what could not be made is made by the next who asks") {
   }
 }
 
-TEST_CASE("who has waited long for another thread works alone for a while, and then not any more") {
+TEST_CASE("a thread that waits long for another works alone for a while") {
   using Clock = std::chrono::steady_clock;
   using std::chrono::milliseconds;
   const std::thread::id asking = std::this_thread::get_id();

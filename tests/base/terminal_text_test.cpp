@@ -25,7 +25,7 @@ TEST_CASE("the controls of eight bits count and other letters of UTF-8 do not") 
   }
 }
 
-TEST_CASE("a name with a control character is refused in one line that shows it") {
+TEST_CASE("a name with a control character is rejected in one line that shows it") {
   CHECK_NOTHROW(require_printable("S3.left ü", "body"));
   CHECK_THROWS_WITH_AS(require_printable("red\033[31m", "body"),
                        "body 'red\\27[31m' holds the control character \\27; leave it out", InputError);

@@ -45,7 +45,7 @@ TEST_CASE("no unit stands twice in the table, and every one parses to itself") {
   }
 }
 
-TEST_CASE("a wrong unit is refused with the nearest name") {
+TEST_CASE("a wrong unit is rejected with the nearest name") {
   CHECK_THROWS_WITH_AS(parse_unit("kips"), "there is no unit 'kips'; did you mean 'kip'?", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("lb"), "there is no unit 'lb'; write lbf for a force, lbm for a mass", InputError);
   CHECK_THROWS_WITH_AS(parse_unit("kip/feet"), doctest::Contains("there is no unit 'feet' in 'kip/feet'"), InputError);

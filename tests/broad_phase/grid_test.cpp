@@ -7,7 +7,7 @@
 
 using namespace trilith;
 
-TEST_CASE("boxes that are out of all measure or no numbers meet nothing and leave the others their pairs") {
+TEST_CASE("boxes that are huge or not finite form no pairs and leave other pairs unchanged") {
   const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   std::vector<Box> boxes;
   for (int i = 0; i < 20; ++i) boxes.push_back({0.9 * i, 0, 0.9 * i + 1, 1});

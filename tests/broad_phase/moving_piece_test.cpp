@@ -37,7 +37,7 @@ struct Two {
 
 }  // namespace
 
-TEST_CASE("the overlap of two pieces is the least way out of each other") {
+TEST_CASE("the overlap of two pieces is the least separating translation") {
   CHECK(near(Two(box(0, 0, 1, 1), box(0.5, 0.9, 1.5, 1.9)).depth(0), 0.1, 1e-12));
   CHECK(near(Two(box(0, 0, 1, 1), box(0.98, 0.9, 1.98, 1.9)).depth(0), 0.02, 1e-12));
   CHECK(near(Two(box(0, 0, 1, 1), box(0.2, 1.25, 1.2, 2.25)).depth(0), -0.25, 1e-12));
@@ -45,7 +45,7 @@ TEST_CASE("the overlap of two pieces is the least way out of each other") {
   CHECK(near(Two(box(-2, 0, 2, 0.1), box(-0.2, -0.5, 0.2, 0.6)).depth(0), 0.6, 1e-12));
 }
 
-TEST_CASE("what flies at a plate is stopped short of it and then goes on by the depth allowed") {
+TEST_CASE("a body that flies at a plate is limited before it and then penetrates by the allowed depth") {
   Two two(box(-1, 0, 1, 0.1), box(-0.1, 1.1, 0.1, 1.3));
   two.state.velocity[1] = {3, -100};
   CHECK(near(two.time(1, 0.01), 0.99 / 100, 1e-9));
@@ -58,7 +58,7 @@ TEST_CASE("what flies at a plate is stopped short of it and then goes on by the 
   CHECK(two.time(1, 0.01) == 1);
 }
 
-TEST_CASE("what slides along a plate at any speed is not held up") {
+TEST_CASE("a body that slides along a plate is not slowed at any speed") {
   Two two(box(-1, 0, 1, 0.1), box(-0.1, 0.0999, 0.1, 0.3));
   two.state.velocity[1] = {1000, 0};
   CHECK(two.time(0.1, 1e-3) == 0.1);

@@ -65,7 +65,7 @@ Scene stones(std::mt19937_64& bits, int count, double unlike) {
 
 }  // namespace
 
-TEST_CASE("a list that is patched gives the bits of one found anew and misses no pair that overlaps") {
+TEST_CASE("an updated pair list equals a rebuilt one to the bit and misses no overlapping pair") {
   std::mt19937_64 bits(3);
   for (const double unlike : {3.0, 100.0}) {
     Scene scene = stones(bits, 60, unlike);
@@ -127,7 +127,7 @@ Model<2> row_of_blocks() {
 
 }  // namespace
 
-TEST_CASE("what stands is not looked up again while something else flies by and finds its neighbours") {
+TEST_CASE("a passing body does not trigger a contact search for standing bodies and finds its own neighbours") {
   const Model<2> model = row_of_blocks();
   State<2> state = initial_state(model);
   const int stone = model.nodes() - 1;
@@ -157,7 +157,7 @@ TEST_CASE("what stands is not looked up again while something else flies by and 
   CHECK(work.pairs.size() >= pairs + 2);
 }
 
-TEST_CASE("what all move by together makes nobody be looked up again") {
+TEST_CASE("a common translation of all bodies triggers no new search") {
   const Model<2> model = row_of_blocks();
   State<2> state = initial_state(model);
   Work<2> work;

@@ -59,7 +59,7 @@ double least_angle(const Work<2>& work, const Model<2>& model) {
 
 }  // namespace
 
-TEST_CASE("a pair is remembered as tilted only while none of its faces can oppose each other, however it turns") {
+TEST_CASE("a pair stays in the cache of tilted pairs only while none of its faces can oppose each other") {
   std::mt19937_64 bits(11);
   int remembered = 0, asked = 0, wrong = 0, chosen = 0, faces = 0, found = 0;
   for (int k = 0; k < 60; ++k) {

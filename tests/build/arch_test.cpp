@@ -154,7 +154,7 @@ TEST_CASE("a pointed arch is its own mirror image to the bit, its crown a vertic
     }
 }
 
-TEST_CASE("a key is as much wider than the others as asked for") {
+TEST_CASE("a key is as much wider than the others as requested") {
   for (const double key : {0.5, 1.0, 2.0}) {
     const std::vector<Part> parts = build_arch({.voussoirs = 9, .radius = 2, .thickness = 0.3, .key = key});
     check_sound(parts);
@@ -187,7 +187,7 @@ TEST_CASE("an arch's jitter moves the joints between voussoirs along the mid lin
   CHECK(most < 1.1e-6);
 }
 
-TEST_CASE("arches that cannot be built are refused") {
+TEST_CASE("arches that cannot be built are rejected") {
   CHECK(says(refusal_of([] { build_arch({.offset = 0.95}); }),
              "offset of the centres is 0.95 m, must be below the inner"));
   CHECK(says(refusal_of([] { build_arch({.half_angle = 0.4, .offset = 0.5}); }), "must be above 0.571"));

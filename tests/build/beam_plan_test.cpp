@@ -108,7 +108,7 @@ TEST_CASE("count and spacing together lay a row in the middle of its room") {
     CHECK(near(box_named(made, fmt::format("B.s1.beam{}", i + 1)).first.y(), 1.5 + 0.5 * (i - 1), 1e-12));
 }
 
-TEST_CASE("what is behind a beam that does not go through a wall is filled with a unit for each course") {
+TEST_CASE("the wall behind the end of a beam is filled with one unit per course") {
   const SolidParts made = build_building(beamed_house({{.count = 1, .width = 0.2, .height = 0.4, .bearing = 0.25}}));
   check_sound(made.parts);
   check_box(made, "B.s1.beam1", {-0.05, 1.5, 1.2}, {6.05, 1.7, 1.6});
@@ -153,7 +153,7 @@ TEST_CASE("beams side by side make a floor from wall to wall") {
   CHECK(near(volume_in(made, "units"), plan_area * 1.6 - 3 * 2.8 * 0.4 * 0.2, 1e-12));
 }
 
-TEST_CASE("storeys have beams of their own or those of the building, with a slab on them or none") {
+TEST_CASE("storeys have their own beams or the beams of the building, with or without a slab") {
   Building building = beamed_house({{.count = 4, .width = 0.2}});
   building.storeys = {
       {.courses = 8, .slab_height = 0.1},
@@ -190,7 +190,7 @@ TEST_CASE("beams of a plan with a wing end in the walls that their own lines mee
              "2.1 m; move it by spacing or count"));
 }
 
-TEST_CASE("beams lie on lintels, and over openings alone they are refused") {
+TEST_CASE("beams lie on lintels, and over openings alone they are rejected") {
   Building building = beamed_house({{.along_y = true, .count = 1, .width = 0.2, .to = Vec2(2.8, 3.2)}});
   building.walls[0].openings = {{.from = 0.8, .width = 1.2, .height = 1.2}};  // its lintel ends at 1.4 m
   check_sound(build_building(building).parts);
@@ -217,7 +217,7 @@ TEST_CASE("beams lie on lintels, and over openings alone they are refused") {
   check_sound(build_building(building).parts);
 }
 
-TEST_CASE("rows of beams at random are sound or refused with a line, in every bond") {
+TEST_CASE("rows of beams at random are sound or rejected with a line, in every bond") {
   std::mt19937_64 bits(7);
   int sound = 0;
   for (int i = 0; i < 120; ++i) {
@@ -242,7 +242,7 @@ TEST_CASE("rows of beams at random are sound or refused with a line, in every bo
   CHECK(sound > 40);
 }
 
-TEST_CASE("beams that cannot lie are refused") {
+TEST_CASE("beams that cannot lie are rejected") {
   CHECK(says(refusal_of_beams({{.count = 3}}), "building 'B': storey 1: beams: width is 0 m, must be"));
   CHECK(says(refusal_of_beams({{.width = 0.1}}), "give their spacing in m from centre to centre, or their count"));
   CHECK(says(refusal_of_beams({{.count = -1, .width = 0.1}}), "count is -1"));

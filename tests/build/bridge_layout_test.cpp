@@ -100,7 +100,7 @@ TEST_CASE("seats and joint make a pier's top and an abutment's back wall") {
   CHECK(a.back_wall_width == 4 - 0.5 - 0.1);
 }
 
-TEST_CASE("what a support does not say, its top and the span's gap give") {
+TEST_CASE("keys missing in a support follow from its top and the gap of the span") {
   BridgeLayout bridge = layout();
   bridge.add_support(top_of(Pier{.name = "P3", .x = 30, .ground_level = -6, .height = 6, .stem_width = 2}));
   bridge.add_support(top_of("rock", {{60, -6}, {64, -6}, {64, -1}, {63, 0}, {61, 0}}));
@@ -148,7 +148,7 @@ TEST_CASE("a deck lies on its bearings, and both must have it at one level") {
   CHECK(says(why_not(plan), "on 'A0'"));
 }
 
-TEST_CASE("a span on supports or bearings that are not there is refused with the nearest name") {
+TEST_CASE("a span on supports or bearings that are not there is rejected with the nearest name") {
   SpanPlan plan = first();
   plan.to = "p1";
   CHECK(says(why_not(plan), "span 'S1': to: there is no support 'p1'; did you mean 'P1'?"));
@@ -164,7 +164,7 @@ TEST_CASE("a span on supports or bearings that are not there is refused with the
   CHECK(says(refusal_of([&] { static_cast<void>(empty.lay(first())); }), "bearing types come before spans"));
 }
 
-TEST_CASE("a span that runs backwards, has no length or reaches from a support to itself is refused") {
+TEST_CASE("a span that runs backwards, has no length or reaches from a support to itself is rejected") {
   SpanPlan plan = first();
   plan.from = "A2", plan.to = "P1";
   CHECK(says(why_not(plan), "from is 'A2', an abutment at the right end of a bridge; give it as to"));
@@ -204,7 +204,7 @@ TEST_CASE("each seat takes one span, and no deck overlaps another") {
   CHECK(bridge.lay(second()).deck.name == "S2");
 }
 
-TEST_CASE("seats, joints and bearing types that make no sense are refused by name") {
+TEST_CASE("invalid seats, joints and bearing types are rejected by name") {
   CHECK(says(refusal_of([] { build_pier({.name = "P1", .height = 5, .seat = 0.4}); }),
              "seat is 0.4 m, but the width of its joint"));
   CHECK(says(refusal_of([] {

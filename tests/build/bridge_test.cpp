@@ -66,13 +66,13 @@ TEST_CASE("abutments stand behind their front face, left and right as mirror ima
   CHECK(plain.outline == Polygon{{1, 0}, {4, 0}, {4, 2}, {1, 2}});
 }
 
-TEST_CASE("a span fills its opening but for the gap at each end") {
+TEST_CASE("a span fills its opening except for the gap at each end") {
   const Part span = build_span({.name = "S1", .x0 = 10, .x1 = 40, .end_gap = 0.5, .soffit_level = 2, .depth = 1.5});
   CHECK(span.outline == Polygon{{10.5, 2}, {39.5, 2}, {39.5, 3.5}, {10.5, 3.5}});
   CHECK(span.groups == std::vector<std::string>{"spans"});
 }
 
-TEST_CASE("bridge pieces that cannot be built are refused by name") {
+TEST_CASE("bridge pieces that cannot be built are rejected by name") {
   CHECK(says(refusal_of([] { build_pier({.name = "P1", .height = 5}); }), "pier 'P1': stem width is 0 m"));
   CHECK(
       says(refusal_of([] { build_pier({.height = 5, .stem_width = 1, .footing_width = 3}); }), "give both or neither"));

@@ -125,7 +125,7 @@ TEST_CASE("a building may be turned, and its floors have any outline") {
   CHECK(named(made.parts, "house.s2.floor").pieces.size() == 2);
 }
 
-TEST_CASE("a storey whose walls no slab carries is refused and one that a slab carries in part is told of") {
+TEST_CASE("a storey without a carrying slab is rejected, one on a partial slab gets a note") {
   Building building = house();
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
   CHECK(says(refusal_of([&] { build_building(building); }),
@@ -203,7 +203,7 @@ TEST_CASE("openings cut units, short pieces join their neighbours with a note") 
   CHECK(build_solid_wall(wall).notes.size() == 3);
 }
 
-TEST_CASE("masonry beside an opening or a lintel that is shorter than the least length is refused") {
+TEST_CASE("masonry next to an opening or a lintel that is shorter than the least length is rejected") {
   SolidWall wall = wall_of(4, 10, "stretcher");
   const auto refused = [&] { return refusal_of([&] { build_solid_wall(wall); }); };
   wall.openings = {{.from = 0.05, .sill = 0.4, .width = 1, .height = 1, .lintel = false}};
@@ -223,7 +223,7 @@ TEST_CASE("masonry beside an opening or a lintel that is shorter than the least 
              "0.15 m is 0.05 m long"));
 }
 
-TEST_CASE("buildings that cannot be are refused") {
+TEST_CASE("impossible buildings are rejected") {
   const auto refused = [](auto change) {
     Building building = house();
     change(building);

@@ -29,7 +29,7 @@ SolidFinding only(const std::vector<SolidFinding>& found) {
 
 }  // namespace
 
-TEST_CASE("what builders make has nothing to find") {
+TEST_CASE("models of the builders pass all checks") {
   std::vector<SolidPart> dome = build_dome({.rings = 6, .sectors = 20});
   CHECK(check_solids(dome).empty());
   std::vector<SolidPart> column =
@@ -37,7 +37,7 @@ TEST_CASE("what builders make has nothing to find") {
   CHECK(check_solids(column).empty());
 }
 
-TEST_CASE("solids that are inside out are turned round, or told where repair is off") {
+TEST_CASE("inverted solids are reversed, or reported if repair is off") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {1, 0, 0})};
   FaceLoops reversed;
   const FaceLoops right = parts[1].pieces[0].faces;
@@ -54,7 +54,7 @@ TEST_CASE("solids that are inside out are turned round, or told where repair is 
   CHECK(check_solids(parts).empty());
 }
 
-TEST_CASE("open, hollow, degenerate and thin solids are told") {
+TEST_CASE("open, hollow, degenerate and thin solids are reported") {
   std::vector<SolidPart> parts{brick("open", {0, 0, 0}), brick("flat", {1, 0, 0}),
                                brick("thin", {2, 0, 0}, {1, 1, 1e-4}), brick("ell", {3, 0, 0}),
                                brick("nan", {4, 0, 0})};
@@ -75,7 +75,7 @@ TEST_CASE("open, hollow, degenerate and thin solids are told") {
   CHECK(found[4].text == "solid 'nan' has a corner that is not finite or beyond 1e12 m");
 }
 
-TEST_CASE("overlaps are told with their volume, touching faces, edges and corners are none") {
+TEST_CASE("overlaps are reported with their volume, touching faces, edges and corners are none") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {1, 0, 0}), brick("c", {0, 1, 1}),
                                brick("d", {1, 1, 2})};
   CHECK(check_solids(parts).empty());
@@ -90,7 +90,7 @@ TEST_CASE("overlaps are told with their volume, touching faces, edges and corner
   CHECK(says(found[0].text, "solid 'e' shares 0.0375 m3, 0.0375 of the smaller, with solid 'a'"));
 }
 
-TEST_CASE("a part that touches nothing is told, one at the edge of reach is not") {
+TEST_CASE("a part without contact is reported, one at the edge of the search distance is not") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {0, 0, 1 + 1e-7}), brick("c", {0, 0, 3})};
   const SolidFinding found = only(check_solids(parts));
   CHECK(found.text == "solid 'c' touches nothing");
@@ -112,7 +112,7 @@ TEST_CASE("pieces of one part are looked at too") {
   CHECK(says(found.text, "solid 'a', piece 2 shares 0.5 m3"));
 }
 
-TEST_CASE("a hundred thousand faces are looked at in seconds") {
+TEST_CASE("100,000 faces are checked within seconds") {
   Building building{.walls = {{.start = {0, 0}, .end = {40, 0}},
                               {.start = {0, 0}, .end = {0, 30}},
                               {.start = {40, 0}, .end = {40, 30}},

@@ -93,7 +93,7 @@ TEST_CASE("cross vaults may be pointed or segmental, turned, and without bond") 
   }
 }
 
-TEST_CASE("cross vaults that cannot be are refused") {
+TEST_CASE("impossible cross vaults are rejected") {
   CHECK(says(refusal_of([] { build_cross_vault({.name = "V"}); }), "cross vault 'V': stone length is 0 m"));
   CHECK(says(refusal_of([] { build_cross_vault({.half_bay = 1, .stone_length = 1}); }),
              "half bay is 1 m, must be at least 1.075 m"));

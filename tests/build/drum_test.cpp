@@ -63,7 +63,7 @@ TEST_CASE("a column of drums stands flat from base to capital") {
     for (std::size_t i = 0; i < 12; ++i) CHECK(parts[d].pieces[0].corners[12 + i] == parts[d + 1].pieces[0].corners[i]);
 }
 
-TEST_CASE("columns and drums out of range are refused") {
+TEST_CASE("columns and drums out of range are rejected") {
   CHECK(says(refusal_of([] { build_prism({.name = "p", .sides = 2, .radius = 1, .height = 1}); }),
              "prism 'p': number of sides is 2"));
   CHECK(says(refusal_of([] { build_prism({.radius = 1}); }), "prism: height is 0 m"));

@@ -82,7 +82,7 @@ TEST_CASE("a coping is one straight line over all voussoirs, with joints towards
   CHECK(near(area_of(parts[10]), 0.8 * (2 + 3), 1e-12));
 }
 
-TEST_CASE("a steep flyer takes the radius that it is given, and its last joint is upright all the same") {
+TEST_CASE("a steep flyer has the given radius and a vertical last joint") {
   FlyingButtress f;
   f.span = 2, f.rise = 3, f.radius = 4, f.voussoirs = 5;
   const std::vector<Part> parts = build_flying_buttress(f);
@@ -93,7 +93,7 @@ TEST_CASE("a steep flyer takes the radius that it is given, and its last joint i
   for (const Part& part : parts) CHECK(area_of(part) > 0);
 }
 
-TEST_CASE("flying buttresses that cannot be are refused with what to give instead") {
+TEST_CASE("impossible flying buttresses are rejected with what to give instead") {
   FlyingButtress f;
   f.name = "A", f.rise = 5;
   CHECK(refusal(f).find("flying buttress 'A': rise is 5 m, above the span of 4 m") == 0);

@@ -71,7 +71,7 @@ TEST_CASE("a Gmsh file gives its triangles and quadrilaterals and the nodes they
   CHECK(check_mesh(mesh, "body").outline == 5);
 }
 
-TEST_CASE("what is wrong with a Gmsh file is said with its line") {
+TEST_CASE("errors of a Gmsh file have their line") {
   CHECK(message_of("") == "mesh 'x.msh': line 1: it does not begin with $MeshFormat, so it is not a Gmsh mesh");
   CHECK(message_of(with(two_elements, "4.1 0 8", "2.2 0 8")).find("line 2: the format has version '2.2'") !=
         std::string::npos);
@@ -88,7 +88,7 @@ TEST_CASE("what is wrong with a Gmsh file is said with its line") {
   CHECK_THROWS_AS(read_gmsh("/no/such/file.msh"), InputError);
 }
 
-TEST_CASE("a Gmsh file that is cut or garbled is read or refused, nothing else") {
+TEST_CASE("a truncated or corrupted Gmsh file is read or rejected without a crash") {
   std::mt19937 random(7);
   const auto any = [&](std::size_t below) { return static_cast<std::size_t>(random() % below); };
   for (int round = 0; round < 20000; ++round) {
@@ -131,7 +131,7 @@ std::string solid_file(const std::string& element) {
          element + "$EndElements\n";
 }
 
-TEST_CASE("a Gmsh mesh in space gives its volumes and passes over what lies on their skin") {
+TEST_CASE("a Gmsh mesh in space gives its volumes and skips elements of the surface") {
   const SpaceMesh mesh = parse_gmsh_in_space(solid_file("3 1 4 1\n2 1 2 3 4\n"), "mesh");
   CHECK(mesh.node.size() == 5);
   REQUIRE(mesh.cell.size() == 1);
@@ -155,7 +155,7 @@ TEST_CASE("a prism of a Gmsh mesh is a wedge with its nodes in the same order") 
   CHECK(near(node_shares(ElementShape::wedge, nodes_of(checked.mesh, 0)).volume, 1, 1e-12));
 }
 
-TEST_CASE("a Gmsh mesh in space without volumes, or with elements that are not known, says so") {
+TEST_CASE("a Gmsh mesh in space without volumes or with unknown elements is rejected with the reason") {
   CHECK_THROWS_WITH_AS(
       (void)parse_gmsh_in_space(solid_file("2 2 2 1\n2 1 2 4\n"), "mesh 'x'"),
       "mesh 'x': there is no tetrahedron, hexahedron or prism in it; mesh the volume (Mesh 3) before saving",

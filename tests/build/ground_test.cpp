@@ -30,7 +30,7 @@ TEST_CASE("a sloping surface with a collinear point keeps it") {
   CHECK(convex_parts(ground.part.outline).size() == 1);
 }
 
-TEST_CASE("grounds that cannot be built are refused") {
+TEST_CASE("grounds that cannot be built are rejected") {
   CHECK(says(refusal_of([] {
                build_ground_profile({.surface = {{0, 0}}, .base_level = -1});
              }),

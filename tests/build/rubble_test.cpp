@@ -143,7 +143,7 @@ TEST_CASE("every place of the outline is in the cell of the point nearest to it"
     }
 }
 
-TEST_CASE("rubble that cannot be built is refused") {
+TEST_CASE("impossible rubble in the plane is rejected") {
   const auto with = [](auto change) {
     Rubble rubble{.name = "r", .outline = panel};
     change(rubble);

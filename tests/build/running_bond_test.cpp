@@ -96,7 +96,7 @@ TEST_CASE("the walls for measuring have 444 and 1752 units and 1266 and 5124 pai
   CHECK(build_bench_wall(1).size() == 2);
 }
 
-TEST_CASE("panels that cannot be built are refused, fields off the grid with the nearest lines") {
+TEST_CASE("panels that cannot be built are rejected, fields off the grid with the nearest lines") {
   const auto with_opening = [](PanelField field) {
     return refusal_of([=] { build_running_bond({.name = "w", .columns = 6, .courses = 10, .openings = {field}}); });
   };

@@ -12,7 +12,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("a box stands with its lower corner or its middle where it is told to, to the bit") {
+TEST_CASE("a box has its lower corner or its centre at the given point, to the bit") {
   const SolidPart part = build_box({.name = "b", .size = {0.3, 0.2, 0.1}, .at = {0, 0, 0}});
   REQUIRE(part.pieces.size() == 1);
   for (const Vec3& p : part.pieces[0].corners) {
@@ -38,7 +38,7 @@ TEST_CASE("a box is turned about its anchor by an axis and an angle or by a quat
   check_convex(build_box({.size = {2, 1, 4}, .turn = {.axis = {1, 2, 3}, .angle = 1}}).pieces[0], "turned");
 }
 
-TEST_CASE("boxes that cannot be are refused") {
+TEST_CASE("impossible boxes are rejected") {
   CHECK(says(refusal_of([] { build_box({.name = "b", .size = {1, 0, 1}}); }), "block 'b': size along y is 0 m"));
   CHECK(says(refusal_of([] { build_box({.size = {1, 1, 1}, .at = {0, NAN, 0}}); }), "block: y is nan"));
   CHECK(says(refusal_of([] {
@@ -101,7 +101,7 @@ TEST_CASE("parts of the plane become solids that share the faces their outlines 
   CHECK(says(refusal_of([&] { extrude_part(arch[0], {}); }), "part 'A.v1': depth is 0 m"));
 }
 
-TEST_CASE("a hull of rounded points gets exactly plane faces, and says so") {
+TEST_CASE("a hull of rounded points gets exactly plane faces, and reports it") {
   std::vector<Vec3> points;
   for (const double z : {0.0, 1.0})
     for (int i = 0; i < 12; ++i) {

@@ -127,7 +127,7 @@ TEST_CASE("files may have another unit, another upward axis, negative indices an
   CHECK((high - Vec3(1, 0, 1)).norm() < 1e-14);
 }
 
-TEST_CASE("solids that are inside out or partly so are turned round with a note") {
+TEST_CASE("solids that are inside out or partly so are reversed with a note") {
   Polyhedron inverted;
   inverted.corners = cube.corners;
   Polyhedron partly = inverted;
@@ -158,7 +158,7 @@ TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
   CHECK(read.parts[1].pieces[0].faces.count() == 6);
 }
 
-TEST_CASE("text that begins with the mark of an editor is read as without it") {
+TEST_CASE("a byte order mark at the start of a text is skipped") {
   const std::string mark = "\xEF\xBB\xBF";
   for (const auto& [bytes, parse] :
        {std::pair{obj_of({{"", cube}}), &parse_obj}, std::pair{stl_of("a", cube), &parse_stl}}) {
@@ -187,7 +187,7 @@ TEST_CASE("a dome in single precision, all stones in one binary STL, comes back 
   CHECK(says(one.notes[0], "has 61 separate shells"));
 }
 
-TEST_CASE("a thousand stones of rubble have nothing to find, and come back from single precision") {
+TEST_CASE("a thousand stones of rubble pass all checks, also after single precision") {
   std::vector<SolidPart> rubble = build_solid_rubble({.high = {10, 1, 5}, .stones = 1000, .seed = 3});
   CHECK(near(total_volume(rubble), 50, 1e-12));
   CHECK(check_solids(rubble).empty());
@@ -209,7 +209,7 @@ TEST_CASE("files are read by their ending") {
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("what is no closed convex solid is refused with its name and the place") {
+TEST_CASE("a solid that is not closed and convex is rejected with name and place") {
   Polyhedron open = cube;
   open.faces.corner.resize(20), open.faces.start.pop_back();
   CHECK(says(refusal_of([&] {
@@ -239,7 +239,7 @@ TEST_CASE("what is no closed convex solid is refused with its name and the place
   CHECK(says(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
 }
 
-TEST_CASE("a solid that crosses itself is refused with the place and not made its hull") {
+TEST_CASE("a self-intersecting solid is rejected with the place, not replaced by its hull") {
   // a prism over a bow tie, whose volume is 0, and one over a five-pointed star, which is convex at each edge
   const std::string attachment =
       "o tie\nv 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nv 1 0 1\nv 0 1 1\n"
@@ -257,7 +257,7 @@ TEST_CASE("a solid that crosses itself is refused with the place and not made it
   CHECK(says(refusal_of([&] { parse_obj(star, {}, "file"); }), "file: solid 'star' intersects itself at (-0.381966, "));
 }
 
-TEST_CASE("a face that is there twice and a solid that is flat are called so") {
+TEST_CASE("a duplicate face and a flat solid are reported") {
   Polyhedron twice = cube;
   twice.faces.add(std::vector<int>(cube.faces[0].begin(), cube.faces[0].end()));
   CHECK(says(refusal_of([&] {
@@ -273,7 +273,7 @@ TEST_CASE("a face that is there twice and a solid that is flat are called so") {
   CHECK(parse_obj(obj_of({{"o a\n", thin}}), {.flat = 1e-8}, "file").parts.size() == 1);
 }
 
-TEST_CASE("what is true of many solids of a file is one note") {
+TEST_CASE("one note covers many solids of a file") {
   Polyhedron inverted = cube;
   for (int f = 0; f < inverted.faces.count(); ++f)
     std::reverse(inverted.faces.corner.begin() + inverted.faces.start[static_cast<std::size_t>(f)],
@@ -287,7 +287,7 @@ TEST_CASE("what is true of many solids of a file is one note") {
         "file: solid 'box0' was inside out; its faces were reversed (and 999 more of its solids likewise)");
 }
 
-TEST_CASE("a binary file whose count is wrong, or that is cut short, says what it has room for") {
+TEST_CASE("a binary file with a wrong count or a truncated end is rejected with its capacity") {
   const std::string sound = binary_stl_of({SolidPart{"cube", {cube}, {}}});
   const auto stl = [](const std::string& bytes) { return refusal_of([&] { parse_stl(bytes, {}, "file"); }); };
   std::string more = sound, cut = sound.substr(0, sound.size() - 20);
@@ -301,7 +301,7 @@ TEST_CASE("a binary file whose count is wrong, or that is cut short, says what i
              "file: is not an OBJ file: its byte 6 is 0, but OBJ files are text"));
 }
 
-TEST_CASE("a file of a hundred thousand faces gives one line whether it is sound or open or hollow") {
+TEST_CASE("a file of 100,000 faces gives one line, whether it is closed, open or hollow") {
   const auto around = [](int of) { return 2 * std::numbers::pi * of / 224; };
   // a ball of 224 by 224 faces, each a triangle or a quad of two, with a bump at some corners
   const auto ball = [&](double bump, int left_out) {

@@ -73,7 +73,7 @@ TEST_CASE("the same seed gives the same stones, another one others, relaxation e
   CHECK(spread(build_solid_rubble(rubble)) < before / 2);
 }
 
-TEST_CASE("rubble that cannot be is refused") {
+TEST_CASE("impossible rubble in space is rejected") {
   CHECK(says(refusal_of([] {
                build_solid_rubble({.name = "R", .high = {1, 1, 1}, .stones = 0});
              }),

@@ -46,7 +46,7 @@ TEST_CASE("with factor 1 the blocks above every edge have their centre of mass o
   }
 }
 
-TEST_CASE("stacks that cannot be built are refused") {
+TEST_CASE("stacks that cannot be built are rejected") {
   CHECK(says(refusal_of([] { build_stack({.name = "pile"}); }), "stack 'pile': has no blocks"));
   CHECK(says(refusal_of([] { build_stack({.blocks = {{1, 1, 0}, {1, 0, 0}}}); }), "stack, block 2: height is 0 m"));
   CHECK(says(refusal_of([] { build_stack({.blocks = {{1, 1, 0}, {1, 1, 1}}}); }), "offset is 1 m, must be within 1 m"));

@@ -86,7 +86,7 @@ TEST_CASE("a vault may be pointed, without bond, with curved stones, and stand a
   CHECK(build_barrel_vault(vault).size() == 53);
 }
 
-TEST_CASE("vaults that cannot be are refused") {
+TEST_CASE("impossible vaults are rejected") {
   BarrelVault vault = published_vault();
   vault.stones = 0;
   CHECK(says(refusal_of([&] { build_barrel_vault(vault); }), "vault 'V': number of stones in a course is 0"));
@@ -143,7 +143,7 @@ TEST_CASE("a dome with an oculus has no key") {
   CHECK(count_in_group(parts, "ring 2") == 8);
 }
 
-TEST_CASE("domes that cannot be are refused") {
+TEST_CASE("impossible domes are rejected") {
   CHECK(says(refusal_of([] { build_dome({.name = "D", .rings = 0}); }), "dome 'D': number of rings is 0"));
   CHECK(says(refusal_of([] { build_dome({.sectors = 2}); }), "number of sectors is 2"));
   CHECK(says(refusal_of([] { build_dome({.radius = 1, .thickness = 2}); }), "thickness is 2 m, must be below twice"));

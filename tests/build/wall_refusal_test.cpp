@@ -11,7 +11,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("a sill off the course lines is refused with the nearest ones, or moved if asked to") {
+TEST_CASE("a sill off the course lines is rejected with the nearest lines, or moved on request") {
   WallOpening opening{.x = 0.8, .sill = 0.25, .width = 0.8, .height = 0.4};
   CHECK(refusal_of_opening(opening) ==
         "wall 'w', opening 1 (storey 1): sill is 0.25 m, must lie on a course line: 0.2 or 0.4 m are nearest, and snap "
@@ -27,7 +27,7 @@ TEST_CASE("a sill off the course lines is refused with the nearest ones, or move
   CHECK(count_in_group(made.parts, "lintels") == 1);
 }
 
-TEST_CASE("openings that cannot be built are refused with their place, value and what is allowed") {
+TEST_CASE("impossible openings are rejected with place, value and allowed values") {
   const WallOpening good{.x = 0.8, .sill = 0.2, .width = 0.8, .height = 0.4};
   CHECK(refusal_of_opening(good) == "accepted");
   const auto with = [&](auto change) {
@@ -57,7 +57,7 @@ TEST_CASE("openings that cannot be built are refused with their place, value and
   CHECK(with([](WallOpening& o) { o.x = 0, o.height = 0.8; }) == "accepted");  // no courses above the head
 }
 
-TEST_CASE("openings and lintels on each other are refused") {
+TEST_CASE("openings and lintels on each other are rejected") {
   Wall wall = plain_wall();
   wall.openings = {{.x = 0.4, .sill = 0.2, .width = 0.6, .height = 0.4},
                    {.x = 0.8, .sill = 0.4, .width = 0.6, .height = 0.4}};
@@ -74,7 +74,7 @@ TEST_CASE("openings and lintels on each other are refused") {
   CHECK(refusal_of_wall(wall) == "accepted");
 }
 
-TEST_CASE("walls whose sizes make no sense are refused") {
+TEST_CASE("walls with invalid sizes are rejected") {
   const auto with = [](auto change) {
     Wall wall = plain_wall();
     change(wall);

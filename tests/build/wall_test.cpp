@@ -52,7 +52,7 @@ std::string quarters(const std::vector<Part>& parts, const std::string& course) 
 
 }  // namespace
 
-TEST_CASE("the paper's wall has 293 units, 6 lintels, 3 slabs and a base, on one grid") {
+TEST_CASE("the wall of the paper has 293 units, 6 lintels, 3 slabs and a base, on one grid") {
   const std::vector<Part> parts = build_wall(paper_wall()).parts;
   check_sound(parts);
   check_one_grid(parts, 1e-7);
@@ -72,7 +72,7 @@ TEST_CASE("the paper's wall has 293 units, 6 lintels, 3 slabs and a base, on one
   }
 }
 
-TEST_CASE("the paper's wall weighs what its outline less its openings weighs: 19.6 kip of masonry") {
+TEST_CASE("the wall of the paper has the weight of its outline less its openings: 19.6 kip of masonry") {
   const std::vector<Part> parts = build_wall(paper_wall()).parts;
   double masonry = 0, slabs = 0;
   for (const Part& part : parts) {
@@ -242,7 +242,7 @@ TEST_CASE("jitter moves head joints alone, by at most its size, the same for the
   CHECK(differs > 0.9e-6);
 }
 
-TEST_CASE("a sill may be a block that reaches under the masonry beside the opening") {
+TEST_CASE("a sill may be a block that reaches under the masonry next to the opening") {
   Wall wall = plain_wall();
   wall.openings = {{.x = 0.8, .sill = 0.4, .width = 0.8, .height = 0.4, .sill_height = 0.2, .sill_bearing = 0.1}};
   const std::vector<Part> parts = build_wall(wall).parts;
@@ -260,7 +260,7 @@ TEST_CASE("a sill may be a block that reaches under the masonry beside the openi
              "bearing of up to 0.8 m fits"));
 }
 
-TEST_CASE("any description is built without gap and overlap, or refused in one line") {
+TEST_CASE("any description is built without gap and overlap, or rejected in one line") {
   std::mt19937_64 bits(11);
   int built = 0, refused = 0;
   const auto grid = [&](double step, int low, int high) {

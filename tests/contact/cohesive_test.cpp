@@ -18,7 +18,7 @@ constexpr double kn = Joint::kn, ks = Joint::ks, mu = Joint::mu, cohesion = Join
 
 }  // namespace
 
-TEST_CASE("a softening joint pulled apart peaks at its strength, falls in a line and gives off its fracture energy") {
+TEST_CASE("a softening joint pulled apart peaks at its strength, falls in a line and dissipates its fracture energy") {
   Joint joint;
   double peak = 0, at_peak = 0;
   const double first = tension / kn, last = 2 * gi / tension;
@@ -95,7 +95,7 @@ TEST_CASE("half softened in shear, a joint has lost the same share of its tensio
   CHECK(peak > 0.995 * left * tension);
 }
 
-TEST_CASE("on mixed and cyclic paths the work is what was given off and what is stored, and nothing is made") {
+TEST_CASE("on mixed and cyclic paths work equals dissipated plus stored energy") {
   struct Stop {
     double gap, slip;
   };
@@ -121,7 +121,7 @@ TEST_CASE("on mixed and cyclic paths the work is what was given off and what is 
     }
 }
 
-TEST_CASE("a softening joint answers alike in every direction of the world") {
+TEST_CASE("a softening joint does not depend on the direction") {
   Joint plain, turned_joint;
   turned_joint.turn = Turn(2.2);
   for (Joint* j : {&plain, &turned_joint}) j->lead(1e-4, 4e-4, 1000), j->lead(-1e-4, 9e-4, 1000);
@@ -144,7 +144,7 @@ TEST_CASE(
   CHECK(near(joint.work, joint.fracture + joint.friction + pressed + shear, 0.005));
 }
 
-TEST_CASE("a fracture energy below what the joint stores at its strength is refused with the least that is possible") {
+TEST_CASE("a fracture energy below the energy stored at the strength is rejected with the least possible value") {
   const Cohesive sound{kn, ks, mu, 0, cohesion, tension, gi, gii, 0, 0};
   CHECK_NOTHROW(sound.check());
   Cohesive weak = sound;

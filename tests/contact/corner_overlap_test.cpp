@@ -193,15 +193,15 @@ void check_corners(bool both) {
 
 }  // namespace
 
-TEST_CASE("a corner under a face gives what the contact of any shape does, alone and several at once") {
+TEST_CASE("a corner under a face has the force of the general contact, alone and several at once") {
   check_corners(false);
 }
 
-TEST_CASE("a corner of each piece in the other gives what the contact of any shape does, alone and several at once") {
+TEST_CASE("corners in each other have the forces of the general contact, alone and several at once") {
   check_corners(true);
 }
 
-TEST_CASE("a corner that is not below the face it is said to be below is not answered") {
+TEST_CASE("a corner that is not below its stated face gives no result") {
   const Frictional law{1e8, 5e7, 0.6, 1e-3};
   const PlainFriction kernel(law, 1, 1e-4);
   const LooseStone floor({{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, {0, -0.5}, Vec2::Zero(), 0);

@@ -45,8 +45,7 @@ Pressed press(double at_left, double at_right, const FaceMemory<double>& memory,
 
 }  // namespace
 
-TEST_CASE(
-    "pressed beyond its strength mortar carries just that, and what it is crushed by takes the rest of the work") {
+TEST_CASE("mortar pressed beyond its strength carries its strength, and crushing dissipates the remaining work") {
   MortarJoint joint = crushing_joint();
   joint.lead(-0.999 * first, 0, 100);
   CHECK(joint.fracture == 0.0);
@@ -152,7 +151,7 @@ struct General {
 
 }  // namespace
 
-TEST_CASE("a contact of any shape whose mortar is crushed has the force that its energy falls by") {
+TEST_CASE("the force of a crushed contact of any shape is the gradient of its energy") {
   Cohesive law = crushing_mortar();
   law.compression = MortarJoint::kn;  // a penetration of 1 m, more than any here
   const double h = 1e-7, depth = 2e-3;
@@ -170,7 +169,7 @@ TEST_CASE("a contact of any shape whose mortar is crushed has the force that its
     }
 }
 
-TEST_CASE("a contact of any shape crushes until it carries its strength over the length it is pressed on") {
+TEST_CASE("a contact of any shape crushes until it carries its strength over the pressed length") {
   const Vec2 at(0, -5e-3);
   const General general(at, 0, 0, crushing_mortar());
   const OverlapResponse& last = general.response;

@@ -97,21 +97,21 @@ double check_pairs(const Pairs& of, double within, Solid&& solid) {
 
 }  // namespace
 
-TEST_CASE("boxes press by their edges as those that are cut do") {
+TEST_CASE("contact of boxes from edges equals contact from cutting") {
   CHECK(check_pairs({21, 5000, 1e-4}, 1e-9, a_box) < 1);
   CHECK(check_pairs({22, 5000, 1e-2}, 1e-10, a_box) < 10);
 }
 
-TEST_CASE("... other solids of few faces likewise") {
+TEST_CASE("... other solids with few faces") {
   CHECK(check_pairs({23, 5000, 1e-4}, 1e-9, of_few_faces) < 50);
   CHECK(check_pairs({24, 5000, 1e-2}, 1e-10, of_few_faces) < 100);
 }
 
-TEST_CASE("... deep in each other, where not many are left that have no more than four nearest faces") {
+TEST_CASE("... at deep overlap, where few have at most four nearest faces") {
   CHECK(check_pairs({25, 3000, 0.1}, 1e-10, a_box) < 500);
   CHECK(check_pairs({26, 3000, 0.5}, 1e-10, of_few_faces) < 1000);
 }
 
-TEST_CASE("... and far from the origin but for what the corners have lost") {
+TEST_CASE("... and far from the origin, within the rounding of the corners") {
   CHECK(check_pairs({27, 2000, 1e-3, Vec3(1e3, -2e3, 5e2)}, 1e-6, a_box) < 5);
 }

@@ -39,7 +39,7 @@ void for_random(F&& f) {
 
 }  // namespace
 
-TEST_CASE("faces apart feel nothing and remember nothing") {
+TEST_CASE("separated faces have no force and no memory") {
   std::mt19937_64 bits(3);
   for (int i = 0; i < 500; ++i) {
     const auto r = respond_fresh(random_faces(bits, 0.05, 0.2, 0.01), no_memory(), frictional);
@@ -51,7 +51,7 @@ TEST_CASE("faces apart feel nothing and remember nothing") {
   }
 }
 
-TEST_CASE("bonded faces that have not moved feel nothing") {
+TEST_CASE("bonded faces without displacement have no force") {
   const Faces f{rigid_face({1, 0}, {0, 0}, Vec2::Zero(), 0), rigid_face({0, 0}, {1, 0}, Vec2::Zero(), 0)};
   const auto r = respond_fresh(f, no_memory(true), bonded);
   CHECK(size_of(r) == 0.0);
@@ -74,7 +74,7 @@ TEST_CASE("the forces on two faces are equal and opposite, in sum and in moment"
   check(frictional), check(bonded);
 }
 
-TEST_CASE("which of two faces is called the first makes no difference") {
+TEST_CASE("the order of two faces makes no difference") {
   for_random([](const Faces& f, const FaceMemory<double>& memory) {
     FaceMemory<double> swapped = memory;  // halves are counted from the start of the first face
     for (const int h : {0, 1}) {
@@ -96,7 +96,7 @@ TEST_CASE("which of two faces is called the first makes no difference") {
   });
 }
 
-TEST_CASE("contact does not depend on the axes: turned faces feel turned forces") {
+TEST_CASE("contact does not depend on the axes: rotated faces have rotated forces") {
   std::mt19937_64 bits(8);
   for_random([&](const Faces& f, const FaceMemory<double>& memory) {
     const Turn turn(random_between(bits, -M_PI, M_PI));
@@ -339,8 +339,7 @@ Lap lead_round(const Path& path, const Coulomb& law) {
 
 }  // namespace
 
-TEST_CASE(
-    "a closed path of two faces gives off what the law accounts to damping and friction, never less than nothing") {
+TEST_CASE("a closed path of two faces dissipates the damping and friction of the law, never a negative energy") {
   std::mt19937_64 bits(17);
   for (int i = 0; i < 20; ++i) {
     const Path path(bits);

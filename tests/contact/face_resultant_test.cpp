@@ -72,7 +72,7 @@ void check_same(const L& numbers, bool bonded) {
 
 }  // namespace
 
-TEST_CASE("the resultant of two faces is the force and moment that their ends feel") {
+TEST_CASE("the resultant of two faces is the force and moment at their ends") {
   check_same(Frictional{1e8, 4e7, 0.6, 2e-3}, false);
   check_same(Bonded{1e8, 4e7, 0.6, 2e-3, 1e9, 1e9, 0}, true);
 }

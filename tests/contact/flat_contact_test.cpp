@@ -173,7 +173,7 @@ FlatContacts rubbed(std::mt19937_64& bits, double tilt, const ContactLaw& law) {
 
 }  // namespace
 
-TEST_CASE("four flat contacts at once give what one after the other does") {
+TEST_CASE("four flat contacts at once give the bits of one after the other") {
   std::mt19937_64 bits(11);
   int flat = 0, sliding = 0;
   double most = 0;
@@ -189,7 +189,7 @@ TEST_CASE("four flat contacts at once give what one after the other does") {
   CHECK(most < 2e-7);
 }
 
-TEST_CASE("the pair of faces that may lie flat is the only one until it says so") {
+TEST_CASE("only the pair of faces that may lie flat is tested until it fails") {
   std::mt19937_64 bits(12);
   int alone = 0;
   for (int i = 0; i < 300; ++i) {
@@ -225,7 +225,7 @@ TEST_CASE("the pair of faces that may lie flat is the only one until it says so"
   CHECK(alone > 250);
 }
 
-TEST_CASE("a flat contact has the bits it has alone, whatever others go with it") {
+TEST_CASE("a flat contact has the same bits alone and among others") {
   std::mt19937_64 bits(47);
   std::set<std::int64_t> kinds;
   int sliding = 0, flat = 0;

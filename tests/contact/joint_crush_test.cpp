@@ -86,7 +86,7 @@ TEST_CASE("a joint that is bent and pressed crushes patch by patch, none beyond 
   CHECK(near_zero(residual(joint), 1e-5 * joint.put_in));
 }
 
-TEST_CASE("bent to and fro while it crushes, a joint gives back no more than went in") {
+TEST_CASE("a joint bent cyclically while it crushes returns at most the energy put in") {
   for (const double beta : {0.0, 1e-5}) {
     HeldJoint joint(crushing_mortar(1e6, 2e-3, beta), 0.5, 0.4);
     const double d = 1e-4;

@@ -73,7 +73,7 @@ TEST_CASE("shear that friction carries stays with the pressure as mortar sets wh
   }
 }
 
-TEST_CASE("a sound joint is one spring that carries what its patches do") {
+TEST_CASE("an intact joint is one spring with the forces of its patches") {
   for (const double overlap : {0.0, 1e-5, -1e-6}) {
     Cohesive soft = soft_mortar(1e10, 8e9, 0.7, 3e6, 2e6, 2e3, 6e3);
     soft.beta = 1e-4;
@@ -95,7 +95,7 @@ TEST_CASE("a sound joint is one spring that carries what its patches do") {
   }
 }
 
-TEST_CASE("a centred pull has the tensile strength times the area, at the edge of the kern half of it") {
+TEST_CASE("a centred pull reaches the strength times the area, a pull at the edge of the kern half of it") {
   const double kn = 1e10, strength = 2e5;
   const ContactLaw brittle = brittle_mortar(kn, 1e10, 0.7, 3e5, strength),
                    soft = soft_mortar(kn, 1e10, 0.7, 3e5, strength, 40, 80);
@@ -133,7 +133,7 @@ TEST_CASE("a brittle bond is sheared off at cohesion and friction of the pressur
   CHECK(near(most, 0.15e5 * area, 2e-3));
 }
 
-TEST_CASE("softening mortar gives off its fracture energies where it is parted and where it is slid apart") {
+TEST_CASE("softening mortar dissipates its fracture energies in tension and in shear") {
   const double area = 0.5 * 0.4, mode_1 = 20, mode_2 = 60;
   const ContactLaw law = soft_mortar(1e10, 8e9, 0.7, 3e5, 2e5, mode_1, mode_2);
   HeldJoint parted(law, 0.5, 0.4);
@@ -155,7 +155,7 @@ TEST_CASE("softening mortar gives off its fracture energies where it is parted a
   CHECK(near(rubbed.friction, 0.7 * sigma * area * (1e-3 - 0.7 * sigma / 8e9), 1e-2));
 }
 
-TEST_CASE("an intact joint stores no patches, and one that has cracked all of its plan") {
+TEST_CASE("an intact joint stores no patches, a cracked joint stores all of them") {
   HeldJoint joint(soft_mortar(1e10, 1e10, 0.7, 3e5, 2e5, 20, 60), 0.5, 0.4, 1e-5);
   CHECK(joint.joint().plan->patches == most_patches);
   joint.to(Vec3(1e-6, 0, 1e-6));
@@ -197,7 +197,7 @@ TEST_CASE("X3: bending of softening mortar between two rigid halves") {
   CHECK(near(ratio, 2.3472, 5e-3));  // eight points over the depth: 2.355
 }
 
-TEST_CASE("T10: a square under pressure begins to slide at its corners and reaches its limit by and by") {
+TEST_CASE("T10: a square under pressure starts to slide at its corners and reaches its limit gradually") {
   const double ks = 1e8, mu = 0.5, pressure = 1e4, limit = 1913.0, first = 7.0711e-5;
   HeldJoint joint(brittle_mortar(1e9, ks, mu, 0, 0, 1), 1, 1, pressure / 1e9);
   const auto torque = [&](double times, int steps) {
@@ -210,7 +210,7 @@ TEST_CASE("T10: a square under pressure begins to slide at its corners and reach
   }
 }
 
-TEST_CASE("a bond that is twisted: brittle it fails as its corners do and ductile it reaches the whole area's limit") {
+TEST_CASE("a twisted bond fails with its corners if brittle and reaches the limit of the whole area if ductile") {
   const double ks = 1e10, cohesion = 1e5, a = 0.5;
   HeldJoint brittle(brittle_mortar(1e10, ks, 0.7, cohesion, 1e6), a, a);
   double most = 0;
@@ -225,7 +225,7 @@ TEST_CASE("a bond that is twisted: brittle it fails as its corners do and ductil
   CHECK(near(most, 0.38260 * cohesion * a * a * a, 1e-2));
 }
 
-TEST_CASE("whatever is put into a joint it stores or gives off, as it opens, bends, slips and twists to its end") {
+TEST_CASE("work on a joint is stored or dissipated while it opens, bends, slips and twists up to failure") {
   for (const double beta : {0.0, 2e-5})
     for (const double dilation : {0.0, 0.2}) {
       Cohesive soft = soft_mortar(1e10, 8e9, 0.7, 3e5, 2e5, 20, 60);
@@ -244,7 +244,7 @@ TEST_CASE("whatever is put into a joint it stores or gives off, as it opens, ben
     }
 }
 
-TEST_CASE("what a joint carried last is known from what it remembers from sound to slid and open") {
+TEST_CASE("the last force of a joint follows from its memory, from intact to sliding and open") {
   Cohesive soft = soft_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 0.5, 2);
   soft.beta = 1e-3;
   Bonded brittle = brittle_mortar(1e9, 5e8, 0.7, 3e4, 2e4, 1);

@@ -119,7 +119,7 @@ void try_ball(const L& numbers) {
 
 }  // namespace
 
-TEST_CASE("the same pair under any law gives the same forces and energies in every geometry that honours the law") {
+TEST_CASE("a pair under any law has the same forces and energies in every geometry of the law") {
   ContactLaws::for_each([]<class L>() {
     for (const L& law : samples<L>(usual_in_contact)) try_law(law);
   });
@@ -131,7 +131,7 @@ TEST_CASE("a ball is pressed by any law ring by ring as even faces are") {
   });
 }
 
-TEST_CASE("a law whose own equations a geometry leaves out is refused there by name, with the laws that act") {
+TEST_CASE("a law without equations for a geometry is rejected by name, with the laws that act there") {
   ContactLaws::for_each([]<class L>() {
     for (const ContactForm form : contact_forms) {
       const std::string message = form_refusal(sample<L>(usual_in_contact), std::array{form});

@@ -23,7 +23,7 @@ std::string message_of(const ContactLaw& law) {
 
 }  // namespace
 
-TEST_CASE("a contact law outside its declared ranges is refused with its name, its number and the range") {
+TEST_CASE("a contact law outside its declared ranges is rejected with its name, its number and the range") {
   ContactLaws::for_each([]<class L>() {
     const L sound = sample<L>(usual_in_contact);
     for (const L& law : samples<L>(usual_in_contact)) CHECK(message_of(law).empty());
@@ -83,7 +83,7 @@ TEST_CASE("C7: below its strength a bond pulls with kn times the gap, above it w
   CHECK(near(above.lost_fracture, 0.5 * 1e8 * 2.01e-4 * 2.01e-4, 1e-12));
 }
 
-TEST_CASE("C7: where one end is pulled beyond its strength, the whole face is lost or half of it, as chosen") {
+TEST_CASE("C7: where one end exceeds its strength, the whole face or half of it fails, as selected") {
   // Opening of 3e-4 m at the right end and 1e-4 m in the middle; the left end is closed.
   const BondResponse whole = opened(1e-4, 4e-4, 0, false, no_memory(true)),
                      half = opened(1e-4, 4e-4, 0, true, no_memory(true));

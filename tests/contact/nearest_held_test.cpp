@@ -78,7 +78,7 @@ TEST_CASE("four forces brought to the limit of friction at once have the bits of
   CHECK(settled > 10000);
 }
 
-TEST_CASE("what friction holds lies on the limit, and sliding goes along the limit's normal") {
+TEST_CASE("projected friction lies on the limit, and sliding follows its normal") {
   std::mt19937_64 bits(48);
   for (int round = 0; round < 2000; ++round) {
     const Beyond drawn = draw(bits);

@@ -170,7 +170,7 @@ TEST_CASE("the general contact does not depend on the axes") {
   }
 }
 
-TEST_CASE("pieces apart feel nothing, and are told a distance that is not too large") {
+TEST_CASE("separated pieces have no force and a safe lower bound of their distance") {
   std::mt19937_64 bits(37);
   int apart = 0;
   for (int i = 0; i < 500; ++i) {

@@ -67,7 +67,7 @@ TEST_CASE("with the exponent 1 the power law has the forces of the frictional on
   }
 }
 
-TEST_CASE("a contact of any shape under a power has the force that its energy falls by") {
+TEST_CASE("the force of a power contact of any shape is the gradient of its energy") {
   const Polygon lower{{-1, -1}, {1, -1}, {1, 0}, {-1, 0}}, upper{{-0.5, 0}, {0.5, 0}, {0.5, 1}, {-0.5, 1}};
   const std::vector<std::uint8_t> all(4, 1);
   const ContactLaw law = power_law(1.5);
@@ -86,7 +86,7 @@ TEST_CASE("a contact of any shape under a power has the force that its energy fa
   }
 }
 
-TEST_CASE("a block that strikes a power contact goes as deep as its energy takes it, and comes off as fast") {
+TEST_CASE("a block that strikes a power contact reaches the depth of its energy and rebounds with its speed") {
   const double mass = 2000, speed = 0.5;
   for (const double exponent : {1.5, 2.0}) {
     Scene scene(power_law(exponent));

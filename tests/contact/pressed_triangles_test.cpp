@@ -103,7 +103,7 @@ bool near_vectors(const Vec3& a, const Vec3& b, double of) {
 
 }  // namespace
 
-TEST_CASE("triangles by lanes sum up to what points of each give one after the other") {
+TEST_CASE("triangles by lanes have the sum of a sequential evaluation") {
   std::mt19937_64 bits(36);
   std::vector<FourTriangles> room;
   int in_part = 0;
@@ -148,7 +148,7 @@ TEST_CASE("triangles by lanes sum up to what points of each give one after the o
   CHECK(in_part > 1000);
 }
 
-TEST_CASE("pressure by whole cells and lanes is that of points of one triangle after the other") {
+TEST_CASE("pressure by cells and lanes equals pressure point by point") {
   // A power law of exponent 1 equals the linear one, but uses the general method.
   Frictional linear;
   linear.kn = 1e6;

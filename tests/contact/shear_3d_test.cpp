@@ -74,7 +74,7 @@ TEST_CASE("beyond its limit shear slides against the motion with just the limit"
   CHECK(near(lost, 100 * slip, 1e-2));
 }
 
-TEST_CASE("energy put into shear is held or given off, with damping and changing area") {
+TEST_CASE("work of shear is stored or dissipated, with damping and changing area") {
   const SlidingLaw law{1e8, 2e-4, 1e-3};
   SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
   double put_in = 0, lost = 0;
@@ -113,7 +113,7 @@ TEST_CASE("the nearest point of the limit is nearest, wherever the pressure is")
     }
 }
 
-TEST_CASE("sliding gives no energy, and takes the most that friction can") {
+TEST_CASE("sliding creates no energy and dissipates the most that friction allows") {
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
   for (int i = 0; i < 20000; ++i) {
@@ -125,7 +125,7 @@ TEST_CASE("sliding gives no energy, and takes the most that friction can") {
   }
 }
 
-TEST_CASE("the nearest point is one however little friction holds, and however far beyond it a force is") {
+TEST_CASE("the projection onto the friction limit is unique for any friction and any distance") {
   std::mt19937 random(13);
   for (int i = 0; i < 300; ++i) {
     const auto [limit, beyond] = draw_limit(random, 3);
@@ -144,7 +144,7 @@ TEST_CASE("the nearest point is one however little friction holds, and however f
   }
 }
 
-TEST_CASE("with its pressure off the middle, what slides straight has no couple about its pressure") {
+TEST_CASE("a body that slides straight under eccentric pressure has no couple about its centre of pressure") {
   const Vec3 offset(0.1, -0.3, 0);
   const FrictionLimit limit = limit_at(100, offset, 0.4, 0.2);
   const SlidingLaw law{1e8, 0, 1e-3};
@@ -175,7 +175,7 @@ TEST_CASE("the limit is a convex curve: its normal turns one way only") {
   }
 }
 
-TEST_CASE("T11: what a square carries in sliding and turning at once") {
+TEST_CASE("T11: limit of a square that slides and rotates at once") {
   // V / mu N, T / T_limit, about a point at d a from the middle
   for (const auto& [v, t] : {std::pair(0.1758, 0.9771), std::pair(0.3485, 0.9094), std::pair(0.5142, 0.8014),
                              std::pair(0.7902, 0.5178), std::pair(0.9534, 0.2352)}) {

@@ -47,7 +47,7 @@ TEST_CASE("flat faces press as the volume they share does") {
   }
 }
 
-TEST_CASE("force and moment of flat faces are the gradient of their energy, but for what slides") {
+TEST_CASE("force and moment of flat faces without sliding are the gradient of their energy") {
   std::mt19937_64 bits(6);
   const ContactLaw law = joint(1e9, 0);
   for (int i = 0; i < 50; ++i) {

@@ -91,8 +91,7 @@ TEST_CASE("pressure of a law that is not linear is the gradient of its energy") 
   check_gradient(hertz_law(), 12, 30, 2e-3, 5e-3);  // the quadrature error is divided by the step here
 }
 
-TEST_CASE(
-    "two parallel faces press each other by the stiffness times their overlap, in the middle of what they share") {
+TEST_CASE("two parallel faces have pressure stiffness times overlap, centred on the shared area") {
   const ConvexSolid a = box(2, 2, 1), b = box(1, 0.6, 1);
   const double overlap = 1e-4;
   const SolidPressure p =
@@ -144,7 +143,7 @@ TEST_CASE("damping takes the power of its force, and never pulls") {
   CHECK(near(parting.damped, 1e9 * 1e-4, 1e-3));
 }
 
-TEST_CASE("T10: the mean distance of an area from its middle is that of the exact integrals") {
+TEST_CASE("T10: the mean distance of an area from its centroid equals the exact integral") {
   const auto gyration = [](double a, double b) { return (a * a + b * b) / 12; };
   const auto product = [](double a, double b) { return a * a * b * b / 144; };
   const auto exact = [](double a, double b) {

@@ -71,7 +71,7 @@ TEST_CASE("two spheres press each other by the stiffness times the volume they s
   CHECK(near(response(a, near_b, sphere_law()).force.z(), 1e6 * std::numbers::pi * 0.12 * 1e-8, 2e-3));
 }
 
-TEST_CASE("the force between spheres is the slope of the energy that the ledger has") {
+TEST_CASE("the force between spheres is the gradient of their energy") {
   for (const ContactLaw& law : {sphere_law(), power_law()})
     for (const double apart : {0.499, 0.47, 0.4, 0.25}) {
       const Placed a(convex_sphere({Vec3::Zero(), 0.3}));

@@ -64,7 +64,7 @@ TEST_CASE("the same drawing gives the same bytes in every format") {
   CHECK(first.bytes(PictureFormat::png).substr(1, 3) == "PNG");
 }
 
-TEST_CASE("a picture that cannot be written is refused and nothing is left") {
+TEST_CASE("a picture that cannot be written is rejected and nothing is left") {
   const std::filesystem::path folder = testing::picture_path("refused");
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder / "folder.svg");
@@ -135,7 +135,7 @@ TEST_CASE("the ink of a text lies where its alignment says") {
   CHECK(boxes[2].x1 <= 103);
 }
 
-TEST_CASE("a page or a resolution without sense is refused") {
+TEST_CASE("an invalid page size or resolution is rejected") {
   CHECK_THROWS_AS(Canvas(0, 10), InputError);
   CHECK_THROWS_AS(Canvas(10, 1e9), InputError);
   CHECK_THROWS_AS(Canvas(10, 10).bytes(PictureFormat::png, 5), InputError);

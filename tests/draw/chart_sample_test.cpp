@@ -75,7 +75,7 @@ void show(const std::vector<Chart>& charts, Arrangement arrangement, const char*
 
 }  // namespace
 
-TEST_CASE("sample picture: three traces of a motion and its spectrum beside them") {
+TEST_CASE("sample picture: three traces of a motion and its spectrum next to them") {
   const double dt = 0.005;
   const std::vector<double> a = made_up_motion(6000, dt), v = integral(a, dt), u = integral(v, dt),
                             t = times(a.size(), dt);

@@ -37,7 +37,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("a chart without anything to draw is refused by name") {
+TEST_CASE("a chart without anything to draw is rejected by name") {
   refused(Chart{}, "no panel");
   Chart bare = one_line({}, {});
   refused(bare, "series 'pier 3' has no points");
@@ -50,7 +50,7 @@ TEST_CASE("a chart without anything to draw is refused by name") {
   refused(log, "logarithmic");
 }
 
-TEST_CASE("axis ends out of order, and styles without sense, are refused") {
+TEST_CASE("reversed axis ends and invalid styles are rejected") {
   Chart chart = one_line({0, 1}, {2, 3});
   chart.x.low = 3, chart.x.high = 1;
   refused(chart, "from 3 to 1");
@@ -125,7 +125,7 @@ TEST_CASE("an axis shows its values in the engineering unit") {
   CHECK(axis.share(axis.high) == 1);
 }
 
-TEST_CASE("a span of hardly anything is none: the axis has ticks of its own") {
+TEST_CASE("a negligible range of values gets an axis around its value") {
   for (const double tiny : {5e-324, 1e-310, 1e-200}) {
     ValueRange range;
     range.add(0), range.add(tiny);

@@ -90,7 +90,7 @@ TEST_CASE("in a heap of stones, a wall and a dome each point shows the stone tha
   for (const char* from : {"iso", "-60,20", "115,5"}) check_hidden(wall, from);
 }
 
-TEST_CASE("bars that lie around in a ring, each over the next, are drawn right: one of them in parts") {
+TEST_CASE("bars in a ring that overlap cyclically are drawn correctly, one of them in parts") {
   // Three bars along the sides of a triangle, each with one end over and one under its neighbours.
   std::vector<FlyingBox> bars;
   for (int i = 0; i < 3; ++i) {
@@ -112,7 +112,7 @@ TEST_CASE("bars that lie around in a ring, each over the next, are drawn right: 
   CHECK(drawn <= 10);  // ... and one bar is divided into two parts
 }
 
-TEST_CASE("a solid that is not convex is divided into convex pieces that show it whole") {
+TEST_CASE("a non-convex solid is divided into convex pieces of the same volume and surface") {
   // An L of 2 m x 2 m, 1 m thick and 1 m deep, as a prism.
   const std::vector<Vec2> outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   const Polyhedron solid = prism(outline, 0, 1);
@@ -136,7 +136,7 @@ TEST_CASE("a solid that is not convex is divided into convex pieces that show it
   CHECK(near(area, 2 * 3 + 8, 1e-12));
 }
 
-TEST_CASE("a face that all but lies in a plane is divided by it without loss") {
+TEST_CASE("a face that nearly lies in a plane is divided by it without loss") {
   // Corners of a square of 1 m with heights above the plane, in units of the tolerance.
   const std::vector<std::array<double, 4>> heights{{0.4, -0.4, 0.9, 1.7},  {-0.5, 0.1, 0.4, 1.4},  {0.2, 0.6, 1.1, 0.7},
                                                    {0.3, -0.2, 3.1, -2.8}, {-0.9, 1.2, 0.8, -1.3}, {5, 0.5, -4, 0.2},
@@ -162,7 +162,7 @@ TEST_CASE("a face that all but lies in a plane is divided by it without loss") {
     }
 }
 
-TEST_CASE("a plane divides a box into two closed boxes, and leaves alone what it does not meet") {
+TEST_CASE("a plane divides a box into two closed boxes and leaves boxes outside unchanged") {
   const Polyhedron solid = box_solid({0, 0, 0}, {1, 2, 3});
   SolidPiece box;
   const std::vector<Vec3> normals = face_normals(solid);

@@ -52,7 +52,7 @@ TEST_CASE("a mode is drawn with its largest displacement at 6 % of the structure
   }
 }
 
-TEST_CASE("a mode in which a block mostly turns is drawn with that turn at half a radian") {
+TEST_CASE("a mode that is mostly a rotation is drawn with half a radian") {
   const Header header = testing::sample_header();
   const ModeRow mode = mode_of_blocks(header, 1e-6, 20);
   // The corner of a block moves by more than 6 % of the size only by rotations above 0.19 rad: the displacement

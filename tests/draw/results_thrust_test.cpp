@@ -8,7 +8,7 @@ using namespace trilith;
 using namespace trilith::draw;
 using namespace trilith::testing;
 
-TEST_CASE("the line of thrust goes from springing to springing, past what merely lies on the ends") {
+TEST_CASE("the line of thrust runs from springing to springing and skips bodies that rest on its ends") {
   const Folder folder;
   results::Header header = sample_header(4);
   header.bodies[0].groups = header.bodies[3].groups = "ends";

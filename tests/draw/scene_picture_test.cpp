@@ -43,7 +43,7 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("the view fits what is free and takes only a border of a large ground") {
+TEST_CASE("the view fits the free bodies and a border of a large ground") {
   const SceneView view = scene_view({block_on_ground()}, {});
   CHECK(view.world.x0 < 0);
   CHECK(view.world.x1 > 2);
@@ -71,7 +71,7 @@ TEST_CASE("panels share one view, that holds every scene") {
   CHECK(view.world.y1 > 11);
 }
 
-TEST_CASE("one stone of a hundred that flew far does not make the rest small, but a fifth of them are shown") {
+TEST_CASE("one distant stone of a hundred does not shrink the picture, a fifth of them does") {
   for (const int flown : {1, 20}) {
     Scene scene = block_on_ground();
     for (int i = 1; i < 100; ++i)
@@ -84,7 +84,7 @@ TEST_CASE("one stone of a hundred that flew far does not make the rest small, bu
   }
 }
 
-TEST_CASE("scenes that cannot be drawn are refused by name") {
+TEST_CASE("scenes that cannot be drawn are rejected by name") {
   refused(Scene{}, "no body");
   Scene scene = block_on_ground();
   scene.bodies[1].outline[2].y() = nowhere;
@@ -105,7 +105,7 @@ TEST_CASE("scenes that cannot be drawn are refused by name") {
   CHECK_THROWS_AS(scene_canvas({block_on_ground()}, 0), InputError);
 }
 
-TEST_CASE("picture styles without sense are refused") {
+TEST_CASE("invalid picture styles are rejected") {
   PictureStyle style;
   style.view = WorldBox{0, 0, -1, 1};
   refused(block_on_ground(), "view of the picture", style);
@@ -154,7 +154,7 @@ TEST_CASE("signs of bearings at one place are moved apart and keep their order")
   CHECK(apart[2] == PagePoint(100, 5));
 }
 
-TEST_CASE("names cover no body but their own, no mark and no other name") {
+TEST_CASE("labels cover no other body, mark or label") {
   std::mt19937 random(11);
   int written = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -185,7 +185,7 @@ TEST_CASE("names cover no body but their own, no mark and no other name") {
   CHECK(written > 100);
 }
 
-TEST_CASE("the legend names what occurs and nothing else") {
+TEST_CASE("the legend has exactly the items that occur") {
   Scene scene = block_on_ground();
   scene.bearings = {{{0, 0}, {0, 0}, BearingMark::failed}, {{2, 0}, {2, 0}, BearingMark::intact}};
   scene.forces.push_back({{1, 0}, {0, 1.23e6}});
@@ -203,7 +203,7 @@ TEST_CASE("the legend names what occurs and nothing else") {
   CHECK(texts.back() == "contact force 200 kip (largest 277 kip)");
 }
 
-TEST_CASE("a name stays where it was from its body's middle, whatever is marked at another moment") {
+TEST_CASE("a label keeps its position relative to its body in all panels") {
   Scene scene;
   scene.bodies.push_back({"deck", box(0, 0, 6, 1)});
   scene.bodies.push_back({"pier", box(2, -5, 4, 0)});
@@ -237,7 +237,7 @@ TEST_CASE("a scale of colours ends where its values do, with 0 in the middle col
   CHECK(std::abs(value_colour(view, 100. / 102).red - value_colour(both, 0.5).red) < 1e-12);
 }
 
-TEST_CASE("a picture of what falls reaches down to the ground that it will meet") {
+TEST_CASE("a picture of a falling body includes the ground below") {
   Scene scene;
   scene.bodies.push_back({"ground", box(-10, -3, 10, -2), BodyRole::fixed_ground});
   scene.bodies.push_back({"block", box(0, 0, 4, 1)});

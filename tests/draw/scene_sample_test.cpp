@@ -210,7 +210,7 @@ TEST_CASE("sample picture: a wall of 444 bricks coloured by speed, forces as bar
   show({scene}, 1, {}, "wall_signed");
 }
 
-TEST_CASE("sample picture: a slender tower beside its first place") {
+TEST_CASE("sample picture: a slender tower next to its first place") {
   Scene scene;
   scene.title = "Column of eight drums rocking on a wide base, the tallest of the series";
   scene.time = 7.7;

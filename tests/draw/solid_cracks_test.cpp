@@ -60,7 +60,7 @@ std::vector<SceneCrack> cracks_from_front(const Vec3& way, const std::optional<C
 
 }  // namespace
 
-TEST_CASE("two solids have a joint where their faces lie on each other and it tells by how much it opened and slid") {
+TEST_CASE("two solids have a joint where their faces touch, with its opening and slip") {
   const Made made = made_of(two_stones({0.003, 0.004, 0.002}));
   const std::vector<SolidJoint> joints = solid_joints(made.header);
   REQUIRE(joints.size() == 1);
@@ -84,7 +84,7 @@ TEST_CASE("solids that are apart at the start or both held or only share an edge
   CHECK(solid_joints(made_of(edge).header).empty());
 }
 
-TEST_CASE("a joint that opens as it turns tells the opening of its farthest corner") {
+TEST_CASE("a joint that rotates open reports the opening of its farthest corner") {
   std::vector<FlyingBox> boxes = two_stones(Vec3::Zero());
   const double angle = 1e-4;
   boxes[1].spin = {0, angle, 0};  // about its middle: one side rises, the other sinks
@@ -108,7 +108,7 @@ TEST_CASE("cracks of solids have the classes of those in the plane and bonded on
   CHECK(marks_after({0, 0, 3}) == Marks{});  // no neighbours
 }
 
-TEST_CASE("a crack is drawn where its joint comes to faces that are seen and through sections") {
+TEST_CASE("a crack is drawn where its joint reaches a visible face or a section") {
   // The long side of each body from the front: at z = 1 m, and 2 mm higher, from x = -0.5 m to 1.5 m.
   const std::vector<SceneCrack> front = cracks_from_front({0, 0, 0.002}, std::nullopt);
   REQUIRE(front.size() == 2);

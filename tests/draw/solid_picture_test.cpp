@@ -59,7 +59,7 @@ TEST_CASE("a wall of 200 bricks falls, in panels, as svg and pdf") {
   save_and_check({results_scene(reader, 1, moved)}, 1, "solid-wall-moved.png");
 }
 
-TEST_CASE("the ground far below what is in the air is in the picture") {
+TEST_CASE("the ground far below airborne bodies is in the picture") {
   const testing::Folder folder;
   const std::vector<FlyingBox> boxes{{{3, 3, 0.5}, {0, 0, -0.5}, Vec3::Zero(), Vec3::Zero(), "ground", "fixed"},
                                      {{2, 2, 0.5}, {40, 0, -9}, Vec3::Zero(), Vec3::Zero(), "aside", "fixed"},
@@ -86,7 +86,7 @@ TEST_CASE("ground in space ends at one place in all panels and none of it is cut
     for (const Vec2& p : scene.bodies[0].outline) CHECK(view.world.contains(p));
 }
 
-TEST_CASE("what is held near free bodies is drawn whole unless it reaches far beyond them") {
+TEST_CASE("supports near free bodies are drawn completely unless they extend far beyond") {
   const testing::Folder folder;
   const double half = 0.5, size = std::sqrt(3.0);  // of the box of the free body
   const auto drawn = [&](double beyond) {

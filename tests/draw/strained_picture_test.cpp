@@ -243,7 +243,7 @@ TEST_CASE("edges of plates of elements in space are drawn as far as they are see
     }
 }
 
-TEST_CASE("the section of a strained mesh in space is whole and its edges are those of the skin") {
+TEST_CASE("the section of a strained mesh in space is complete and has the edges of the skin") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
     // No displacement along y: one polygon at each y.
@@ -276,7 +276,7 @@ TEST_CASE("the section of a mesh in space with a hole shows the hole") {
   CHECK(near(seen.edges, 16, 1e-9));
 }
 
-TEST_CASE("a ball is painted before a strained plate that it is behind and after one that it is before") {
+TEST_CASE("a ball behind a strained plate is painted first, a ball in front of it last") {
   for (const double height : {-1.0, 1.0}) {
     const SolidSpec plate = box_of("b", box_solid(Vec3::Zero(), Vec3(3, 3, 0.1)), "m", {6, 6, 1});
     StrainedBody body(plate, waved);

@@ -88,7 +88,7 @@ std::vector<StudyColumn> incremental_study() {
 
 }  // namespace
 
-TEST_CASE("a study that passed cases over gives the capacities of its records, and no case counts twice") {
+TEST_CASE("a study with skipped cases gives the capacities of its records, and no case counts twice") {
   const results::StudyFragility f = results::study_fragility(incremental_study(), "collapsed", "pga");
   CHECK(f.incremental);
   CHECK(f.unit == "g");
@@ -104,7 +104,7 @@ TEST_CASE("a study that passed cases over gives the capacities of its records, a
   CHECK(f.curve.dispersion == same.dispersion);
 }
 
-TEST_CASE("a fragility chart goes through probabilities, an incremental one levels off between two intensities") {
+TEST_CASE("a fragility chart passes through the observed probabilities, an incremental one flattens at its capacity") {
   const std::vector<StudyColumn> columns = incremental_study();
   const Chart chart = fragility_chart(results::study_fragility(columns, "collapsed", "pga"), "collapsed");
   REQUIRE(chart.panels.size() == 1);
@@ -148,8 +148,7 @@ TEST_CASE("conditions on the cases of a study: flags, numbers and texts") {
   CHECK_THROWS_WITH_AS(hits("record > b"), doctest::Contains("give = or !="), InputError);
 }
 
-TEST_CASE(
-    "a study is drawn over the first parameter that varies, and a name that is not there is refused with the nearest") {
+TEST_CASE("a study is drawn over the first varying parameter, and an unknown name is rejected with the nearest one") {
   const TableFile file;
   const std::vector<StudyColumn> columns = results::read_study_table(file.path);
   CHECK(study_chart(columns, "", {"drift"}).x.label == "copy");

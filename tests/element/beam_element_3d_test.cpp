@@ -51,7 +51,7 @@ BeamRates some_rates(std::mt19937_64& bits) {
 
 }  // namespace
 
-TEST_CASE("strains of a beam in space go at the rates it says and its forces are the slope of its energy") {
+TEST_CASE("strain rates of a beam in space match its strains, and its forces are the gradient of its energy") {
   std::mt19937_64 bits(3);
   const BeamStiffness3 stiffness = some_stiffness();
   for (int i = 0; i < 200; ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("a rigid motion of any size strains no beam in space") {
   }
 }
 
-TEST_CASE("a beam in space that moves in a plane carries what the beam in the plane does") {
+TEST_CASE("a beam in space that moves in a plane has the forces of the beam in the plane") {
   std::mt19937_64 bits(6);
   const RectangleSection shape{0.2, 0.4};
   const BeamStiffness plane = beam_stiffness({2.1e11, 8e10}, shape.numbers(), rest_length, {false, false});

@@ -137,7 +137,7 @@ TEST_CASE("bent about z alone, a hinge in space is the plane's, whatever its law
     }
 }
 
-TEST_CASE("a round hinge bent in any plane through the beam is the plane's hinge") {
+TEST_CASE("a round hinge bent in any plane equals the hinge of the plane") {
   std::mt19937_64 bits(3);
   HingeLaw law = rich_hinge_3d(2);
   law.hogging = 0, law.across = law.sagging;
@@ -201,7 +201,7 @@ TEST_CASE("moments about both axes and N reach the surface together, and stay on
       }
 }
 
-TEST_CASE("the contour of 1.7 is that of the full plastic rectangle, which needs both moments by hand") {
+TEST_CASE("the contour of 1.7 approximates the full plastic rectangle") {
   // A neutral axis through two opposite sides of a rectangle: m_y + 3/4 m_z^2 = 1 for m_z up to 2/3, over the plastic
   // moments; both branches meet at 2/3 each.
   for (const double z : {0.2, 0.4, 0.6, 2.0 / 3}) {
@@ -211,7 +211,7 @@ TEST_CASE("the contour of 1.7 is that of the full plastic rectangle, which needs
   }
 }
 
-TEST_CASE("pulled alone it yields at the tip of the surface, and bent from there it comes back along it, in space") {
+TEST_CASE("in space pure tension yields at the tip of the surface, and bending then moves along the surface") {
   for (const HingeLaw& law : {pressed_hinge_3d(), tabled_hinge_3d()}) {
     LedHinges3 led{space_beam(true), {law, law}};
     led.along({0.02, 0, 0, 0, 0, 0}, 20);
@@ -225,7 +225,7 @@ TEST_CASE("pulled alone it yields at the tip of the surface, and bent from there
   }
 }
 
-TEST_CASE("what is returned in space does most work of all stresses within the laws") {
+TEST_CASE("in space the returned stress maximises plastic work among admissible stresses") {
   std::mt19937_64 bits(5);
   for (const HingeLaw& law : {plain_hinge_3d(1.3), pressed_hinge_3d(), tabled_hinge_3d()})
     for (int round = 0; round < 100; ++round) {
@@ -258,7 +258,7 @@ TEST_CASE("what is returned in space does most work of all stresses within the l
     }
 }
 
-TEST_CASE("steps of any size in space end within the laws, with numbers, settled") {
+TEST_CASE("strain steps of any size in space end on admissible finite stresses") {
   std::mt19937_64 bits(6);
   HingeLaw last = rich_hinge_3d();
   last.ultimate = 0.3, last.residual = 0;
@@ -299,7 +299,7 @@ TEST_CASE("steps of any size in space end within the laws, with numbers, settled
   CHECK(unsettled == 0);
 }
 
-TEST_CASE("work on a beam in space with hinges is stored or given off, by every kind of step") {
+TEST_CASE("work on a beam in space with hinges is stored or dissipated, by every kind of step") {
   std::mt19937_64 bits(7);
   for (const HingeLaw& law : {plain_hinge_3d(1.4), pressed_hinge_3d(), rich_hinge_3d(), tabled_hinge_3d()}) {
     LedHinges3 led{space_beam(false), {law, law}};
@@ -315,7 +315,7 @@ TEST_CASE("work on a beam in space with hinges is stored or given off, by every 
   }
 }
 
-TEST_CASE("a circle of turns beyond yield gives off what the surface's points do on their ways") {
+TEST_CASE("a circular path of rotations beyond yield dissipates the work along the yield surface") {
   // Equal strength about both axes, without hardening: on the surface the moment follows the rotation's direction, and
   // the work of a round is the circumference of the plastic rotation times the moment.
   HingeLaw law = plain_hinge_3d(2);
@@ -339,7 +339,7 @@ TEST_CASE("a circle of turns beyond yield gives off what the surface's points do
   CHECK(near(led.lost - before, 2 * M_PI * inner * about_z, 1e-4));
 }
 
-TEST_CASE("the tangent of a beam in space with hinges is that of finite differences on every branch") {
+TEST_CASE("the tangent of a beam in space with hinges matches finite differences on every branch") {
   std::mt19937_64 bits(9);
   for (const HingeLaw& law :
        {plain_hinge_3d(), pressed_hinge_3d(), rich_hinge_3d(), rich_hinge_3d(2), tabled_hinge_3d()}) {
@@ -378,7 +378,7 @@ TEST_CASE("the tangent of a beam in space with hinges is that of finite differen
   }
 }
 
-TEST_CASE("a beam in space whose hinge is lost and removes it gives off what it held") {
+TEST_CASE("a beam in space that is removed by its failed hinge dissipates its stored energy") {
   HingeLaw law = pressed_hinge_3d();
   law.ultimate = 0.02, law.removes = true;
   CHECK_NOTHROW(law.check());

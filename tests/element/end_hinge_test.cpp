@@ -82,7 +82,7 @@ TEST_CASE("below yield a beam with hinges is the elastic beam, pinned or not") {
   }
 }
 
-TEST_CASE("an end that is bent follows its backbone: yield, hardening, cap, softening, rest, nothing") {
+TEST_CASE("a bent end follows its backbone: yield, hardening, capping, softening, residual, failure") {
   HingeLaw law = plain_hinge();
   law.hardening = 4e5, law.isotropic = 0.3, law.capping = 0.02, law.softening = 0.06, law.residual = 0.25,
   law.ultimate = 0.12;
@@ -113,7 +113,7 @@ TEST_CASE("an end that is bent follows its backbone: yield, hardening, cap, soft
   CHECK(near(led.lost, area, 0.01));
 }
 
-TEST_CASE("both ends bent alike carry the yield moment each, whichever way") {
+TEST_CASE("both ends under equal bending carry the yield moment, in either direction") {
   for (const double way : {1.0, -1.0})
     for (const double other : {1.0, -1.0}) {
       HingeLaw law = plain_hinge();
@@ -156,7 +156,7 @@ TEST_CASE("moment and normal force stay on |M|/Mp + (N/Np)^2 = 1, and flow is no
   }
 }
 
-TEST_CASE("pulled alone it yields at the tip of the surface, and bent from there it comes back along it") {
+TEST_CASE("pure tension yields at the tip of the surface, and bending then moves along the surface") {
   for (const HingeLaw& law : {pressed_hinge(), tabled_hinge()}) {
     LedHinges led{hinge_beam(true), {law, law}};
     led.along({0.02, 0, 0}, 20);
@@ -172,7 +172,7 @@ TEST_CASE("pulled alone it yields at the tip of the surface, and bent from there
   }
 }
 
-TEST_CASE("what is returned does most work: no other stress within the laws would do more on the flow") {
+TEST_CASE("the returned stress maximises plastic work among admissible stresses") {
   std::mt19937_64 bits(5);
   for (const HingeLaw& law : {pressed_hinge(), tabled_hinge()})
     for (int round = 0; round < 200; ++round) {
@@ -193,7 +193,7 @@ TEST_CASE("what is returned does most work: no other stress within the laws woul
     }
 }
 
-TEST_CASE("steps of any size end within the laws, with numbers, settled") {
+TEST_CASE("strain steps of any size end on admissible finite stresses") {
   std::mt19937_64 bits(6);
   HingeLaw last = rich_hinge();
   last.ultimate = 0.3, last.residual = 0;
@@ -216,7 +216,7 @@ TEST_CASE("steps of any size end within the laws, with numbers, settled") {
     }
 }
 
-TEST_CASE("work on a beam with hinges is stored or given off, by every kind of step") {
+TEST_CASE("work on a beam with hinges is stored or dissipated, by every kind of step") {
   std::mt19937_64 bits(7);
   for (const HingeLaw& law : {plain_hinge(), pressed_hinge(), rich_hinge(), tabled_hinge()}) {
     LedHinges led{hinge_beam(false), {law, law}};
@@ -257,7 +257,7 @@ TEST_CASE("an end whose hinge stretches as it turns leaves a stronger one at the
   for (const int end : {0, 1}) CHECK(status_of(both.now.memory, end) == HingeStatus::yielded);
 }
 
-TEST_CASE("the tangent of a beam with hinges is that of finite differences on every branch") {
+TEST_CASE("the tangent of a beam with hinges matches finite differences on every branch") {
   std::mt19937_64 bits(9);
   for (const HingeLaw& law : {plain_hinge(), pressed_hinge(), rich_hinge(), tabled_hinge()}) {
     int seen = 0, corners = 0;
@@ -291,7 +291,7 @@ TEST_CASE("the tangent of a beam with hinges is that of finite differences on ev
   }
 }
 
-TEST_CASE("wear takes strength by the energy given off") {
+TEST_CASE("degradation reduces strength by the dissipated energy") {
   HingeLaw law = plain_hinge();
   law.wear = 2, law.residual = 0.1;
   LedHinges led{hinge_beam(false, {true, false}), {law, law}};
@@ -302,7 +302,7 @@ TEST_CASE("wear takes strength by the energy given off") {
   CHECK(near(led.lost, led.now.memory.dissipated[1], 1e-9));
 }
 
-TEST_CASE("hinges that make no sense are refused") {
+TEST_CASE("invalid hinges are rejected") {
   HingeLaw law = plain_hinge();
   law.capping = 0.02;
   CHECK_THROWS_AS(law.check(), InputError);

@@ -141,7 +141,7 @@ TEST_CASE("core and cover share a section out between them, and bars stand where
       "fibres: bars at 0 m across, spread over 0.7 m, stand outside of the section, which is 0.6 m wide", InputError);
 }
 
-TEST_CASE("a section that flows has its plastic moment about either axis and about the diagonal") {
+TEST_CASE("a plastic section has its plastic moment about both axes and the diagonal") {
   const double far = 1e3, a = 0.2;
   const FibreSection3 upright = cut(led_profile, ideal_steel(), {20, 20});
   CHECK(near(flowing(upright, 0, far)[2], strength * 0.1 * 0.2 * 0.2 / 4, 1e-3));
@@ -158,7 +158,7 @@ TEST_CASE("a section that flows has its plastic moment about either axis and abo
   }
 }
 
-TEST_CASE("a rectangle that flows under a normal force has what is left of its moment by the square of it") {
+TEST_CASE("the plastic moment of a rectangle falls with the square of the normal force") {
   const double squash = strength * 0.1 * 0.2, plastic = strength * 0.1 * 0.2 * 0.2 / 4, curvature = 1e3;
   const FibreSection3 section = cut(led_profile, ideal_steel(), {40, 4});
   for (const double share : {0.25, 0.5, 0.8}) {
@@ -198,7 +198,7 @@ TEST_CASE("a beam of elastic fibres is the elastic beam in space") {
     }
 }
 
-TEST_CASE("bent about z alone a beam of fibres in space is that of the plane") {
+TEST_CASE("bent about z alone a beam of fibres in space equals the beam in the plane") {
   const FibreSection3 section = cut(led_profile, ideal_steel(), {20, 1});
   const FibreSection flat = make_fibres({led_profile, ideal_steel(), 20});
   LedBeam3 led{section, make_fibre_beam_in_space(section, beam_length, {}, {}, 0)};
@@ -242,7 +242,7 @@ TEST_CASE("the tangent of a beam of fibres in space is how its stress changes") 
   }
 }
 
-TEST_CASE("what goes into a beam of fibres in space is stored or given off") {
+TEST_CASE("work on a beam of fibres in space is stored or dissipated") {
   std::mt19937_64 bits(4);
   LedBeam3 led = led_beam(ideal_steel(), {}, {5e8, 7e8}, 1e6);
   for (int leg = 0; leg < 10; ++leg) {

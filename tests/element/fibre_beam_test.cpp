@@ -75,7 +75,7 @@ TEST_CASE("a beam of elastic fibres is the elastic beam, pinned or not, with she
     }
 }
 
-TEST_CASE("the tangent of a beam of fibres is that of finite differences, bow included") {
+TEST_CASE("the tangent of a beam of fibres matches finite differences, with its bow") {
   std::mt19937_64 bits(12);
   for (const UniaxialLaw& law :
        {UniaxialLaw(MenegottoPinto{young, 3e8, 0.02, 20, 0.925, 0.15, 0, 1}), UniaxialLaw(KentPark::sample())})
@@ -100,8 +100,7 @@ TEST_CASE("the tangent of a beam of fibres is that of finite differences, bow in
     }
 }
 
-TEST_CASE(
-    "work on a beam of fibres is stored or given off: exactly without its bow, with it to the square of the step") {
+TEST_CASE("work on a beam of fibres is stored or dissipated: exactly without bow, with it to the square of the step") {
   for (const bool bowed : {false, true}) {
     double before = 0;
     for (const int steps : {100, 200}) {
@@ -158,7 +157,7 @@ TEST_CASE("a beam bent evenly carries the plastic moment, as its section does") 
   }
 }
 
-TEST_CASE("many short beams of fibres stand for a cantilever that yields: its end turns as the moments along it say") {
+TEST_CASE("many short beams of fibres model a yielding cantilever: the end rotation follows from the moments") {
   // Tip load up to 0.9 of the plastic one; curvature by the closed form of the rectangle, integrated twice.
   const int count = 16;
   const double h = span / count, moment_y = 160e3, tip = 0.9 * 1.5 * moment_y / span, phi_y = 0.08 / 7;
@@ -199,7 +198,7 @@ TEST_CASE("many short beams of fibres stand for a cantilever that yields: its en
   CHECK(near(deflection, expected, 0.005));
 }
 
-TEST_CASE("rules that there are not are refused") {
+TEST_CASE("unknown integration rules are rejected") {
   const FibreSection section = make_fibres({profile, UniaxialElastic{young}});
   CHECK_THROWS_AS(make_fibre_beam(section, span, {false, false}, 0, BeamRule::lobatto, 2), InputError);
   CHECK_THROWS_AS(make_fibre_beam(section, span, {false, false}, 0, BeamRule::gauss, 6), InputError);

@@ -99,7 +99,7 @@ TEST_CASE("elastic fibres have the stiffness of their section, however few the l
     }
 }
 
-TEST_CASE("core and cover together are the shape, and the core is what lies within") {
+TEST_CASE("core and cover together are the shape, and the core lies within the cover") {
   for (const FibreShape& shape : fibre_shapes()) {
     if (std::holds_alternative<SectionOutline>(shape)) continue;
     const Section whole = section_of(shape);
@@ -137,7 +137,7 @@ TEST_CASE("F9: moment against curvature of a rectangle that yields, with 40 fibr
   }
 }
 
-TEST_CASE("F9: with a normal force of .3 Np") {
+TEST_CASE("F9: with a normal force of 0.3 Np") {
   const double phi_y = 0.08 / 7, first_moment = 160e3, full = 4.8e6;
   LedSection led{f9_section(20)};
   for (int i = 1; i <= 10; ++i) led.balanced(0, 0.03 * i * full);
@@ -182,7 +182,7 @@ TEST_CASE("the error of a yielding rectangle falls with the layers") {
   CHECK(before < 1e-4);
 }
 
-TEST_CASE("a reinforced section carries what its bars and its block of stress do") {
+TEST_CASE("a reinforced section has the strength of its bars and its stress block") {
   // Bars of 2000 mm2 at 0.06 m of 0.6 m, width 0.3 m; at a large curvature steel yields and concrete is past its
   // parabola.
   const double steel_area = 2e-3, width = 0.3, depth = 0.6, fy = 500e6, fc = 30e6;
@@ -200,7 +200,7 @@ TEST_CASE("a reinforced section carries what its bars and its block of stress do
   CHECK(near(led.now.moment, moment, 0.002));
 }
 
-TEST_CASE("stored and given off of a section are the work on it, and its tangent that of finite differences") {
+TEST_CASE("stored plus dissipated energy of a section is its work, and its tangent matches finite differences") {
   std::mt19937_64 bits(8);
   UniaxialLaws::for_each([&]<class L>() {
     L law = testing::sample<L>({{"Pa", 2e11}, {"1", 0.3}});
@@ -225,7 +225,7 @@ TEST_CASE("stored and given off of a section are the work on it, and its tangent
   });
 }
 
-TEST_CASE("fibres that make no sense are refused") {
+TEST_CASE("invalid fibres are rejected") {
   FibreSpec spec{RectangleSection{0.1, 0.2}, UniaxialElastic{modulus}};
   spec.layers = 0;
   CHECK_THROWS_AS(make_fibres(spec), InputError);

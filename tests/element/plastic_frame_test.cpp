@@ -177,7 +177,7 @@ TEST_CASE("F8: plastic collapse of a beam of two spans") {
   CHECK(near(factor, 1, 0.01));
 }
 
-TEST_CASE("a portal with the part of its normal forces collapses before one without, by the share they take") {
+TEST_CASE("normal forces reduce the collapse load of a portal by their share of the interaction") {
   HingeLaw law = frame_hinge();
   law.hardening = 1e4;  // two hinges at a joint have different normal forces; the joint rotates until they agree
   PlasticFrame plain = plastic_portal(100e3, 50e3, true, law);

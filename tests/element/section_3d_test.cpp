@@ -8,7 +8,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("torsion constants of rectangles are those of Saint-Venant's tables") {
+TEST_CASE("torsion constants of rectangles match Saint-Venant's tables") {
   // c1 in J = c1 a b^3 (Timoshenko and Goodier, art. 109, to the four printed digits)
   for (const auto& [ratio, share] : {std::pair(1.0, 0.1406), std::pair(1.2, 0.166), std::pair(1.5, 0.196),
                                      std::pair(2.0, 0.229), std::pair(4.0, 0.281), std::pair(10.0, 0.312)}) {
@@ -28,7 +28,7 @@ TEST_CASE("a circle's torsion constant is its polar second moment and a thin squ
   CHECK(near(box.second_moment[0], box.second_moment[1], 1e-12));
 }
 
-TEST_CASE("sections in space bend up and down as those of the plane and across as the same turned") {
+TEST_CASE("sections in space bend vertically as in the plane and laterally as the rotated section") {
   const Section3 wide = section_in_space(RectangleSection{0.5, 0.2}),
                  tall = section_in_space(RectangleSection{0.2, 0.5});
   CHECK(near(wide.second_moment[0], tall.second_moment[1], 1e-14));
@@ -41,7 +41,7 @@ TEST_CASE("sections in space bend up and down as those of the plane and across a
   REQUIRE(made.profile.size() == 3);
 }
 
-TEST_CASE("a polygon bends about its principal axes alone and one askew is refused with the way to turn it") {
+TEST_CASE("a polygon section bends about its principal axes, and a rotated one is rejected with the correction") {
   const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const Section3 s = polygon_section_in_space(square);
   CHECK(near(s.second_moment[0], 1.0 / 12, 1e-12));

@@ -68,7 +68,7 @@ TEST_CASE("a hull holds all points, is convex and does not depend on their order
   }
 }
 
-TEST_CASE("corners rounded to six digits give back the plane faces of a voussoir") {
+TEST_CASE("the plane faces of a voussoir are recovered from corners rounded to six digits") {
   const std::vector<Vec3> voussoir{Vec3(0.94, 0.0, 0.0),          Vec3(0.868447, 0.359722, 0.0),
                                    Vec3(0.925719, 0.0, 0.163229), Vec3(0.855253, 0.354257, 0.163229),
                                    Vec3(1.06, 0.0, 0.0),          Vec3(0.979312, 0.405644, 0.0),
@@ -80,7 +80,7 @@ TEST_CASE("corners rounded to six digits give back the plane faces of a voussoir
   CHECK(convex_hull(voussoir, "stone").faces.count() > 6);
 }
 
-TEST_CASE("random polyhedra of ten corners have the masses that go with them") {
+TEST_CASE("random polyhedra of ten corners have consistent masses") {
   const std::vector<Vec3> first{
       Vec3(-0.618743972, -0.628571193, -0.991817333), Vec3(-0.900898195, -0.86144908, -0.678165468),
       Vec3(-0.572533739, -0.525906545, -0.458041237), Vec3(-0.989363566, -0.727111837, -0.706525302),
@@ -97,7 +97,7 @@ TEST_CASE("random polyhedra of ten corners have the masses that go with them") {
   CHECK(near(1000 * solid_moments(convex_hull(second, "second")).volume, 39.88998968433255, 1e-9));
 }
 
-TEST_CASE("points of which no solid can be made are refused") {
+TEST_CASE("points that form no solid are rejected") {
   const auto complaint_about = [](const std::vector<Vec3>& points) -> std::string {
     try {
       convex_hull(points, "body 'x'");

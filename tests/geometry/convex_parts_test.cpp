@@ -157,7 +157,7 @@ TEST_CASE("a convex outline is one piece, with or without collinear corners") {
   for (int trial = 0; trial < 300; ++trial) CHECK(checked_parts(random_convex(bits, {.slenderest = 30})) == 1);
 }
 
-TEST_CASE("L, T, U, plus and notched outlines part into the least number of pieces") {
+TEST_CASE("L, T, U, plus and notched outlines are divided into the least number of pieces") {
   CHECK(checked_parts({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}) == 2);
   CHECK(checked_parts({{0, 0}, {4, 0}, {4, 1}, {2.5, 1}, {2.5, 5}, {1.5, 5}, {1.5, 1}, {0, 1}}) == 2);
   CHECK(checked_parts({{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {1, 1}, {1, 3}, {0, 3}}) == 3);
@@ -194,7 +194,7 @@ TEST_CASE("a ground stepped down and up 20 times has about one piece for each in
   CHECK(checked_parts(stepped_valley(21)) <= right_turns(stepped_valley(21)) + 1);
 }
 
-TEST_CASE("combs with many teeth, straight and slanted, are parted exactly") {
+TEST_CASE("combs with many teeth, straight and slanted, are divided exactly") {
   for (const double slant : {0.0, 0.3, -0.7}) {
     Polygon comb{{0, 0}, {40, 0}};
     for (int tooth = 19; tooth >= 0; --tooth) {
@@ -206,7 +206,7 @@ TEST_CASE("combs with many teeth, straight and slanted, are parted exactly") {
   }
 }
 
-TEST_CASE("random star-shaped outlines are parted exactly, in any pose, and always alike") {
+TEST_CASE("random star-shaped outlines are divided exactly, the same way in any pose") {
   std::mt19937_64 bits(2);
   long pieces = 0, turns = 0;
   for (int trial = 0; trial < 1000; ++trial) {
@@ -239,7 +239,7 @@ TEST_CASE("random outlines of up to 14 corners come out in hardly more than the 
   CHECK(at_least > 0.93 * outlines);
 }
 
-TEST_CASE("random rectilinear outlines on a coarse grid, full of collinear corners, are parted exactly") {
+TEST_CASE("random rectilinear outlines on a coarse grid, full of collinear corners, are divided exactly") {
   std::mt19937_64 bits(3);
   for (int trial = 0; trial < 500; ++trial) {
     const int columns = random_count(bits, 2, 25);

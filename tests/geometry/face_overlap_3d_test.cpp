@@ -168,7 +168,7 @@ TEST_CASE("faces shifted against each other share polygons of three to eight cor
   CHECK(shared(diamond(0.6, Vec2(0.05, 0.02))) == 8);
 }
 
-TEST_CASE("faces of any shape share what the plane's overlap says") {
+TEST_CASE("the overlap of faces of any shape equals the overlap in the plane") {
   std::mt19937_64 bits(2);
   OverlapBuffer buffer;
   int meeting = 0;
@@ -224,7 +224,7 @@ TEST_CASE("a linear overlap has the integrals of a wedge and of a pyramid's corn
   CHECK(near(integrals_in_contact(o).area, 1, 1e-14));
 }
 
-TEST_CASE("faces that do not look at each other, or past each other, share nothing") {
+TEST_CASE("faces that do not oppose each other, or miss each other, have no overlap") {
   FaceOverlap3 o;
   const OwnFace a = face_up(centred_face(1, 1), 0);
   CHECK(!face_overlap(a.view(), face_up(centred_face(1, 1), 0).view(), o));
@@ -346,7 +346,7 @@ TEST_CASE("the moment between faces is the change of their energy with turning, 
   CHECK(off[1] < 0.2 * off[0]);
 }
 
-TEST_CASE("integrals go on smoothly as corners come in and go out") {
+TEST_CASE("integrals stay smooth as corners enter and leave") {
   // the error of the second difference of a function with bounded second derivative falls with the square of the step
   const OwnFace a = face_up(centred_face(1, 1), 0);
   const auto at = [&](double way) {
@@ -363,7 +363,7 @@ TEST_CASE("integrals go on smoothly as corners come in and go out") {
     }
 }
 
-TEST_CASE("faces that are flush but for rounding share all of themselves") {
+TEST_CASE("faces that are flush except for rounding share all of themselves") {
   std::mt19937_64 bits(31);
   for (int trial = 0; trial < 1000; ++trial) {
     const Polygon outline = trial % 2 == 0 ? centred_face(0.4, 0.2) : random_convex(bits);

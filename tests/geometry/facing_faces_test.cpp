@@ -64,7 +64,7 @@ TEST_CASE("stones laid upon each other face each other over their joint, at any 
   }
 }
 
-TEST_CASE("of stones tilted a little the overlap of faces comes to the shared volume with the square of the tilt") {
+TEST_CASE("the face overlap of slightly tilted stones approaches the shared volume with the square of the tilt") {
   const ConvexSolid stone = stone_of(0.4, 0.2, 0.2), slab = stone_of(2, 2, 0.2);
   SolidOverlapBuffer buffer;
   const PlacedSolid below = solid_in(slab, {}, Vec3(0, 0, 0));
@@ -80,7 +80,7 @@ TEST_CASE("of stones tilted a little the overlap of faces comes to the shared vo
   CHECK(std::abs(off[1]) < 0.3 * std::abs(off[0]));
 }
 
-TEST_CASE("a face is the one of its solid, with its corners in order") {
+TEST_CASE("a face belongs to its solid and has its corners in order") {
   const ConvexSolid stone = stone_of(1, 2, 3);
   const PlacedSolid a = solid_in(stone, rotation_by(Vec3(0.1, 0.2, 0.3)), Vec3(5, 6, 7));
   FaceRoom room;

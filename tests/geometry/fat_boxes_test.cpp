@@ -137,7 +137,7 @@ void check_few() {
 
 }  // namespace
 
-TEST_CASE("of boxes that move come and go at random those that meet are found and no others") {
+TEST_CASE("among boxes that move, appear and vanish at random exactly the overlapping pairs are found") {
   for (const double unlike : {1.0, 10.0, 1e4}) {
     move_at_random<2>(2, unlike);
     move_at_random<3>(1.5, unlike);
@@ -146,12 +146,12 @@ TEST_CASE("of boxes that move come and go at random those that meet are found an
   }
 }
 
-TEST_CASE("a box ten thousand times larger than the rest is met and meets as any other") {
+TEST_CASE("a box ten thousand times larger than the others is found in all its pairs") {
   check_ground<2>();
   check_ground<3>();
 }
 
-TEST_CASE("no box or one or boxes without extent or out of all measure meet what they should") {
+TEST_CASE("no box, one box, boxes without extent and huge boxes form the right pairs") {
   check_few<2>();
   check_few<3>();
 }

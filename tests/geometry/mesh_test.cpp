@@ -38,7 +38,7 @@ TEST_CASE("a mesh with a hole has the hole's loop after the outer one") {
   CHECK(c.mesh.node.size() == 16);
 }
 
-TEST_CASE("clockwise elements are turned round and unused nodes left out, said") {
+TEST_CASE("clockwise elements are reversed and unused nodes dropped, with notes") {
   const Mesh mesh{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}}, {{0, 3, 2, 1}}};
   const CheckedMesh c = check_mesh(mesh, "b");
   CHECK(c.notes.size() == 2);
@@ -46,7 +46,7 @@ TEST_CASE("clockwise elements are turned round and unused nodes left out, said")
   CHECK(signed_area(corners_of(c.mesh, 0)) > 0);
 }
 
-TEST_CASE("meshes that cannot be used are refused with the element or node") {
+TEST_CASE("meshes that cannot be used are rejected with the element or node") {
   const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {5, 5}, {6, 5}, {6, 6}};
   CHECK(message_of({square, {}}).find("no element") != std::string::npos);
   CHECK(message_of({square, {{0, 1, 2, 9}}}).find("element 1 of the mesh names node 10") != std::string::npos);

@@ -78,7 +78,7 @@ TEST_CASE("two boxes share the box between them") {
   CHECK(near(area, 2 * (0.375 + 0.25 + 0.375), 1e-15));
 }
 
-TEST_CASE("a solid within another shares all of itself, and neither pushes") {
+TEST_CASE("a solid inside another overlaps with its whole volume without force") {
   const ConvexSolid small = block_between(Vec3(-0.2, -0.3, -0.1), Vec3(0.2, 0.3, 0.1));
   const ConvexSolid large = block_between(Vec3(-2, -2, -2), Vec3(2, 2, 2));
   SolidOverlapBuffer buffer;
@@ -95,7 +95,7 @@ TEST_CASE("a solid within another shares all of itself, and neither pushes") {
   }
 }
 
-TEST_CASE("solids that touch at a face, an edge or a corner, or stand apart, share nothing") {
+TEST_CASE("solids that touch at a face, an edge or a corner, or are separated, have no overlap") {
   const ConvexSolid cube = block_between(Vec3(0, 0, 0), Vec3(1, 1, 1));
   SolidOverlapBuffer buffer;
   const PlacedSolid a = standing(cube, {}, Vec3(0, 0, 0));
@@ -108,7 +108,7 @@ TEST_CASE("solids that touch at a face, an edge or a corner, or stand apart, sha
   }
 }
 
-TEST_CASE("a corner that enters a face shares a tetrahedron") {
+TEST_CASE("a corner that penetrates a face overlaps in a tetrahedron") {
   const ConvexSolid cube = block_between(Vec3(-0.5, -0.5, -0.5), Vec3(0.5, 0.5, 0.5));
   const ConvexSolid floor = block_between(Vec3(-3, -3, -1), Vec3(3, 3, 0));
   const UnitQuaternion on_corner =
@@ -126,7 +126,7 @@ TEST_CASE("a corner that enters a face shares a tetrahedron") {
   }
 }
 
-TEST_CASE("prisms share the overlap of their plans times that of their heights") {
+TEST_CASE("the overlap of prisms is the overlap of plans times the overlap of heights") {
   std::mt19937_64 bits(6);
   SolidOverlapBuffer buffer;
   OverlapBuffer plane_buffer;
@@ -149,7 +149,7 @@ TEST_CASE("prisms share the overlap of their plans times that of their heights")
   CHECK(meeting > 200);
 }
 
-TEST_CASE("the cut that leaves the least first gives what cuts in turn give") {
+TEST_CASE("cutting with the smallest remainder first gives the result of cutting in order") {
   std::mt19937_64 bits(36);
   SolidOverlapBuffer buffer, in_turn;
   int meeting = 0;
@@ -214,7 +214,7 @@ TEST_CASE("the shared volume does not depend on the frame") {
   }
 }
 
-TEST_CASE("a solid is the sum of what it shares with the parts of a box around it") {
+TEST_CASE("a solid is the sum of its overlaps with the parts of a box around it") {
   std::mt19937_64 bits(9);
   SolidOverlapBuffer buffer;
   for (int trial = 0; trial < 300; ++trial) {
@@ -262,7 +262,7 @@ TEST_CASE("the push between solids is the change of the shared volume, moving an
   CHECK(meeting > 300);
 }
 
-TEST_CASE("bricks that lie flush but for rounding share what they should") {
+TEST_CASE("bricks that are flush within rounding have the exact overlap") {
   std::mt19937_64 bits(11);
   SolidOverlapBuffer buffer;
   const ConvexSolid brick = block_between(Vec3(-0.2, -0.1, -0.1), Vec3(0.2, 0.1, 0.1));

@@ -47,7 +47,7 @@ TEST_CASE("two boxes overlap in the box that they share") {
   CHECK(convex_overlap(box(0, 0, 2, 1), box(0.5, 0.25, 0.5, 0.5), buffer).area == 0.25);
 }
 
-TEST_CASE("boxes that touch along a face, at a corner or not at all share nothing") {
+TEST_CASE("boxes that touch along a face, at a corner or not at all have no overlap") {
   OverlapBuffer buffer;
   for (const Polygon& other : {box(2, 0, 1, 1), box(0.7, 1, 2, 1), box(2, 1, 1, 1), box(5, 5, 1, 1)}) {
     CHECK(convex_overlap(box(0, 0, 2, 1), other, buffer).area == 0);
@@ -123,7 +123,7 @@ TEST_CASE("penetration of boxes is the least translation that parts them") {
   CHECK(gap.axis == Vec2(1, 0));
 }
 
-TEST_CASE("penetration has a sign that agrees with overlap, and its translation parts the two") {
+TEST_CASE("the sign of the penetration agrees with overlap, and its translation separates the polygons") {
   std::mt19937_64 bits(8);
   OverlapBuffer buffer;
   for (int trial = 0; trial < 5000; ++trial) {
@@ -157,7 +157,7 @@ TEST_CASE("a point is inside, outside or at its distance from the boundary") {
   CHECK(boundary_point(ell, {1, 1}).distance == 0);
 }
 
-TEST_CASE("for convex polygons, inside means left of every edge, and the distance is that of the nearest") {
+TEST_CASE("for convex polygons inside means left of every edge, and the distance belongs to the nearest edge") {
   std::mt19937_64 bits(9);
   for (int trial = 0; trial < 5000; ++trial) {
     const Polygon a = random_convex(bits, {.slenderest = 5});
@@ -174,7 +174,7 @@ TEST_CASE("for convex polygons, inside means left of every edge, and the distanc
   }
 }
 
-TEST_CASE("random convex polygons are convex, have their centroid at the origin and keep to what was asked") {
+TEST_CASE("random convex polygons are convex, centred at the origin and as specified") {
   std::mt19937_64 bits(10);
   for (int trial = 0; trial < 5000; ++trial) {
     const Polygon a = random_convex(bits, {.smallest = 0.2, .largest = 3, .slenderest = 10});

@@ -100,7 +100,7 @@ TEST_CASE("a good polygon passes the check unchanged and without notes") {
   CHECK(checked.notes.empty());
 }
 
-TEST_CASE("a clockwise polygon is turned round with a note and keeps its first point") {
+TEST_CASE("a clockwise polygon is reversed with a note and keeps its first point") {
   const CheckedPolygon checked = check_polygon({{0, 0}, {0, 1}, {2, 1}, {2, 0}}, "body 'stone'");
   CHECK(checked.outline == Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   REQUIRE(checked.notes.size() == 1);
@@ -116,7 +116,7 @@ TEST_CASE("repeated points are left out with a note, the closing one among them"
   CHECK(says(checked.notes[2], "point 7 (0, 0) repeats point 1"));
 }
 
-TEST_CASE("points that make no polygon are refused with number and coordinates") {
+TEST_CASE("points that make no polygon are rejected with number and coordinates") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   CHECK(says(refusal({}), "0 different points, needs at least 3"));
   CHECK(says(refusal({{0, 0}, {1, 0}, {1, 0}, {0, 0}}), "2 different points"));
@@ -127,7 +127,7 @@ TEST_CASE("points that make no polygon are refused with number and coordinates")
   CHECK(says(refusal({{3, 3}, {3, 3}, {3, 3}}), "1 different point,"));
 }
 
-TEST_CASE("self-crossing, touching and spikes are refused, naming edges and place") {
+TEST_CASE("self-crossing, touching and spikes are rejected, naming edges and place") {
   const std::string bow = refusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
   CHECK(says(bow, "at (1, 1)"));
   CHECK(says(bow, "from point 1 (0, 0) to point 2 (2, 2)"));
@@ -140,7 +140,7 @@ TEST_CASE("self-crossing, touching and spikes are refused, naming edges and plac
   CHECK(says(refusal({{0, 0}, {4, 0}, {2, 1e-10}, {2, 2}, {0, 2}}), "spike"));
 }
 
-TEST_CASE("a random list of points is either refused with one line or comes back simple and counter-clockwise") {
+TEST_CASE("a random list of points is either rejected with one line or comes back simple and counter-clockwise") {
   std::mt19937_64 bits(5);
   int accepted = 0;
   for (int trial = 0; trial < 20000; ++trial) {

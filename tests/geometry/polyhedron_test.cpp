@@ -66,7 +66,7 @@ bool solid_says(const std::string& message, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("the moments of a box are those of its formula") {
+TEST_CASE("the moments of a box match their formula") {
   const SolidMoments m = solid_moments(box_solid(Vec3(1, 2, 3), Vec3(4, 4, 4)));
   CHECK(near(m.volume, 6, 1e-15));
   CHECK(m.centroid.isApprox(Vec3(2.5, 3, 3.5), 1e-15));
@@ -76,7 +76,7 @@ TEST_CASE("the moments of a box are those of its formula") {
   CHECK(near_zero((m.inertia - Eigen::Matrix3d(m.inertia.diagonal().asDiagonal())).cwiseAbs().maxCoeff(), 1e-14));
 }
 
-TEST_CASE("the moments of a tetrahedron are those of its formula") {
+TEST_CASE("the moments of a tetrahedron match their formula") {
   const double a = 1.3, b = 0.7, c = 2.1, volume = a * b * c / 6;
   const SolidMoments m = solid_moments(corner_tetrahedron(a, b, c));
   CHECK(near(m.volume, volume, 1e-14));
@@ -87,7 +87,7 @@ TEST_CASE("the moments of a tetrahedron are those of its formula") {
   CHECK(near(m.inertia(1, 2), volume * b * c / 80, 1e-13));
 }
 
-TEST_CASE("the moments of a solid that is not convex are those of its parts") {
+TEST_CASE("the moments of a non-convex solid are the sum of its parts") {
   const SolidMoments m = solid_moments(angle_block());
   CHECK(near(m.volume, 6, 1e-15));
   CHECK(m.centroid.isApprox(Vec3(5.0 / 6, 5.0 / 6, 1), 1e-15));
@@ -125,7 +125,7 @@ TEST_CASE("a prism over a circle of many sides comes near to a cylinder by the s
   CHECK(near(off[0] / off[1], 4, 0.01));
 }
 
-TEST_CASE("principal axes diagonalise the tensor, are right-handed and turn the least") {
+TEST_CASE("principal axes diagonalise the tensor, are right-handed and rotate least") {
   std::mt19937_64 bits(5);
   for (int trial = 0; trial < 500; ++trial) {
     const Eigen::Matrix3d r = matrix_of(any_rotation(bits));
@@ -152,7 +152,7 @@ TEST_CASE("a box along the axes and a cube keep theirs") {
   CHECK(near(cube.moments.x(), cube.moments.z(), 1e-13));
 }
 
-TEST_CASE("a box that is turned a little gets its own turn back") {
+TEST_CASE("the pose of a slightly rotated box is recovered") {
   const Vec3 angle(0.2, -0.3, 0.1);
   const Polyhedron box = placed(box_solid(Vec3(0, 0, 0), Vec3(1, 2, 4)), rotation_by(angle), Vec3(3, 2, 1));
   CHECK(near_zero((angle_of(principal_inertia(solid_moments(box).inertia).axes) - angle).norm(), 1e-13));
@@ -182,7 +182,7 @@ TEST_CASE("every edge of a solid is found once, with the faces on both sides") {
   CHECK(solid_edges(angle_block().faces).size() == 18);
 }
 
-TEST_CASE("the check of a solid says what is wrong, where and by how much") {
+TEST_CASE("the check of a solid reports error, place and amount") {
   CHECK(complaint([](Polyhedron&) {}).empty());
   const auto loops = [](Polyhedron& s, int left_out, int turned) {
     FaceLoops faces;

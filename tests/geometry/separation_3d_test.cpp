@@ -148,7 +148,7 @@ TEST_CASE("solids share a volume where no axis parts them, and the least way out
   CHECK(within > 500);
 }
 
-TEST_CASE("starting from the last axis answers the same, or a lower bound where that axis still parts them") {
+TEST_CASE("a warm start from the last axis gives the same result, or a lower bound if that axis still separates") {
   std::mt19937_64 bits(5);
   int kept = 0;
   for (int trial = 0; trial < 500; ++trial) {

@@ -54,7 +54,7 @@ TEST_CASE("a sphere has the volume and the inertia of one") {
   CHECK(std::abs(m.inertia(0, 1)) < 1e-16);
 }
 
-TEST_CASE("two spheres that overlap count what they share once, whatever way they lie") {
+TEST_CASE("the overlap of two spheres counts once, in any position") {
   std::mt19937_64 bits(7);
   for (int i = 0; i < 20; ++i) {
     const double r = random_between(bits, 0.5, 1), s = random_between(bits, 0.5, 1),
@@ -74,7 +74,7 @@ TEST_CASE("two spheres that overlap count what they share once, whatever way the
   }
 }
 
-TEST_CASE("spheres that share nothing add up and one within another adds nothing") {
+TEST_CASE("masses of disjoint spheres add up, and a sphere inside another adds nothing") {
   const std::array apart{Sphere{Vec3(0, 0, 0), 1}, Sphere{Vec3(3, 0, 0), 1}};
   const SolidMoments m = sphere_moments(apart);
   CHECK(near(m.volume, 2 * ball(1), 1e-15));
@@ -108,7 +108,7 @@ TEST_CASE("moments of clumps turn with them to a millionth") {
   }
 }
 
-TEST_CASE("a sphere without a radius or a place is refused with what would do") {
+TEST_CASE("a sphere without radius or place is rejected with a valid example") {
   CHECK_THROWS_WITH_AS(check_sphere({Vec3::Zero(), 0}, "body 'ball'"),
                        "body 'ball': radius is 0 m, must be above 0; try 0.05", InputError);
   CHECK_THROWS_WITH_AS(check_sphere({Vec3(NAN, 0, 0), 1}, "body 'ball'"),

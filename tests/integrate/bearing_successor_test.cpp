@@ -77,7 +77,7 @@ Seen follow(Simulation<2>& sim, double duration, bool implicitly, double dt) {
   return seen;
 }
 
-TEST_CASE("a stiff spring that counts from where it takes over has the energy that the block has left") {
+TEST_CASE("a stiff spring that counts from its start has the energy left in the block") {
   for (const bool implicitly : {false, true}) {
     HandedOn scene;
     Simulation<2> sim = scene.start(true);
@@ -97,7 +97,7 @@ TEST_CASE("a stiff spring that counts from where it takes over has the energy th
   }
 }
 
-TEST_CASE("a stiff spring that counts from the start puts in what nothing has worked for, and the ledger says so") {
+TEST_CASE("a stiff spring that counts from the start adds energy, which the energy balance contains") {
   for (const bool implicitly : {false, true}) {
     HandedOn scene;
     Simulation<2> sim = scene.start(false);
@@ -112,7 +112,7 @@ TEST_CASE("a stiff spring that counts from the start puts in what nothing has wo
   }
 }
 
-TEST_CASE("what takes over does alike both ways and in a world that is turned") {
+TEST_CASE("a successor acts the same in both directions and in a rotated frame") {
   const auto farthest = [](double way, double turn) {
     HandedOn scene(way, turn);
     Simulation<2> sim = scene.start(true);
@@ -124,7 +124,7 @@ TEST_CASE("what takes over does alike both ways and in a world that is turned") 
   for (const double turn : {0.4, 2.1}) CHECK(near(farthest(1, turn), there, 1e-9));
 }
 
-TEST_CASE("a limit of what takes over counts from there, its events tell of that, and the next counts as it is told") {
+TEST_CASE("the limit of a successor counts from its start, its events name it, and the next one counts as set") {
   HandedOn scene;
   BearingSpec third = scene.second;
   third.name = "third", third.law[along] = Linear{1, 0};
@@ -148,7 +148,7 @@ TEST_CASE("a limit of what takes over counts from there, its events tell of that
   CHECK(sim.state().bearing[third_row].begun_at[along] == 0);
 }
 
-TEST_CASE("by direction: a bearing takes over along from where it is and carries the weight as it lay") {
+TEST_CASE("by direction: a successor starts along at the present position and carries the weight as before") {
   const double mass = 1000, weight = mass * standard_gravity, bed = 1e8;
   for (const bool all : {false, true}) {
     Scene scene(Frictional{1e8, 5e7, 0.4, 0});
@@ -215,7 +215,7 @@ struct HandedOnInSpace {
   }
 };
 
-TEST_CASE("what takes over in space begins free of force in every direction and in turns") {
+TEST_CASE("a successor in space starts without force in all directions and rotations") {
   for (int direction = 0; direction < 6; ++direction) {
     HandedOnInSpace scene(direction);
     const Model<3> model = scene.build();
@@ -238,7 +238,7 @@ TEST_CASE("what takes over in space begins free of force in every direction and 
   }
 }
 
-TEST_CASE("a law of both horizontal directions takes over at any azimuth, and swings back to where it did") {
+TEST_CASE("a law of both horizontal directions replaces another at any azimuth and returns to that point") {
   for (const double azimuth : {0.0, 0.6, 2.2}) {
     HandedOnInSpace scene(0);
     SolidSpec free_top = scene.builder.bodies()[1];
@@ -269,7 +269,7 @@ TEST_CASE("a law of both horizontal directions takes over at any azimuth, and sw
   }
 }
 
-TEST_CASE("a state saved after a bearing took over goes on with the same bits") {
+TEST_CASE("a state saved after a bearing took over continues with the same bits") {
   HandedOnInSpace scene(4);
   const Model<3> model = scene.build();
   SolidRun run(model, scene.moving(model), 1e-4);
@@ -289,7 +289,7 @@ TEST_CASE("a state saved after a bearing took over goes on with the same bits") 
   CHECK(state_hash(read) == state_hash(sim.state()));
 }
 
-TEST_CASE("a model in which a successor counts from where it takes over is another one, before anything has failed") {
+TEST_CASE("a model whose successors count from their start has another fingerprint") {
   HandedOn plain, told;
   Simulation<2> a = plain.start(false), b = told.start(true);
   CHECK(state_words(a.state()) == state_words(b.state()));

@@ -222,7 +222,7 @@ TEST_CASE("bearings in space: a slider stops a mass after v^2 / (2 mu g), whatev
   }
 }
 
-TEST_CASE("bearings in space: a limit of the resultant ends one, and what waits takes over") {
+TEST_CASE("bearings in space: a limit of the resultant fails one, and its waiting successor starts") {
   Isolated top(Linear{1e5, 0});
   top.spec.horizontal_limit = 0.05, top.spec.becomes_bearing = "next";
   BearingSpecOf<3> next = top.spec;
@@ -263,7 +263,7 @@ TEST_CASE("bearings in space: a limit of the resultant ends one, and what waits 
   CHECK(near(second.work().events[0].value, 0.02, 1e-2));
 }
 
-TEST_CASE("bearings in space: one holds flat contact off while it lives, and the block drops on its seat after") {
+TEST_CASE("bearings in space: an intact bearing replaces flat contact, and the block drops on its seat after failure") {
   SolidModelBuilder builder;
   builder.add_body(solid("a", {4, 4, 0.5}, {0, 0, -0.25}, 1e5, true));
   SolidSpec top = solid("b", {1, 1, 1}, {0, 0, 0.5}, 1000);
@@ -292,7 +292,7 @@ TEST_CASE("bearings in space: one holds flat contact off while it lives, and the
   CHECK(near_zero(run.energy().balance() - begin, 5e-3 * 500));
 }
 
-TEST_CASE("bearings in space: states are saved and taken up whole, and dropping the work changes no bit") {
+TEST_CASE("bearings in space: saved states are restored completely, and freeing scratch memory changes no bit") {
   const Model<3> model = linked_pair(many_space_links()[2]);
   SolidRun run(model, 1e-3), dropped(model, 1e-3);
   run.run(0.5);
@@ -305,7 +305,7 @@ TEST_CASE("bearings in space: states are saved and taken up whole, and dropping 
   CHECK(state_hash(on.state()) == state_hash(run.state()));
 }
 
-TEST_CASE("bearings in space: the stable step is that of the stiffest spring on the body it moves") {
+TEST_CASE("bearings in space: the stable step follows from the stiffest spring and its body") {
   Isolated top(Linear{1e5, 0});
   top.builder.add_bearing(top.spec);
   const Model<3> model = top.builder.build();
@@ -317,7 +317,7 @@ TEST_CASE("bearings in space: the stable step is that of the stiffest spring on 
   CHECK(found.dt > 0.7 * exact);
 }
 
-TEST_CASE("seats in space: lost sideways as lengthwise, once, where the end comes to the edge") {
+TEST_CASE("seats in space: lost sideways or lengthwise, once, when the end reaches the edge") {
   Isolated top(Linear{1, 0});
   top.builder.add_bearing(top.spec);
   // The base is 4 m wide: its edge across is at y = 2, along at x = 2.
@@ -342,7 +342,7 @@ TEST_CASE("seats in space: lost sideways as lengthwise, once, where the end come
   CHECK(near(seat_length(run.model(), run.state(), model.seats[0]), 1.8, 1e-2));
 }
 
-TEST_CASE("bearings in space: what is no bearing is refused in one line") {
+TEST_CASE("bearings in space: an invalid bearing is rejected in one line") {
   const auto refusal = [](const BearingSpecOf<3>& spec) -> std::string {
     try {
       linked_pair(spec);

@@ -115,8 +115,7 @@ TEST_CASE("the stable step of a stack and of a wall is on the safe side, and at 
   }
 }
 
-TEST_CASE(
-    "the bound of what springs do to a body is never below the largest eigenvalue, and no more than .5 % above it") {
+TEST_CASE("the bound of a body's springs is at least the largest eigenvalue and at most 0.5 % above it") {
   std::mt19937_64 bits(61);
   std::normal_distribution<double> chance;
   std::uniform_int_distribution<int> springs(1, 8);

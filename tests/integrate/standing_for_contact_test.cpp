@@ -137,7 +137,7 @@ void check_rocking(const Rocking& seen, double put_in) {
   CHECK(seen.residual < 2e-3 * put_in);
 }
 
-TEST_CASE("a bearing stands for contact: a block that rocks on soft springs takes no energy from what it has sunk") {
+TEST_CASE("a bearing replaces contact: a block that rocks on soft springs gains no energy from its settlement") {
   const double weight = 4800 * standard_gravity, put_in = weight * 0.016;
   SUBCASE("in the plane") {
     for (const double spin : {0.3, 1.0}) {
@@ -153,7 +153,7 @@ TEST_CASE("a bearing stands for contact: a block that rocks on soft springs take
   }
 }
 
-TEST_CASE("a bearing stands for contact: on stiff springs a block rocks on its corner as it would without") {
+TEST_CASE("a bearing replaces contact: on stiff springs a block rocks on its corner as it would without") {
   // Springs that compress by 3 um replace almost no contact. An edge at 0.5 m off the middle penetrates no deeper than
   // by the rotation of the block on the springs, 0.5 sqrt(2000 / (2 1e10 0.4^2)) rad at most.
   Steps<2> run(block_on_springs(1e10, 0.5), 2e-6);
@@ -163,7 +163,7 @@ TEST_CASE("a bearing stands for contact: on stiff springs a block rocks on its c
   CHECK(seen.residual < 1e-3 * 250);
 }
 
-TEST_CASE("a bearing stands for contact: what two have shared is forgotten once they part") {
+TEST_CASE("a bearing replaces contact: shared contact is released when the bodies separate") {
   Steps<2> run(block_on_springs(sinking_springs, 0), 2e-5);
   double lowest = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -198,7 +198,7 @@ void check_kept(Steps<D> run) {
   CHECK(state_hash(on.state) == state_hash(dropped.state));
 }
 
-TEST_CASE("a bearing stands for contact: what it has stood for is saved, and dropping the work changes no bit") {
+TEST_CASE("a bearing replaces contact: the replaced contact is saved, and freeing scratch memory changes no bit") {
   check_kept(Steps<2>(block_on_springs(sinking_springs, 1.0), 2e-5));
   check_kept(Steps<3>(stone_on_springs(sinking_springs, {0.7, 0.4, 0.2}), 2e-5));
 }

@@ -69,7 +69,7 @@ struct Shot {
 
 }  // namespace
 
-TEST_CASE("a plate holds what its law can stop in a third of its thickness however fast that comes") {
+TEST_CASE("a plate stops any body that its law can stop within a third of its thickness, at any speed") {
   for (const double plate : {0.001, 0.01})
     for (const double kn : {1e8, 1e10, 1e12}) {
       const double speed = Shot::speed_for(kn, plate / 3);
@@ -81,7 +81,7 @@ TEST_CASE("a plate holds what its law can stop in a third of its thickness howev
     }
 }
 
-TEST_CASE("what a law cannot stop within half a thickness is told once and where and how deep") {
+TEST_CASE("a penetration beyond half a thickness is reported once with place and depth") {
   for (const double plate : {0.001, 0.01})
     for (const double kn : {1e8, 1e10}) {
       for (const double share : {0.8, 3.0, 30.0, 3000.0}) {
@@ -101,7 +101,7 @@ TEST_CASE("what a law cannot stop within half a thickness is told once and where
     }
 }
 
-TEST_CASE("with the stiffness that is said to hold it a shot is held") {
+TEST_CASE("a projectile is stopped with the recommended stiffness") {
   for (const double speed : {30.0, 1000.0, 10000.0}) {
     const Shot::End end = Shot{1e8, 0.01, speed}.fly();
     REQUIRE(end.passed.size() == 1);
@@ -115,7 +115,7 @@ TEST_CASE("with the stiffness that is said to hold it a shot is held") {
   }
 }
 
-TEST_CASE("the step shrinks for the hit and goes back after it") {
+TEST_CASE("the step is reduced for an impact and restored afterwards") {
   const double speed = Shot::speed_for(1e10, 0.01 / 3);
   Simulation<2> sim = Shot{1e10, 0.01, speed}.scene().start();
   double longest = 0, shortest = 1, last = 0;
@@ -132,7 +132,7 @@ TEST_CASE("the step shrinks for the hit and goes back after it") {
   CHECK(deepest_step <= 1.001 * depth_per_step * 0.01);
 }
 
-TEST_CASE("no shot of any shape passes a plate untold whatever its angle and speed and the stiffness") {
+TEST_CASE("no projectile passes a plate without a report, for any shape, angle, speed and stiffness") {
   std::mt19937_64 bits(11);
   int passed = 0, held = 0;
   for (int i = 0; i < 150; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("plates and shots that deform are held and told like rigid ones") {
   }
 }
 
-TEST_CASE("a body crushed under one of a thousand million times its mass is told") {
+TEST_CASE("a body crushed by another of 1e9 times its mass is reported") {
   Scene scene(Frictional{1e8, 5e7, 0.6, 1e-4});
   scene.fixed("base", box(-1, -0.2, 1, 0));
   scene.block("small", box(-0.05, 0, 0.05, 0.1), 10);
@@ -215,7 +215,7 @@ TEST_CASE("a body crushed under one of a thousand million times its mass is told
   CHECK(told.passed.size() > 0);
 }
 
-TEST_CASE("a thin bar that turns is held by a peg or told to have gone through it") {
+TEST_CASE("a rotating thin bar is stopped by a peg, or its passage is reported") {
   const auto turn = [](double kn, double spin) {
     Scene scene(Frictional{kn, kn / 2, 0, 0});
     scene.set_gravity({0, 0});
@@ -241,7 +241,7 @@ TEST_CASE("a thin bar that turns is held by a peg or told to have gone through i
     }
 }
 
-TEST_CASE("what a huge force takes through a plate within one step is told") {
+TEST_CASE("a body driven through a plate within one step is reported") {
   Scene scene(Frictional{1e6, 5e5, 0, 0});
   scene.set_gravity({0, 0});
   scene.fixed("plate", box(-0.5, -0.001, 0.5, 0));
@@ -256,7 +256,7 @@ TEST_CASE("what a huge force takes through a plate within one step is told") {
   CHECK(told.passed.size() == 1);
 }
 
-TEST_CASE("collapses at common speeds take the steps they took without the sweep") {
+TEST_CASE("collapses at common speeds have the same steps without the tunnelling limit") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     State<2> state = start_state(model);
@@ -275,7 +275,8 @@ TEST_CASE("collapses at common speeds take the steps they took without the sweep
   }
 }
 
-TEST_CASE("a run saved amid shrunk steps or with its Work dropped at each goes on with the same bits and events") {
+TEST_CASE(
+    "a run saved during reduced steps, or with scratch memory freed at each, continues with the same bits and events") {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("trilith_swept_" + std::to_string(::getpid()));
   const Shot shot{1e10, 0.001, 300};
@@ -310,7 +311,7 @@ TEST_CASE("a run saved amid shrunk steps or with its Work dropped at each goes o
   std::filesystem::remove(path);
 }
 
-TEST_CASE("a step that is given and could carry a body past a middle is refused with the step it takes") {
+TEST_CASE("a given step in which a body could pass the middle of another is rejected with the allowed step") {
   const double speed = Shot::speed_for(1e8, 0.03);
   const auto message = [&](double dt) -> std::string {
     try {

@@ -45,7 +45,7 @@ TEST_CASE("a smooth load curve begins and ends without speed and acceleration an
   }
 }
 
-TEST_CASE("a load curve whose times do not rise or whose numbers are not finite is refused with what is wrong") {
+TEST_CASE("a load curve whose times do not rise or whose numbers are not finite is rejected with the reason") {
   const auto message_of = [](const LoadCurve& c) -> std::string {
     try {
       check_load_curve(c, "load 'p'");
@@ -90,7 +90,7 @@ TEST_CASE("a ramp lands at its distance with no velocity, and its velocity and a
   CHECK_THROWS_AS(ramp_motion(INFINITY, 1), InputError);
 }
 
-TEST_CASE("an even motion goes at its speed but for its ends, and lands") {
+TEST_CASE("a uniform motion has its speed except at its smooth ends, and ends at its distance") {
   for (const double by : {0.05, -0.05}) {
     const double speed = 0.002, sign = by > 0 ? 1 : -1;
     const GroundMotion m = even_motion(by, speed);

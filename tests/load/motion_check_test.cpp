@@ -26,13 +26,13 @@ std::vector<double> fling(int n) {
 
 }  // namespace
 
-TEST_CASE("a motion that is zero everywhere is refused, even where drift is allowed") {
+TEST_CASE("a motion that is zero everywhere is rejected, even where drift is allowed") {
   const GroundMotion motion = GroundMotion(std::vector<double>{0, 0, 0}, 0.01).with_start_velocity(1);
   CHECK_THROWS_AS(check_usable(motion), InputError);
   CHECK(contains(why_not_usable(motion, Drift::allow), "zero everywhere"));
 }
 
-TEST_CASE("ground that still moves at the end is refused above 10 % of PGV, whatever it did before") {
+TEST_CASE("ground that still moves at the end is rejected above 10 % of PGV, whatever it did before") {
   // Up to 1 m/s and back to rest, 6 s of rest, and a final pulse to the given share of the peak velocity.
   const auto kicked_to = [](double part) {
     std::vector<double> a(100, 1.0);
@@ -48,7 +48,7 @@ TEST_CASE("ground that still moves at the end is refused above 10 % of PGV, what
   CHECK_NOTHROW(check_usable(kicked_to(0.11), Drift::allow));
 }
 
-TEST_CASE("ground that travels one way is refused above 5 % of PGV") {
+TEST_CASE("ground that travels one way is rejected above 5 % of PGV") {
   const auto travelling_at = [](double part) {
     std::vector<double> a(100, 1.0);
     a.insert(a.end(), 100, -(1 - part));
@@ -66,7 +66,7 @@ TEST_CASE("a permanent offset reached at rest is no drift") {
   CHECK(why_not_usable(motion.scaled(-7)) == "");
 }
 
-TEST_CASE("records integrated from rest that were moving at their start are refused, with what to try") {
+TEST_CASE("records integrated from rest that were moving at their start are rejected, with what to try") {
   const auto folder = record_folder();
   if (!folder) return;
   for (const std::string name : {"elcentro_1940_cit_ns.csv", "elcentro_1940_cit_ew.csv", "elcentro_1940_cit_up.csv"}) {

@@ -200,7 +200,7 @@ TEST_CASE("records whose format has a name are read by it") {
   CHECK(parse_motion(knet(), "a.ns").source().component == "N-S");
 }
 
-TEST_CASE("records that leave their meaning open are refused with the remedy") {
+TEST_CASE("ambiguous records are rejected with the remedy") {
   struct Refused {
     std::string text;
     PlainForm form;
@@ -279,7 +279,7 @@ TEST_CASE("records that leave their meaning open are refused with the remedy") {
   }
 }
 
-TEST_CASE("a raw record with an offset is read, and then refused as one that drifts") {
+TEST_CASE("a raw record with an offset is read and rejected for its drift") {
   const std::string text = written("", [](int i) { return fmt::format("{:.2f} {:.6f}", i * dt, wave(i) + 0.2); });
   const GroundMotion motion = parse_plain_motion(text, "a.txt", {"g", {}});
   CHECK(motion.samples().back().velocity > 10);

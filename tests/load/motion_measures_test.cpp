@@ -67,7 +67,7 @@ void check_row(const std::filesystem::path& folder, const ManifestRow& row) {
 
 }  // namespace
 
-TEST_CASE("D8: the peaks of every record are those of the manifest, and every record can be used") {
+TEST_CASE("D8: every record has the peaks of the manifest and is usable") {
   const auto folder = record_folder();
   if (!folder) return;
   const auto rows = manifest(*folder);

@@ -9,7 +9,7 @@
 using namespace trilith;
 using testing::near;
 
-TEST_CASE("two columns give time and acceleration in the unit that is said") {
+TEST_CASE("two columns give time and acceleration in the stated unit") {
   const char* const text = "Station 7, NS\n# a note\n 0.00  10\n 0.02 -20\n\n 0.04;30\n";
   const GroundMotion motion = parse_plain_motion(text, "folder/ns.txt", {"cm/s2", {}});
   CHECK(motion.samples().size() == 3);
@@ -29,7 +29,7 @@ TEST_CASE("accelerations alone, any number to a line, need their step") {
                        InputError);
 }
 
-TEST_CASE("what a plain record leaves unclear is refused with its line") {
+TEST_CASE("an ambiguous plain record is rejected with its line") {
   const auto refused = [](const char* text, const PlainForm& form, const char* why) {
     CHECK_THROWS_WITH_AS(parse_plain_motion(text, "a.txt", form), doctest::Contains(why), InputError);
   };

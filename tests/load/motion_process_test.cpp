@@ -48,7 +48,7 @@ std::pair<double, double> parts_at(const GroundMotion& motion, double f) {
 
 }  // namespace
 
-TEST_CASE("a baseline of a degree takes every polynomial up to it out, and nothing of what is left") {
+TEST_CASE("a baseline correction removes every polynomial up to its degree and nothing else") {
   const GroundMotion plain = baseline_corrected(noise(1), 3);
   std::vector<double> with;
   for (std::size_t i = 0; i < plain.samples().size(); ++i) {
@@ -65,8 +65,7 @@ TEST_CASE("a baseline of a degree takes every polynomial up to it out, and nothi
   CHECK_THROWS_AS(baseline_corrected(noise(1).scaled(2), 1), InputError);
 }
 
-TEST_CASE(
-    "a Butterworth filter is 3 dB down at its corner, without a shift of phase, and follows its formula beside it") {
+TEST_CASE("a Butterworth filter has -3 dB at its corner and no phase shift, and follows its formula") {
   constexpr double step = 0.01, corner = 5;
   const auto tangent = [](double f) { return std::tan(std::numbers::pi * f * step); };
   for (const int order : {1, 2, 3, 4, 7})
@@ -96,7 +95,7 @@ TEST_CASE("a filtered record that is played backward is the backward record filt
   CHECK(worst < 1e-9);
 }
 
-TEST_CASE("a pad lets a high-pass end at rest, and corners that cannot be are refused") {
+TEST_CASE("a pad makes a high-pass end at rest, and impossible corner frequencies are rejected") {
   const GroundMotion motion = noise(5, 1000);
   const GroundMotion padded = filtered(motion, {0.5, 0, 4, 12});
   CHECK(padded.samples().size() == 1000 + 2400);
@@ -107,7 +106,7 @@ TEST_CASE("a pad lets a high-pass end at rest, and corners that cannot be are re
     CHECK_THROWS_AS(filtered(motion, wrong), InputError);
 }
 
-TEST_CASE("a shorter step that divides the old one changes nothing of the motion, and comes back to the bits") {
+TEST_CASE("resampling to a divided step keeps the motion, and resampling back gives the same bits") {
   const GroundMotion motion = noise(6, 300);
   const GroundMotion fine = resampled(motion, 0.0025);
   CHECK(fine.samples().size() == 4 * 299 + 1);
@@ -119,7 +118,7 @@ TEST_CASE("a shorter step that divides the old one changes nothing of the motion
   CHECK_THROWS_AS(resampled(motion, 10), InputError);
 }
 
-TEST_CASE("a step or a pad that asks for billions of samples is refused, one just within the bound is not") {
+TEST_CASE("a step or a pad that asks for billions of samples is rejected, one just within the bound is not") {
   const GroundMotion motion = noise(9, 101);  // 1 s
   CHECK_THROWS_AS(resampled(motion, 1e-9), InputError);
   CHECK(resampled(motion, 1.25e-7).samples().size() == 8'000'001);
@@ -128,7 +127,7 @@ TEST_CASE("a step or a pad that asks for billions of samples is refused, one jus
   CHECK(filtered(fast, {0, 1000, 4, 1}).samples().size() == 101 + 200'000);
 }
 
-TEST_CASE("a record turned and turned back is itself, and its squares sum to what they were") {
+TEST_CASE("a record rotated and rotated back is unchanged, and rotation keeps the sum of squares") {
   const GroundMotion a = noise(7), b = noise(8);
   const double angle = 0.7;
   const auto [x, y] = rotated(a, b, angle);

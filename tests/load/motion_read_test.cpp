@@ -115,13 +115,13 @@ TEST_CASE("an AT2 record is read in all spellings of its fourth line") {
   }
 }
 
-TEST_CASE("the form of a file is told from its content, whatever its name") {
+TEST_CASE("the format of a file is recognised by its content, for any name") {
   CHECK(parse_motion(at2, "record.txt").samples().size() == 7);
   CHECK(parse_motion(csv, "record.at2").samples().size() == 3);
   CHECK(contains(refusal("hello\nworld\n", "record.txt"), "neither"));
 }
 
-TEST_CASE("damaged CSV is refused with file, line, what is wrong and what is allowed") {
+TEST_CASE("damaged CSV is rejected with file, line, error and allowed values") {
   CHECK(contains(refusal(""), "motion file 'made.csv': is empty"));
   CHECK(contains(refusal(" \n\n"), "is empty"));
   CHECK(contains(refusal(replaced(csv, "0.04,-.2\n", "")), "is cut short: 2 samples, the header announces 3"));
@@ -148,7 +148,7 @@ TEST_CASE("damaged CSV is refused with file, line, what is wrong and what is all
   CHECK(contains(refusal("# v0: 3 cm\n" + csv), "(cm/s, m/s"));
 }
 
-TEST_CASE("damaged AT2 is refused with file, line, what is wrong and what is allowed") {
+TEST_CASE("damaged AT2 is rejected with file, line, error and allowed values") {
   const auto refused = [](const std::string& text) { return refusal(text, "made.at2"); };
   CHECK(contains(refused("PEER\n"), "an AT2 file has 4 header lines"));
   CHECK(contains(refused(replaced(at2, "UNITS OF G", "UNITS OF CM/S/S")), "line 3: unit is 'cm/s/s', must be G"));
@@ -161,7 +161,7 @@ TEST_CASE("damaged AT2 is refused with file, line, what is wrong and what is all
   CHECK(contains(refused(replaced(at2, ".3000000E+00", "********")), "line 5: acceleration is '********'"));
 }
 
-TEST_CASE("a missing file, a folder and an empty file are refused") {
+TEST_CASE("a missing file, a folder and an empty file are rejected") {
   const auto refused = [](const std::filesystem::path& path) -> std::string {
     try {
       read_motion(path);
@@ -211,7 +211,7 @@ TEST_CASE("PEER files and the CSV made from them agree") {
   }
 }
 
-TEST_CASE("truncated and damaged records are read or refused, never worse") {
+TEST_CASE("truncated and damaged records are read or rejected, never a crash") {
   fuzz(csv, 1, 3000);
   fuzz(at2, 2, 3000);
   const std::string real = text_of(own_record("elcentro_1940_rest_ns.csv"));
@@ -219,7 +219,7 @@ TEST_CASE("truncated and damaged records are read or refused, never worse") {
   fuzz(real, 3, 200);
 }
 
-TEST_CASE("truncated and damaged PEER records are read or refused, never worse") {
+TEST_CASE("truncated and damaged PEER records are read or rejected, never a crash") {
   const auto folder = record_folder();
   if (!folder) return;
   fuzz(text_of(*folder / "peer_at2" / "RSN6_IMPVALL.I_I-ELC180.AT2"), 4, 200);

@@ -74,7 +74,7 @@ TEST_CASE("a finely sampled half sine meets its analytic integrals, with an erro
   CHECK(near(error(100) / error(1000), 100, 0.05));
 }
 
-TEST_CASE("velocity and displacement are continuous, and are the integrals of what is given between samples") {
+TEST_CASE("velocity and displacement are continuous and integrate the acceleration between samples") {
   const GroundMotion motion = random_motion(1, {0.2, -0.1});
   const double h = 1e-3;
   for (double t = 0.0005; t < motion.end_time() - 2 * h; t += 0.0137) {
@@ -160,14 +160,14 @@ TEST_CASE("another start velocity adds a steady velocity") {
   }
 }
 
-TEST_CASE("the description tells the whole way from the file") {
+TEST_CASE("the description of a motion lists every step from the file") {
   const GroundMotion motion =
       random_motion(9).scaled_to_peak(0.8 * standard_gravity).time_scaled(0.8).delayed(0.204).reversed();
   CHECK(motion.description() == "made.csv, scaled to PGA 0.8 g, time x 0.8, delayed 0.204 s, reversed");
   CHECK(motion.source().file == "folder/made.csv");
 }
 
-TEST_CASE("samples, steps, starts and factors that are no numbers or out of range are refused") {
+TEST_CASE("samples, steps, starts and factors that are no numbers or out of range are rejected") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> good{0, 1, 0};
   CHECK_THROWS_AS(GroundMotion(std::vector<double>{1}, 0.01), InputError);

@@ -89,7 +89,7 @@ TEST_CASE("after a short pulse the peak of the free vibration that follows is fo
   CHECK(near(peak.time, 0.501, 1e-3));
 }
 
-TEST_CASE("stiff oscillators feel the ground acceleration, soft ones the ground displacement") {
+TEST_CASE("stiff oscillators follow the ground acceleration, soft ones the ground displacement") {
   const GroundMotion motion = read_motion(own_record("elcentro_1940_rest_ns.csv"));
   const double pga = std::abs(motion_peaks(motion).acceleration.value);
   CHECK(oscillator_peak(motion, 0, 0.05).pseudo_acceleration == pga);
@@ -108,7 +108,7 @@ TEST_CASE("the spectrum scales with the motion, and its periods with the time ax
   CHECK(near(base.pseudo_acceleration, base.pseudo_velocity * 2 * pi / 0.7, 1e-12));
 }
 
-TEST_CASE("periods come in order, and those or dampings out of range are refused") {
+TEST_CASE("periods come in order, and those or dampings out of range are rejected") {
   const GroundMotion motion(std::vector<double>{0, 1, 0}, 0.01);
   const std::vector<double> periods = spectrum_periods(0.1, 10, 3);
   CHECK(near(periods[1], 1, 1e-12));

@@ -36,7 +36,7 @@ BearingSpec spring(double x) {
 
 }  // namespace
 
-TEST_CASE("a bearing without a law is refused") {
+TEST_CASE("a bearing without a law is rejected") {
   BearingSpec none = spring(1);
   none.law = {};
   CHECK(refusal(none).find("'B': has no law") != std::string::npos);
@@ -57,14 +57,14 @@ TEST_CASE("a bearing that becomes something needs a limit") {
   CHECK(refusal(endless).empty());
 }
 
-TEST_CASE("a bearing may be as far from its body as that is large and no farther") {
+TEST_CASE("a bearing point may be at most one body size away from its body") {
   const double size = std::sqrt(2.0);  // diagonal of a square of 1 m
   CHECK(refusal(spring(2 + 0.99 * size)).empty());
   CHECK(refusal(spring(2 + 1.01 * size)).find("is 1.43 m away from body 'b', which is 1.41 m large") !=
         std::string::npos);
 }
 
-TEST_CASE("a contact of a name that nothing has is a fault even where its body comes later") {
+TEST_CASE("a contact with a name of no body is an error, even if a body of that name is added later") {
   Scene scene(Frictional{1e9, 5e8, 0.6, 0});
   scene.builder.set_contact("stone", "late", "joint");
   scene.fixed("a", box(0, 0, 1, 1));
@@ -88,7 +88,7 @@ TEST_CASE("every pair of bodies that overlaps is a fault and the deepest comes f
   CHECK(faults[1].find("bodies 'a' and 'b' overlap by 0.1 m") == 0);
 }
 
-TEST_CASE("a number is doubted beyond its usual range and not within") {
+TEST_CASE("a number gets a note beyond its usual range and not within") {
   CHECK(plausibility_note("mu", "1", 2).empty());
   CHECK(plausibility_note("mu", "1", 2.01) ==
         "mu = 2.01 is above the usual 2: it is the tangent of the friction angle, as in "

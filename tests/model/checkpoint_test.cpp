@@ -104,7 +104,8 @@ TEST_CASE("a state saved and loaded has the same digest, and its file the same b
   }
 }
 
-TEST_CASE("a checkpoint of another model is refused, and the message says whether the model or its conditions differ") {
+TEST_CASE(
+    "a checkpoint of another model is rejected, and the message says whether the model or its conditions differ") {
   const Folder folder;
   const fs::path path = folder.path / "state";
   const Model<2> model = small_model();
@@ -156,7 +157,7 @@ TEST_CASE("the fingerprint of a model changes with every part of it") {
   CHECK(model_fingerprint(one) != model_fingerprint(two));
 }
 
-TEST_CASE("a checkpoint cut anywhere is refused") {
+TEST_CASE("a checkpoint cut anywhere is rejected") {
   const Folder folder;
   const fs::path path = folder.path / "state";
   const Model<2> model = small_model();
@@ -172,7 +173,7 @@ TEST_CASE("a checkpoint cut anywhere is refused") {
   CHECK_FALSE(message_of(model, path).empty());
 }
 
-TEST_CASE("a checkpoint with one byte changed anywhere is refused") {
+TEST_CASE("a checkpoint with any byte changed is rejected") {
   const Folder folder;
   const fs::path path = folder.path / "state";
   const Model<2> model = small_model();
@@ -187,7 +188,7 @@ TEST_CASE("a checkpoint with one byte changed anywhere is refused") {
   }
 }
 
-TEST_CASE("a damaged checkpoint with a fitting digest gives an input error or a sound state, and never a crash") {
+TEST_CASE("a damaged checkpoint with a matching digest gives an input error or a valid state, never a crash") {
   const Folder folder;
   const fs::path path = folder.path / "state";
   const Model<2> model = small_model();
@@ -217,7 +218,7 @@ TEST_CASE("a damaged checkpoint with a fitting digest gives an input error or a 
   CHECK(refused > 100);
 }
 
-TEST_CASE("files that are no checkpoint, of another version or byte order are refused with what they are") {
+TEST_CASE("foreign files and checkpoints of another version or byte order are rejected with the reason") {
   const Folder folder;
   const fs::path path = folder.path / "state";
   const Model<2> model = small_model();

@@ -105,7 +105,7 @@ TEST_CASE("pressure that does not follow keeps its force, along a direction too,
   CHECK((pushed(model, state).force - Vec2(2e4, 0)).norm() < 1e-8);
 }
 
-TEST_CASE("a point load keeps its direction or turns with the body, and its moment goes with its point") {
+TEST_CASE("a point load keeps its direction or rotates with the body, and its moment follows its point") {
   for (const int divisions : {0, 1, 3})
     for (const bool follows : {false, true}) {
       Model<2> model = lone(rectangle({0, 0}, {2, 1}), divisions);
@@ -136,7 +136,7 @@ TEST_CASE("a point load keeps its direction or turns with the body, and its mome
   }
 }
 
-TEST_CASE("places of a body go by name") {
+TEST_CASE("points of a body have names") {
   const Model<2> model = lone(rectangle({1, 2}, {4, 3}), 0);
   const auto place = [&](const char* name) { return named_place(model, 0, name).value_or(Vec2(-9, -9)); };
   CHECK((place("centroid") - Vec2(2.5, 2.5)).norm() < 1e-12);
@@ -147,7 +147,7 @@ TEST_CASE("places of a body go by name") {
   CHECK_FALSE(named_place(model, 0, "topp").has_value());
 }
 
-TEST_CASE("loads that make no sense are refused with the load, the body and what is allowed") {
+TEST_CASE("invalid loads are rejected with the load, the body and the allowed values") {
   const Model<2> mesh = lone(crooked, 2);
   PointLoadSpec point;
   point.name = "P", point.force = Vec2(1, 0), point.moment = 2;

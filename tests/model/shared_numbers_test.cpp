@@ -35,7 +35,7 @@ struct Far {
   }
 };
 
-TEST_CASE("elements that are alike share their numbers wherever they stand") {
+TEST_CASE("equal elements share their data at any place") {
   Far far;
   far.add("a", "soft", {0.6, 0.3}, 3, 2);
   CHECK(far.builder.build().element_number.size() == quad_numbers);
@@ -80,7 +80,7 @@ TEST_CASE("elements that go four at a time have the bits of one by itself") {
   CHECK(work.element_damping[0].norm() > 0);
 }
 
-TEST_CASE("elements of one shape resist as those do that have numbers of their own, but for rounding") {
+TEST_CASE("elements of one shape resist as those do that have numbers of their own, except for rounding") {
   // Between two elements of a shape there are more others than the search checks.
   Far far;
   for (int i = 0; i < 30; ++i) far.add("unit " + std::to_string(i), "soft", {0.4 + 0.01 * i, 0.3}, 2, 1);
@@ -104,7 +104,7 @@ TEST_CASE("elements of one shape resist as those do that have numbers of their o
   CHECK((force(shared, 1) - force(model, 30)).norm() < 1e-8 * force(shared, 1).norm());
 }
 
-TEST_CASE("bricks of a row share their numbers, those of a distorted mesh do not") {
+TEST_CASE("bricks of a row share their element data, bricks of a distorted mesh do not") {
   constexpr std::size_t brick_numbers = 6 * 8 + 24 * 24;
   const Material material = elastic_in("m", 1000, 1e7, 0.3);
   const Model<3> row = alone_in_space(

@@ -45,7 +45,7 @@ std::vector<Vec2> places_of_mesh(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a convex stone has no ridge, a chevron that at its top and none in its hollow") {
+TEST_CASE("a convex stone has no ridge, a chevron has one at its top and none in its hollow") {
   CHECK(places_of(box(0, 0, 1, 1)).empty());
   const std::vector<Vec2> at = places_of({{-0.3, -0.3}, {0, -0.15}, {0.3, -0.3}, {0, 0}});
   REQUIRE(at.size() == 1);

@@ -49,8 +49,7 @@ TEST_CASE("pressure that follows all faces of a solid has no resultant, whatever
   }
 }
 
-TEST_CASE(
-    "pressure on one side of a box is its size times its area, in the middle of it, and turns with the box or not") {
+TEST_CASE("pressure on one side of a box acts at its centre with value times area, fixed or following the box") {
   Model<3> model = lone_stone(box_at({2, 1, 0.5}, {3, 2, 1}));
   const std::vector<SolidFace> top = faces_towards(model, 0, Vec3::UnitZ());
   REQUIRE(top.size() == 1);
@@ -70,7 +69,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("pressure in space along a direction keeps it, and what makes no sense is refused") {
+TEST_CASE("pressure in space along a direction keeps it, and invalid pressures are rejected") {
   Model<3> model = lone_stone(box_at({2, 1, 0.5}, {0, 0, 0}));
   SolidPressureSpec spec = pressure_of(100);
   spec.direction = Vec3(0, 3, 4);

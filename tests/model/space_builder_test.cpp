@@ -64,7 +64,7 @@ TEST_CASE("faces by which pieces of a body hang together are no surface, all oth
   for (int f = 0; f < 6; ++f) CHECK(model.piece_solid[1].is_pressed(f));
 }
 
-TEST_CASE("a cut between pieces is pressed on both sides or on neither, also along a row of them") {
+TEST_CASE("a cut between pieces carries pressure on both sides or on neither, also along a row of pieces") {
   const auto pressed = [](const std::vector<Polyhedron>& pieces) {
     SpaceBuilder builder;
     builder.add(body_of(pieces));
@@ -82,7 +82,7 @@ TEST_CASE("a cut between pieces is pressed on both sides or on neither, also alo
   CHECK(pressed({box(0, 1, 1), box(1, 2, 1), box(2, 3, 0.5)}) == std::vector{5, 5, 6});
 }
 
-TEST_CASE("bodies in space that are none are refused with their name and what is wrong") {
+TEST_CASE("invalid bodies in space are rejected with their name and the reason") {
   const Polyhedron box = box_solid(Vec3::Zero(), Vec3::Ones());
   SolidBody taken = body_of({box});
   taken.name = "first";

@@ -19,7 +19,7 @@ Model<2> one_body(const Polygon& outline) {
 
 }  // namespace
 
-TEST_CASE("the least width of a convex outline is that of its narrowest strip") {
+TEST_CASE("the least width of a convex outline is the width of its narrowest strip") {
   CHECK(near(least_width(box(0, 0, 3, 0.2)), 0.2, 1e-12));
   CHECK(near(least_width(Polygon{{0, 0}, {4, 0}, {0, 3}}), 2.4, 1e-12));
   Polygon turned;

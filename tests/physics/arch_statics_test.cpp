@@ -56,7 +56,7 @@ TEST_CASE("I11: from the unstressed state Newton sets an arch down with a thrust
   CHECK(forces.left < 1e-8 * forces.weight);
 }
 
-TEST_CASE("I11: of an arch too thin to stand statics says that no equilibrium was found and leaves it as it was") {
+TEST_CASE("I11: for an arch too thin to stand statics finds no equilibrium and leaves the state unchanged") {
   const Model<2> model = standing_arch(.10);
   State<2> state = initial_state(model);
   const std::uint64_t hash = state_hash(state);

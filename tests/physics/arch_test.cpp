@@ -80,7 +80,7 @@ TEST_CASE("A4: an arch of smooth joints must be thicker" * doctest::test_suite("
   }
 }
 
-TEST_CASE("A4: where hinges give way to sliding the arch feels the least softness of its joints" *
+TEST_CASE("A4: at the transition from hinging to sliding an arch is most sensitive to the softness of its joints" *
           doctest::test_suite("long")) {
   const double least = .1122, stiffness = 4e13;  // with a tenth of this stiffness the arch needs 0.125
   CHECK(fate_of(arch_of(100, 1.05 * least), .39, stiffness) == Fate::rests);

@@ -223,7 +223,7 @@ TEST_CASE("random concave polygons collide and keep energy, momentum and angular
   }).check(150 / slower);
 }
 
-TEST_CASE("corner on corner: squares that meet at their corners part again with their energy") {
+TEST_CASE("corner on corner: squares that collide at their corners separate with their energy") {
   run_series("corner on corner", 200, 1e8, [](std::mt19937_64& bits) {
     Pair pair;
     const double half = std::sqrt(0.5);
@@ -234,7 +234,7 @@ TEST_CASE("corner on corner: squares that meet at their corners part again with 
   }).check(200 / slower);
 }
 
-TEST_CASE("wedge into notch: a wedge that flies into a notch comes out with its energy") {
+TEST_CASE("wedge into notch: a wedge that flies into a notch leaves with its energy") {
   run_series("wedge into notch", 200, 1e8, [](std::mt19937_64& bits) {
     Pair pair;
     const double open = random_between(bits, 0.2, 0.8);
@@ -260,7 +260,7 @@ TEST_CASE("face on face: nearly parallel faces that slap together keep their ene
     }).check(150 / slower);
 }
 
-TEST_CASE("a deep fast impact drives the bodies a quarter into each other and out again, with their energy") {
+TEST_CASE("two bodies in a deep fast impact penetrate by a quarter and separate with their energy") {
   Series series = run_series("fast", 100 * slower, 1e8, [](std::mt19937_64& bits) {
     Pair pair = on_course(bits, random_convex(bits), random_convex(bits));
     pair.velocity_a *= 8;

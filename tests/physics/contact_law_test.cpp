@@ -90,7 +90,7 @@ TEST_CASE("C2, C3: a flat bounce with damping that may not pull has the restitut
   }
 }
 
-TEST_CASE("C2: without damping a flat bounce gives the speed back") {
+TEST_CASE("C2: without damping a flat bounce returns the speed") {
   const Bounce b = bounce(1000, 0, 1e8, 1, 0, 0);
   CHECK(near(b.restitution, 1.0, 1e-6));
   CHECK(near(b.duration, M_PI, 0.001));

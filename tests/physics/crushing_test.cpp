@@ -48,7 +48,7 @@ struct Watched {
 
 }  // namespace
 
-TEST_CASE("a block that falls on mortar too weak to stop it sinks in by its energy over the strength") {
+TEST_CASE("a block that falls on weak mortar penetrates by its energy over the strength") {
   for (const double turn : {0.0, 2.0}) {
     const double strength = 2e5, mass = 1000, speed = 2;
     Scene scene(mortar(strength, 0.05), turn);
@@ -70,7 +70,7 @@ TEST_CASE("a block that falls on mortar too weak to stop it sinks in by its ener
   }
 }
 
-TEST_CASE("a toe that crushes lets a tilted block topple earlier, by a third of the length that carries its weight") {
+TEST_CASE("a crushing toe makes a tilted block topple earlier, by a third of the length that carries its weight") {
   const double width = 0.4, height = 1.2, mass = 1000;
   for (const double share : {0.02, 0.05, 0.10}) {
     const double weight = mass * standard_gravity, strength = weight / (share * width);
@@ -100,7 +100,7 @@ TEST_CASE("a toe that crushes lets a tilted block topple earlier, by a third of 
   }
 }
 
-TEST_CASE("a block that tumbles over mortar it crushes makes no energy, whatever shapes meet") {
+TEST_CASE("a block that tumbles over mortar it crushes creates no energy, whatever shapes meet") {
   for (const double angle : {0.0, 0.004, 0.02, 0.3, 1.1}) {
     CAPTURE(angle);
     Scene scene(mortar(5e5, 4e-3, 2e-6));

@@ -75,7 +75,7 @@ TEST_CASE("C6: uniform pressure goes through faces that do not match whatever ki
     }
 }
 
-TEST_CASE("virtual power: forces at the skin do the work at the nodes, for every kind of body") {
+TEST_CASE("virtual power: surface forces do the work of their nodal forces, for every kind of body") {
   for (const auto& kind : kinds) {
     Scene scene = soft_scene(Frictional{1e8, 4e7, 0.6, 0});
     BodySpec spec = made("b", Polygon{{0, 0}, {1.1, 0.1}, {0.9, 0.7}, {0.1, 0.6}}, kind);
@@ -170,7 +170,7 @@ struct Shaken {
   }
 };
 
-TEST_CASE("deformable bodies shaken in a turned world do the same") {
+TEST_CASE("deformable bodies shaken in a rotated frame do the same") {
   std::vector<Vec2> moved;
   for (const double turn : {0.0, 17 * degree, 203 * degree}) {
     Shaken shaken(turn);
@@ -182,8 +182,7 @@ TEST_CASE("deformable bodies shaken in a turned world do the same") {
   for (const Vec2& m : moved) CHECK((m - moved[0]).norm() < 1e-6 * (1e-3 + moved[0].norm()));
 }
 
-TEST_CASE(
-    "deformable bodies: two runs, a run that was saved and continued and one that lost its Work give the same bits") {
+TEST_CASE("deformable bodies: repeated, continued and memory-freed runs give the same bits") {
   Simulation<2> straight = Shaken(0).start(), again = Shaken(0).start(), dropped = Shaken(0).start();
   run_for(straight, 0.1), run_for(again, 0.1);
   CHECK(state_hash(straight.state()) == state_hash(again.state()));
@@ -203,7 +202,7 @@ TEST_CASE(
   std::filesystem::remove(path);
 }
 
-TEST_CASE("the ledger of shaken deformable bodies closes to 0.1 %") {
+TEST_CASE("the energy balance of shaken deformable bodies closes to 0.1 %") {
   Simulation<2> sim = Shaken(0).start();
   EnergyCheck check;
   double first = 0, damping = 0;
@@ -223,7 +222,7 @@ TEST_CASE("the ledger of shaken deformable bodies closes to 0.1 %") {
   CHECK(damping > 0);
 }
 
-TEST_CASE("a plastic block under a falling weight keeps its ledger and stays deformed") {
+TEST_CASE("a plastic block under a falling weight keeps its energy balance and stays deformed") {
   Scene scene(Frictional{1e9, 4e8, 0.5, 2e-5});
   scene.builder.add_material({"lead", 2000, Solid{J2{2e8, 0.3, 2e4, 1e6}, Plane::stress}});
   scene.fixed("base", rectangle({-2, -0.5}, {2, 0}));
@@ -251,7 +250,7 @@ TEST_CASE("a plastic block under a falling weight keeps its ledger and stays def
   CHECK(check.share() < 2e-3);
 }
 
-TEST_CASE("what makes no sense for a deformable body is refused") {
+TEST_CASE("invalid keys of a deformable body are rejected") {
   const auto message = [](auto&& change) -> std::string {
     Scene scene = soft_scene(Frictional{1e8, 4e7, 0.6, 0});
     BodySpec spec = grid_body("b", rectangle({0, 0}, {1, 1}), "soft", 1, 1);
@@ -278,7 +277,7 @@ TEST_CASE("what makes no sense for a deformable body is refused") {
   CHECK_THROWS_AS(set_support(model, 0, 2, Support::free), InputError);
 }
 
-TEST_CASE("bodies that strike each other corner on face, with friction and damping, keep the ledger as rigid ones do") {
+TEST_CASE("deformable bodies that collide corner on face with friction and damping close the energy balance") {
   // The bodies are so soft that a corner's velocity differs much from the velocity of a rigid piece: the power of
   // contact forces must be computed with the velocities of corners.
   for (const auto& kind : kinds) {

@@ -77,7 +77,7 @@ void check_closed(const std::string& name, const Books& b) {
   CHECK(b.least >= -1e-6 * b.input);
 }
 
-TEST_CASE("the ledger of a falling and bouncing block closes") {
+TEST_CASE("the energy balance of a falling and bouncing block closes") {
   for (const double zeta : {0.0, 0.1, 0.5}) {
     Scene scene(Frictional{1e8, 5e7, 0.5, 2 * zeta / std::sqrt(1e5)});
     scene.fixed("base", box(-2, -0.5, 3, 0));
@@ -91,7 +91,7 @@ TEST_CASE("the ledger of a falling and bouncing block closes") {
   }
 }
 
-TEST_CASE("the ledger of a block that falls on a corner and tumbles closes") {
+TEST_CASE("the energy balance of a block that falls on a corner and tumbles closes") {
   for (const double angle : {0.3, 0.7, 1.2}) {
     Scene scene(Frictional{1e8, 5e7, 0.4, 1e-4});
     scene.fixed("base", box(-5, -0.5, 5, 0));
@@ -106,7 +106,7 @@ TEST_CASE("the ledger of a block that falls on a corner and tumbles closes") {
   }
 }
 
-TEST_CASE("the ledger of a sliding block closes, and friction takes what it had") {
+TEST_CASE("the energy balance of a sliding block closes, and friction dissipates its energy") {
   Scene scene(Frictional{1e8, 5e7, 0.3, 2e-4});
   scene.fixed("base", box(-2, -0.5, 8, 0));
   scene.block("block", box(0, 0, 1, 0.5), 1000, {3, 0});
@@ -116,7 +116,7 @@ TEST_CASE("the ledger of a sliding block closes, and friction takes what it had"
   CHECK(near(b.last[Term::contact_friction], 0.5 * 1000 * 9, 0.01));
 }
 
-TEST_CASE("the ledger of a rocking block closes") {
+TEST_CASE("the energy balance of a rocking block closes") {
   Scene scene(Frictional{1e9, 8e8, 1.0, 2e-5});
   scene.fixed("base", box(-2, -0.5, 2, 0));
   BodySpec block;
@@ -130,7 +130,7 @@ TEST_CASE("the ledger of a rocking block closes") {
   check_closed("rocking block", b);
 }
 
-TEST_CASE("the ledgers of eight structures that lose their hold close" * doctest::test_suite("long")) {
+TEST_CASE("the energy balances of eight structures that lose their support close" * doctest::test_suite("long")) {
   for (const testing::Collapse& c : testing::collapses()) {
     Simulation<2> sim(c.model());
     const Books b = keep_books(sim, stage(c.duration, c.name == "leaning stack" ? 0.01 : 0.05));
@@ -143,7 +143,7 @@ TEST_CASE("the ledgers of eight structures that lose their hold close" * doctest
   }
 }
 
-TEST_CASE("the ledger of a driven oscillator closes, and what its support puts in is what its dashpot takes") {
+TEST_CASE("the energy balance of a driven oscillator closes, and its dashpot dissipates the work of the support") {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});
   scene.fixed("base", box(-1, -1, 1, 0));
@@ -162,7 +162,7 @@ TEST_CASE("the ledger of a driven oscillator closes, and what its support puts i
   CHECK(near(b.last[Term::bearing_damping], b.last[Term::support], 0.05));
 }
 
-TEST_CASE("every bearing law keeps its part of the ledger") {
+TEST_CASE("every bearing law keeps its part of the energy balance") {
   for (const auto& [name, law] : testing::direction_samples(200)) {
     Scene scene(Frictional{1e8, 5e7, 0.5, 1e-4});
     scene.fixed("base", box(-1, -1, 1, 0));
@@ -179,7 +179,7 @@ TEST_CASE("every bearing law keeps its part of the ledger") {
   }
 }
 
-TEST_CASE("every contact law keeps its part of the ledger") {
+TEST_CASE("every contact law keeps its part of the energy balance") {
   for (const auto& [name, law] : testing::contact_samples()) {
     Scene scene(law);
     scene.fixed("base", box(-2, -0.5, 8, 0));
@@ -193,7 +193,7 @@ TEST_CASE("every contact law keeps its part of the ledger") {
   }
 }
 
-TEST_CASE("a bearing that becomes another one or contact leaves nothing out of the ledger") {
+TEST_CASE("a bearing that becomes another bearing or contact keeps the energy balance closed") {
   for (const bool becomes_contact : {false, true}) {
     Scene scene(Frictional{1e8, 5e7, 0.4, 2e-4});
     scene.fixed("base", box(-2, -0.5, 6, 0));

@@ -65,7 +65,7 @@ TEST_CASE("T4: energy and angular momentum last for 40 s") {
   }
 }
 
-TEST_CASE("a body tumbles alike in a world turned by any angle") {
+TEST_CASE("a body tumbles the same way in a frame rotated by any angle") {
   FreeRun plain = t4_run({}, 0.01), turned = t4_run(askew, 0.01);
   plain.steps(500), turned.steps(500);
   const UnitQuaternion expected = askew * plain.state().rotation[0], found = turned.state().rotation[0];
@@ -99,7 +99,7 @@ TEST_CASE("the axis of a symmetric body goes round at (J3 - J1) / J1 of its spin
   }
 }
 
-TEST_CASE("a spinning body that is thrown up falls along its parabola and its ledger closes") {
+TEST_CASE("a spinning body that is thrown up falls along its parabola and its energy balance closes") {
   Model<3> model = free_body(5, t4_inertia, askew, t4_spin);
   model.gravity.field = {0, 0, -standard_gravity};
   model.start_velocity = {Vec3(1, -2, 6)};
@@ -125,7 +125,7 @@ TEST_CASE("a body held against roll turns about its free axis alone") {
   CHECK(angle_of(inverse(rotation_by({0, 0, 2}) * askew) * run.state().rotation[0]).norm() < 1e-12);
 }
 
-TEST_CASE("a tumbling body saved and continued has the bits of one that was not") {
+TEST_CASE("a tumbling body saved and continued gives the same bits as one run without interruption") {
   const Model<3> model = free_body(5, t4_inertia, askew, t4_spin);
   FreeRun whole(model, 0.01);
   whole.steps(100);

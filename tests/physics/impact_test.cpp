@@ -26,7 +26,7 @@ double damping_ratio_for(double e) {
   return 0.5 * (low + high);
 }
 
-TEST_CASE("D6: the formula for beta gives back the restitutions of its table") {
+TEST_CASE("D6: the formula for beta reproduces the restitutions of its table") {
   const std::array<std::pair<double, double>, 6> table{
       {{0.02, 0.93984}, {0.05, 0.85876}, {0.1, 0.74408}, {0.2, 0.57174}, {0.3, 0.45098}, {0.5, 0.29844}}};
   for (const auto& [zeta, e] : table) {
@@ -56,7 +56,7 @@ struct Meeting {
   }
 };
 
-TEST_CASE("D6: 1000 kg at 1 m/s meets 2000 kg at rest with restitution 1, 0.65 and next to none") {
+TEST_CASE("D6: 1000 kg at 1 m/s hits 2000 kg at rest with restitution 1, 0.65 and nearly 0") {
   struct Row {
     double zeta, share, one, two;
   };
@@ -70,7 +70,7 @@ TEST_CASE("D6: 1000 kg at 1 m/s meets 2000 kg at rest with restitution 1, 0.65 a
   }
 }
 
-TEST_CASE("D6: the restitution differs from the one asked for by no more than the first power of the step") {
+TEST_CASE("D6: the error of the restitution is of first order in the step") {
   const double zeta = damping_ratio_for(0.65);
   // The worst result of several gaps: the phase of the step at the first contact is random.
   const auto error = [&](double share) {
@@ -90,7 +90,7 @@ TEST_CASE("D6: the restitution differs from the one asked for by no more than th
   }
 }
 
-TEST_CASE("D6: other masses, speeds and stiffness, in a turned world, keep momentum and the restitution asked for") {
+TEST_CASE("D6: other masses, speeds and stiffness, in a rotated frame, keep momentum and the restitution requested") {
   struct Row {
     double m1, m2, v1, v2, kn, turn, e;
   };
@@ -160,7 +160,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("D7: bars of other lengths, in turned worlds, fall in the time found by quadrature") {
+TEST_CASE("D7: bars of other lengths, in rotated frame, fall in the time found by quadrature") {
   for (const auto& [length, turn] : {std::pair{0.5, 17.0}, std::pair{3.0, 90.0}, std::pair{120.0, 203.0}})
     for (const double share : {0.1, 0.5, 0.95})
       CHECK(near(falling_time_by_engine(length, 0.05 * length, share * length, turn * testing::degree),

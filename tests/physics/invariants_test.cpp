@@ -94,7 +94,7 @@ TEST_CASE("two runs of a model give the same bits, and so do the events") {
   }
 }
 
-TEST_CASE("dropping Work between steps changes no bit of the state and no event") {
+TEST_CASE("freeing scratch memory between steps changes no bit of the state and no event") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     const Trace kept = follow(model, start_state(model), c.duration, 0);
@@ -107,7 +107,7 @@ TEST_CASE("dropping Work between steps changes no bit of the state and no event"
   }
 }
 
-TEST_CASE("evaluating anew, and elsewhere in between, changes no bit of a run: what was tried is forgotten") {
+TEST_CASE("repeated and trial evaluations change no bit of a run") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     const Trace once = follow(model, start_state(model), 0.5 * c.duration, 0);
@@ -118,7 +118,7 @@ TEST_CASE("evaluating anew, and elsewhere in between, changes no bit of a run: w
   }
 }
 
-TEST_CASE("a simulation with its Work dropped between stages goes on with the same bits") {
+TEST_CASE("a simulation with its scratch memory freed between stages continues with the same bits") {
   for (const Collapse& c : collapses()) {
     Simulation<2> kept(c.model()), dropped(c.model());
     for (int part = 0; part < 5; ++part) {
@@ -151,7 +151,7 @@ TEST_CASE("a state saved, loaded and continued equals the state continued") {
   std::filesystem::remove(path);
 }
 
-TEST_CASE("a simulation begun from a loaded state goes on with the bits of the one that was saved") {
+TEST_CASE("a simulation begun from a loaded state continues with the bits of the saved one") {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("trilith_begun_" + std::to_string(::getpid()));
   for (const Collapse& c : collapses()) {

@@ -40,7 +40,7 @@ Energy ledger(const Simulation<2>& sim) {
   return energy_now(sim.model(), sim.state(), sim.work(), {sim.state().dt, {}});
 }
 
-TEST_CASE("a point load beside the middle of a block on springs sinks and tilts it as the closed form says") {
+TEST_CASE("an eccentric load on a block on springs moves and tilts it by the closed form") {
   const double kn = 1e10, weight = 1000 * g;
   for (const double e : {0.1, -0.06}) {
     Scene scene = block_on_base(kn);
@@ -65,7 +65,7 @@ TEST_CASE("a point load beside the middle of a block on springs sinks and tilts 
   }
 }
 
-TEST_CASE("the ledger has the work of a load as force times displacement of its point, and closes") {
+TEST_CASE("the energy balance has the work of a load as force times displacement of its point, and closes") {
   Scene scene = block_on_base(1e8);
   Simulation<2> sim = scene.start();
   settle(sim);
@@ -95,7 +95,7 @@ TEST_CASE("the ledger has the work of a load as force times displacement of its 
   CHECK(check.share() < 1e-3);
 }
 
-TEST_CASE("a free mass under a load over time gains the kinetic energy that the ledger books") {
+TEST_CASE("a free mass under a load over time gains the kinetic energy of the energy balance") {
   ModelBuilder builder;
   builder.gravity = Vec2::Zero();
   builder.add_material({"stone", 2000});
@@ -262,7 +262,7 @@ TEST_CASE("two pushovers have the same bits") {
   CHECK(run() == run());
 }
 
-TEST_CASE("a push on a set prescribes the weighed mean of its bodies, each free to differ from it") {
+TEST_CASE("a push on a set prescribes the weighted mean displacement of its bodies") {
   Scene scene(Frictional{1e9, 1e9, 0.5, 1e-4});
   scene.fixed("base", rectangle({-3, -1}, {9, 0}));
   scene.block("heavy", rectangle({0, 0}, {1, 0.5}), 2000);
@@ -355,7 +355,7 @@ TEST_CASE("a released push leaves its force as a load that fades, and the block 
                                  // m/s
 }
 
-TEST_CASE("a checkpoint goes on to the same bits while a load curve, a ramp and a push run") {
+TEST_CASE("a checkpoint continues to the same bits while a load curve, a ramp and a push run") {
   const auto path = std::filesystem::temp_directory_path() / ("trilith_load_" + std::to_string(::getpid()));
   Scene scene = block_on_base(1e9);
   Model<2> model = scene.builder.build();

@@ -52,7 +52,7 @@ TEST_CASE("A3: a semicircular arch stands at 1.03 of its least thickness and fal
   }
 }
 
-TEST_CASE("A3: an arch stands and falls alike in a world turned by 17 or 90 or 203 degrees" *
+TEST_CASE("A3: an arch stands and falls the same way in a frame rotated by 17 or 90 or 203 degrees" *
           doctest::test_suite("long")) {
   for (const double turn : {17 * degree, 90 * degree, 203 * degree}) {
     CAPTURE(turn);

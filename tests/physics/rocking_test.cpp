@@ -78,7 +78,7 @@ double first_impact(const Housner& shape, double q, double turn) {
 
 }  // namespace
 
-TEST_CASE("K1: mass and inertia from the shape give Housner's constants") {
+TEST_CASE("K1: mass and inertia of the shape give Housner's constants") {
   struct Case {
     double width, height, radius, degrees, p, e, energy;
   };
@@ -160,7 +160,7 @@ void lean_gravity(Scene& scene, double angle) {
 
 }  // namespace
 
-TEST_CASE("K3: a tilted block topples at atan(b/h) or slides at atan(mu) as one or the other comes first" *
+TEST_CASE("K3: a tilted block topples at atan(b/h) or slides at atan(mu), at the smaller angle" *
           doctest::test_suite("long")) {
   struct Case {
     double width, height, mu, expected;
@@ -267,7 +267,7 @@ TEST_CASE("K6: on two narrow feet a block that lands without bouncing keeps Hous
   }
 }
 
-TEST_CASE("K6: on its whole base a block makes its own restitution, between Housner's and 1, lower with more damping") {
+TEST_CASE("K6: on its whole base the restitution of a block lies between Housner's and 1 and falls with damping") {
   // The stress of the landing is distributed over the base, so its resultant is not at the far corner as in Housner's
   // theory.
   const Housner shape{0.2, 0.6};

@@ -5,7 +5,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("a free body flies a parabola and keeps its spin, in a world turned any way") {
+TEST_CASE("a free body flies a parabola and keeps its spin, in any rotated frame") {
   for (const double turn : {0.0, 17 * degree, 90 * degree, 203 * degree}) {
     Scene scene(Frictional{1e8, 1e8, 0, 0}, turn);
     BodySpec spec;
@@ -22,7 +22,7 @@ TEST_CASE("a free body flies a parabola and keeps its spin, in a world turned an
   }
 }
 
-TEST_CASE("a driven body follows its motion along the scene's axis, in a world turned any way") {
+TEST_CASE("a driven body follows its motion along the scene's axis, in any rotated frame") {
   const auto motion = motion_of(1.0, 1e-3, [](double t) { return 2 * t; });
   for (const double turn : {0.0, 17 * degree, 90 * degree, 203 * degree}) {
     Scene scene(Frictional{1e8, 1e8, 0, 0}, turn);

@@ -81,7 +81,7 @@ struct Incline {
 
 }  // namespace
 
-TEST_CASE("S1: a block slides down an incline at g (sin - mu cos), in a world turned any way") {
+TEST_CASE("S1: a block slides down an incline at g (sin - mu cos), in rotated frames") {
   struct Case {
     double incline, mu;
   };

@@ -69,7 +69,8 @@ struct MovedSlider {
   double from_ = 0, slip_ = 0;
 };
 
-TEST_CASE("I7: a slider moved to and fro has the friction of its law at any step and gives off the area of its loop") {
+TEST_CASE(
+    "I7: a slider under cyclic motion has the friction of its law at any step and dissipates the area of its loop") {
   for (const int steps : {5, 7, 10, 16, 50, 500}) {
     const MovedSlider s(steps);
     const double booked = s.ways[3].booked + s.ways[4].booked, by_force = s.ways[3].by_force + s.ways[4].by_force;
@@ -112,7 +113,7 @@ struct PulledBlock {
   }
 };
 
-TEST_CASE("I8: a block pulled through a spring slips when that holds mu N and goes on as a cycloid") {
+TEST_CASE("I8: a block pulled through a spring slips at mu N and then moves along a cycloid") {
   PulledBlock pulled;
   Simulation<2> sim(pulled.model());
   const int n = node_of(sim.model(), "block");

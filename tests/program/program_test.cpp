@@ -31,7 +31,7 @@ bool is_picture(const std::filesystem::path& path, std::string_view head) {
 
 }  // namespace
 
-TEST_CASE("trilith draw makes a picture of one moment or panels of several, in the format asked for") {
+TEST_CASE("trilith draw makes a picture of one moment or panels of several, in the format requested") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   CHECK(ask(here, "draw span.h5").out == "span.png\n");
@@ -44,7 +44,7 @@ TEST_CASE("trilith draw makes a picture of one moment or panels of several, in t
   CHECK(ask(here, "draw span.h5 --view=-2,-1,4,7 -o view.svg").code == 0);
 }
 
-TEST_CASE("what shows finished results says so where a later run has left a part beside them") {
+TEST_CASE("commands for finished results mention a newer part file next to them") {
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::record_falling_span(here / "span.h5");
@@ -73,7 +73,7 @@ TEST_CASE("what shows finished results says so where a later run has left a part
   CHECK(note_of("draw span.h5.part").empty());
 }
 
-TEST_CASE("trilith draw refuses times, stages, views and files that are not there, in one line") {
+TEST_CASE("trilith draw rejects unknown times, stages, views and files in one line") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   check_refused(ask(here, "draw nowhere.h5"), "there is no such file");
@@ -113,7 +113,7 @@ assert(#m:modes { count = 3 } == 3)
   check_refused(ask(here, "draw span.h5 --mode 1"), "'span.h5' has no modes");
 }
 
-TEST_CASE("trilith plot draws histories and energy, of several runs too, and lists what there is") {
+TEST_CASE("trilith plot draws histories and energy of one or several runs and lists the available ones") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   std::filesystem::copy_file(here / "span.h5", here / "other.h5", std::filesystem::copy_options::overwrite_existing);
@@ -139,7 +139,7 @@ TEST_CASE("trilith plot draws one history over another, and a stage or a part of
   check_refused(ask(here, "plot span.h5 --fragility collapsed"), "for the table of a study");
 }
 
-TEST_CASE("times count from a stage or an event in plots, pictures, tables, the report and the page, which say so") {
+TEST_CASE("times count from a stage or an event in plots, pictures, tables, report and page, with a notice") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   const auto holds = [&](const char* file, const std::string& part) {
@@ -179,7 +179,7 @@ TEST_CASE("control characters in a results file do not reach the terminal") {
   CHECK(ask(here.path, "info old.h5 --events").says("\\27[2Ja span fell\\194\\155"));
 }
 
-TEST_CASE("trilith info tells what a file holds and lists its events below their causes") {
+TEST_CASE("trilith info describes a file and lists its events below their causes") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   const Said info = ask(here, "info span.h5");
@@ -193,7 +193,7 @@ TEST_CASE("trilith info tells what a file holds and lists its events below their
   CHECK(ask(here, "info span.h5 --events").says("contact.made"));
 }
 
-TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean file") {
+TEST_CASE("unfinished results are reported, drawn, and repaired to a clean file") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   {
@@ -225,7 +225,7 @@ TEST_CASE("unfinished results are told as such, drawn, and repaired to a clean f
   CHECK(ask(here, "info poor.h5").code == 0);
 }
 
-TEST_CASE("numbers of threads that cannot be are refused, from the command line and from the surroundings") {
+TEST_CASE("impossible numbers of threads are rejected, from the command line and from the environment") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   std::ofstream(here / "block.lua") << R"(local m = require("trilith").model { name = "m" }
@@ -284,7 +284,7 @@ void write_script(const std::filesystem::path& here) {
 
 }  // namespace
 
-TEST_CASE("trilith run tells events and stages in plain lines where there is no terminal, and leaves results") {
+TEST_CASE("trilith run prints events and stages in plain lines without a terminal and leaves results") {
   if (program_is_missing()) return;
   const testing::Folder here;
   write_script(here.path);
@@ -304,7 +304,7 @@ TEST_CASE("trilith run tells events and stages in plain lines where there is no 
   CHECK(ask(here.path, "run drop.lua --events some").code == 2);
 }
 
-TEST_CASE("a script that fails leaves what it had as unfinished results, and says where") {
+TEST_CASE("a failed script leaves unfinished results and prints their file name") {
   if (program_is_missing()) return;
   const testing::Folder here;
   write_script(here.path);
@@ -345,7 +345,7 @@ TEST_CASE("on a terminal the status is one line that is redrawn, in colours unle
   CHECK(dumb.find('\033') == std::string::npos);
 }
 
-TEST_CASE("wrong usage ends with code 2 and a word on stderr, help with 0") {
+TEST_CASE("wrong usage ends with code 2 and a message on stderr, help with 0") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   for (const char* wrong : {"daw span.h5", "draw", "draw span.h5 --unit si", "draw span.h5 --units mm",

@@ -44,7 +44,7 @@ std::string browsed(const testing::Folder& here, const std::filesystem::path& pa
 
 }  // namespace
 
-TEST_CASE("the report of the bridge prints on a few pages and names what failed first" * doctest::test_suite("long")) {
+TEST_CASE("the report of the bridge prints on a few pages and names the first failure" * doctest::test_suite("long")) {
   if (is_missing(testing::program_path()) || is_missing("/usr/bin/chromium")) return;
   const testing::Folder here;
   const Said run =
@@ -68,7 +68,7 @@ TEST_CASE("the report of the bridge prints on a few pages and names what failed 
         100'000);
 }
 
-TEST_CASE("a run that was stopped is reported, and trilith report says so") {
+TEST_CASE("a stopped run is reported, with a notice of trilith report") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
   {
@@ -85,7 +85,7 @@ TEST_CASE("a run that was stopped is reported, and trilith report says so") {
   CHECK(testing::bytes_of(here / "stopped.html").find("the run stopped early") != std::string::npos);
 }
 
-TEST_CASE("a shake is reported from the samples in the results file and every body was where its motion has it") {
+TEST_CASE("the report takes ground motions from the results file, and each body followed its motion") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
   std::ofstream(here / "shake.lua") << R"(
@@ -122,7 +122,7 @@ m:shake { body = one, x = motion:scale { factor = 2 }, duration = 0.5 }
   testing::check_refused(ask(here.path, "motion shake.h5 --number 5"), "has motions 1 to 4");
 }
 
-TEST_CASE("trilith report refuses what is no report and what is no results file") {
+TEST_CASE("trilith report rejects wrong output names and foreign files") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
   testing::check_refused(ask(here.path, "report nothing.h5"), "there is no such file");

@@ -44,7 +44,7 @@ TEST_CASE("trilith draw makes pictures of a model in space, from names and angle
   CHECK(ask(here, "info stones.h5").says("24, of 32 corners"));
 }
 
-TEST_CASE("trilith draw refuses views, cuts and colours that make no sense, in one line") {
+TEST_CASE("trilith draw rejects invalid views, cuts and colours in one line") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = solid_folder();
   check_refused(ask(here, "draw stones.h5 --view fornt"), "there is no view 'fornt'; did you mean 'front'?");
@@ -58,7 +58,7 @@ TEST_CASE("trilith draw refuses views, cuts and colours that make no sense, in o
   check_refused(ask(here, "draw plane.h5 --view iso"), "must be four numbers");
 }
 
-TEST_CASE("trilith export writes a folder for ParaView, of all frames or of some, and says what to open") {
+TEST_CASE("trilith export writes a folder for ParaView with all or some frames and names the file to open") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = solid_folder();
   CHECK(ask(here, "export stones.h5").out ==
@@ -80,7 +80,7 @@ TEST_CASE("trilith export writes a folder for ParaView, of all frames or of some
   CHECK(ask(here, "export stones.h5 --to stl").code == 2);
 }
 
-TEST_CASE("trilith report tells of a model in space") {
+TEST_CASE("trilith report covers a model in space") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = solid_folder();
   CHECK(ask(here, "report stones.h5").code == 0);

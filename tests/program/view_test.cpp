@@ -139,7 +139,7 @@ m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
   browse(here / "modes3d.html", "plays_a_mode_in_space plays_to_the_end");
 }
 
-TEST_CASE("the page draws loops, makes plots large and counts times from where it is told") {
+TEST_CASE("the page draws loops, enlarges plots and counts times from the chosen origin") {
   if (program_is_missing()) return;
   const testing::Folder here;
   std::ofstream(here / "loop.lua") << R"lua(
@@ -166,7 +166,7 @@ m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pg
   browse(here / "since.html", "counts_from_the_start_it_was_given");
 }
 
-TEST_CASE("the page of a model in space shows solids and turns and cuts them and tells of the one that is clicked") {
+TEST_CASE("the page of a model in space shows, turns and cuts solids and describes the clicked one") {
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
@@ -194,7 +194,7 @@ m:shake { body = "wall.base", y = trilith.motion "elcentro_1940_rest_ns.csv":sca
   browse(here / "stones.html", "shows_cracks_of_solids");
 }
 
-TEST_CASE("the page of what flows far in space shows where it comes from and where it goes") {
+TEST_CASE("the page of a long flow in space shows its start and its end") {
   if (program_is_missing()) return;
   const testing::Folder here;
   std::vector<testing::FlyingBox> boxes;
@@ -204,7 +204,7 @@ TEST_CASE("the page of what flows far in space shows where it comes from and whe
   browse(here / "flow.html", "shows_where_it_goes");
 }
 
-TEST_CASE("a run that is still being written, or was stopped, is viewed as far as it goes, and said so") {
+TEST_CASE("a running or stopped run is viewed up to its last row, with a notice") {
   if (program_is_missing()) return;
   const testing::Folder here;
   {
@@ -223,7 +223,7 @@ TEST_CASE("a run that is still being written, or was stopped, is viewed as far a
   browse(here / "early.html", "tells_that_it_was_stopped plays_to_the_end");
 }
 
-TEST_CASE("trilith view refuses what is no page and what is no results file") {
+TEST_CASE("trilith view rejects wrong output names and foreign files") {
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");

@@ -120,3 +120,11 @@ def literal(text):
 def paragraph(pieces):
     if is_prose(" ".join(text for _, text in pieces)):
         yield from ((at, text, "text") for at, text in sentences(pieces))
+
+
+TEST_NAME = re.compile(r"(?:TEST_CASE\w*\(|add_test\(NAME )\s*\"([^\"]*)\"")
+
+
+def test_names(source):
+    """Names of doctest cases and of ctest tests, as (line, name, "text")."""
+    return [(source.count("\n", 0, found.start()) + 1, found[1], "text") for found in TEST_NAME.finditer(source)]

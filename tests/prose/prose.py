@@ -27,7 +27,7 @@ def language_of(path):
 
 
 def area_of(path):
-    """Areas of a path: pages have one, code has one for comments and one for messages."""
+    """Areas of a path: pages have one, code has one for comments and one for messages, tests one for the names of cases."""
     extension = language_of(path)
     if path.startswith("tests/prose/"):
         return []
@@ -37,7 +37,8 @@ def area_of(path):
         return []
     top = path.split("/")[0]
     if top == "tests":
-        return ["tests-comments"]
+        named = extension == "cpp" or path.endswith("CMakeLists.txt")
+        return ["tests-comments"] + (["tests-names"] if named else [])
     if top in ("engine", "lua"):
         return [f"{top}-comments"] + ([f"{top}-messages"] if extension in ("cpp", "hpp", "js", "html", "lua") else [])
     return ["scripts-comments"]
@@ -59,6 +60,8 @@ def read_exceptions():
 def parts_of(path, area, source):
     if area in ("docs", "reference", "readme"):
         return extract.markdown(source)
+    if area.endswith("-names"):
+        return extract.test_names(source)
     return extract.code(source, language_of(path), area.endswith("-messages"))
 
 
@@ -144,7 +147,7 @@ def draw(paths, count, seed):
     kinds = {"page": [], "comments": [], "messages": []}
     for path in paths:
         for area in area_of(path):
-            kind = area.rsplit("-", 1)[-1]
+            kind = area.rsplit("-", 1)[-1].replace("names", "messages")
             with open(os.path.join(ROOT, path), encoding="utf8") as f:
                 source = f.read()
             kinds[kind if kind in kinds else "page"] += [(path, line, text) for line, text in texts_of(path, area, source)

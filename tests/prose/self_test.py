@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The prose check tells right from wrong: a small grid of sentences for each rule, of places and of kinds of files."""
+"""The prose check reports each construction: a small grid of sentences for each rule, of places and of kinds of files."""
 import sys
 
 import extract
@@ -60,17 +60,19 @@ def of_file(extension, source, strings=False):
 
 
 def main():
-    trouble = []
+    errors = []
     for rule, sentences in WRONG.items():
-        trouble += [f"{rule} does not see: {s[:60]}" for s in sentences if rule not in [f[0] for f in rules.findings(s)]]
-    trouble += [f"{list(rules.findings(extract.plain(s)))} wrongly in: {s}" for s in RIGHT if list(rules.findings(extract.plain(s)))]
-    trouble += [f"no wrong sentence for rule {rule}" for rule in rules.NAMES if rule not in WRONG and rule != "line"]
+        errors += [f"{rule} misses: {s[:60]}" for s in sentences if rule not in [f[0] for f in rules.findings(s)]]
+    errors += [f"{list(rules.findings(extract.plain(s)))} wrongly found in: {s}" for s in RIGHT if list(rules.findings(extract.plain(s)))]
+    errors += [f"no wrong sentence for rule {rule}" for rule in rules.NAMES if rule not in WRONG and rule != "line"]
     for strings, cases in ((False, FILES), (True, STRINGS)):
         for extension, source, wanted in cases:
             found = of_file(extension, source, strings)
-            trouble += [f"{extension}: {source!r} gives {found}, not {wanted}"] if found != wanted else []
-    print("".join(line + "\n" for line in trouble), end="")
-    return 1 if trouble else 0
+            errors += [f"{extension}: {source!r} gives {found}, not {wanted}"] if found != wanted else []
+    named = extract.test_names('int a;\nTEST_CASE(\n    "a block") {}\nadd_test(NAME "a wall" COMMAND x)\n')
+    errors += [f"names of tests: {named}"] if named != [(2, "a block", "text"), (4, "a wall", "text")] else []
+    print("".join(line + "\n" for line in errors), end="")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":

@@ -97,7 +97,7 @@ EventRow event(std::int64_t id, std::int64_t cause, const std::string& type, dou
 
 }  // namespace
 
-TEST_CASE("a report tells the verdict, the model, the parameters, the stages, the energy, the seal and the command") {
+TEST_CASE("a report has verdict, model, parameters, stages, energy, seal and command") {
   const std::string page = page_of(sample_header(), 4);
   CHECK(wrong_with(page) == "");
   CHECK(has(page, "at rest"));
@@ -143,7 +143,7 @@ TEST_CASE("the same results give the same report, byte by byte, and another moti
   CHECK(digest(page) != digest(page_of(sample_header(), 5)));
 }
 
-TEST_CASE("a motion whose record is found is measured again as it was used, others are told to be missing") {
+TEST_CASE("a motion whose record is found is evaluated again, others are reported as missing") {
   Header header = sample_header();
   header.provenance.motions = {
       "elcentro_1940_rest_ns.csv, scaled to PGA 0.8 g, x 1, time x 0.8, delayed 0.204 s on 'left <ground>' (x), from t "
@@ -163,7 +163,7 @@ TEST_CASE("a motion whose record is found is measured again as it was used, othe
   CHECK(count_of(page, "<figure>") == 1);
 }
 
-TEST_CASE("texts of a file are text in its report, whatever stands in them") {
+TEST_CASE("texts of a file are escaped in its report") {
   Header header = sample_header();
   const std::string nasty = "<img src=x onerror=\"alert('&')\"></style></script>\x01\xff";
   header.bodies[1].groups = nasty;
@@ -186,7 +186,7 @@ TEST_CASE("texts of a file are text in its report, whatever stands in them") {
   CHECK(has(page, "&lt;img src=x onerror=&quot;alert(&#39;&amp;&#39;)&quot;&gt;"));
 }
 
-TEST_CASE("a run that was stopped or has hardly begun is reported as far as it goes, and said so") {
+TEST_CASE("the report of a stopped or barely started run covers its rows, with a notice") {
   const std::string stopped = page_of(sample_header(), 3, false);
   CHECK(wrong_with(stopped) == "");
   CHECK(has(stopped, "Not finished"));
@@ -198,7 +198,7 @@ TEST_CASE("a run that was stopped or has hardly begun is reported as far as it g
   CHECK(has(empty, "no samples of the energy"));
 }
 
-TEST_CASE("a model in space is reported with pictures, or where its file has no faces without") {
+TEST_CASE("the report of a model in space has pictures if its file has faces") {
   const std::string page = page_of(sample_header(3, 3), 3);
   CHECK(wrong_with(page) == "");
   CHECK(has(page, "no faces of solids"));
@@ -235,7 +235,7 @@ TEST_CASE("of many histories the eight largest are reported") {
   CHECK(has(page, "12 further histories"));
 }
 
-TEST_CASE("an event hangs below the nearest cause that is told, in whatever order causes come") {
+TEST_CASE("an event is listed below its nearest listed cause, in any order of causes") {
   const std::vector<EventRow> all{event(0, -1, "bearing.failed"), event(1, 0, "contact.lost"),
                                   event(2, 1, "contact.made"),    event(3, 2, "seat.lost"),
                                   event(4, 99, "seat.lost"),      event(5, 5, "impact", 3)};
@@ -246,7 +246,7 @@ TEST_CASE("an event hangs below the nearest cause that is told, in whatever orde
   CHECK(event_tree({}, {}, 10).rows.empty());
 }
 
-TEST_CASE("the first look at a tree holds the first failure, every lost seat, and causes of what it holds") {
+TEST_CASE("the initial view of an event tree has the first failure, every lost seat, and their causes") {
   std::vector<EventRow> all{event(0, -1, "bond.broken")};
   for (int i = 1; i < 400; ++i) all.push_back(event(i, i > 2 ? i / 2 : -1, i % 90 == 5 ? "seat.lost" : "bond.broken"));
   const EventTree tree = event_tree(all, all, 60);
@@ -260,7 +260,7 @@ TEST_CASE("the first look at a tree holds the first failure, every lost seat, an
   CHECK(shown < 70);
 }
 
-TEST_CASE("the tree in a report holds every failure once, in long chains and wide branches alike") {
+TEST_CASE("the tree of a report has every failure once, in long chains and wide branches") {
   const Header header = sample_header();
   const std::filesystem::path path = scratch() / "tree.h5";
   for (const int spread : {1, 2, 7, 1000}) {

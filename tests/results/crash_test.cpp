@@ -130,7 +130,7 @@ TEST_CASE("a killed run is repaired into a clean file with all its rows, still m
   CHECK_THROWS_AS(repair(folder / "run.h5", folder / "run.h5.part"), ResultsError);
 }
 
-TEST_CASE("readers follow a run while it is written, and see it finish") {
+TEST_CASE("readers follow a run while it is written, up to its end") {
   const Folder folder;
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
@@ -180,7 +180,7 @@ TEST_CASE("readers follow a run while it is written, and see it finish") {
   CHECK(has_all_rows(ResultsReader(folder / "run.h5"), rows));
 }
 
-TEST_CASE("a writer given up before its end leaves a readable file that says so, and none of the final name") {
+TEST_CASE("an abandoned writer leaves a readable unfinished file and none of the final name") {
   const Folder folder;
   const Header header = sample_header();
   {
@@ -194,7 +194,7 @@ TEST_CASE("a writer given up before its end leaves a readable file that says so,
   CHECK(has_all_rows(reader, 20));
 }
 
-TEST_CASE("two runs cannot write one file, and the second one leaves the first in peace") {
+TEST_CASE("two runs cannot write one file, and the second leaves the first undisturbed") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter writer(folder / "run.h5", header);

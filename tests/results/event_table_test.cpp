@@ -41,7 +41,7 @@ TEST_CASE("causes that go in circles are not followed") {
   CHECK(event_table({}) == "no events\n");
 }
 
-TEST_CASE("the table of events counts from where it is told and says so") {
+TEST_CASE("the table of events counts from the chosen origin, with a notice") {
   const std::string table =
       event_table({row(0, 1, -1, "stage.begun", "shake began"), row(1, 2.5, -1, "seat.lost", "span lost its seat")},
                   {1, "shake", "'shake' began"});

@@ -52,7 +52,7 @@ std::vector<CapacityBounds> drawn_stripes(std::mt19937_64& random, double median
 
 }  // namespace
 
-TEST_CASE("two stripes are met by a fragility curve exactly: two shares give its two parameters") {
+TEST_CASE("a fragility curve passes exactly through two stripes") {
   std::vector<CapacityBounds> bounds;
   add_stripe(bounds, 0.5, 2, 10), add_stripe(bounds, 1.0, 7, 10);
   const Fragility f = fit_fragility(bounds);
@@ -63,7 +63,7 @@ TEST_CASE("two stripes are met by a fragility curve exactly: two shares give its
   CHECK(near(f.median, std::exp(-high * f.dispersion), 1e-10));
 }
 
-TEST_CASE("of two stripes the variances are those of two independent shares") {
+TEST_CASE("the variances of two stripes follow from two independent shares") {
   // Each share is p with variance p (1 - p) / n, so its quantile eta has p (1 - p) / (n phi(eta)^2).
   std::vector<CapacityBounds> bounds;
   add_stripe(bounds, 0.5, 4, 20), add_stripe(bounds, 1.0, 14, 20);
@@ -76,7 +76,7 @@ TEST_CASE("of two stripes the variances are those of two independent shares") {
   }
 }
 
-TEST_CASE("of two stripes the interval of the median is that of two independent shares, at every confidence") {
+TEST_CASE("the interval of the median of two stripes follows from two independent shares, at every confidence") {
   // The shares' quantiles e1 and e2 at u1 and u2 = ln x are independent, and the curve passes through both:
   //     ln median = u1 - e1 (u2 - u1) / (e2 - e1)
   //
@@ -105,7 +105,7 @@ TEST_CASE("of two stripes the interval of the median is that of two independent 
   }
 }
 
-TEST_CASE("of capacities that are known the interval of the median is that of the mean of their logarithms") {
+TEST_CASE("the interval of the median of known capacities is the interval of the mean of their logarithms") {
   // Fine steps leave a normal sample: its mean has the standard error dispersion / sqrt(n), whatever the dispersion.
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -181,14 +181,14 @@ TEST_CASE("the band of 95 % holds the true curve in 95 of 100 studies" * doctest
   CHECK(std::abs(median_held / 1000.0 - 0.95) < allowed);
 }
 
-TEST_CASE("many cases give the curve they were drawn from") {
+TEST_CASE("many samples give the curve of their distribution") {
   std::mt19937_64 random(3);
   const Fragility f = fit_fragility(drawn_stripes(random, 0.55, 0.4, 20000));
   CHECK(near(f.median, 0.55, 0.01));
   CHECK(near(f.dispersion, 0.4, 0.02));
 }
 
-TEST_CASE("cases that leave the curve open are refused, and what is missing is said") {
+TEST_CASE("cases that do not determine the curve are rejected with the missing data") {
   std::vector<CapacityBounds> none, all, parted, falling;
   add_stripe(none, 0.5, 0, 5), add_stripe(all, 0.5, 5, 5);
   add_stripe(parted, 0.5, 0, 5), add_stripe(parted, 0.7, 5, 5);

@@ -19,7 +19,7 @@ bool says(const std::string& text, const char* part) {
 
 }  // namespace
 
-TEST_CASE("the info text tells state, provenance, model, stages, events and energy") {
+TEST_CASE("the info text has state, provenance, model, stages, events and energy") {
   const Folder folder;
   const Header header = sample_header();
   {
@@ -52,7 +52,7 @@ TEST_CASE("the info text tells state, provenance, model, stages, events and ener
   CHECK(says(text, "0.1 s: a note"));
 }
 
-TEST_CASE("the info text of a finished file mentions a later run beside it") {
+TEST_CASE("the info text of a finished file mentions a later run next to it") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter(folder / "run.h5", header).finish();
@@ -67,7 +67,7 @@ TEST_CASE("the info text of a finished file mentions a later run beside it") {
   CHECK(says(info_text(ResultsReader(folder / "run.h5")), "a later run stopped early and left"));
 }
 
-TEST_CASE("a part that is older than the finished file beside it is no later run") {
+TEST_CASE("a part file older than the finished file next to it is not a later run") {
   const Folder folder;
   const Header header = sample_header();
   { const ResultsWriter writer(folder / "run.h5", header); }

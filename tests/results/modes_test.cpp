@@ -61,7 +61,7 @@ TEST_CASE("modes written to a results file are read back to the bit, while it is
   }
 }
 
-TEST_CASE("a mode of too few numbers, or of one that is none, is refused and leaves the file usable") {
+TEST_CASE("a mode with too few or non-finite numbers is rejected and leaves the file usable") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter writer(folder / "run.h5", header);
@@ -75,7 +75,7 @@ TEST_CASE("a mode of too few numbers, or of one that is none, is refused and lea
   CHECK(ResultsReader(folder / "run.h5").modes().empty());
 }
 
-TEST_CASE("modes stay where bodies are added to the file: those that came later stand still in them") {
+TEST_CASE("modes keep their rows when bodies are added to the file, and later bodies stand still in them") {
   const Folder folder;
   const Header header = sample_header(), more = sample_header(5);
   ResultsWriter writer(folder / "run.h5", header);

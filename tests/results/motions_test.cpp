@@ -70,7 +70,7 @@ TEST_CASE("motions are read back to the bit while the file is written and finish
   }
 }
 
-TEST_CASE("a motion of a body that is not there or with too few samples is refused and leaves the file usable") {
+TEST_CASE("a motion of an unknown body or with too few samples is rejected and leaves the file usable") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter writer(folder / "run.h5", header);
@@ -87,7 +87,7 @@ TEST_CASE("a motion of a body that is not there or with too few samples is refus
   CHECK(ResultsReader(folder / "run.h5").motions().empty());
 }
 
-TEST_CASE("motions stay where bodies are added to the file") {
+TEST_CASE("motions keep their rows when bodies are added to the file") {
   const Folder folder;
   const Header header = sample_header(), more = sample_header(5);
   ResultsWriter writer(folder / "run.h5", header);
@@ -101,7 +101,7 @@ TEST_CASE("motions stay where bodies are added to the file") {
   check_same(read[1], sample_motion(4, "x", 3));
 }
 
-TEST_CASE("a stored motion moves as what it was made of and a body that leaves it is told by how much") {
+TEST_CASE("a stored motion equals its source, and the deviation of a body from it is reported") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter writer(folder / "run.h5", header);

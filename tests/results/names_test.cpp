@@ -39,7 +39,7 @@ bool tells(const std::string& text, const char* part) {
 
 }  // namespace
 
-TEST_CASE("finished results touch no file of a like name beside them and follow no link there") {
+TEST_CASE("finished results touch no file of a like name next to them and follow no link there") {
   const Folder folder;
   put_text(folder / "victim", "forty pages");
   fs::create_symlink(folder / "victim", folder / "run.h5.new");
@@ -71,7 +71,7 @@ TEST_CASE("results whose name is a link go where it leads and the link stays") {
   CHECK(tells(refusal_of(folder / "nowhere.h5"), "there is no folder"));
 }
 
-TEST_CASE("a file that comes to stand at the name of the results while the run goes is not overwritten") {
+TEST_CASE("a foreign file that appears at the name of the results during the run is not overwritten") {
   const Folder folder;
   const Header header = sample_header();
   {
@@ -84,7 +84,7 @@ TEST_CASE("a file that comes to stand at the name of the results while the run g
   CHECK(ResultsReader(folder / "run.h5.part").frame_count() == 1);
 }
 
-TEST_CASE("what a run that was given up had written is kept under another name by the next and said") {
+TEST_CASE("the rows of an abandoned run are kept under another name by the next run, with a notice") {
   const Folder folder;
   CHECK(run_rows(folder / "run.h5", 1, false).empty());
   CHECK(tells(run_rows(folder / "run.h5", 2, false), "(1 frame, up to 0 s) are kept in"));
@@ -99,7 +99,7 @@ TEST_CASE("what a run that was given up had written is kept under another name b
   CHECK(ResultsReader(folder / "copy.h5").frame_count() == 2);
 }
 
-TEST_CASE("a part without any row leaves nothing to keep and an unreadable one is kept as it is") {
+TEST_CASE("a part file without rows is discarded, an unreadable one is kept") {
   const Folder folder;
   run_rows(folder / "run.h5", 0, false);
   CHECK(fs::exists(folder / "run.h5.part"));
@@ -111,7 +111,7 @@ TEST_CASE("a part without any row leaves nothing to keep and an unreadable one i
   CHECK(bytes_of(folder / "run.unfinished1.h5") == torn);
 }
 
-TEST_CASE("links and foreign files at the name of the part are refused and stay") {
+TEST_CASE("links and foreign files at the name of the part are rejected and stay") {
   const Folder folder;
   run_rows(folder / "other.h5", 1, true);
   const std::string other = bytes_of(folder / "other.h5");
@@ -128,7 +128,7 @@ TEST_CASE("links and foreign files at the name of the part are refused and stay"
   CHECK(bytes_of(folder / "run.h5.part") == table);
 }
 
-TEST_CASE("a run that cannot begin leaves the part of the one before where it was") {
+TEST_CASE("a run that cannot start leaves the part file of the earlier run in place") {
   const Folder folder;
   run_rows(folder / "run.h5", 2, false);
   Header header = sample_header();

@@ -94,7 +94,7 @@ assert set(f["frames/contacts"].dtype.names) >= {"x", "y", "z", "area", "nx", "n
 )") == 0);
 }
 
-TEST_CASE("the lines of docs/results.md find where a ground motion has its body") {
+TEST_CASE("the lines of docs/results.md give the position prescribed by a ground motion") {
   if (!has_python()) return;
   const Folder folder;
   const Header header = sample_header();
@@ -139,7 +139,7 @@ assert f.attrs["finished"] == 0 and f["frames/position"].shape == (30, 3, 2)
   CHECK(run_python(folder, plain, "") == 0);
 }
 
-TEST_CASE("a data set without width is damage that repair names and leaves no file of") {
+TEST_CASE("repair names a data set without width as damage and leaves no file") {
   if (!has_python()) return;
   const Folder folder;
   const Header header = sample_header();

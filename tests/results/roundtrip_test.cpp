@@ -148,7 +148,7 @@ TEST_CASE("a frame between two frames is interpolated, and the nearest one is fo
   CHECK(reader.frame_at(0.02).position == second.position);
 }
 
-TEST_CASE("quaternions are interpolated along the shorter arc and stay of unit length") {
+TEST_CASE("quaternions are interpolated along the shorter arc and keep unit length") {
   const Folder folder;
   Header header = sample_header(1, 3);
   header.with_velocity = false;
@@ -196,7 +196,7 @@ TEST_CASE("an unknown history is answered with the nearest name") {
   CHECK_THROWS_WITH_AS(reader.history("base shaer"), doctest::Contains("did you mean 'base shear'?"), ResultsError);
 }
 
-TEST_CASE("names of histories that a file cannot hold are refused before anything is written") {
+TEST_CASE("names of histories that a file cannot hold are rejected before anything is written") {
   const Folder folder;
   for (const char* name : {"", "a/b", ".", "time", "top.x"}) {
     Header header = sample_header();

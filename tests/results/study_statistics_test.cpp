@@ -12,7 +12,7 @@
 using namespace trilith::results;
 using trilith::testing::near;
 
-TEST_CASE("Wilson's interval has the values that are tabled for it") {
+TEST_CASE("Wilson's interval has the tabulated values") {
   // R. G. Newcombe, Statistics in Medicine 17, 1998, table I, method 3.
   CHECK(near(wilson_interval(81, 263).low, 0.2553, 2e-4));
   CHECK(near(wilson_interval(81, 263).high, 0.3662, 2e-4));
@@ -45,7 +45,7 @@ TEST_CASE("middle, band and dispersion of a figure, of those cases that have it"
   CHECK(near(quantile({10, 20}, 0.25), 12.5, 1e-14));
 }
 
-TEST_CASE("Wilson's interval holds a probability as often as it says") {
+TEST_CASE("Wilson's interval has its stated coverage") {
   // The probability of `hits` of `count` is known, so the share of all outcomes whose interval contains p is exact. It
   // oscillates with p, and its mean over p is the confidence to 1.5 %.
   for (const int count : {50, 120, 200})

@@ -19,7 +19,7 @@ using namespace trilith;
 using testing::bytes_of;
 using testing::Folder;
 
-TEST_CASE("a study's column of whole numbers wider than their own bytes is refused, not read beyond memory") {
+TEST_CASE("a study's column of whole numbers wider than their own bytes is rejected, not read beyond memory") {
   const Folder folder;
   const std::filesystem::path path = folder / "study.h5";
   results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);
@@ -59,7 +59,7 @@ int end_of_reading(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a table whose head leads beyond its end is refused by a process that then ends in order") {
+TEST_CASE("a table whose head leads beyond its end is rejected by a process that then ends in order") {
   const Folder folder;
   const std::filesystem::path path = folder / "study.h5";
   results::write_study_table(path, {{"case", "1", "number", std::vector<std::int32_t>{1, 2, 3}}}, {}, true);

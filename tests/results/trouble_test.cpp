@@ -101,7 +101,7 @@ int read_damaged(const std::filesystem::path& path, const std::string& whole) {
 
 }  // namespace
 
-TEST_CASE("a full disk gives one clear error, no crash at exit, and keeps what was flushed") {
+TEST_CASE("a full disk gives one clear error without a crash and keeps the flushed rows") {
   for (const rlim_t limit : {1000000u, 1234567u, 3000001u}) {
     const Folder folder;
     INFO("limit ", limit);
@@ -163,7 +163,7 @@ TEST_CASE("a disk that fills while the clean copy is written keeps the rows and 
   CHECK(ResultsReader(folder / "run.h5").frame_count() == 3000);
 }
 
-TEST_CASE("places that cannot be written are refused with the reason") {
+TEST_CASE("places that cannot be written are rejected with the reason") {
   const Folder folder;
   const Header header = sample_header();
   const auto refusal = [&](const std::filesystem::path& path) -> std::string {
@@ -191,7 +191,7 @@ TEST_CASE("places that cannot be written are refused with the reason") {
   }
 }
 
-TEST_CASE("files that are no results are named for what they are") {
+TEST_CASE("a file that is no results file is rejected with its kind") {
   const Folder folder;
   const auto says = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;
@@ -204,7 +204,7 @@ TEST_CASE("files that are no results are named for what they are") {
   CHECK(says(message_of_opening(folder / "text.h5"), "is not an HDF5 file"));
 }
 
-TEST_CASE("a part whose run was stopped before its first rows says so in one line") {
+TEST_CASE("a part file without rows is reported in one line") {
   const Folder folder;
   write_rows(folder / "run.h5", 3);
   const std::string whole = bytes_of(folder / "run.h5");
@@ -235,7 +235,7 @@ TEST_CASE("a results file cut at any length is an error, never a crash, and neve
   CHECK(message_of_opening(folder / "cut.h5").find("cut") != std::string::npos);
 }
 
-TEST_CASE("a results file with damaged bytes is read or refused, never a crash") {
+TEST_CASE("a results file with damaged bytes is read or rejected, never a crash") {
   const Folder folder;
   write_rows(folder / "run.h5", 20);
   const std::string whole = bytes_of(folder / "run.h5");

@@ -113,7 +113,7 @@ TEST_CASE("solids become polyhedra of VTK with their volume, displacement and ve
   CHECK(near(array_of<float>(file, "CellData", "mass")[1], 16, 1e-6));
 }
 
-TEST_CASE("contacts become points and bearings lines, each with its force, and a list tells the times") {
+TEST_CASE("the export has contacts as points and bearings as lines with their forces, and a list of times") {
   const Folder folder;
   record_boxes(folder / "run.h5", tumbling_boxes(), 9, 0.125);
   const ResultsReader reader(folder / "run.h5");
@@ -167,7 +167,7 @@ TEST_CASE("a model in the plane becomes polygons at z = 0") {
   CHECK(array_of<float>(bytes_of(folder / "out" / "run_contacts" / "000002.vtp"), "PointData", "force").size() == 6);
 }
 
-TEST_CASE("frames that are not there are refused, a last frame alone is one") {
+TEST_CASE("frames that are not there are rejected, a last frame alone is one") {
   const Folder folder;
   record_boxes(folder / "run.h5", tumbling_boxes(), 3, 0.1);
   const ResultsReader reader(folder / "run.h5");
@@ -179,11 +179,11 @@ TEST_CASE("frames that are not there are refused, a last frame alone is one") {
   CHECK_THROWS_WITH_AS(export_vtk(reader, folder / "file"), doctest::Contains("cannot make the folder"), InputError);
 }
 
-TEST_CASE("words in XML keep it whole") {
+TEST_CASE("special characters in texts keep XML valid") {
   CHECK(xml_text("a <b> & \"c\"\n") == "a &lt;b&gt; &amp; &quot;c&quot; ");
 }
 
-TEST_CASE("VTK itself reads what is written for ParaView") {
+TEST_CASE("VTK reads the export for ParaView") {
   if (std::system("/usr/bin/python3 -c 'import vtkmodules.vtkIOXML' >/dev/null 2>&1") != 0) {
     MESSAGE("skipped: /usr/bin/python3 has no vtk");
     return;

@@ -39,7 +39,7 @@ std::string refusal_of(const ContactLaw& law) {
 
 }  // namespace
 
-TEST_CASE("rate_friction holds what is due at the speed of the slip in every geometry") {
+TEST_CASE("rate_friction has the friction of its sliding speed in every geometry") {
   RateFriction law;
   law.kn = 1e9, law.ks = 1e9, law.mu = 0.1, law.mu_fast = 0.3, law.rate = 10;
   const double due = 0.3 - 0.2 * std::exp(-10 * resting.speed);
@@ -56,7 +56,7 @@ TEST_CASE("rate_friction holds what is due at the speed of the slip in every geo
   CHECK(refusal_of<3>(in_list).empty());
 }
 
-TEST_CASE("sticky pulls as faces in the plane, is friction elsewhere in the plane, and is refused in space by name") {
+TEST_CASE("sticky has tension as faces in the plane, friction otherwise, and is rejected in space by name") {
   Sticky law;
   law.kn = 1e8, law.ks = 1e8, law.mu = 0.3, law.tension = 2e5;
   const ContactLaw in_list = law;

@@ -71,7 +71,7 @@ MeanStress stress_of(const Hanging& h) {
 
 }  // namespace
 
-TEST_CASE("a body that hangs on bearings and carries a block on bearings has the mean stress of what hangs below it") {
+TEST_CASE("a body that hangs on bearings has the mean stress of the weight below it") {
   // Tension by the block's weight at the foot, and by the block's and its own weight at the head: half of its own on
   // average.
   const double weight = 2000 * standard_gravity * upper_width * slice * upper_height,

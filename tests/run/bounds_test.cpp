@@ -57,7 +57,8 @@ struct Left {
 
 }  // namespace
 
-TEST_CASE("a body that leaves the bounds is told with its speed, stands still and its energy is in the ledger") {
+TEST_CASE(
+    "a body that leaves the bounds is reported with its speed and stopped, and the energy balance has its energy") {
   Scene scene = two_blocks();
   Simulation<2> sim = scene.start();
   sim.refresh();
@@ -83,7 +84,7 @@ TEST_CASE("a body that leaves the bounds is told with its speed, stands still an
   CHECK(sim.verdict().sound());
 }
 
-TEST_CASE("what stays within the bounds has the same bits whether another body left or fell on") {
+TEST_CASE("bodies within the bounds have the same bits whether or not another body departed") {
   Scene tight = two_blocks(), wide = two_blocks();
   wide.builder.bounds = {};
   Simulation<2> one = tight.start(), other = wide.start();
@@ -97,7 +98,7 @@ TEST_CASE("what stays within the bounds has the same bits whether another body l
   CHECK(one.state().rotation[n] == other.state().rotation[n]);
 }
 
-TEST_CASE("a body that has left touches nothing and where all have left the stage ends and says so") {
+TEST_CASE("a departed body has no contact, and a stage ends when all bodies have departed") {
   Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
   scene.builder.bounds.low.y() = bottom;
   for (const double y : {0.0, 4.0}) {  // the second falls through the first one's position
@@ -117,7 +118,7 @@ TEST_CASE("a body that has left touches nothing and where all have left the stag
   CHECK(sim.run(stage(1)).end == StageEnd::all_left);
 }
 
-TEST_CASE("a restart keeps out what has left, in a model that was built anew, and goes on with the same bits") {
+TEST_CASE("a restart in a rebuilt model keeps departed bodies out and continues with the same bits") {
   const testing::Folder folder;
   Scene scene = two_blocks();
   Simulation<2> straight = scene.start();
@@ -138,7 +139,7 @@ TEST_CASE("a restart keeps out what has left, in a model that was built anew, an
   CHECK(again.state().velocity[node_of(fresh, "falls")].norm() == 0);
 }
 
-TEST_CASE("the bearings of a body that leaves fail because of it and the ledger closes") {
+TEST_CASE("the bearings of a body that leaves fail because of it and the energy balance closes") {
   Scene scene = two_blocks();
   BearingSpec spring;
   spring.name = "spring", spring.body_a = "stays", spring.body_b = "falls";
@@ -159,7 +160,7 @@ TEST_CASE("the bearings of a body that leaves fail because of it and the ledger 
   CHECK(std::abs(balance(sim) - begun) < 1e-5 * sim.state().given[EnergyTerm::left_bounds]);
 }
 
-TEST_CASE("without other bounds bodies are followed ten times their extent around where they begin") {
+TEST_CASE("the default bounds lie at ten times the initial extent of the bodies") {
   const Model<2> model = [] {
     ModelBuilder builder;
     builder.add_material({"stone", 2000});

@@ -47,7 +47,7 @@ int body(const Simulation<2>& sim, const char* name) {
 
 }  // namespace
 
-TEST_CASE("a body that is removed and put back before it did anything leaves the bits of a run that never changed") {
+TEST_CASE("a body removed and returned before any step leaves the bits of an unchanged run") {
   Simulation<2> plain(tower().builder.build()), changed(tower().builder.build());
   const std::vector<int> beside{body(plain, "beside")};
   for (const double duration : {0.1, 0.1, 0.1}) {
@@ -67,7 +67,7 @@ TEST_CASE("a body that is removed and put back before it did anything leaves the
   CHECK(changed.state().given[EnergyTerm::added] == 0);
 }
 
-TEST_CASE("what leans on a body that is removed falls freely from the next step on, without a kick") {
+TEST_CASE("a body that leaned on a removed body falls freely from the next step on, without an impulse") {
   Simulation<2> sim(tower().builder.build());
   StageOptions rest = short_stage(2);
   rest.rest_share = 0.8;
@@ -82,7 +82,7 @@ TEST_CASE("what leans on a body that is removed falls freely from the next step 
   CHECK(std::abs(sim.state().position[upper].x()) < 1e-9);
 }
 
-TEST_CASE("the ledger closes through removal of what moves and presses, and the term has what went") {
+TEST_CASE("the energy balance closes through the removal of moving and pressed bodies, with their energy in its term") {
   Simulation<2> sim(tower().builder.build());
   EnergyCheck check;
   std::optional<double> first;
@@ -100,7 +100,7 @@ TEST_CASE("the ledger closes through removal of what moves and presses, and the 
   CHECK(check.input() > 0);
 }
 
-TEST_CASE("bodies that come later rest on what is there, and the ledger closes") {
+TEST_CASE("added bodies rest on present ones, and the energy balance closes") {
   Scene scene = tower();
   Simulation<2> sim(scene.builder.build());
   EnergyCheck check;
@@ -117,7 +117,7 @@ TEST_CASE("bodies that come later rest on what is there, and the ledger closes")
   CHECK(check.share() < 1e-3);
 }
 
-TEST_CASE("what came later and what was removed is so after a restart from a checkpoint") {
+TEST_CASE("added and removed bodies are restored from a checkpoint") {
   const testing::Folder folder;
   Scene scene = tower();
   Simulation<2> sim(scene.builder.build());

@@ -145,7 +145,7 @@ TEST_CASE("storeys are found by their groups, with heights and drifts") {
   CHECK(storey_in({"storey", "storey x", "storey 0", "storey 2b", "story 2"}) == 0);
 }
 
-TEST_CASE("base shear is what contacts do to the base, and what accelerates all that stands on it") {
+TEST_CASE("base shear equals the contact forces on the base and the inertia of the structure") {
   for (const double turn : {0.0, 0.4}) {
     Scene scene = tower(mortar, turn);
     Simulation<2> sim = scene.start();

@@ -50,7 +50,7 @@ double residual_of(Simulation<2>& sim) {
 
 }  // namespace
 
-TEST_CASE("a block falls and lies by implicit steps and strikes by explicit ones where the stage leaves it open") {
+TEST_CASE("with an automatic integrator a block falls and rests in implicit steps and strikes in explicit ones") {
   Simulation<2> open = falling_block(), plain = falling_block();
   const int n = node_of(open.model(), "block");
   const Seen seen = watch(open, open_stage(2));
@@ -78,7 +78,7 @@ TEST_CASE("a stage that leaves the integrator open is continued with the same bi
   CHECK(state_hash(whole.state()) == state_hash(rest.state()));
 }
 
-TEST_CASE("where implicit steps may not be longer than explicit ones those are taken throughout") {
+TEST_CASE("explicit steps are used throughout if implicit steps may not be longer") {
   Simulation<2> open = falling_block();
   StageOptions stage = open_stage(0.5);
   stage.dt = 1e-4;

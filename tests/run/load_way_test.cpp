@@ -7,7 +7,7 @@
 namespace trilith::testing {
 namespace {
 
-TEST_CASE("every equilibrium of a path is told as a frame with its place and loads and the model is then as it was") {
+TEST_CASE("every equilibrium of a path is recorded as a frame, and the model is unchanged afterwards") {
   const Model<2> model = shallow_truss();
   LoadWay<2> way{model.point_loads, {}};
   LoadPathOptions how;
@@ -52,7 +52,7 @@ TEST_CASE("every equilibrium of a path is told as a frame with its place and loa
   }
 }
 
-TEST_CASE("points of a path come at times that grow with its length, with their events, and what goes by time waits") {
+TEST_CASE("points of a path have increasing times with their events, and time-dependent actions pause") {
   Model<2> model = shallow_truss();
   LoadWay<2> way{model.point_loads, {}};
   LoadPathOptions how;
@@ -99,7 +99,7 @@ TEST_CASE("points of a path come at times that grow with its length, with their 
   CHECK(told == times[5]);
 }
 
-TEST_CASE("a path whose points are strained beyond the limit is told up to there and ends as diverged") {
+TEST_CASE("a path beyond the strain limit is recorded up to that point and ends as diverged") {
   Model<2> model = shallow_truss();
   LoadWay<2> way{model.point_loads, {}};
   LoadPathOptions how;

@@ -30,7 +30,7 @@ struct Ends {
 
 }  // namespace
 
-TEST_CASE("processes end with their code or signal, and what they write is kept") {
+TEST_CASE("processes end with their code or signal, and their output is kept") {
   const testing::Folder folder;
   const std::vector<ProcessOrder> orders{shell(folder, "echo out; echo err >&2", "a"),
                                          shell(folder, "exit 3", "b"),
@@ -47,7 +47,7 @@ TEST_CASE("processes end with their code or signal, and what they write is kept"
   CHECK(ends.of[3].trouble() == "the program could not be started");
 }
 
-TEST_CASE("no more processes run at a time than were asked for") {
+TEST_CASE("no more processes run at a time than were requested") {
   const testing::Folder folder;
   std::vector<ProcessOrder> orders;
   for (int i = 0; i < 7; ++i) orders.push_back(shell(folder, "sleep 0.05", "x"));
@@ -69,7 +69,7 @@ TEST_CASE("processes that are to stop are interrupted and waited for") {
   CHECK(testing::bytes_of(folder / "a.out") == "begun\ninterrupted\n");
 }
 
-TEST_CASE("a process waits for its turn, begins when that has come and is left out where it never comes") {
+TEST_CASE("a process waits for its dependency, starts after it, and is skipped if it never ends") {
   const testing::Folder folder;
   std::vector<ProcessOrder> orders;
   for (int i = 0; i < 6; ++i) orders.push_back(shell(folder, i == 0 ? "sleep 0.3" : "sleep 0.02", "x"));

@@ -32,7 +32,7 @@ bool has(const std::string& text, const char* part) {
 
 }  // namespace
 
-TEST_CASE("the pace is that of the last seconds, and gives the time left") {
+TEST_CASE("the speed of progress is averaged over the last seconds and gives the remaining time") {
   Pace pace;
   CHECK(pace.speed() == 0);
   CHECK_FALSE(pace.left(1));
@@ -53,7 +53,7 @@ TEST_CASE("durations of wall clock read as on a clock") {
   CHECK(duration_text(1e300) == "277777:46:40");
 }
 
-TEST_CASE("the status tells stage, time, step, energy and unbalanced ratio in one line") {
+TEST_CASE("the status line has stage, time, step, energy and out-of-balance ratio") {
   Simulation<2> simulation(testing::falling_span());
   std::string status;
   StageOptions o;
@@ -71,7 +71,7 @@ TEST_CASE("the status tells stage, time, step, energy and unbalanced ratio in on
   CHECK(status.find('\n') == std::string::npos);
 }
 
-TEST_CASE("an event's line names what led to it") {
+TEST_CASE("the line of an event names its cause") {
   const Model<2> model = testing::falling_span();
   EventLines lines;
   CHECK(lines.tell(event_of(EventType::bearing_failed, 1, 11.02), model).at(0) ==
@@ -81,7 +81,7 @@ TEST_CASE("an event's line names what led to it") {
         "(because at 11.020 s: bearing right failed at 51 mm)");
 }
 
-TEST_CASE("contacts made and lost and slow impacts are told only where all events are wanted") {
+TEST_CASE("contacts made and lost and slow impacts are listed only if all events are requested") {
   const Model<2> model = testing::falling_span();
   const Event made = event_of(EventType::contact_made, 1, 1), hit = event_of(EventType::impact, 2, 1);
   EventLines important, all(EventShow::all), none(EventShow::none);
@@ -108,7 +108,7 @@ TEST_CASE("a crowd of impacts is counted, not listed") {
   CHECK(lines.rest().empty());
 }
 
-TEST_CASE("every type of event has words of its own") {
+TEST_CASE("every type of event has its own text") {
   const Model<2> model = testing::falling_span();
   std::vector<std::string> seen;
   for (int t = 0; t < event_types; ++t) {
@@ -124,7 +124,7 @@ TEST_CASE("every type of event has words of its own") {
   CHECK(event_text(ended, model) == "first: shaking ended (rest)");
 }
 
-TEST_CASE("two listeners both hear a run, the first one first") {
+TEST_CASE("two listeners both receive the events of a run, in their order") {
   Simulation<2> simulation(testing::falling_span());
   std::string heard;
   RunListener<2> first, second;
@@ -140,7 +140,7 @@ TEST_CASE("two listeners both hear a run, the first one first") {
   CHECK(steps > 0);
 }
 
-TEST_CASE("lines of events count from a stage or an event once that has come, and say so") {
+TEST_CASE("event times count from a stage or an event after its start, with a notice") {
   const Model<2> model = testing::falling_span();
   EventLines lines(EventShow::important, slow_impact, "shake");
   CHECK(lines.waits());

@@ -71,7 +71,7 @@ void check_equal(const std::vector<Reading>& some, const std::vector<Reading>& a
   }
 }
 
-TEST_CASE("handlers of steps and events read what histories have at the same time to the last bit") {
+TEST_CASE("handlers of steps and events read the values of histories at the same time, to the bit") {
   StageOptions options;
   options.duration = 1;
   for (const double share : {0.0, 0.5}) {
@@ -85,7 +85,7 @@ TEST_CASE("handlers of steps and events read what histories have at the same tim
   }
 }
 
-TEST_CASE("a handler that changes nothing but says so changes no bit") {
+TEST_CASE("a handler that requests no real change changes no bit") {
   StageOptions options;
   options.duration = 0.5;
   const Readings plain = readings_of(tumbling(), options), changed = readings_of(tumbling(), options, true);
@@ -94,7 +94,7 @@ TEST_CASE("a handler that changes nothing but says so changes no bit") {
 }
 
 // Leapfrog starts from a full velocity with half a step, which shifts its energy from this point on: m g^2 dt^2 / 8.
-TEST_CASE("the ledger of a falling block closes at every step as handlers read it and after the stage") {
+TEST_CASE("the energy balance of a falling block closes at every step as handlers read it and after the stage") {
   Scene scene(Frictional{1e8, 5e7, 0.5, 1e-4});
   scene.fixed("base", box(-3, -1, 3, 0));
   BodySpec spec;
@@ -114,7 +114,7 @@ TEST_CASE("the ledger of a falling block closes at every step as handlers read i
   CHECK(near(sim.energy()[EnergyTerm::kinetic], fallen, 1e-3));
 }
 
-TEST_CASE("reading between stages gives the last row of the stage and changes no bit of what follows") {
+TEST_CASE("reading between stages gives the last row of the stage and changes no later bit") {
   StageOptions options;
   options.duration = 0.3;
   options.energy_interval = 0.01;
@@ -155,7 +155,7 @@ std::string refusal(double kn, double dt, double duration, double safety = 0.5, 
   return "";
 }
 
-TEST_CASE("a step at which time would stand still is refused with what governs it") {
+TEST_CASE("a step too small to advance time is rejected with the governing part") {
   const std::string stiff = refusal(1e30, 0, 1);
   CHECK(stiff.find("must be at least 1e-09 s") != std::string::npos);
   CHECK(stiff.find("block") != std::string::npos);

@@ -119,7 +119,7 @@ TEST_CASE("two runs write the same bytes") {
   CHECK(one == testing::bytes_of(folder / "two.h5"));
 }
 
-TEST_CASE("a killed run can be read up to its last flush") {
+TEST_CASE("a killed run is readable up to its last flush") {
   const testing::Folder folder;
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
@@ -168,7 +168,7 @@ TEST_CASE("the first frame is safe before the first step") {
   CHECK(events == 1);
 }
 
-TEST_CASE("rows that wait reach the disk in time though no further ones come") {
+TEST_CASE("buffered rows reach the disk in time without further rows") {
   for (const bool soon : {true, false}) {
     const testing::Folder folder;
     Simulation<2> simulation(dropped_block(0.3));
@@ -197,7 +197,7 @@ TEST_CASE("rows that wait reach the disk in time though no further ones come") {
   }
 }
 
-TEST_CASE("an abandoned recording says why and stays unfinished") {
+TEST_CASE("an abandoned recording has its reason and stays unfinished") {
   const testing::Folder folder;
   {
     Simulation<2> simulation(dropped_block(0.3));
@@ -217,7 +217,7 @@ TEST_CASE("an abandoned recording says why and stays unfinished") {
   CHECK(reader.notes()[0].text.find("no such body") != std::string::npos);
 }
 
-TEST_CASE("a history that gives no number is refused, with its name") {
+TEST_CASE("a history that gives no number is rejected, with its name") {
   const testing::Folder folder;
   Simulation<2> simulation(dropped_block(0.3));
   RecordingOptions<2> o = options();

@@ -20,7 +20,7 @@ std::uint64_t plain_hash() {
 
 }  // namespace
 
-TEST_CASE("a run taken back to a snapshot between stages and resumed has the bits of one that went through") {
+TEST_CASE("a run returned to a snapshot between stages and resumed has the bits of one that went through") {
   Simulation<2> s(dropped_block(0.1));
   std::optional<Snapshot<2>> kept;
   RunListener<2> listener;
@@ -81,7 +81,7 @@ TEST_CASE("steps taken within a border belong to the stage: same bits, samples a
   CHECK(samples_of(false) == samples_of(true));
 }
 
-TEST_CASE("a nested run that comes to the end of the stage ends it once") {
+TEST_CASE("a nested run that reaches the end of the stage ends it once") {
   Simulation<2> s(dropped_block(0.1));
   int ended = 0;
   RunListener<2> listener;
@@ -94,7 +94,7 @@ TEST_CASE("a nested run that comes to the end of the stage ends it once") {
   CHECK(state_hash(s.state()) == plain_hash());
 }
 
-TEST_CASE("a model changed at a border goes back with the snapshot") {
+TEST_CASE("a model changed at the end of a step is restored by the snapshot") {
   Simulation<2> s(dropped_block(0.1));
   std::optional<Snapshot<2>> before;
   RunListener<2> listener;
@@ -113,7 +113,7 @@ TEST_CASE("a model changed at a border goes back with the snapshot") {
   CHECK(state_hash(s.state()) != heavier);
 }
 
-TEST_CASE("a stage ends at the time it is told, to the bit, wherever it begins") {
+TEST_CASE("a stage ends exactly at its given time, to the bit, from any start") {
   Simulation<2> s(dropped_block(0.1));
   StageOptions o = fall_stage(0.333333);
   s.run(o);
@@ -123,7 +123,7 @@ TEST_CASE("a stage ends at the time it is told, to the bit, wherever it begins")
   CHECK(std::abs(s.state().time - 0.7) < 1e-12);
 }
 
-TEST_CASE("measuring a run changes no bit, and the parts of the step are no more than the whole") {
+TEST_CASE("profiling a run changes no bit, and the parts of the step sum to at most the whole") {
   Simulation<2> s(dropped_block(0.1));
   StepTimes times;
   s.measure(&times);

@@ -127,7 +127,7 @@ TEST_CASE("a storey's top is the mean of its beams and its slab alone where one 
   }
 }
 
-TEST_CASE("twist of a storey without a floor is that of its topmost units about their middle, whatever they lean") {
+TEST_CASE("twist of a storey without a floor is the twist of its topmost units about their centre") {
   const Model<3> model = small_house(found_mortar);
   State<3> state = initial_state(model);
   const UnitQuaternion turn = rotation_by(Vec3(0, 0, 0.3));
@@ -208,7 +208,7 @@ TEST_CASE("damage of a joint in space is the share of its area whose bond is los
   CHECK(joint_damage(joint_of(find_joints(small_house(found_dry)), floor_body, high_body), state) == 0);
 }
 
-TEST_CASE("what became of a house in space, storey by storey: both sides of each limit") {
+TEST_CASE("damage of a house in space by storey, on both sides of each limit") {
   const Model<3> model = small_house(found_mortar);
   const std::vector<int> bodies{0, 1, 2, 3, 4};
   const auto after = [&](const Vec3& high_moves, const Vec3& floor_moves) {
@@ -238,7 +238,7 @@ TEST_CASE("what became of a house in space, storey by storey: both sides of each
   CHECK(rows[1].units_out_of_place == 1);
 }
 
-TEST_CASE("base shear in space is what accelerates all that stands on the base, and its weight") {
+TEST_CASE("base shear in space equals the inertia and weight of the structure on the base") {
   const Model<3> model = small_house(found_mortar);
   Simulation<3> sim(model);
   const std::vector<int> base = find_base(model);
@@ -266,7 +266,7 @@ TEST_CASE("base shear in space is what accelerates all that stands on the base, 
   CHECK(worst / (mass * 10) < 1e-9);
 }
 
-TEST_CASE("a results file of solids has their joints, and what became of each at every frame") {
+TEST_CASE("a results file of solids has their joints and the state of each in every frame") {
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "trilith_space_joints_test.h5";
   std::filesystem::remove(path);
   Simulation<3> sim(small_house(found_mortar));

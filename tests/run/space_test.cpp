@@ -89,7 +89,7 @@ TEST_CASE("solids in space consolidate to rest under their weight") {
   CHECK(near(sunk, below, 1e-4));
 }
 
-TEST_CASE("a run in space goes on with the same bits from a snapshot, and where its work is dropped") {
+TEST_CASE("a run in space continues with the same bits from a snapshot, and after its scratch memory is freed") {
   SolidModelBuilder builder = small_wall();
   builder.gravity = tilted_gravity(0.7, 0.3);
   Simulation<3> whole(builder.build()), dropped(builder.build());
@@ -107,7 +107,7 @@ TEST_CASE("a run in space goes on with the same bits from a snapshot, and where 
   CHECK(state_hash(dropped.state()) == end);
 }
 
-TEST_CASE("a body in space that leaves the bounds is taken out, and the ledger goes on") {
+TEST_CASE("a body in space that leaves the bounds is deactivated, and the energy balance stays closed") {
   SolidModelBuilder builder = on_ground(frictional(1e9, 4e8, 0.2, 1e-5));
   SolidSpec block = solid("block", box_at({0.2, 0.2, 0.2}, {2.5, 0, 0.1}));
   block.velocity = {3, 0, 0};
@@ -131,7 +131,7 @@ TEST_CASE("a body in space that leaves the bounds is taken out, and the ledger g
   CHECK(std::abs(last - first) < 1e-3 * 19.2 * standard_gravity * 4);
 }
 
-TEST_CASE("a fast thin stone in space does not go through another unseen") {
+TEST_CASE("a fast thin stone in space does not pass through another undetected") {
   SolidModelBuilder builder = on_ground(frictional(2e10, 4e8, 0.2));
   SolidSpec stone = solid("stone", box_at({0.3, 0.3, 0.02}, {0, 0, 2}));
   stone.velocity = {0, 0, -60}, stone.floating = true;
@@ -146,7 +146,7 @@ TEST_CASE("a fast thin stone in space does not go through another unseen") {
   CHECK(sim.state().velocity[1].z() > 0);
 }
 
-TEST_CASE("a body in space that is pressed too deep into another is told once") {
+TEST_CASE("a deep penetration in space is reported once") {
   SolidModelBuilder builder = on_ground(frictional(1e4, 1e4, 0.2));
   SolidSpec block = solid("block", box_at({0.2, 0.2, 0.2}, {0, 0, 0.1}));
   block.load = {0, 0, -1000};
@@ -160,7 +160,7 @@ TEST_CASE("a body in space that is pressed too deep into another is told once") 
   CHECK_FALSE(sim.verdict().sound());
 }
 
-TEST_CASE("overlapping and unsupported solids are refused by name") {
+TEST_CASE("overlapping and unsupported solids are rejected by name") {
   SolidModelBuilder deep = small_wall();
   deep.add_body(solid("deep", box_at({0.4, 0.2, 0.2}, {0.1, 0, 0.25})));
   CHECK_THROWS_WITH_AS(deep.build(), doctest::Contains("'deep' overlap by"), InputError);

@@ -81,7 +81,7 @@ TEST_CASE("a unit that comes down is out of place, one that is lifted is not") {
   CHECK(lifted[1].joints_apart == 2);
 }
 
-TEST_CASE("units are in place where their floor goes with them") {
+TEST_CASE("units that move with their floor are in place") {
   const auto rows = after({{slab, {0.1, 0}}, {high_left, {0.1, 0}}, {high_right, {0.1, 0}}});
   CHECK(rows[1].joints_apart == 0);
   CHECK(rows[1].units_out_of_place == 0);

@@ -21,7 +21,7 @@ std::vector<double> column(const StudyPlan& plan, std::size_t k) {
 
 }  // namespace
 
-TEST_CASE("a product has every value with every other, the last parameter varying fastest") {
+TEST_CASE("a product has all combinations, the last parameter varying fastest") {
   const StudyPlan plan = product_plan(
       {{"mu", "", {0.2, 0.4}}, {"base", "", {std::string("a"), std::string("b")}}, {"pga", "g", {0.1, 0.2, 1e-7}}});
   REQUIRE(plan.cases.size() == 12);
@@ -39,7 +39,7 @@ TEST_CASE("a number on a case's command line reads back as the same bits") {
   CHECK(text_of(StudyValue(true)) == "true");
 }
 
-TEST_CASE("plans that cannot be are refused by name") {
+TEST_CASE("impossible plans are rejected by name") {
   CHECK_THROWS_WITH_AS(product_plan({}), doctest::Contains("no parameter"), InputError);
   CHECK_THROWS_WITH_AS(product_plan({{"mu", "", {}}}), doctest::Contains("'mu' has no values"), InputError);
   CHECK_THROWS_WITH_AS(product_plan({{"seconds", "", {1.0}}}), doctest::Contains("'seconds'"), InputError);

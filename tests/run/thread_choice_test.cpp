@@ -23,7 +23,7 @@ double go(ThreadChoice& choice, int steps, const std::function<double(int)>& sec
 
 }  // namespace
 
-TEST_CASE("threads that were asked for are taken whatever they bring") {
+TEST_CASE("a requested number of threads is used whatever its gain") {
   ThreadChoice three = ThreadChoice::always(3);
   CHECK_FALSE(three.is_open());
   go(three, 5000, [](int threads) {
@@ -35,7 +35,7 @@ TEST_CASE("threads that were asked for are taken whatever they bring") {
   CHECK_FALSE(ThreadChoice::up_to(1).is_open());
 }
 
-TEST_CASE("a second thread is kept where it pays and dropped where it does not") {
+TEST_CASE("a second thread is used where it is faster and not otherwise") {
   for (const double gain : {0.5, 0.9, 1.03, 1.1, 1.8}) {
     CAPTURE(gain);
     ThreadChoice choice = ThreadChoice::up_to(2);
@@ -52,7 +52,7 @@ TEST_CASE("a second thread is kept where it pays and dropped where it does not")
   }
 }
 
-TEST_CASE("of many threads those are found beyond which there is no gain") {
+TEST_CASE("the search finds the number of threads beyond which there is no gain") {
   // Of sixteen threads six are the best; in steps of a power of two 4 and 8 are equally good.
   const auto machine = [](int threads) { return 1.0 / threads + 0.02 * threads; };
   ThreadChoice choice = ThreadChoice::up_to(16);
@@ -64,7 +64,7 @@ TEST_CASE("of many threads those are found beyond which there is no gain") {
   CHECK(odd.gain() == 0);  // nothing was timed below 8
 }
 
-TEST_CASE("threads are given up as the machine gets busy and taken again afterwards") {
+TEST_CASE("threads are released while the machine is busy and used again afterwards") {
   ThreadChoice choice = ThreadChoice::up_to(2);
   const auto quiet = [](int threads) { return threads == 2 ? 0.6 : 1; };
   const auto busy = [](int threads) { return threads == 2 ? 2.0 : 1; };
@@ -77,7 +77,7 @@ TEST_CASE("threads are given up as the machine gets busy and taken again afterwa
   CHECK(choice.chosen() == 2);
 }
 
-TEST_CASE("single steps that take long decide nothing") {
+TEST_CASE("single slow steps do not change the number of threads") {
   ThreadChoice choice = ThreadChoice::up_to(2);
   int step = 0;
   go(choice, 20000, [&](int threads) { return (++step % 7 == 0 ? 50.0 : 1.0) * (threads == 2 ? 0.7 : 1); });

@@ -115,7 +115,8 @@ void expect_same_bits(const Model<D>& model, double first, double second) {
 
 }  // namespace
 
-TEST_CASE("a facade in space comes down with the same bits on one and more threads, saved and with its work dropped") {
+TEST_CASE(
+    "a collapsing facade in space has the same bits on one and more threads, continued and after freeing memory") {
   const Model<3> model = falling_facade();
   Simulation<3> seen(model);
   seen.run(shaking(1.2));

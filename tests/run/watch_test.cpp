@@ -69,7 +69,7 @@ StageOptions plain_stage(double duration, double dt) {
 
 }  // namespace
 
-TEST_CASE("an element's stretch is that of its deformation gradient and no turn changes it") {
+TEST_CASE("the stretch of an element follows its deformation gradient and does not depend on rotation") {
   const Model<2> model = alone(elastic("soft", 2000, young, 0.2), grid_body("q", box(0, 0, 2, 1), "soft", 1, 1));
   const auto stretched = [&](const Eigen::Matrix2d& gradient) {
     State<2> state = initial_state(model);
@@ -86,7 +86,7 @@ TEST_CASE("an element's stretch is that of its deformation gradient and no turn 
   CHECK(near(stretched(diagonal(1, -0.2)).strain, -1.2, 1e-12));  // a mirror image, which no rotation reverses
 }
 
-TEST_CASE("an element squeezed or stretched beyond what its solid is made for ends the stage as diverged") {
+TEST_CASE("an element strained beyond the limit of its solid ends the stage as diverged") {
   for (const double side : {1.0, -1.0}) {
     Simulation<2> held = pressed_square(0.35 * side, 0.5), crushed = pressed_square(0.55 * side, 0.5);
     CHECK(run_told(held, calm_stage(1)).report.end == StageEnd::time);
@@ -110,7 +110,7 @@ TEST_CASE("an element squeezed or stretched beyond what its solid is made for en
   CHECK(run_told(rubber, calm_stage(1)).report.end == StageEnd::time);
 }
 
-TEST_CASE("an element that turns inside out is found however much strain its solid is made for") {
+TEST_CASE("an inverted element is found for any strain limit") {
   Simulation<2> crushed = pressed_square(5, 100);
   StageOptions fine = calm_stage(1);
   fine.dt = 1e-4;  // so that it is found before it has moved far
@@ -120,7 +120,7 @@ TEST_CASE("an element that turns inside out is found however much strain its sol
   for (const Vec2& x : crushed.state().position) CHECK(x.y() > -0.1);
 }
 
-TEST_CASE("energy that nothing put in ends the stage as diverged and names the fastest body") {
+TEST_CASE("unexplained energy ends the stage as diverged and names the fastest body") {
   const auto run_with = [](double factor, bool watched) {
     Simulation<2> sim(lone_block(3));
     RunListener<2> listener;
@@ -141,7 +141,7 @@ TEST_CASE("energy that nothing put in ends the stage as diverged and names the f
   CHECK(run_with(2.5, false).end == StageEnd::time);
 }
 
-TEST_CASE("a speed that start or motion give is right and one beyond sound that a load makes is not") {
+TEST_CASE("a high speed from the start or a motion is accepted, a supersonic speed from a load is not") {
   Simulation<2> shot(lone_block(2e4));
   StageOptions options = plain_stage(2e-3, 1e-5);
   CHECK(run_told(shot, options).report.end == StageEnd::time);
@@ -157,7 +157,7 @@ TEST_CASE("a speed that start or motion give is right and one beyond sound that 
   CHECK(fast.reason.find("sound") != std::string::npos);
 }
 
-TEST_CASE("a body that is let go by a moving support takes its motion along and is not blamed for it") {
+TEST_CASE("a body released by a moving support keeps its velocity without an error") {
   Model<2> model = lone_block(0);
   const auto motion = std::make_shared<GroundMotion>(std::vector<double>{0, 0}, 10.0, MotionStart{4, 0});
   for (const int k : {1, 2}) set_support(model, 0, k, Support::fixed);
@@ -173,7 +173,7 @@ TEST_CASE("a body that is let go by a moving support takes its motion along and 
   CHECK(near(sim.state().velocity[0].x(), 4, 1e-6));
 }
 
-TEST_CASE("a stage that must come to rest and does not names its worst body and its run is not to be trusted") {
+TEST_CASE("a consolidation without rest names the worst body, and its run is not valid") {
   const auto settle_for = [](double duration, bool must) {
     testing::Scene scene(Frictional{1e8, 4e7, 0.6, 2e-3});
     scene.fixed("ground", box(-3, -1, 3, 0));
@@ -202,7 +202,7 @@ TEST_CASE("a stage that must come to rest and does not names its worst body and 
   CHECK(sound.sound());
 }
 
-TEST_CASE("what turns beyond all measure within a step ends the stage, and does not hold it up") {
+TEST_CASE("an excessive rotation within a step ends the stage without delay") {
   Scene scene(Frictional{1e8, 5e7, 0.5, 1e-3});
   scene.fixed("base", box(-3, -0.5, 3, 0));
   BodySpec low;

@@ -68,7 +68,7 @@ TEST_CASE("a push at the pinned end of a member acts as a force does on that poi
   }
 }
 
-TEST_CASE("a point over a pinned end goes as far as it is pushed") {
+TEST_CASE("a pushed point at a pinned end moves by the prescribed displacement") {
   PinnedDeck s;
   const auto motion = std::make_shared<GroundMotion>(even_motion(0.1, 1));
   add_push(s.model, s.state, "push", push_rows(s.model, {0}, s.at, PushPattern::mass, Vec2::UnitX()), Vec2::UnitX(),
@@ -111,7 +111,8 @@ struct SpinningStone {
 
 }  // namespace
 
-TEST_CASE("a point of a stone in space goes as far as it is pushed, free to turn or held about an axis") {
+TEST_CASE(
+    "a pushed point of a stone in space moves by the prescribed displacement, free to rotate or held about an axis") {
   for (const bool held : {false, true}) {
     SpinningStone s(held);
     const auto motion = std::make_shared<GroundMotion>(even_motion(0.1, 1));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The way in: docs/README.md leads to every page of the tour and every guide, links lead somewhere, README.md's first minutes hold.
+"""The way in: docs/README.md lists every page of the tour and every guide, links exist, and the first minutes of README.md run.
 
 usage: check_index.py SOURCE
 """

@@ -67,7 +67,7 @@ void write_sample(const std::filesystem::path& path, int rows) {
 
 }  // namespace
 
-TEST_CASE("packed numbers come back, whatever they are") {
+TEST_CASE("packed numbers are restored for any value") {
   std::mt19937 random(1);
   for (const int size : {0, 1, 7, 300}) {
     ViewBlock block{"b", 3, 1, {}};
@@ -93,7 +93,7 @@ TEST_CASE("gzip and base64 give their bytes back, the same each time") {
   }
 }
 
-TEST_CASE("what the page is given equals the results within half a quantum") {
+TEST_CASE("the data of the page equal the results within half a quantum") {
   const Folder folder;
   constexpr int rows = 40;
   write_sample(folder / "run.h5", rows);
@@ -129,7 +129,7 @@ TEST_CASE("what the page is given equals the results within half a quantum") {
   CHECK(position.quantum <= 1.2 / 2000);
 }
 
-TEST_CASE("a run too long for a page keeps every so many frames and the last, and says so") {
+TEST_CASE("a run too long for a page keeps every n-th frame and the last, with a notice") {
   const Folder folder;
   write_sample(folder / "run.h5", 41);
   const ResultsReader reader(folder / "run.h5");
@@ -185,7 +185,7 @@ TEST_CASE("a wall of 400 units over 30 s stays under 15 MB, however it shakes") 
   CHECK(page.size() < 15'000'000);
 }
 
-TEST_CASE("odd files give data too: no frame, no event, an unfinished run") {
+TEST_CASE("unusual files give data: no frame, no event, an unfinished run") {
   const Folder folder;
   write_sample(folder / "none.h5", 0);
   CHECK(head_of(view_data(ResultsReader(folder / "none.h5"))).find("\"state\":\"finished\"") != std::string::npos);
@@ -203,7 +203,7 @@ TEST_CASE("odd files give data too: no frame, no event, an unfinished run") {
   CHECK_THROWS(view_data(ResultsReader(folder / "deep.h5")));
 }
 
-TEST_CASE("text of any kind neither breaks the data nor the page") {
+TEST_CASE("text of any kind breaks neither the data nor the page") {
   const Folder folder;
   Header header = sample_header();
   header.bodies[0].name = "a \"b\" \\ </script> \n\t\x01 θ";
@@ -217,7 +217,7 @@ TEST_CASE("text of any kind neither breaks the data nor the page") {
   for (const char* outside : {"http:", "https:", "src="}) CHECK(page.find(outside) == std::string::npos);
 }
 
-TEST_CASE("a crack lies where two bodies faced each other") {
+TEST_CASE("a crack lies on the initial joint of two bodies") {
   Header header;
   const std::vector<double> brick{-0.2, -0.1, 0.2, -0.1, 0.2, 0.1, -0.2, 0.1}, none{0.0}, inertia{1.0};
   const auto add = [&](double x, double y) {
@@ -265,7 +265,7 @@ TEST_CASE("a crack is drawn on both of its bodies, as each carries its side away
   }
 }
 
-TEST_CASE("of a model in space the page gets three coordinates, quaternions, and the faces of each body") {
+TEST_CASE("the page of a model in space has three coordinates, quaternions, and the faces of each body") {
   const Folder folder;
   record_boxes(folder / "solids.h5", tumbling_boxes(), 6, 0.1);
   const ResultsReader reader(folder / "solids.h5");

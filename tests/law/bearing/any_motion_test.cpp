@@ -67,7 +67,7 @@ void move_at_random(const L& law, std::mt19937_64& bits) {
 
 }  // namespace
 
-TEST_CASE("a law with any numbers it allows, moved in any way, gives nothing but numbers, and bounds its step") {
+TEST_CASE("a bearing law with any allowed parameters gives finite numbers for any motion and bounds its step") {
   std::mt19937_64 bits(11);
   DirectionLaws::for_each([&]<class L>() {
     for (int round = 0; round < 300; ++round) {

@@ -76,7 +76,7 @@ TEST_CASE("unloading is as stiff as at first with shape 0.5, twice as stiff from
   }
 }
 
-TEST_CASE("closed loops give off their area, and a coarse step no other force") {
+TEST_CASE("closed loops dissipate their area, and a coarse step no other force") {
   BoucWenLead fine{{stiffness, yield_force, 0.05, 2, 0.6, 0}}, coarse = fine;
   for (BoucWenLead* lead : {&fine, &coarse})
     for (const double d : {3.0, -3.0, 3.0}) lead->to(d * yield_reach, lead == &fine ? 2000 : 20);
@@ -115,7 +115,7 @@ TEST_CASE("R2: a slender loop") {
   CHECK(near(steady.most_force, 145000, 0.003));
 }
 
-TEST_CASE("what wears has lost its strength and stiffness by the energy given off") {
+TEST_CASE("degradation of strength and stiffness follows the dissipated energy") {
   for (const double n : {1.0, 2.0, 5.0})
     for (const double shape : {0.5, 0.8, 1.0}) {
       LedLaw<BoucWen> led{{stiffness, yield_force, 0.1, n, shape, 0, 0.02, 0.05}};
@@ -135,8 +135,7 @@ TEST_CASE("what wears has lost its strength and stiffness by the energy given of
     }
 }
 
-TEST_CASE(
-    "what wears keeps its books to the rounding, gives off at every step, and a coarse step gives no other loop") {
+TEST_CASE("a degrading law closes its energy balance to rounding and dissipates at every step, also coarse ones") {
   for (const double shape : {0.5, 0.8, 1.0}) {
     LedLaw<BoucWen> fine{{stiffness, yield_force, 0.05, 2, shape, 0, 0.03, 0.06}}, coarse = fine;
     for (int i = 0; i < 8; ++i) {
@@ -151,7 +150,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what wears follows its equations: of z, and of the energy given off") {
+TEST_CASE("a degrading law follows its equations of z and of the dissipated energy") {
   const double a = 0.1, loss = 0.03, softening = 0.06, reach = 4;  // displacements in units of Y, energies in units of
                                                                    // yield Y
   for (const double n : {1.0, 3.0})
@@ -181,7 +180,7 @@ TEST_CASE("what wears follows its equations: of z, and of the energy given off")
     }
 }
 
-TEST_CASE("the tangent of what wears bounds its force, whatever it loses on the way") {
+TEST_CASE("the tangent of a degrading law bounds its force through any degradation") {
   for (const double n : {1.0, 2.0, 6.0})
     for (const double shape : {0.5, 0.8, 1.0})
       for (const double loss : {0.02, 0.3, 2.0}) {
@@ -194,7 +193,7 @@ TEST_CASE("the tangent of what wears bounds its force, whatever it loses on the 
       }
 }
 
-TEST_CASE("what does not wear keeps no count of its energy") {
+TEST_CASE("a law without degradation stores no energy history") {
   LedLaw<BoucWen> led{{stiffness, yield_force, 0.05, 2, 0.6, 0}};
   led.along(4 * yield_reach);
   CHECK(led.lost > 0);

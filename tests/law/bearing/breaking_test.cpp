@@ -48,7 +48,8 @@ Broken fly_off(const DirectionLaw& law) {
   return seen;
 }
 
-TEST_CASE("a cable or key that breaks is told once, as yielded, gives off what it stored, and its bearing stays") {
+TEST_CASE(
+    "a broken cable or key is reported once as yielded and dissipates its stored energy, and its bearing remains") {
   const double k = 1e6, strength = 2e4, slack = 0.01, mass = 1000;
   const double stored = 0.5 * strength * strength / k;
   for (const DirectionLaw& law :

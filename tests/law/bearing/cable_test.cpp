@@ -91,7 +91,7 @@ TEST_CASE("R7 c: a push takes a mass into a slack cable") {
   CHECK(near_zero(seen.slack - 0.152712, 2e-6));
 }
 
-TEST_CASE("a cable breaks at its strength, gives off what it stored, and is gone for good") {
+TEST_CASE("a cable breaks permanently at its strength and dissipates its stored energy") {
   const double k = 2e6, strength = 3e4;
   for (const double side : {1.0, -1.0})
     for (const double damping : {0.0, 1e4}) {
@@ -127,7 +127,7 @@ TEST_CASE("a damped cable never pushes, and carries nothing while slack") {
   CHECK(led.now.force() == 0);
 }
 
-TEST_CASE("a cable that would break as it is placed is refused") {
+TEST_CASE("a cable that would break as it is placed is rejected") {
   CHECK_NOTHROW((Cable{1e6, 0, 5e3, 5e3, 0, 1}.check()));
   CHECK_NOTHROW((Cable{1e6, 0, 5e3, 0, 0, 1}.check()));
   CHECK_THROWS_AS((Cable{1e6, 0, 5e3, 4e3, 0, 1}.check()), InputError);

@@ -78,7 +78,7 @@ double prestress(const DirectionLaw& law) {
       law);
 }
 
-TEST_CASE("no motion gives no force but that of placing and no energy, whatever the law") {
+TEST_CASE("without motion every law has only its initial force and no energy") {
   for (const DirectionSample& n : direction_samples(100)) {
     Led led{n.law, 1e-3, 5e4};
     for (int i = 0; i < 3; ++i) led.to(0);
@@ -106,7 +106,7 @@ struct Books {
   }
 };
 
-TEST_CASE("in random cyclic motion the work done is the energy stored and lost, and no law makes energy") {
+TEST_CASE("in random cyclic motion work equals stored plus dissipated energy for every law") {
   for (const double damping : {0.0, 2e3})
     for (const DirectionSample& n : direction_samples(damping))
       for (const std::uint64_t seed : {1, 2, 3}) {
@@ -117,7 +117,7 @@ TEST_CASE("in random cyclic motion the work done is the energy stored and lost, 
       }
 }
 
-TEST_CASE("the books of every law close to rounding, or with the square of the step") {
+TEST_CASE("the energy balance of every law closes to rounding, or with the square of the step") {
   for (const DirectionSample& n : direction_samples(0)) {
     const Books coarse(n.law, random_path(5, 20, 100)), fine(n.law, random_path(5, 20, 1600));
     INFO(n.name, ": ", coarse.error, " J and ", fine.error, " J");
@@ -125,7 +125,7 @@ TEST_CASE("the books of every law close to rounding, or with the square of the s
   }
 }
 
-TEST_CASE("springs, bilinear springs, sliders, keys and dampers close their books to rounding") {
+TEST_CASE("energy balances of springs, bilinear springs, sliders, keys and dampers close to rounding") {
   for (const double damping : {0.0, 2e3})
     for (const DirectionLaw& law :
          {DirectionLaw(Linear{2e5, damping}), DirectionLaw(ElasticPlastic{2e5, 3e3, 0, damping}),
@@ -166,7 +166,7 @@ bool broken(const DirectionLaw& law, const DirectionMemory& memory) {
       law);
 }
 
-TEST_CASE("tangent and dashpot of a law bound what a step's motion does to its force, but where it breaks") {
+TEST_CASE("tangent and dashpot of a law bound the change of its force in a step, except at failure") {
   const double compression = 5e4;
   for (const DirectionSample& n : direction_samples(0)) {
     const Slopes slopes(n.law, compression);
@@ -294,7 +294,7 @@ TEST_CASE("a slider carries mu N at most, and a loop loses 4 mu N (D - mu N/k)")
   CHECK(led.last.force() == 0);
 }
 
-TEST_CASE("a slider that goes live late carries nothing until it is moved on") {
+TEST_CASE("a slider that is activated late carries no force until it moves") {
   Led led{Friction{0.3, 1e7, 0}, 1e-3, 5e4, 0.25};
   led.last.memory = Friction::begin_at(0.25);
   led.to(0.25);
@@ -304,7 +304,7 @@ TEST_CASE("a slider that goes live late carries nothing until it is moved on") {
   CHECK(near(led.last.force(), 0.3 * 5e4, 1e-12));
 }
 
-TEST_CASE("the books of slider and pendulum close under a changing compression") {
+TEST_CASE("the energy balances of slider and pendulum close under a changing compression") {
   for (const DirectionLaw& law : {DirectionLaw(Friction{0.3, 1e6, 100}), DirectionLaw(Pendulum{2, 0.05, 1e6, 100}),
                                   DirectionLaw(Pendulum{2, 0.05, 1e6, 100, 0.12, 50, 0.8, 3e4})}) {
     Led led{law, 1e-3, 5e4};
@@ -319,7 +319,7 @@ TEST_CASE("the books of slider and pendulum close under a changing compression")
   }
 }
 
-TEST_CASE("every parameter of every law outside its range is refused, by name") {
+TEST_CASE("every parameter of every law outside its range is rejected, by name") {
   int refused = 0;
   DirectionLaws::for_each([&]<class L>() {
     const L sound = testing::sample<L>(testing::usual_in_bearings);
@@ -344,7 +344,7 @@ TEST_CASE("every parameter of every law outside its range is refused, by name") 
   MESSAGE(refused << " refused");
 }
 
-TEST_CASE("a table without two rising points about 0 is refused, with the point") {
+TEST_CASE("a table without two rising points about 0 is rejected, with the point") {
   const auto message = [](const Table& table) {
     try {
       table.check();

@@ -12,7 +12,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("friction goes from that at rest to that of fast sliding, as 1 - exp(-rate v)") {
+TEST_CASE("friction changes from rest to fast sliding as 1 - exp(-rate v)") {
   const double slow = 0.04, fast = 0.12, load = 2e5;
   for (const double rate : {20.0, 50.0, 100.0})
     for (const double speed : {1e-6, 0.005, 0.02, 0.1, 2.0}) {
@@ -37,7 +37,7 @@ TEST_CASE("friction of a power of the load is mu N at its reference and less tha
   CHECK(lifted.now.force() == 0);
 }
 
-TEST_CASE("without a fast friction and a power of the load, no bit depends on speed or reference") {
+TEST_CASE("without fast friction and load exponent no bit depends on speed or reference load") {
   LedLaw<Friction> plain{{0.3, 1e7, 20}, 1e-3, 5e4}, set{{0.3, 1e7, 20, 0, 80, 1, 3e5}, 1e-3, 5e4};
   LedLaw<Pendulum> dish{{2, 0.3, 1e7, 20}, 1e-3, 5e4}, set_dish{{2, 0.3, 1e7, 20, 0, 80, 1, 3e5}, 1e-3, 5e4};
   CHECK(plain.law.dashpot() == 20);
@@ -50,7 +50,7 @@ TEST_CASE("without a fast friction and a power of the load, no bit depends on sp
   }
 }
 
-TEST_CASE("a power of the load without its reference is refused, under the law's own name") {
+TEST_CASE("a load exponent without its reference load is rejected with the name of the law") {
   CHECK_NOTHROW((Friction{0.1, 1e7, 0, 0, 50, 0.85, 1e6}.check()));
   CHECK_THROWS_WITH_AS((Friction{0.1, 1e7, 0, 0, 50, 0.85, 0}.check()), doctest::Contains("friction: load_exponent"),
                        InputError);
@@ -74,7 +74,7 @@ TEST_CASE("D3, R4 in one direction: at its reach a pendulum carries N d / R and 
   CHECK(near(led.lost - before, 40e3, 0.01));
 }
 
-TEST_CASE("R6: a weight let go on a pendulum turns nearer by 2 mu R each time, and stays within mu R") {
+TEST_CASE("R6: the amplitude of a released weight on a pendulum falls by 2 mu R per half swing and ends within mu R") {
   const double radius = 2, mu = 0.02, mass = 1e5, gravity = 9.80665, from = 0.22, dt = 2e-5;
   MassOn<Pendulum> m{mass, dt, {{radius, mu, 1e9, 0}}, from};
   m.compression = mass * gravity;

@@ -58,7 +58,7 @@ Vec2 turned(const Vec2& v, double angle) {
 
 }  // namespace
 
-TEST_CASE("both directions: which laws there are") {
+TEST_CASE("both directions: list of laws") {
   std::string names;
   DirectionLaws::for_each([&]<class L>() {
     if constexpr (HorizontalLaw<L>) names += std::string(L::name) + " ";
@@ -67,7 +67,7 @@ TEST_CASE("both directions: which laws there are") {
 }
 
 TEST_CASE(
-    "both directions: along any straight line the force is that of the law of one direction, and points along it") {
+    "both directions: along any straight line the force equals the one-directional law and points along the line") {
   for_samples([]<class L>(const L& law) {
     for (const double azimuth : {0.0, 0.3, 1.1, 2.5, 4.0}) {
       const Vec2 way(std::cos(azimuth), std::sin(azimuth));
@@ -97,7 +97,7 @@ TEST_CASE("both directions: turning the path turns the force") {
   });
 }
 
-TEST_CASE("both directions: what goes in is stored or given off, and nothing is made") {
+TEST_CASE("both directions: work is stored or dissipated, and no energy is created") {
   for_samples([]<class L>(const L& law) {
     LedBoth<L> led{law, 1e-3, 1e4};
     for (int i = 1; i <= 5000; ++i) led.to(wandering(2e-3 * i));
@@ -123,7 +123,7 @@ TEST_CASE("both directions: friction round a circle is mu N, and drags behind th
   CHECK(near(again.lost - led.lost, mu * compression * 2 * M_PI * std::sqrt(radius * radius - 1.6e-3 * 1.6e-3), 1e-5));
 }
 
-TEST_CASE("R4: a friction pendulum led round a circle carries N r / R across it and mu N against its motion") {
+TEST_CASE("R4: a friction pendulum moved on a circle carries N r / R across it and mu N against its motion") {
   const double radius = 0.2, compression = 1e6;
   LedBoth<Pendulum> led{{.radius = 2, .mu = 0.05, .stiffness = 1e9}, 1e-4, compression};
   led.round(radius, 1, 100000);
@@ -136,7 +136,7 @@ TEST_CASE("R4: a friction pendulum led round a circle carries N r / R across it 
   CHECK(near(led.lost - before.lost, 62.832e3, 0.005));
 }
 
-TEST_CASE("R5: a bearing that yields, led round a circle, drags behind by its elastic reach") {
+TEST_CASE("R5: a bearing that yields, moved on a circle, drags behind by its elastic reach") {
   const double radius = 0.02;
   LedBoth<ElasticPlastic> led{{1e7, 5e4, 0, 0}};
   led.at = {radius, 0}, led.now.memory.inner = along_across(led.at);  // unloaded on the circle

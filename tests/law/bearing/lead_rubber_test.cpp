@@ -41,7 +41,7 @@ TEST_CASE("the first stiffness of a lead rubber bearing is as given, or its rati
   }
 }
 
-TEST_CASE("a first stiffness that is not above the second is refused, with both") {
+TEST_CASE("a first stiffness that is not above the second is rejected, with both") {
   CHECK_NOTHROW((LeadRubber{9e4, 1e6, 1.01e6, 10, 0}.check()));
   CHECK_NOTHROW((LeadRubber{9e4, 1e6, 0, 10, 0}.check()));
   CHECK_THROWS_AS((LeadRubber{9e4, 1e6, 1e6, 10, 0}.check()), InputError);

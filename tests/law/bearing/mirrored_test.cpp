@@ -31,7 +31,7 @@ void check_mirror(const L& law) {
   CHECK(work > 0);
 }
 
-TEST_CASE("the mirror of a bearing's law resists as the law does where all is led the other way") {
+TEST_CASE("a mirrored bearing law gives the force of the law for the opposite displacement") {
   DirectionLaws::for_each([]<class L>() {
     for (L law : samples<L>(usual_in_bearings)) {
       check_mirror(law);

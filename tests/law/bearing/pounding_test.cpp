@@ -43,7 +43,7 @@ Impact impact(const L& law, std::array<double, 2> mass, std::array<double, 2> v,
 
 }  // namespace
 
-TEST_CASE("R9: two masses that meet have the textbook's impact, where the dashpot may pull") {
+TEST_CASE("R9: with a pulling dashpot two colliding masses have the impact of the textbook") {
   const std::array<double, 2> mass{200e3, 100e3};
   const Pounding law{2e8, 0.01, 0.65, mass[0] * mass[1] / (mass[0] + mass[1]), -1, 1};
   CHECK(near(law.damping_ratio(), 0.135851, 1e-5));
@@ -61,7 +61,7 @@ TEST_CASE("R9: two masses that meet have the textbook's impact, where the dashpo
   CHECK(seen.least_force < 0);
 }
 
-TEST_CASE("R9: the shares of critical damping for a restitution, where the dashpot may pull and where it may not") {
+TEST_CASE("R9: damping ratios for a restitution, with and without a pulling dashpot") {
   struct Row {
     double restitution, clipped, pulling;
   };
@@ -73,7 +73,7 @@ TEST_CASE("R9: the shares of critical damping for a restitution, where the dashp
   for (const double pull : {0.0, 1.0}) CHECK(Pounding{1e8, 0, 1, 1e5, -1, pull}.damping_ratio() == 0);
 }
 
-TEST_CASE("R9: a gap with the dashpot of .65 gives .67475, as it does not pull, and .65 where it may") {
+TEST_CASE("R9: a gap with the dashpot for 0.65 has a restitution of 0.67475 without pull and 0.65 with pull") {
   const double m = 2e5 / 3, c = 2 * 0.135851 * std::sqrt(2e8 * m);
   for (const double pull : {0.0, 1.0}) {
     const Impact seen = impact(Gap{2e8, 0.01, c, -1, pull}, {200e3, 100e3}, {0.6, -0.2}, 0.01, 1e-6);
@@ -82,7 +82,7 @@ TEST_CASE("R9: a gap with the dashpot of .65 gives .67475, as it does not pull, 
   }
 }
 
-TEST_CASE("the restitution of pounding comes out, from hardly any to a full one") {
+TEST_CASE("pounding has the given restitution, from nearly 0 to 1") {
   for (const double pull : {0.0, 1.0})
     for (const double e : {0.14, 0.2, 0.4, 0.65, 0.9, 1.0}) {
       const Impact seen = impact(Pounding{2e8, 0.01, e, 2e5 / 3, -1, pull}, {200e3, 100e3}, {0.6, -0.2}, 0.01, 1e-6);

@@ -32,7 +32,7 @@ TEST_CASE("a key is a spring up to its strength, on either side") {
   }
 }
 
-TEST_CASE("a key without friction gives off at the break what it stored, and carries nothing from then on") {
+TEST_CASE("a broken key without friction dissipates its stored energy and carries no force") {
   LedLaw<ShearKey> led{{key_stiffness, key_strength, 0, 0}};
   led.along(1.0001 * key_reach, 20000);
   CHECK(near(led.lost, 0.5 * key_strength * key_strength / key_stiffness, 1e-3));
@@ -46,7 +46,7 @@ TEST_CASE("a key without friction gives off at the break what it stored, and car
   CHECK(std::abs(led.unbooked()) <= 1e-12 * led.work);
 }
 
-TEST_CASE("a key with friction rubs with its share once broken: a loop gives off 4 r F (D - r F / k)") {
+TEST_CASE("a key with friction rubs with its share once broken: a loop dissipates 4 r F (D - r F / k)") {
   for (const double residual : {0.1, 0.4, 1.0}) {
     LedLaw<ShearKey> led{{key_stiffness, key_strength, residual, 0}};
     const double reach = 5 * key_reach, rubs = residual * key_strength;
@@ -60,7 +60,7 @@ TEST_CASE("a key with friction rubs with its share once broken: a loop gives off
   }
 }
 
-TEST_CASE("the dashpot of a key goes with it") {
+TEST_CASE("the dashpot of a key fails with it") {
   LedLaw<ShearKey> led{{key_stiffness, key_strength, 0, 1e5}, 1e-3};
   led.along(0.9 * key_reach, 9);
   CHECK(near(led.now.force(), 0.9 * key_strength + 1e5 * 0.1 * key_reach / 1e-3, 1e-9));

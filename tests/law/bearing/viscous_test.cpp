@@ -60,7 +60,7 @@ TEST_CASE("a mass on a damper of a power comes to rest in a finite time, at the 
   CHECK(near(m.x, std::pow(v0, 2 - a) * mass / ((2 - a) * c), 0.03));  // first order in this longest step
 }
 
-TEST_CASE("a damper on a spring that is held lets its force go, exponentially or as its power has it") {
+TEST_CASE("the force of a damper on a held spring relaxes exponentially or by its power law") {
   const double k = 1e6, c = 1e5, reach = 0.03, dt = 1e-4;
   LedLaw<Maxwell> linear{{k, c, 1, 1}, dt}, power{{k, c, 1, 0.5}, dt};
   linear.to(reach), power.to(reach);

@@ -66,7 +66,7 @@ SpaceMemory memory_of(const SpaceVector& flown, double measure) {
 
 }  // namespace
 
-TEST_CASE("a solid in plane strain and in plane stress answers as in space, step upon step") {
+TEST_CASE("a solid law in plane strain and plane stress equals the law in space, step by step") {
   for_each_in_space([](const auto& law) {
     for (const Plane plane : {Plane::strain, Plane::stress}) {
       std::mt19937_64 bits(3);
@@ -93,7 +93,7 @@ TEST_CASE("a solid in plane strain and in plane stress answers as in space, step
   });
 }
 
-TEST_CASE("a solid in space answers a turned strain and memory with the turned stress and memory") {
+TEST_CASE("a solid law in space gives rotated stress for rotated strain") {
   for_each_in_space([](const auto& law) {
     std::mt19937_64 bits(4);
     std::uniform_real_distribution<double> share(-1, 1);

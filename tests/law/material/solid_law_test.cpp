@@ -138,7 +138,7 @@ TEST_CASE("pulled on all sides both end at the tip of their surface, or at the c
   }
 }
 
-TEST_CASE("any walk of strain comes back to the surface, dissipates and closes its energy") {
+TEST_CASE("any strain path returns to the yield surface, dissipates energy and closes its balance") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int round = 0; round < 8; ++round) {
@@ -152,7 +152,7 @@ TEST_CASE("any walk of strain comes back to the surface, dissipates and closes i
   }
 }
 
-TEST_CASE("a law's answer turns with the strain") {
+TEST_CASE("the stress of a law rotates with the strain") {
   const auto turned = [](const PlaneVector& e, double angle, double shear) {
     const double cc = std::cos(2 * angle), ss = std::sin(2 * angle), m = 0.5 * (e[0] + e[1]), d = 0.5 * (e[0] - e[1]),
                  h = e[2] / shear;
@@ -169,7 +169,7 @@ TEST_CASE("a law's answer turns with the strain") {
     }
 }
 
-TEST_CASE("laws of no strength or of more dilation than friction are refused") {
+TEST_CASE("laws of no strength or of more dilation than friction are rejected") {
   CHECK_THROWS_AS((MohrCoulomb{young, poisson, 0, 0, 0}.check()), InputError);
   CHECK_THROWS_AS((MohrCoulomb{young, poisson, 1e6, 0.2, 0.3}.check()), InputError);
   CHECK_THROWS_AS((DruckerPrager{young, poisson, 1e6, 0.2, 0.3}.check()), InputError);

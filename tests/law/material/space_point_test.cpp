@@ -40,7 +40,7 @@ SpaceVector turned(const Eigen::Matrix3d& r, const SpaceVector& v, double shear)
   return (SpaceVector() << t(0, 0), t(1, 1), t(2, 2), shear * t(0, 1), shear * t(1, 2), shear * t(2, 0)).finished();
 }
 
-TEST_CASE("a law in space does in plane strain what it does in the plane, step upon step") {
+TEST_CASE("a law in space equals the plane law in plane strain, step by step") {
   std::mt19937_64 bits(1);
   std::uniform_real_distribution<double> share(-1, 1);
   for_each_law([&](const auto& law, double size) {
@@ -64,7 +64,7 @@ TEST_CASE("a law in space does in plane strain what it does in the plane, step u
   });
 }
 
-TEST_CASE("a law in space answers a turned strain with the turned stress") {
+TEST_CASE("a law in space gives rotated stress for rotated strain") {
   std::mt19937_64 bits(2);
   std::uniform_real_distribution<double> share(-1, 1);
   for_each_law([&](const auto& law, double size) {
@@ -97,7 +97,7 @@ TEST_CASE("J2 in space: pulled along one axis it hardens along its line, from al
   CHECK(near(squeezed.stress[0], -.01 * law.young / (1 - 2 * law.poisson), 1e-12));
 }
 
-TEST_CASE("Mohr-Coulomb in space: squeezed along one axis within a pressure from all sides it holds its known limit") {
+TEST_CASE("Mohr-Coulomb in space: triaxial compression has its known limit") {
   const MohrCoulomb law = soil();
   const double cell = 50e3, sine = std::sin(law.friction), cosine = std::cos(law.friction);
   const double limit = cell * (1 + sine) / (1 - sine) + 2 * law.cohesion * cosine / (1 - sine);

@@ -72,14 +72,14 @@ TEST_CASE("concrete unloads along one line to the plastic strain of Karsan and J
   }
 }
 
-TEST_CASE("a little compression is given back along the first slope") {
+TEST_CASE("a small compression unloads along the initial slope") {
   LedFibre<KentPark> led{{fc, 0.002, 0.01, 0.2, 1, 0, 0}};
   led.along(-0.2 * 0.002);
   led.along(-0.19 * 0.002, 1);
   CHECK(near(led.now.tangent, 2 * fc / 0.002, 1e-12));
 }
 
-TEST_CASE("a crack opens along its line, closes to where it began, and has cost its energy") {
+TEST_CASE("a crack opens along its softening line, closes to the origin, and has dissipated its energy") {
   const double tension = 3e6, end = 5e-4, young = 2 * fc / 0.002, first = tension / young;
   LedFibre<KentPark> led{{fc, 0.002, 0.006, 0.2, 1, tension, end}};
   led.along(first, 10);
@@ -109,7 +109,7 @@ TEST_CASE("concrete without tension has none, and without an end of tension it c
   CHECK(brittle.now.stress() == 0);
 }
 
-TEST_CASE("what a step over the kink of a closed crack gives back falls with the square of the step") {
+TEST_CASE("the energy error of a step over the kink of a closed crack falls with the square of the step") {
   double before = 0;
   for (const int steps : {10, 20, 40, 80}) {
     LedFibre<KentPark> led{{fc, 0.002, 0.006, 0.2, 1, 3e6, 1e-3}};
@@ -130,7 +130,7 @@ TEST_CASE("crushed concrete has lost its tension too") {
   CHECK(led.now.stress() == 0);
 }
 
-TEST_CASE("concrete that does not fit is refused") {
+TEST_CASE("concrete that does not fit is rejected") {
   CHECK_THROWS_AS((KentPark{fc, 0.002, 0.0021, 0.2, 1.1, 0, 0}.check()), InputError);
   CHECK_THROWS_AS((KentPark{fc, 0.002, 0.006, 0.2, 1, 2 * fc, 0}.check()), InputError);
   CHECK_THROWS_AS((Mander{fc, 10e9, 0.002, 0.006, 0, 1, 0, 0}.check()), InputError);

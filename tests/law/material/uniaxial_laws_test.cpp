@@ -56,7 +56,7 @@ double next_strain(double at, int i, std::mt19937_64& bits) {
 
 }  // namespace
 
-TEST_CASE("what a fibre stores and gives off is its work, over any strains and steps") {
+TEST_CASE("stored plus dissipated energy of a fibre is its work, for any strains and steps") {
   std::mt19937_64 bits(3);
   for_each_fibre_law([&](const auto& law) {
     using L = std::decay_t<decltype(law)>;
@@ -76,8 +76,7 @@ TEST_CASE("what a fibre stores and gives off is its work, over any strains and s
   });
 }
 
-TEST_CASE(
-    "loops of strain give energy off: at every time where the law says so, else but for 1e-4 of what was stored") {
+TEST_CASE("strain loops dissipate energy at every instant, or up to 1e-4 of the stored energy") {
   std::mt19937_64 bits(4);
   for_each_fibre_law([&](const auto& law) {
     for (int round = 0; round < 20; ++round) {
@@ -94,7 +93,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("a tangent of a fibre is that of finite differences, and none is above the stiffest") {
+TEST_CASE("the tangent of a fibre matches finite differences and is at most the stiffest") {
   std::mt19937_64 bits(5);
   for_each_fibre_law([&](const auto& law) {
     LedFibre<std::decay_t<decltype(law)>> led{law};
@@ -120,7 +119,7 @@ TEST_CASE("a tangent of a fibre is that of finite differences, and none is above
   });
 }
 
-TEST_CASE("where a fibre has come to it stays, and the stress never leaps within its tangent on the way back") {
+TEST_CASE("a fibre keeps its state, and its stress on unloading stays within its tangent") {
   std::mt19937_64 bits(6);
   for_each_fibre_law([&](const auto& law) {
     LedFibre<std::decay_t<decltype(law)>> led{law};
@@ -143,7 +142,7 @@ TEST_CASE("a new fibre has no stress, and begins with a tangent that is not abov
   });
 }
 
-TEST_CASE("a fibre with any numbers it allows, strained in any way, gives nothing but numbers") {
+TEST_CASE("a fibre law with any allowed parameters gives finite numbers for any strain") {
   std::mt19937_64 bits(13);
   UniaxialLaws::for_each([&]<class L>() {
     int sound = 0;

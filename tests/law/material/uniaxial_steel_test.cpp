@@ -82,7 +82,7 @@ TEST_CASE("Menegotto and Pinto: each curve is their equation, from reversal to r
   }
 }
 
-TEST_CASE("Menegotto and Pinto: goes to its line of hardening, and with a3 to one that is shifted") {
+TEST_CASE("Menegotto and Pinto: the curve approaches its hardening line, shifted with a3") {
   for (const double a3 : {0.0, 0.05}) {
     LedFibre<MenegottoPinto> led{{modulus, yield_stress, 0.01, 20, 0.9, 0.15, a3, 2}};
     led.along(8 * yield_strain), led.along(-100 * yield_strain, 4000);
@@ -100,7 +100,7 @@ TEST_CASE("Menegotto and Pinto with a sharp corner is near bilinear steel, howev
   }
 }
 
-TEST_CASE("steel that does not fit is refused") {
+TEST_CASE("steel that does not fit is rejected") {
   CHECK_THROWS_AS((MenegottoPinto{modulus, yield_stress, 0.01, 10, 0.95, 0.15, 0, 1}.check()), InputError);
   CHECK_NOTHROW((MenegottoPinto{modulus, yield_stress, 0.01, 20, 0.925, 0.15, 0, 1}.check()));
   CHECK_THROWS_AS(check_parameters(BilinearSteel{modulus, 0, 0, 0}), InputError);

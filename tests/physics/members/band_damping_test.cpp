@@ -63,7 +63,7 @@ Swing swing(Model<2> model, double hertz, std::optional<AlphaScheme> scheme) {
 
 }  // namespace
 
-TEST_CASE("damping over a band: the ratio of free vibration is that asked for at five frequencies of it") {
+TEST_CASE("damping over a band: free vibration has the requested ratio at five frequencies") {
   for (const double ratio : {0.02, 0.05}) {
     const BandDamping band{ratio, 1, 20};
     for (const double hertz : {1.0, 2.1, 4.5, 9.5, 20.0}) {
@@ -76,7 +76,7 @@ TEST_CASE("damping over a band: the ratio of free vibration is that asked for at
   }
 }
 
-TEST_CASE("damping over a band: implicit steps swing down as explicit ones do, and what is lost is in the ledger") {
+TEST_CASE("damping over a band: implicit and explicit steps decay the same, with the loss in the energy balance") {
   const BandDamping band{0.03, 1, 20};
   for (const double hertz : {2.1, 9.5}) {
     const Swing by_explicit = swing(mast(hertz, band), hertz, std::nullopt);
@@ -88,7 +88,7 @@ TEST_CASE("damping over a band: implicit steps swing down as explicit ones do, a
   }
 }
 
-TEST_CASE("damping over a band: modes tell the ratio that free vibration has") {
+TEST_CASE("damping over a band: modes give the ratio that free vibration has") {
   const BandDamping band{0.04, 0.5, 30};
   for (const double hertz : {0.7, 6.0, 25.0}) {
     const Model<2> model = mast(hertz, band);
@@ -122,7 +122,7 @@ TEST_CASE("damping over a band costs the square root of its stiffening of the lo
   }
 }
 
-TEST_CASE("damping over a band is none at rest: what stands under its weight stands where it would without") {
+TEST_CASE("damping over a band does not change the position of rest") {
   BodySpec spec = beam_body("beam", {0, 0}, {3, 0}, rectangle_section(0.1, 0.2), "steel", 4);
   spec.frame->joints[0].support = held;
   const auto sag = [&](const std::optional<BandDamping>& band) {
@@ -140,7 +140,7 @@ TEST_CASE("damping over a band is none at rest: what stands under its weight sta
   CHECK(near(sag(BandDamping{0.1, 1, 50}), sag(std::nullopt), 1e-9));
 }
 
-TEST_CASE("damping over a band: the tangent is that of central differences") {
+TEST_CASE("damping over a band: the tangent matches central differences") {
   Material steel = elastic_material("steel", 7850, 2.1e11);
   steel.band = BandDamping{0.1, 1, 50};
   const Model<2> model = of_frames(steel, {beam_body("beam", {0, 0}, {2, 1}, rectangle_section(0.1, 0.2), "steel", 1)});
@@ -171,7 +171,7 @@ TEST_CASE("damping over a band: the tangent is that of central differences") {
   }
 }
 
-TEST_CASE("damping over a band: bands that cannot be had are refused") {
+TEST_CASE("damping over a band: impossible bands are rejected") {
   CHECK_THROWS_WITH_AS(damping_branches({0.02, 5, 5}), doctest::Contains("its end must be above its beginning"),
                        InputError);
   CHECK_THROWS_WITH_AS(damping_branches({0.02, 1e-4, 1e4}), doctest::Contains("is wider than 6.3 decades"), InputError);

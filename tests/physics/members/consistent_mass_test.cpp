@@ -54,7 +54,7 @@ TEST_CASE("a cantilever of 1, 2 and 4 beams with consistent mass has the frequen
   CHECK(near((exact[0] - low[1][0]) / (exact[0] - low[2][0]), 4, 0.15));
 }
 
-TEST_CASE("forces of inertia of a turning beam are Lagrange's, and none bends what turns as a rigid bar") {
+TEST_CASE("inertia forces of a rotating beam are Lagrange's, and none bends a rigidly rotating beam") {
   const Section section = rectangle_section(0.3, 0.5);
   const double length = 2;
   for (const std::array<bool, 2> pinned : {std::array{false, false}, std::array{true, false}, std::array{true, true}}) {
@@ -148,7 +148,7 @@ TEST_CASE("a free bar with consistent mass turns on and keeps energy, and its mo
 // The rotation of a beam's own deflected shape is no part of its velocities (docs/theory/frames.md). So flight bends a
 // rotating beam, and the mean of its ends is not its centre of mass. Both errors are of second order in the length of
 // the beams, whatever the step.
-TEST_CASE("the middle of a bar that flies and turns is astray by the square of its beams' length, at rest not at all") {
+TEST_CASE("the error of the centre of a flying and rotating bar falls with the square of the beam length") {
   std::array<double, 3> astray{};
   for (const int i : {0, 1, 2})
     for (const double speed : {0.0, 0.5}) {
@@ -164,7 +164,7 @@ TEST_CASE("the middle of a bar that flies and turns is astray by the square of i
   CHECK(astray[2] < 0.35 * astray[1]);
 }
 
-TEST_CASE("damping by mass brakes a bar with consistent mass in flight and turn alike, all of it in the ledger") {
+TEST_CASE("mass damping brakes flight and rotation of a bar with consistent mass, all in the energy balance") {
   for (const int beams : {1, 3}) {
     const double c = 2;
     Simulation<2> sim(flying_bar(beams, 0.5, 3, c));
@@ -201,7 +201,7 @@ TEST_CASE("effective masses of all modes are the mass that is free to move, lump
   }
 }
 
-TEST_CASE("a state in the midst of implicit steps with consistent mass goes on with the same bits") {
+TEST_CASE("a state within implicit steps with consistent mass continues with the same bits") {
   BodySpec spec = beam_body("post", {0, 0}, {0, 3}, rectangle_section(0.2, 0.2), "steel", 3);
   spec.frame->consistent = true, spec.frame->joints[0].support = held;
   spec.frame->joints[1].mass = 5e3;
@@ -230,7 +230,7 @@ TEST_CASE("a state in the midst of implicit steps with consistent mass goes on w
   }
 }
 
-TEST_CASE("a cantilever with consistent mass swings in implicit steps as its modes say, on a base that moves too") {
+TEST_CASE("a cantilever with consistent mass follows its modes in implicit steps, also on a moving base") {
   BodySpec spec = beam_body("post", {0, 0}, {0, 3}, rectangle_section(0.2, 0.2), "steel", 3);
   spec.frame->consistent = true, spec.frame->joints[0].support = held;
   spec.frame->joints[1].mass = 5e4;  // so heavy that the post has a single mode

@@ -76,7 +76,7 @@ TEST_CASE("a frame with a block in free flight keeps its momenta, in explicit an
   }
 }
 
-TEST_CASE("a block that is a footing stands on the ground with its faces and carries what stands on it") {
+TEST_CASE("a block as a footing stands on the ground with its faces and carries its load") {
   Scene scene(Frictional{1e9, 5e8, 0.6, 1e-4});
   scene.builder.add_material(elastic_material("steel", density, young));
   scene.fixed("ground", box(-5, -1, 5, 0));
@@ -98,7 +98,7 @@ TEST_CASE("a block that is a footing stands on the ground with its faces and car
   CHECK(near(sunk, weight / (1e9 * 2 * model.thickness), 1e-4));
 }
 
-TEST_CASE("blocks of joints that are not convex, or not about their joint, are refused") {
+TEST_CASE("blocks of joints that are not convex, or not about their joint, are rejected") {
   const auto built = [](const Polygon& block, const Vec2& place) {
     BodySpec spec = post_with_block();
     spec.frame->joints[1].block = block, spec.frame->joints[1].place = place;

@@ -51,8 +51,7 @@ TEST_CASE("F13: a loaded beam lifts off its bed where a beam on a bed without te
   }
 }
 
-TEST_CASE(
-    "F12: of two bars that meet end to end, the short one stays behind at rest and the long one goes on ringing") {
+TEST_CASE("F12: of two bars that collide end to end the short one stops and the long one keeps vibrating") {
   Scene scene = weightless(Frictional{3e14, 0, 0, 0});
   scene.builder.add_material(elastic_material("concrete", 2400, 30e9));
   const Section section = rectangle_section(1, 0.2);
@@ -104,7 +103,7 @@ TEST_CASE("a beam on two piers sags as one on two supports at their edges, its e
   CHECK(near(sag_on_piers(34), exact, 0.01));
 }
 
-TEST_CASE("a falling girder and what it lands on exchange momentum, and the ledger closes") {
+TEST_CASE("a falling girder and its support exchange momentum, and the energy balance closes") {
   Scene scene(Frictional{1e9, 4e8, 0.4, 2e-5});
   scene.builder.add_material(elastic_material("concrete", 2400, 30e9, 0.2, 1e-6));
   scene.fixed("ground", box(-20, -1, 20, 0));
@@ -161,7 +160,7 @@ TEST_CASE("a column follows the ground that its foot is driven with, and swings 
   CHECK(near(most, exact, 0.01));
 }
 
-TEST_CASE("a frame that goes on from a saved state has the bits of one that never stopped") {
+TEST_CASE("a frame continued from a saved state gives the same bits as one that never stopped") {
   const auto scene = [] {
     Scene s(Frictional{1e9, 4e8, 0.4, 2e-5});
     s.builder.add_material(elastic_material("concrete", 2400, 30e9, 0.2, 1e-6));
@@ -178,7 +177,7 @@ TEST_CASE("a frame that goes on from a saved state has the bits of one that neve
   CHECK(whole.state().time > 0.5);
 }
 
-TEST_CASE("what no frame can be is refused, with what to do") {
+TEST_CASE("invalid frames are rejected with a remedy") {
   const auto refusal = [](auto&& change) -> std::string {
     ModelBuilder builder;
     builder.add_material(elastic_material("m", 2400, 1e9));
@@ -249,7 +248,7 @@ std::array<bool, 2> faces_at_b(const BodySpec& spec) {
   return {is_face(1, 1), is_face(2, 3)};
 }
 
-TEST_CASE("an end of a member is a face unless what meets it covers it whole") {
+TEST_CASE("the end of a member is a face unless another member covers it completely") {
   using Faces = std::array<bool, 2>;
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 2, 0.2}})) == Faces{true, false});
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.2}, {1, 2, 0.6}})) == Faces{false, true});
@@ -262,7 +261,7 @@ TEST_CASE("an end of a member is a face unless what meets it covers it whole") {
   CHECK(faces_at_b(meeting_at_b({{0, 1, 0.6}, {1, 3, 0.2}}, box(-0.2, 0.7, 0.2, 1.3))) == Faces{true, false});
 }
 
-TEST_CASE("a block stands on the ledge of a column and on its head beside a beam, set down or dropped") {
+TEST_CASE("a block stands on the ledge of a column and on its head next to a beam, set down or dropped") {
   struct Ledge {
     MemberOf above;
     double x, width;

@@ -88,7 +88,7 @@ TEST_CASE("B1: a rigid turn of a frame by any angle, over several full turns, ma
   }
 }
 
-TEST_CASE("dampings of beams take the power that the ledger books, and none in a rigid motion") {
+TEST_CASE("dampings of beams take the power in the energy balance, and none in a rigid motion") {
   const Model<2> model = of_frames(elastic_material("m", 2400, frame_young, 0.2, 1e-3), {odd_frame()});
   State<2> state = bent_state(model, 0.7);
   Work<2> work;
@@ -186,7 +186,7 @@ TEST_CASE("B6: a steel cantilever swings at its frequencies") {
   }
 }
 
-TEST_CASE("F10: a deep cantilever deflects by bending and, where it is asked for, by shear") {
+TEST_CASE("F10: a deep cantilever deflects by bending and, where it is requested, by shear") {
   for (const bool shear : {false, true}) {
     BodySpec spec = beam_body("beam", {0, 0}, {1.2, 0}, rectangle_section(0.1, 0.4), "m", 3);
     spec.frame->joints[0].support = held;
@@ -282,7 +282,7 @@ TEST_CASE("F11: a force that moves over a simple beam deflects it more than one 
   }
 }
 
-TEST_CASE("F15: a beam that falls flat and is caught at its ends swings through as the sum of its modes") {
+TEST_CASE("F15: a beam that falls flat onto its end supports deflects as the sum of its modes") {
   BodySpec spec = beam_body("beam", {0, 0}, {8, 0}, rectangle_section(0.3, 0.5), "m", 40);
   spec.frame->joints[0].support = hinged;
   spec.frame->joints[1].support = {Support::free, Support::fixed, Support::free};

@@ -28,7 +28,7 @@ Vibration vibration(const AlphaScheme& scheme, double step, double duration = 20
   return Vibration(history_of({Linear{unit_stiffness, 0}, 1, 1}, implicit_stage(scheme, duration, step)), from);
 }
 
-TEST_CASE("I1: average acceleration keeps the amplitude and lengthens the period as the formula says") {
+TEST_CASE("I1: average acceleration keeps the amplitude and lengthens the period by the formula") {
   for (const double h : {0.02, 0.05, 0.1, 0.2}) {
     const Vibration v = vibration(AlphaScheme::hht(0), h, 100);
     const double w = 2 * M_PI * h, longer = (w / 2) / std::atan(w / 2) - 1;
@@ -38,7 +38,7 @@ TEST_CASE("I1: average acceleration keeps the amplitude and lengthens the period
   }
 }
 
-TEST_CASE("I2: HHT damps and lengthens as its amplification matrix says") {
+TEST_CASE("I2: damping and period error of HHT follow its amplification matrix") {
   struct Row {
     double alpha, step, radius, longer;
   };
@@ -53,7 +53,7 @@ TEST_CASE("I2: HHT damps and lengthens as its amplification matrix says") {
   }
 }
 
-TEST_CASE("I3: generalised alpha damps and lengthens as its spectral radius says") {
+TEST_CASE("I3: damping and period error of generalised alpha follow its spectral radius") {
   struct Row {
     double radius, at_tenth, at_fifth, longer;
   };
@@ -121,7 +121,7 @@ Simulation<2> falling_block(double k, double mass, double height) {
   return scene.start();
 }
 
-TEST_CASE("I9: twenty bounces on a spring that only pushes keep their height and their period") {
+TEST_CASE("I9: twenty bounces on a compression-only spring keep height and period") {
   Simulation<2> sim = falling_block(4e6, 1000, 0.5);
   const int node = node_of(sim.model(), "block");
   double deepest = 0, highest = 0, last = 1;
@@ -170,7 +170,7 @@ struct ShakenBlock {
   std::int64_t steps = 0;
 };
 
-TEST_CASE("a block that slides on a shaken base goes as far in implicit steps as in explicit ones") {
+TEST_CASE("a block on a shaken base slides the same distance with implicit and explicit steps") {
   StageOptions explicitly;
   explicitly.duration = 4;
   StageOptions implicitly = adaptive_stage(AlphaScheme::hht(-0.05), 4, 0.005);
@@ -188,7 +188,7 @@ TEST_CASE("a block that slides on a shaken base goes as far in implicit steps as
   CHECK(off < 0.02 * most);
 }
 
-TEST_CASE("the state in the midst of an implicit stage goes on with the same bits") {
+TEST_CASE("the state within an implicit stage continues with the same bits") {
   const StageOptions whole = adaptive_stage(AlphaScheme::hht(-0.05), 0.6, 0.005);
   Simulation<2> once = falling_block(4e8, 1000, 0.05);
   once.run(whole);
@@ -209,7 +209,7 @@ TEST_CASE("the state in the midst of an implicit stage goes on with the same bit
   CHECK(state_hash(on.state()) == state_hash(once.state()));
 }
 
-TEST_CASE("a step that cannot converge changes no state and says where it fails") {
+TEST_CASE("a step that does not converge changes no state and reports the place") {
   // A law so steep about 0 that the floating-point resolution of a position cannot represent its force.
   Table steep;
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
@@ -243,7 +243,7 @@ TEST_CASE("a body that leaves the bounds in an implicit stage stands still from 
   CHECK(std::abs(sim.energy().balance() - 1250.5) < 1e-6);
 }
 
-TEST_CASE("explicit, implicit, explicit again: the ledger goes on and so does the motion") {
+TEST_CASE("explicit, implicit, explicit again: the energy balance stays closed and the motion is continuous") {
   Simulation<2> sim(MassOnLaw{Linear{unit_stiffness, 0.3}, 1, 1}.model());
   const int node = node_of(sim.model(), "mass");
   run_for(sim, 0.37, 1e-4);

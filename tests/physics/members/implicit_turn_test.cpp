@@ -100,7 +100,7 @@ TEST_CASE("a free body of three inertias keeps momentum and energy by average ac
   }
 }
 
-TEST_CASE("HHT keeps the momentum of a free body and the ledger has what it takes of the energy") {
+TEST_CASE("HHT conserves the momentum of a free body, and the energy balance contains its dissipation") {
   Simulation<3> sim(free_body({0.3, 0.5, 1.1}, {0.7, 3, 0.4}));
   const Vec3 momentum = turning_momentum(sim.model(), sim.state(), 0);
   const double energy = 0.5 * momentum.dot(sim.state().spin[0]);
@@ -110,7 +110,7 @@ TEST_CASE("HHT keeps the momentum of a free body and the ledger has what it take
   CHECK(near(sim.energy().balance(), energy, 1e-9));
 }
 
-TEST_CASE("T33: a free symmetric body turns about its axis and that goes round, by implicit steps and explicit ones") {
+TEST_CASE("T33: a free symmetric body spins and precesses, with implicit and explicit steps") {
   for (const bool implicit : {false, true}) {
     Simulation<3> sim(free_body({0.4, 0.4, 0.1}, {1, 0, 10}));
     const Vec3 momentum = turning_momentum(sim.model(), sim.state(), 0), up = momentum.normalized(),
@@ -139,7 +139,7 @@ TEST_CASE("T33: a free symmetric body turns about its axis and that goes round, 
   }
 }
 
-TEST_CASE("T31: a bar on a spherical bearing goes round its cone, by implicit steps as by explicit ones") {
+TEST_CASE("T31: a bar on a spherical bearing moves on its cone, with implicit and explicit steps") {
   const double d = 0.5, angle = radians(30), rate = 4.12652, mass = 20;
   const Vec3 spin(0, 0, rate);
   const OnBearing bar{{0.1, 0.1, 1}, {0, 0, -d}, mass, rotation_by({angle, 0, 0}), spin, 1e8};
@@ -167,7 +167,7 @@ TEST_CASE("T31: a bar on a spherical bearing goes round its cone, by implicit st
   }
 }
 
-TEST_CASE("T32: a heavy top that was started with its steady precession keeps to it") {
+TEST_CASE("T32: a heavy top keeps its steady precession") {
   const double lean = radians(20), own = 80, mass = 2400 * 0.3 * 0.3 * 0.05;
   for (const double precession : {1.26360, 41.0099}) {
     const UnitQuaternion turn = rotation_by({lean, 0, 0});
@@ -198,7 +198,7 @@ TEST_CASE("T32: a heavy top that was started with its steady precession keeps to
   }
 }
 
-TEST_CASE("T35: a spherical pendulum comes back to its far point in time, having turned as it must") {
+TEST_CASE("T35: a spherical pendulum returns to its apex at the exact time and azimuth") {
   for (const bool implicit : {false, true}) {
     const double angle = radians(40);
     const OnBearing ball{{0.1, 0.1, 2}, {0, 0, -1}, 10, rotation_by({0, -angle, 0}), {}, 1e7};
@@ -235,7 +235,7 @@ TEST_CASE("T35: a spherical pendulum comes back to its far point in time, having
   }
 }
 
-TEST_CASE("a pendulum that swings in a plane of space by implicit steps is that of the plane") {
+TEST_CASE("a pendulum that swings in a plane of space with implicit steps equals the pendulum in the plane") {
   // A rod about a fixed axis, with one rotation as the unknown.
   const double dt = 0.01;
   SolidModelBuilder builder;

@@ -61,7 +61,7 @@ Simulation<2> rocking_block() {
   return scene.start();
 }
 
-TEST_CASE("a block rocks by implicit steps as by explicit ones a twentieth as long") {
+TEST_CASE("a block rocks the same with implicit steps and explicit ones a twentieth as long") {
   Simulation<2> a = rocking_block(), b = rocking_block();
   const int n = node_of(a.model(), "block");
   const auto tilt = [&](const State<2>& s) { return s.rotation[n]; };
@@ -103,7 +103,7 @@ double slides_apart(const std::string& what, const ShakenSlider& slider, const S
   return apart_at_most(what, fine, Sampled(b, implicitly, 0.02, slid));
 }
 
-TEST_CASE("a block slides on a shaken base by implicit steps as by explicit ones a twentieth as long") {
+TEST_CASE("a block slides on a shaken base the same with implicit steps and explicit ones a twentieth as long") {
   for (const auto& [what, slider] : {std::pair{"sliding, stiff", ShakenSlider{}},
                                      {"sliding, soft", ShakenSlider{1e9}},
                                      {"sliding, well damped", ShakenSlider{1e9, 0.2, 1e-4, 2.5}},
@@ -113,7 +113,7 @@ TEST_CASE("a block slides on a shaken base by implicit steps as by explicit ones
   }
 }
 
-TEST_CASE("how far a block slides does not hang on the longest implicit step") {
+TEST_CASE("the sliding distance of a block does not depend on the longest implicit step") {
   Sampled fine;
   for (const double dt : {2e-3, 5e-3, 10e-3})
     for (const double accuracy : {1e-3, 3e-4, 1e-4}) {
@@ -145,7 +145,7 @@ Simulation<2> shaken_bearing(double stiffness) {
   return Simulation(std::move(model));
 }
 
-TEST_CASE("a bearing yields to and fro by implicit steps as by explicit ones") {
+TEST_CASE("a bearing yields back and forth the same with implicit and explicit steps") {
   for (const double stiffness : {5e8, 5e10}) {
     Simulation<2> fine_run = shaken_bearing(stiffness);
     const int mass = node_of(fine_run.model(), "mass"), base = node_of(fine_run.model(), "base");

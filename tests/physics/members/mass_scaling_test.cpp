@@ -81,7 +81,7 @@ TEST_CASE("mass scaling: a held bar swings slower by the root of its mass and th
   CHECK(near(report.scaled->before, report.longest_dt / 4, 0.09));  // at most one rung of the step ladder below
 }
 
-TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight and turns are those of before") {
+TEST_CASE("mass scaling: a free bar vibrates slower by the same factor, and its flight and rotation are unchanged") {
   const double c = std::sqrt(bar_young / bar_density), period = 2 * bar_length / c;
   Model<2> model = alone(elastic("m", bar_density, bar_young, 0),
                          grid_body("bar", rectangle({0, 0}, {bar_length, bar_depth}), "", 40, 1));
@@ -116,7 +116,7 @@ TEST_CASE("mass scaling: a free bar swings slower by the same, and its flight an
   CHECK(near(angular[1], angular[0], 1e-6));
 }
 
-TEST_CASE("mass scaling: what hangs stretches by rho g L^2 / 2E all the same, as weight is that of its own mass") {
+TEST_CASE("mass scaling: a hanging bar stretches by rho g L^2 / 2E, by the weight of its own mass") {
   std::array<double, 2> stretch{};
   for (const bool scaled : {false, true}) {
     Model<2> model = lone_bar(true);
@@ -156,7 +156,8 @@ StageOptions shaking_stage(double step) {
   return options;
 }
 
-TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and when its masses are its own again") {
+TEST_CASE(
+    "mass scaling: the energy balance of a shaken stack closes, in the stage and when its masses are its own again") {
   std::array<double, 2> residual{};
   std::array<Vec2, 2> top;
   for (const bool scaled : {false, true}) {
@@ -187,7 +188,7 @@ TEST_CASE("mass scaling: the ledger of a shaken stack closes, in the stage and w
   CHECK((top[1] - top[0]).norm() < 1e-3);
 }
 
-TEST_CASE("mass scaling: same bits for any threads, from a snapshot, from a file within the stage, with work dropped") {
+TEST_CASE("mass scaling: same bits for any threads, from a snapshot or a file within the stage, after freeing memory") {
   check_scaled_bits<2>(shaken_stack, shaking_stage(3e-5), 0.07, 0.1, 0.2);
 }
 
@@ -195,7 +196,7 @@ std::string stack_refusal(const StageOptions& options) {
   return scaling_refusal(shaken_stack(), options);
 }
 
-TEST_CASE("mass scaling: what cannot be is refused with the step that can") {
+TEST_CASE("mass scaling: an impossible step is rejected with the possible one") {
   CHECK(stack_refusal(shaking_stage(1e-3)).find("even if it were rigid") != std::string::npos);
   StageOptions little = shaking_stage(3e-5);
   little.mass_scaling->most = 0.5;

@@ -69,7 +69,7 @@ TEST_CASE("damping of a frame's material gives each mode beta w / 2") {
     CHECK(near(damping[i].elements, 0.5 * beta * std::sqrt(found[i].square), 1e-3));
 }
 
-TEST_CASE("a body that nothing holds has no damping to speak of") {
+TEST_CASE("an unsupported body has no damping ratio") {
   std::vector<Mode> found;
   BodySpec spec = beam_body("beam", {0, 0}, {3, 0}, rectangle_section(0.1, 0.2), "steel", 4);
   const auto damping = damping_of(of_frames(elastic_material("steel", 7850, 2.1e11), {spec}), 2, found);

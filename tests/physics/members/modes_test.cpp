@@ -39,7 +39,7 @@ void check_frequencies(const std::vector<Mode>& found, const std::vector<double>
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(found[i].frequency(), expected[i], tolerance));
 }
 
-TEST_CASE("M4: a block on a joint rocks, heaves and sways, its weight in the stiffness") {
+TEST_CASE("M4: a block on a joint rocks, heaves and sways, with its weight in the stiffness") {
   const Settled now = settled_stack(0.4, 1.2, 1, standard_gravity);
   const std::vector<Mode> found = modes(now.model, now.state, 10);
   CHECK(found.size() == 3);
@@ -121,7 +121,7 @@ TEST_CASE("M10: a beam on two supports swings slower under a push and faster und
   }
 }
 
-TEST_CASE("many modes one by one are those of all at once") {
+TEST_CASE("modes computed one by one equal modes computed at once") {
   BodySpec spec = beam_body("beam", {0, 0}, {10, 0}, rectangle_section(0.3, 0.5), "concrete", 120);
   spec.frame->joints[0].support = held;
   const Model<2> model = of_frames(elastic_material("concrete", 2400, 3e10), {spec});
@@ -131,7 +131,7 @@ TEST_CASE("many modes one by one are those of all at once") {
   for (std::size_t i = 0; i < few.size(); ++i) CHECK(near(few[i].frequency(), all[i].frequency(), 1e-6));
 }
 
-TEST_CASE("modes are refused where nothing can move and for none") {
+TEST_CASE("modes are rejected where nothing can move and for none") {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.fixed("base", box(-1, -1, 1, 0));
   const Model<2> model = scene.builder.build();

@@ -87,7 +87,7 @@ Ended run(bool removes, const std::optional<AlphaScheme>& scheme) {
 
 }  // namespace
 
-TEST_CASE("a removed member: the other column carries all, by statics, implicit and explicit steps alike") {
+TEST_CASE("a removed member: the other column carries all, by statics, implicit and explicit steps the same way") {
   const double alone = side * height * height * height / (3 * bending);  // of a single cantilever
   Model<2> model = two_columns(true, false);
   State<2> state = start_state(model);
@@ -122,7 +122,7 @@ TEST_CASE("a removed member: the other column carries all, by statics, implicit 
                    << by_implicit.plastic << ", ledger " << by_explicit.residual << " " << by_implicit.residual);
 }
 
-TEST_CASE("a hinge that becomes pinned loses its moment and nothing else") {
+TEST_CASE("a hinge that becomes pinned loses only its moment") {
   const Ended pinned = run(false, std::nullopt);
   CHECK(pinned.events.size() == 2);
   CHECK(pinned.status == HingeStatus::lost);

@@ -76,7 +76,7 @@ struct RockingRun {
   }
 };
 
-TEST_CASE("I12: by implicit steps of 1 ms a block lands as the pendulum equation says and gains no energy") {
+TEST_CASE("I12: with implicit steps of 1 ms a block lands at the time of the pendulum equation and gains no energy") {
   struct Case {
     std::string row;
     TiltedBlock shape;

@@ -18,7 +18,7 @@ Model<2> pulled_block() {
   return model;
 }
 
-TEST_CASE("a block pulled under displacement control slides at mu W, and keeps its slip when it is let go") {
+TEST_CASE("a block pulled under displacement control slides at mu W, and keeps its slip when it is released") {
   const Model<2> model = pulled_block();
   const int block = node_of(model, "block");
   const double limit = 0.6 * 100 * standard_gravity;
@@ -47,7 +47,7 @@ TEST_CASE("a block pulled under displacement control slides at mu W, and keeps i
                   -back.points.back().displacement, stretch + 0.2 * turn));
 }
 
-TEST_CASE("load control ends where friction is used up") {
+TEST_CASE("load control ends at the friction limit") {
   const Model<2> model = pulled_block();
   State<2> state = initial_state(model);
   LoadPathOptions o;
@@ -57,7 +57,7 @@ TEST_CASE("load control ends where friction is used up") {
   CHECK(near(path.points.back().factor, 0.6 * 100 * standard_gravity, 0.01));
 }
 
-TEST_CASE("a link that softens is followed down its falling branch") {
+TEST_CASE("the falling branch of a softening link is followed") {
   Table table;
   table.displacement = {-1, 0, 0.01, 0.03, 0.05}, table.force = {-1e5, 0, 1000, 400, 400};
   for (const PathControl control : {PathControl::displacement, PathControl::arc}) {
@@ -91,7 +91,7 @@ TEST_CASE("a mean of displacements controls the path of a toggle past both its l
   CHECK(near(path.limits[1].factor, 196.6, 0.02));
 }
 
-TEST_CASE("a deformable column set down by statics is shortened by its own weight") {
+TEST_CASE("a deformable column brought to rest by statics is shortened by its own weight") {
   const double young = 1e9, density = 2000, height = 4, kn = 1e10;
   Scene scene(Frictional{kn, kn, 0.6, 1e-5});
   scene.builder.add_material(elastic("soft", density, young, 0));
@@ -111,7 +111,7 @@ TEST_CASE("a deformable column set down by statics is shortened by its own weigh
                       pressed + shortened, e.iterations, e.steps));
 }
 
-TEST_CASE("over statics the ledger books what loads and weight put in, and its balance stays") {
+TEST_CASE("the energy balance has the work of loads and weight during statics and stays closed") {
   const Model<2> model = pulled_block();
   State<2> state = initial_state(model);
   LoadPathOptions o;
@@ -132,7 +132,7 @@ TEST_CASE("over statics the ledger books what loads and weight put in, and its b
   CHECK(energy[EnergyTerm::rest_damping] < 0.01 * friction);
 }
 
-TEST_CASE("statics refuses what makes no sense") {
+TEST_CASE("statics rejects invalid input") {
   const Model<2> model = pulled_block();
   State<2> state = initial_state(model);
   LoadPathOptions o;

@@ -135,7 +135,7 @@ State<2> consolidated(Model<2> model, double grow) {
   return sim.state();
 }
 
-TEST_CASE("a stack of blocks set down by statics bears what is above each joint, closed or dropped") {
+TEST_CASE("statics gives each joint of a stack the weight above, from closed or open joints") {
   for (const double gap : {0.0, 0.005}) {
     const Model<2> model = leaning_stack(gap);
     State<2> state = initial_state(model);
@@ -153,7 +153,7 @@ TEST_CASE("a stack of blocks set down by statics bears what is above each joint,
   }
 }
 
-TEST_CASE("a stack set down by statics stands as consolidation leaves it, and stays at rest") {
+TEST_CASE("a stack brought to rest by statics stands as consolidation leaves it, and stays at rest") {
   const Model<2> model = leaning_stack(0);
   State<2> state = initial_state(model);
   REQUIRE(rest_of("stack", model, state).converged);
@@ -175,8 +175,7 @@ TEST_CASE("a stack set down by statics stands as consolidation leaves it, and st
   CHECK((on.state().position.back() - top).norm() < 1e-12);
 }
 
-TEST_CASE(
-    "from the midst of a motion, explicit or implicit, statics finds the same rest and keeps the ledger's balance") {
+TEST_CASE("statics finds the same rest from any motion and keeps the energy balance closed") {
   const Model<2> model = leaning_stack(0);
   State<2> from_start = initial_state(model);
   REQUIRE(find_equilibrium(model, from_start).converged);
@@ -204,7 +203,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a wall with an opening set down by statics has the joint forces of its consolidation") {
+TEST_CASE("a wall with an opening brought to rest by statics has the joint forces of its consolidation") {
   // If units slide, joint forces depend on the loading path. Weight applied at once makes the wall of 252 bodies
   // overshoot, and its joint forces then differ from those under slowly growing weight by 1 % of the largest.
   for (const int courses : {6, 16}) {
@@ -263,7 +262,7 @@ double pushed_arch(double thickness, double stiffness) {
   return most;
 }
 
-TEST_CASE("A6: an arch pushed past its greatest load comes the nearer to its limit factor the stiffer its joints are") {
+TEST_CASE("A6: the peak load of a pushed arch converges to its limit factor with the stiffness of its joints") {
   // A hinge that has turned by t is (1/(K t))^(1/2) long. Its length and its rotation reduce the factor least if both
   // are proportional to K^(-1/3), so two stiffnesses give the factor of rigid joints by extrapolation.
   for (const auto& [thickness, factor] : {std::pair(.12, .0468), std::pair(.15, .1445), std::pair(.20, .2843)}) {
@@ -285,7 +284,7 @@ double thrust_share(const Model<2>& model, const State<2>& state) {
   return std::abs(force.x()) / weight;
 }
 
-TEST_CASE("A5: the thrust of an arch set down by statics is that of its consolidation, between its limits") {
+TEST_CASE("A5: statics and consolidation give an arch the same thrust, between its limits") {
   struct Case {
     double thickness, least, most;
   };

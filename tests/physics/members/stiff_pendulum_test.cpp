@@ -102,7 +102,7 @@ TEST_CASE("I5: a stiff pendulum keeps energy and momentum for four turns with th
   CHECK(t.steps < 2100);
 }
 
-TEST_CASE("I5: with the most damping HHT has a stiff pendulum lose so much of its energy as its step is long") {
+TEST_CASE("I5: with the largest damping of HHT a stiff pendulum loses energy in proportion to the step") {
   const Turning coarse(implicit_stage_of(-0.3, 0.05)), fine(implicit_stage_of(-0.3, 0.01));
   tell_turning("alpha -0.3, h 0.05 s", coarse);
   tell_turning("alpha -0.3, h 0.01 s", fine);
@@ -110,7 +110,7 @@ TEST_CASE("I5: with the most damping HHT has a stiff pendulum lose so much of it
   check_energy(fine, 0.001);
 }
 
-TEST_CASE("I5: average acceleration drives a stiff pendulum out of bounds unless steps are held to their energies") {
+TEST_CASE("I5: average acceleration diverges for a stiff pendulum unless steps are limited by their energy error") {
   const Turning free(implicit_stage_of(0, 0.05)), held_to(adaptive_stage(AlphaScheme::hht(0), 10, 0.05));
   tell_turning("alpha 0, h 0.05 s", free);
   tell_turning("alpha 0, h 0.05 s at most", held_to);
@@ -118,7 +118,7 @@ TEST_CASE("I5: average acceleration drives a stiff pendulum out of bounds unless
   check_energy(held_to, 0.01);
 }
 
-TEST_CASE("I5: a stiff pendulum turns on with next to no inertia of its own, on a bar that is stiff in bending") {
+TEST_CASE("I5: a stiff pendulum with almost no rotary inertia keeps turning on a bar stiff in bending") {
   for (const double inertia : {1e-9, 1.5e-13}) {
     const StiffPendulum made(inertia, 1e6);
     const Turning adaptive(adaptive_stage(AlphaScheme::hht(-0.05), 10, 0.005), made);

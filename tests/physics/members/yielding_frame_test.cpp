@@ -88,7 +88,8 @@ Shaken shake(const HingeLaw& law, double damping, const std::optional<AlphaSchem
   return out;
 }
 
-TEST_CASE("a column yields at its foot: no moment beyond its own, the same energy in the ledger and in the hinge") {
+TEST_CASE(
+    "a column yields at its foot: no moment beyond its own, the same energy in the energy balance and in the hinge") {
   for (const double damping : {0.0, 2e-3}) {
     const Shaken explicit_run = shake(plain_hinge(), damping, std::nullopt);
     const Shaken implicit_run = shake(plain_hinge(), damping, AlphaScheme::hht(0));
@@ -183,7 +184,7 @@ TEST_CASE("F9: a steel member of 40 fibres bends under an even moment as its sec
   }
 }
 
-TEST_CASE("a state in the midst of yielding goes on with the same bits, explicit and implicit") {
+TEST_CASE("a state within yielding continues with the same bits, explicit and implicit") {
   HingeLaw law = plain_hinge();
   law.hardening = 1e5, law.capping = 0.01, law.softening = 0.05, law.wear = 1;
   for (const bool is_implicit : {false, true}) {
@@ -205,7 +206,7 @@ TEST_CASE("a state in the midst of yielding goes on with the same bits, explicit
   }
 }
 
-TEST_CASE("a member that cannot yield as it says is refused, with its name") {
+TEST_CASE("a member with impossible hinges is rejected with its name") {
   const auto made = [](const decltype(FrameMember::yields)& yields, bool pinned) {
     BodySpec spec = beam_body("beam", {0, 0}, {3, 1}, rectangle_section(0.2, 0.5), "concrete", 3);
     spec.frame->members[0].yields = yields, spec.frame->members[0].pinned[0] = pinned;

@@ -172,7 +172,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a post pushed askew yields where both moments reach the surface") {
+TEST_CASE("a post pushed obliquely yields where both moments reach the surface") {
   HingeLaw law = post_hinge();
   law.hardening = 0, law.tension = law.compression = 0;
   for (const double angle : {0.0, 0.4, 0.9, M_PI / 2}) {
@@ -199,7 +199,8 @@ TEST_CASE("a post pushed askew yields where both moments reach the surface") {
   }
 }
 
-TEST_CASE("a post thrown askew closes its ledger, keeps to its surface and is the same in a turned world") {
+TEST_CASE(
+    "a post thrown obliquely closes its energy balance, keeps to its surface and is the same in a rotated frame") {
   for (const double damping : {0.0, 2e-4}) {
     const Thrown upright = throw_post({}, post_hinge(), damping, short_steps());
     MESSAGE("thrown post: plastic ", upright.plastic, " of ", throw_energy, " J, ledger off by ",
@@ -224,7 +225,7 @@ TEST_CASE("a post thrown askew closes its ledger, keeps to its surface and is th
   }
 }
 
-TEST_CASE("implicit steps take a post with a hinge in space where explicit ones do") {
+TEST_CASE("a post with a hinge in space moves the same with implicit and explicit steps") {
   const Thrown small = throw_post({}, post_hinge(), 0, short_steps());
   StageOptions stage = careful_steps(0.6, 2e-3);
   stage.energy_interval = 2e-3;
@@ -279,7 +280,7 @@ TEST_CASE("a hinge in space that loses its moment takes its beam with it, or lea
   }
 }
 
-TEST_CASE("a post with a hinge in space saved and continued has the bits of one that was not") {
+TEST_CASE("a post with a hinge in space saved and continued gives the same bits as one run without interruption") {
   Model<3> model = post_in(rotation_by({0.2, 0.4, -0.3}), post_hinge(), 1e-4);
   model.start_velocity[1] = Vec3(1.5, 2, -1);
   SolidRun whole(model, 1e-5);

@@ -50,7 +50,7 @@ Model<3> row_of_bricks(int count) {
 
 }  // namespace
 
-TEST_CASE("stones poured into a tray stay in it and calm down, and the ledger closes") {
+TEST_CASE("stones poured into a tray stay in it and come to rest, and the energy balance closes") {
   const int count = 18;
   SolidRun run(poured(count), pour_step);
   double fall = 0;
@@ -94,7 +94,7 @@ TEST_CASE("bricks whose joints open and close have the same bits on any number o
   CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("a pile of solids has the same bits where its Work is dropped") {
+TEST_CASE("a pile of solids has the same bits after its scratch memory is freed") {
   SolidRun plain(poured(18), pour_step), dropped(poured(18), pour_step);
   for (int i = 0; i < 8000; ++i) {
     if (i % 37 == 0) dropped.drop_work();
@@ -126,7 +126,7 @@ TEST_CASE("bricks whose joints open and close have the same bits where their Wor
   CHECK(opened_or_closed >= 4);  // two joints close, and the bricks bounce
 }
 
-TEST_CASE("a pile of solids saved and continued has the bits of one that was not") {
+TEST_CASE("a pile of solids saved and continued gives the same bits as one run without interruption") {
   const Model<3> model = poured(12);
   SolidRun whole(model, pour_step);
   whole.run(0.3);

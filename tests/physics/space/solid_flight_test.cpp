@@ -105,13 +105,14 @@ TEST_CASE("corners of a solid are where its node takes them, and the fastest of 
   CHECK(near(run.work().fastest_moving, fastest, 1e-13));
 }
 
-TEST_CASE("two solids by chance that strike each other keep energy and momenta, and do not pass") {
+TEST_CASE("two random solids that collide conserve energy and momenta and do not pass through each other") {
   const double deepest = strike_by_chance(150, 2026);
   CHECK(deepest < 0.1);
   MESSAGE("deepest overlap " << deepest << " m");
 }
 
-TEST_CASE("2,000 pairs of solids by chance keep energy and momenta, and do not pass" * doctest::test_suite("long")) {
+TEST_CASE("2,000 random pairs of solids conserve energy and momenta and do not pass through each other" *
+          doctest::test_suite("long")) {
   const double deepest = strike_by_chance(2000, 20261125);
   CHECK(deepest < 0.1);
   MESSAGE("deepest overlap " << deepest << " m");
@@ -165,7 +166,7 @@ TEST_CASE("T28: a bar dropped on its edge leaves with the speed and spin of its 
   CHECK(near(run.spin(1).norm(), 15.5115, 1e-2));
 }
 
-TEST_CASE("T29: a cube that spins as it falls touches first with the corner, the place and the speed it must") {
+TEST_CASE("T29: a spinning cube first touches with the exact corner, place and speed") {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
   builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
@@ -184,7 +185,7 @@ TEST_CASE("T29: a cube that spins as it falls touches first with the corner, the
   CHECK(near(run.velocity(1).z() + cross(run.spin(1), corner).z(), -7.40502, 1e-3));
 }
 
-TEST_CASE("T36: 27 stones of a list have its mass and momenta, and keep them and their energy through their impacts") {
+TEST_CASE("T36: 27 listed stones conserve mass, momenta and energy through their impacts") {
   const std::vector<FlyingBlock> blocks = flying_blocks("polyhedra27.json");
   REQUIRE(blocks.size() == 27);
   const Vec3 momentum(167.0182, 142.255903, -33.474807), turning(-.952148, 11.106096, 7.611844);

@@ -33,7 +33,7 @@ Model<3> stacked(const Vec3& sides, int count, double angle, double azimuth, con
   return builder.build();
 }
 
-TEST_CASE("a block slides down a slope and comes to a stop on one by implicit steps as it must") {
+TEST_CASE("with implicit steps a block slides down a slope and stops on a flatter one at the exact place") {
   const double mu = 0.3, azimuth = 0.7;
   const Vec3 down(std::cos(azimuth), std::sin(azimuth), 0);
   for (const double degrees : {25.0, 10.0}) {
@@ -58,8 +58,7 @@ TEST_CASE("a block slides down a slope and comes to a stop on one by implicit st
   }
 }
 
-TEST_CASE(
-    "I12: by implicit steps of 1 ms a block let go on one corner falls flat in time, in the plane of its diagonal") {
+TEST_CASE("I12: with implicit steps of 1 ms a block released on one corner falls flat at the exact time") {
   const double alpha = std::atan(std::sqrt(0.08) / 0.6), radius = std::sqrt(0.08 + 0.36);
   const double about_pivot = (0.4 * 0.4 + 1.2 * 1.2) / 12 + radius * radius;  // moment of inertia over the mass [m2]
   for (const auto& [part, time, rate] :
@@ -109,7 +108,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a stack that was kicked slides by implicit steps as by explicit ones") {
+TEST_CASE("a stack that was kicked slides the same with implicit and explicit steps") {
   // A stack of three blocks, each rotated relative to the one below.
   const auto model = [] {
     SpaceBuilder builder;
@@ -138,7 +137,7 @@ TEST_CASE("a stack that was kicked slides by implicit steps as by explicit ones"
   CHECK(fast.steps * 2 < slow.steps);
 }
 
-TEST_CASE("a mortared pier sways by implicit steps as by explicit ones") {
+TEST_CASE("a mortared pier sways the same with implicit and explicit steps") {
   const auto model = [] {
     SolidModelBuilder builder;
     builder.gravity = Vec3(0, 0, -standard_gravity);
@@ -179,7 +178,7 @@ Simulation<3> tumbling_block() {
   return Simulation<3>(model);
 }
 
-TEST_CASE("the state in the midst of an implicit stage in space goes on with the same bits") {
+TEST_CASE("the state within an implicit stage in space continues with the same bits") {
   const StageOptions whole = careful_steps(0.4, 5e-3);
   Simulation<3> once = tumbling_block();
   once.run(whole);
@@ -197,7 +196,7 @@ TEST_CASE("the state in the midst of an implicit stage in space goes on with the
   CHECK(state_hash(on.state()) == state_hash(once.state()));
 }
 
-TEST_CASE("a step in space that cannot converge changes no state and says where it fails") {
+TEST_CASE("a step in space that does not converge changes no state and reports the place") {
   // A law so steep about 0 that the floating-point resolution of a position cannot represent its force.
   Table steep;
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
@@ -228,7 +227,7 @@ TEST_CASE("a step in space that cannot converge changes no state and says where 
   CHECK(angle_of(sim.state().rotation[1] * inverse(before.rotation[1])).norm() == 0);
 }
 
-TEST_CASE("explicit, implicit, explicit again in space: the ledger goes on") {
+TEST_CASE("explicit, implicit, explicit again in space: the energy balance stays closed") {
   Simulation<3> sim = tumbling_block();
   sim.refresh();
   const double begin = sim.energy().balance();
@@ -239,7 +238,7 @@ TEST_CASE("explicit, implicit, explicit again in space: the ledger goes on") {
   CHECK(std::abs(sim.energy().balance() - begin) < 5e-3 * sim.model().mass[1] * standard_gravity * 0.05);
 }
 
-TEST_CASE("a stage that chooses its integrator in space goes by implicit steps while it is slow") {
+TEST_CASE("a stage with automatic integrator in space uses implicit steps while it is slow") {
   Simulation<3> sim(stacked(Vec3(0.5, 0.5, 0.3), 2, 0, 0, frictional(1e9, 5e8, 0.6, 2e-4)));
   // Twenty times the explicit step, the least for which implicit steps are cheaper.
   StageOptions stage = careful_steps(0.5, 0.02), rest = stage;

@@ -71,7 +71,7 @@ TEST_CASE("bonds are set between all bricks of a wall that touch") {
   CHECK(bonds_of(state) == 16 * static_cast<int>(state.contacts.joint.size()));
 }
 
-TEST_CASE("a wall in mortar that a stone strikes breaks, and its ledger closes") {
+TEST_CASE("a wall in mortar that a stone strikes breaks, and its energy balance closes") {
   for (const ContactLaw& law :
        {ContactLaw(lime()), ContactLaw(lime(0)), ContactLaw(brittle_mortar(2e9, 1e9, 0.7, 1e5, 5e4)),
         ContactLaw(brittle_mortar(2e9, 1e9, 0.7, 1e5, 5e4, 1))}) {
@@ -86,7 +86,7 @@ TEST_CASE("a wall in mortar that a stone strikes breaks, and its ledger closes")
   }
 }
 
-TEST_CASE("a breaking wall has the same bits where its Work is dropped") {
+TEST_CASE("a breaking wall has the same bits after its scratch memory is freed") {
   SolidRun plain = struck(lime()), dropped = struck(lime());
   for (int i = 0; i < 6000; ++i) {
     if (i % 37 == 0) dropped.drop_work();
@@ -96,7 +96,7 @@ TEST_CASE("a breaking wall has the same bits where its Work is dropped") {
   CHECK(state_hash(plain.state()) == state_hash(dropped.state()));
 }
 
-TEST_CASE("a breaking wall saved and continued has the bits of one that was not") {
+TEST_CASE("a breaking wall saved and continued gives the same bits as one run without interruption") {
   SolidRun whole = struck(lime());
   whole.run(0.012);
   const std::filesystem::path path =
@@ -109,7 +109,7 @@ TEST_CASE("a breaking wall saved and continued has the bits of one that was not"
   CHECK(state_hash(rest.state()) == state_hash(whole.state()));
 }
 
-TEST_CASE("a wall breaks alike in a world that is turned") {
+TEST_CASE("a wall breaks the same way in a rotated frame") {
   const UnitQuaternion world = rotation_by({0.7, -1.1, 0.4});
   SolidRun upright = struck(lime()), turned = struck(lime(), world);
   upright.run(0.012), turned.run(0.012);
@@ -148,7 +148,7 @@ TEST_CASE("a wall in mortar rests under its weight and loses no bond") {
   CHECK(near_zero(run.energy().balance() - begun, 1e-6));
 }
 
-TEST_CASE("fresh mortar presses and rubs, as it sets nothing moves, and then it holds") {
+TEST_CASE("fresh mortar has pressure and friction, sets without motion, and then bonds") {
   const Model<3> model = wall(lime(1e-3), 3, 0);
   State<3> state = start_state(model);
   lift_bonds(model, state);
@@ -170,7 +170,7 @@ TEST_CASE("fresh mortar presses and rubs, as it sets nothing moves, and then it 
   CHECK(near_zero(hard.energy().balance() - begun, 1e-6));
 }
 
-TEST_CASE("a column of bricks hung from its top holds, or tears where it carries the most") {
+TEST_CASE("a column of bricks hung from its top holds, or tears at its largest force") {
   const double height = 0.08, density = 1800, weight = 4 * density * standard_gravity * height;
   for (const double strength : {3 * weight, 0.9 * weight}) {
     SpaceBuilder builder;

@@ -50,7 +50,7 @@ TEST_CASE("T1: a cube slides down an incline that is turned about any axis") {
   }
 }
 
-TEST_CASE("T3: a cube dropped flat from 1 m meets the ground in time and comes to rest where its weight is carried") {
+TEST_CASE("T3: a cube dropped flat from 1 m lands at the exact time and rests at the overlap of its weight") {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
   builder.add(fixed_stone("floor", floor_slab()));

@@ -57,7 +57,7 @@ TEST_CASE("T23: a block kicked across a slope turns down it") {
   }
 }
 
-TEST_CASE("T24: on a base that goes round, the block slides round in a smaller circle") {
+TEST_CASE("T24: on a base that moves on a circle the block slides on a smaller circle") {
   struct Row {
     double share, mu, radius, speed;
   };
@@ -109,7 +109,7 @@ TEST_CASE("T26: a plate that spins is stopped by friction spread over its area")
   CHECK(near(run.turned(1).z(), 2.9614, 2e-2));
 }
 
-TEST_CASE("T26: a plate that slides and spins stops both at once") {
+TEST_CASE("T26: sliding and spinning of a plate stop at the same time") {
   SolidRun run = block_on_floor(Vec3(0.4, 0.4, 0.01), 0.3, down, Vec3(1, 0, 0), 5, 1e-5);
   REQUIRE(run.run_until(1, [&] { return run.velocity(1).norm() < 1e-3 && run.spin(1).norm() < 1e-2; }));
   CHECK(near(run.time(), 0.4808, 2e-2));

@@ -112,7 +112,7 @@ TEST_CASE("a cube of 10 cm and 1 kg rests for a minute and does not turn" * doct
   CHECK(run.place(1).head<2>().isApprox(Vec2(0.013, 0.027), 1e-9));
 }
 
-TEST_CASE("a dry wall of 20 courses stands for a minute" * doctest::test_suite("long")) {
+TEST_CASE("a dry wall of 20 courses is at rest for one minute" * doctest::test_suite("long")) {
   SolidRun run(dry_wall(20, 4), 1e-4);
   run.settle(0.5);
   const std::vector<Vec3> before = run.state().position;
@@ -122,7 +122,7 @@ TEST_CASE("a dry wall of 20 courses stands for a minute" * doctest::test_suite("
   MESSAGE("drift " << drift << " m");
 }
 
-TEST_CASE("27 stones by chance that fly at each other keep momentum, angular momentum and energy") {
+TEST_CASE("27 random stones that collide conserve momentum, angular momentum and energy") {
   std::mt19937_64 bits(36);
   SpaceBuilder builder;
   builder.gravity(Vec3::Zero());

@@ -298,13 +298,13 @@ std::vector<Published> uprightings(const Vec3& sides, const std::vector<TiltRow>
 
 }  // namespace
 
-TEST_CASE("K4 in space: a block of .4 x 1.2 m let go at a tilt stands upright in the time of the pendulum equation") {
+TEST_CASE("K4 in space: a tilted block of 0.4 x 1.2 m is upright at the time of the pendulum equation") {
   check_in_turned_worlds([](const UnitQuaternion& world) {
     return uprightings(Vec3(0.4, 0.4, 1.2), {{0.25, 0.2345}, {0.5, 0.3874}, {0.75, 0.6059}, {0.9, 0.8784}}, world);
   });
 }
 
-TEST_CASE("K5 in space: a block of .5 x 2 m let go at a tilt stands upright in the time of the pendulum equation") {
+TEST_CASE("K5 in space: a tilted block of 0.5 x 2 m is upright at the time of the pendulum equation") {
   check_in_turned_worlds([](const UnitQuaternion& world) {
     return uprightings(Vec3(0.5, 0.8, 2), {{0.25, 0.2987}, {0.5, 0.4939}, {0.75, 0.7731}}, world);
   });

@@ -86,7 +86,7 @@ TEST_CASE("a solid that falls on mortar too weak to stop it sinks in by its ener
   }
 }
 
-TEST_CASE("laid in mortar that crushes, a solid that is pressed sinks as far as one that falls on it") {
+TEST_CASE("a solid pressed into crushing mortar settles as far as one that falls on it") {
   // Bonded from the start; the impact is the block's own velocity.
   const double strength = 2e5, mass = 1000, speed = 2;
   const Model<3> model = falling_block(weak_mortar(strength, 0.05), 0, speed, {});
@@ -98,7 +98,7 @@ TEST_CASE("laid in mortar that crushes, a solid that is pressed sinks as far as 
   CHECK(near_zero(run.energy().balance() - begun, 1e-3 * 0.5 * mass * speed * speed));
 }
 
-TEST_CASE("a toe that crushes lets a tilted solid topple earlier, by a third of the length that carries its weight") {
+TEST_CASE("a crushing toe makes a tilted solid topple earlier, by a third of the length that carries its weight") {
   const double width = 0.4, depth = 0.5, height = 1.2, density = 1000 / (width * depth * height), mass = 1000;
   for (const double azimuth : {0.0, 90.0}) {
     const double across = azimuth == 0 ? width : depth, along = azimuth == 0 ? depth : width;
@@ -130,7 +130,7 @@ TEST_CASE("a toe that crushes lets a tilted solid topple earlier, by a third of 
   }
 }
 
-TEST_CASE("a solid that tumbles over mortar it crushes makes no energy, whatever shapes meet") {
+TEST_CASE("a solid that tumbles over mortar it crushes creates no energy, whatever shapes meet") {
   for (const Vec3& turn :
        {Vec3(0, 0, 0.3), Vec3(0.003, -0.002, 0), Vec3(0.02, 0.01, 0.5), Vec3(0.4, 0.3, -0.2), Vec3(1.1, -0.6, 0.3)}) {
     CAPTURE(turn);
@@ -168,7 +168,7 @@ TEST_CASE("mortar in space stays crushed while the block that crushed it bounces
   }
 }
 
-TEST_CASE("mortar set anew between solids that have crushed begins whole, and what was crushed is not forgotten") {
+TEST_CASE("mortar set again between crushed solids is intact, and the crushing is kept") {
   const Model<3> model = falling_block(weak_mortar(2e5, 0.05, 1e-4), 1e-3, 1, {});
   SolidRun run(model, 1e-5);
   run.run(0.5);

@@ -178,7 +178,7 @@ double tip_ratio(double poisson, ElementForm form, ElementShape shape, const std
   return sum / static_cast<double>(tip.size()) / theory;
 }
 
-TEST_CASE("a cantilever of bricks, one through its depth, bends as beam theory has it, the plain ones lock") {
+TEST_CASE("a cantilever with one brick through its depth bends as in beam theory and plain bricks lock") {
   CHECK(near(tip_ratio(0.3, ElementForm::assumed, ElementShape::brick, {10, 1, 1}), 1, 0.01));
   CHECK(tip_ratio(0.3, ElementForm::plain, ElementShape::brick, {10, 1, 1}) < 0.75);
   CHECK(near(tip_ratio(0.3, ElementForm::assumed, ElementShape::quadratic_tetrahedron, {5, 1, 1}), 1, 0.05));
@@ -195,7 +195,7 @@ TEST_CASE("a cantilever of wedges is too stiff and less so the finer it is") {
   CHECK(fine > 0.95);
 }
 
-TEST_CASE("a cantilever of bricks does not lock as its volume cannot change") {
+TEST_CASE("a cantilever of nearly incompressible bricks does not lock") {
   CHECK(near(tip_ratio(0.499, ElementForm::assumed, ElementShape::brick, {10, 1, 1}), 1, 0.02));
   CHECK(tip_ratio(0.499, ElementForm::plain, ElementShape::brick, {10, 1, 1}) < 0.5);
 }
@@ -223,7 +223,7 @@ TEST_CASE("elements in space give a body its mass, centre and moments of inertia
   }
 }
 
-TEST_CASE("the mass of a tetrahedron of ten nodes goes by 1/36 and 4/27") {
+TEST_CASE("the nodal mass shares of a ten-node tetrahedron are 1/36 and 4/27") {
   const SpaceMesh one = quadratic_of(
       {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, {{ElementShape::tetrahedron, {0, 1, 2, 3}}}});
   const Model<3> model = alone_in_space(elastic_in("m", 6, 1e9, 0.2), mesh_spec("t", "m", one));
@@ -239,7 +239,7 @@ std::string refusal(SpaceMesh mesh) {
   return "";
 }
 
-TEST_CASE("meshes in space that are no bodies are refused in one clear line, mirrored elements turned round") {
+TEST_CASE("meshes in space that are no bodies are rejected in one clear line, mirrored elements reversed") {
   const SpaceMesh good = mesh_of(box_solid(Vec3::Zero(), Vec3(2, 1, 1)), {BodyKind::mesh, {2, 1, 1}}, "box");
   CHECK(refusal(good).empty());
   SpaceMesh inverted = good;
@@ -266,7 +266,7 @@ TEST_CASE("meshes in space that are no bodies are refused in one clear line, mir
   CHECK(refusal(mixed).find("have other nodes on the face they have in common") != std::string::npos);
 }
 
-TEST_CASE("a solid that is no brick in topology cannot be one element, and says so") {
+TEST_CASE("a solid that is not a brick in topology is rejected as an element") {
   SolidSpec spec = box_of("post", prism(std::array{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)}, 0, 1), "m", {1, 1, 1});
   CHECK_THROWS_WITH_AS(
       (void)alone_in_space(elastic_in("m", 1000, 1e9, 0.2), spec),

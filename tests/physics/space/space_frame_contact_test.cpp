@@ -95,7 +95,8 @@ TEST_CASE("a stone slides down a beam in space under friction as on a plane") {
   CHECK(near_zero(run.place(stone).y(), 1e-6));
 }
 
-TEST_CASE("a girder of beams that falls on a pier askew loses no more than its damping takes and the ledger closes") {
+TEST_CASE(
+    "a girder of beams that falls obliquely on a pier loses only the damping energy, and the energy balance closes") {
   const Material material = member_material(2000, 5e9, 0.2, 1e-4);
   SolidModelBuilder builder = scene(material);
   builder.add_body(box_spec("pier", Vec3(-0.4, -0.4, -1), Vec3(0.4, 0.4, 0), true));
@@ -119,7 +120,7 @@ TEST_CASE("a girder of beams that falls on a pier askew loses no more than its d
   CHECK(run.energy()[EnergyTerm::contact_damping] > 0);
 }
 
-TEST_CASE("a bearing between a joint of a frame and a solid carries what hangs on the joint") {
+TEST_CASE("a bearing between a joint of a frame and a solid carries the suspended weight") {
   const Material material = member_material(2000, 2e10, 0.2);
   SolidModelBuilder builder;
   builder.mass_damping = 30;

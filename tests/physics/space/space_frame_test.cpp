@@ -91,7 +91,7 @@ TEST_CASE("a cantilever in space bends about both axes and twists as the closed 
   }
 }
 
-TEST_CASE("forces in the members of a frame in space balance what loads it") {
+TEST_CASE("forces in the members of a frame in space balance its loads") {
   const Model<3> model = cantilever(2, UnitQuaternion{}, 4, bar_section(), false);
   SpaceEquilibrium rest(model);
   rest.force[tip] = Vec3(7, 11, 13), rest.moment[tip] = Vec3(5, 0, 0);
@@ -132,7 +132,7 @@ TEST_CASE("a cantilever that an end moment about any axis rolls up becomes a cir
   }
 }
 
-TEST_CASE("the bend of 45 degrees under a force out of its plane comes to where it is published (F1)") {
+TEST_CASE("the tip of the 45 degree bend under an out-of-plane force has the published position (F1)") {
   const double radius = 100;
   std::vector<Vec3> places;
   const int chords = 8;
@@ -217,7 +217,7 @@ TEST_CASE("a soft frame that tumbles freely keeps its energy, momentum and angul
   CHECK((run.angular_momentum() - angular).norm() < 1e-6 * angular.norm());
 }
 
-TEST_CASE("a frame in a world that is turned moves as in one that is not") {
+TEST_CASE("a frame in a rotated frame moves as in one that is not") {
   std::mt19937_64 bits(9);
   const UnitQuaternion turn = random_turn(bits);
   const Model<3> straight = tumbling(UnitQuaternion{}), turned = tumbling(turn);
@@ -228,7 +228,7 @@ TEST_CASE("a frame in a world that is turned moves as in one that is not") {
   CHECK(near(one.energy()[EnergyTerm::strain], other.energy()[EnergyTerm::strain], 1e-5));
 }
 
-TEST_CASE("damping of beams in space takes from what swings and leaves rigid motion alone and the ledger says so") {
+TEST_CASE("damping of beams in space acts on vibration and not on rigid motion, and the energy balance contains it") {
   const Model<3> model = tumbling(UnitQuaternion{}, 2e-3);
   SolidRun run(model, step_of(model, 0.3));
   run.step();
@@ -241,7 +241,7 @@ TEST_CASE("damping of beams in space takes from what swings and leaves rigid mot
   CHECK((run.angular_momentum() - angular).norm() < 1e-6 * angular.norm());
 }
 
-TEST_CASE("the longest step of a frame in space is stable and a tenth more than twice it is not") {
+TEST_CASE("the longest step of a frame in space is stable, and 2.1 times it is not") {
   const Model<3> model = cantilever(2, UnitQuaternion{}, 6, bar_section(), true);
   const double dt = step_of(model, 1);
   const auto grown = [&](double share) {
@@ -261,7 +261,7 @@ TEST_CASE("the longest step of a frame in space is stable and a tenth more than 
   CHECK(grown(2.2));
 }
 
-TEST_CASE("a frame in space has the same bits saved and continued and where its Work is dropped") {
+TEST_CASE("a frame in space has the same bits saved and continued and after its scratch memory is freed") {
   const Model<3> model = tumbling(UnitQuaternion{}, 1e-4);
   const double dt = step_of(model, 0.4);
   SolidRun plain(model, dt), dropped(model, dt);

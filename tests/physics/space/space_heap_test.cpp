@@ -58,7 +58,7 @@ TEST_CASE("a heap of deformable and rigid stones has the same bits on any number
   CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("the ledger of a heap of deformable stones that fall closes" * doctest::test_suite("long")) {
+TEST_CASE("the energy balance of a heap of deformable stones that fall closes" * doctest::test_suite("long")) {
   const Model<3> model = heap();
   SolidRun run(model, heap_step);
   double fall = 0;

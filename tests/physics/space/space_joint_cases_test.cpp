@@ -156,7 +156,7 @@ TEST_CASE("C8 in space: direct shear reaches c + s tan(phi) and then s tan(phi) 
   }
 }
 
-TEST_CASE("C7 and C8 in space: what breaks is told with its mode and the force it carried and where and when") {
+TEST_CASE("C7 and C8 in space: a broken bond is reported with mode, force, place and time") {
   const double breaks = 44778;
   Bonded slid = brittle_mortar(joint_kn, joint_ks, std::tan(radians(35)), joint_cohesion, 1e5);
   slid.beta = 1e-5;

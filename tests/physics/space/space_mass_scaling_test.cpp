@@ -141,7 +141,7 @@ TEST_CASE("mass scaling in space: a held rod swings slower by the root of its ma
   }
 }
 
-TEST_CASE("mass scaling in space: the step asked for is stable, and without it the same step blows up") {
+TEST_CASE("mass scaling in space: the step requested is stable, and without it the same step blows up") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
     const Model<3> model = alone_in_space(
@@ -183,7 +183,7 @@ Model<3> tumbling_box(ElementShape shape, const std::array<Support, 6>& support 
   return model;
 }
 
-TEST_CASE("mass scaling in space: free flight and turning are those of the same steps without it") {
+TEST_CASE("mass scaling in space: free flight and rotation are unchanged") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
     const Model<3> model = tumbling_box(shape);
@@ -235,7 +235,7 @@ TEST_CASE("mass scaling in space: a rod that spins is stretched by rho w^2 l^3 /
   CHECK(near(stretch, expected, 0.02));
 }
 
-TEST_CASE("mass scaling in space: what is held in a plane keeps its motion along that plane") {
+TEST_CASE("mass scaling in space: a body held in a plane keeps its motion along the plane") {
   const std::array<Support, 6> in_plane{Support::free, Support::fixed, Support::free};
   const Model<3> model = tumbling_box(ElementShape::brick, in_plane);
   const double dt = 0.5 * plain_step(model);
@@ -280,8 +280,7 @@ Model<3> cube_on_spring(std::size_t axis, double stiffness) {
   return builder.build();
 }
 
-TEST_CASE(
-    "mass scaling in space: what swings on a spring as if it were rigid keeps its period, and the bound knows it") {
+TEST_CASE("mass scaling in space: a nearly rigid body on a spring keeps its period, and the bound contains it") {
   const double stiffness = 1e6, mass = 2000, period = 2 * M_PI * std::sqrt(mass / stiffness);
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     const Model<3> model = cube_on_spring(axis, stiffness);

@@ -44,7 +44,7 @@ StageOptions tower_stage(double step, double duration = 0.06) {
   return options;
 }
 
-TEST_CASE("mass scaling in space: the ledger of a shaken tower closes, in the stage and when its masses are its own") {
+TEST_CASE("mass scaling in space: the energy balance of a shaken tower closes, during and after the stage") {
   std::array<double, 2> residual{};
   std::array<Vec3, 2> top;
   for (const bool scaled : {false, true}) {
@@ -74,7 +74,7 @@ TEST_CASE("mass scaling in space: the ledger of a shaken tower closes, in the st
   CHECK((top[1] - top[0]).norm() < 1e-3);
 }
 
-TEST_CASE("mass scaling in space: same bits for any threads, from a snapshot, from a file, with work dropped") {
+TEST_CASE("mass scaling in space: same bits for any threads, from a snapshot, from a file, with scratch memory freed") {
   check_scaled_bits<3>([] { return shaken_tower(); }, tower_stage(3e-5, 0.04), 0.015, 0.025, 0.04);
 }
 
@@ -102,7 +102,7 @@ std::string tower_refusal(const StageOptions& options) {
   return scaling_refusal(shaken_tower(), options);
 }
 
-TEST_CASE("mass scaling in space: what cannot be is refused with the step that can") {
+TEST_CASE("mass scaling in space: an impossible step is rejected with the possible one") {
   CHECK(tower_refusal(tower_stage(1e-3)).find("even if it were rigid") != std::string::npos);
   StageOptions little = tower_stage(3e-5);
   little.mass_scaling->most = 0.5;

@@ -61,7 +61,7 @@ BeamVector3 motion_of_ends(double seed) {
   return v;
 }
 
-TEST_CASE("forces of inertia of a beam in space are Lagrange's") {
+TEST_CASE("inertia forces of a beam in space are Lagrange's") {
   for (const std::array<bool, 2> pinned : {std::array{false, false}, {true, false}, {false, true}, {true, true}}) {
     const BeamInertia3 inertia = beam_inertia_in_space(1200, 2, pinned);
     const Vec3 from(0.3, -0.2, 0.5), to(1.8, 0.6, 1.1);
@@ -135,8 +135,7 @@ Vec3 momentum_in_space(const Model<3>& model, const State<3>& state) {
   return sum;
 }
 
-TEST_CASE(
-    "a free bar in space with consistent mass turns on and keeps energy, and momentum by the square of the step") {
+TEST_CASE("a free bar in space with consistent mass conserves energy, and momentum to the square of the step") {
   for (const int beams : {1, 3}) {
     const Model<3> model = tumbling_bar(beams);
     std::array<double, 3> astray{};
@@ -163,7 +162,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("damping by mass brakes a bar in space with consistent mass, all of it in the ledger") {
+TEST_CASE("damping by mass brakes a bar in space with consistent mass, all of it in the energy balance") {
   Simulation<3> sim(tumbling_bar(2, 2));
   const double kinetic = implicit_kinetic(sim.model(), sim.state());
   sim.run(steps_in_space(AlphaScheme::hht(0), 0.25, 5e-4));
@@ -186,8 +185,7 @@ TEST_CASE("effective masses in space are the mass that is free to move, with con
 }
 
 TEST_CASE(
-    "a cantilever in space with consistent mass swings in implicit steps as its modes say, and goes on with the "
-    "same bits") {
+    "a cantilever in space with consistent mass follows its modes in implicit steps and continues with the same bits") {
   SolidSpec spec = chain_body("post", {Vec3::Zero(), Vec3(0, 0, 3)}, plain_section(0.2, 0.2), 2);
   spec.frame->consistent = true, spec.frame->joints[0].support = clamped, spec.frame->joints[1].mass = 5e4;
   Model<3> model = of_space_frames(member_material(7850, 2e11, 0.3), {spec});
@@ -255,7 +253,7 @@ SpaceSwing swing_in_space(Model<3> model, double hertz, const Vec3& way, const s
           std::abs(end.balance() - begun) / begun};
 }
 
-TEST_CASE("damping over a band in space: the ratio of free vibration is that asked for, in any world, by all steps") {
+TEST_CASE("damping over a band in space: free vibration has the requested ratio in any frame, with all steps") {
   const UnitQuaternion world = rotation_by({0.6, -0.9, 0.4});
   const Vec3 way = turn_of(world).apply(Vec3(0.8, 0.6, 0));
   for (const double hertz : {1.0, 4.5, 20.0}) {
@@ -275,7 +273,7 @@ TEST_CASE("damping over a band in space: the ratio of free vibration is that ask
   CHECK(near(by_implicit.given, by_explicit.given, 0.02));
 }
 
-TEST_CASE("damping over a band in space: modes tell the ratio of free vibration, the longest step the stiffening") {
+TEST_CASE("damping over a band in space: modes give the ratio of free vibration, the longest step the stiffening") {
   const BandDamping band{0.04, 0.5, 30};
   for (const double hertz : {0.7, 6.0}) {
     const Model<3> model = mast_in_space(hertz, band);
@@ -297,7 +295,7 @@ TEST_CASE("damping over a band in space: modes tell the ratio of free vibration,
   }
 }
 
-TEST_CASE("damping over a band in space: the tangent is that of central differences") {
+TEST_CASE("damping over a band in space: the tangent matches central differences") {
   Material steel = member_material(7850, 2.1e11, 0.3);
   steel.band = BandDamping{0.1, 1, 50};
   const Model<3> model =

@@ -79,7 +79,7 @@ TEST_CASE("meshed faces in space press by area times depth however their element
     }
 }
 
-TEST_CASE("what meshed faces in space store changes by their force, flat or deep") {
+TEST_CASE("the force of meshed faces in space is the gradient of their energy, flat or deep") {
   for (const ElementShape shape : {ElementShape::brick, ElementShape::tetrahedron}) {
     const Model<3> model = block_on_slab(shape, {3, 2, 1});
     CAPTURE(std::string(info_of(shape).name));

@@ -79,7 +79,7 @@ TEST_CASE("M5: two cubes on each other in space have their twelve frequencies") 
       {22.1055, 22.1055, 56.790, 89.793, 96.3095, 96.3095, 148.678, 186.093, 186.093, 224.931, 224.931, 235.081}, 5e-4);
 }
 
-TEST_CASE("the damping of a block on a joint in space is that of its law") {
+TEST_CASE("a block on a joint in space has the damping of its law") {
   const double beta = 2e-4;
   const Standing now = standing_blocks({0.4, 0.4, 1.2}, 1, 1, beta);
   const std::vector<NaturalMode<3>> found = modes(now.model, now.state, 6);
@@ -330,7 +330,7 @@ TEST_CASE("F7: a portal in space that is held in its plane sways at the loads of
   }
 }
 
-TEST_CASE("modes in space are refused where nothing can move") {
+TEST_CASE("modes in space are rejected where nothing can move") {
   SpaceBuilder builder;
   builder.gravity(Vec3::Zero());
   builder.add(fixed_stone("base", box_at({1, 1, 1}, Vec3::Zero())));

@@ -91,7 +91,7 @@ Spun spin_freely(const Model<3>& model, const Vec3& spin, double time, double dt
           angle_of(off).norm()};
 }
 
-TEST_CASE("a free body of one element turns in space as Euler's equations have it") {
+TEST_CASE("a free body of one element rotates in space by Euler's equations") {
   const Vec3 sides(1, 2, 0.5);
   // Deformation by strains of the order (density spin^2 size^2) / E = 1.5e-5 changes the inertia by as much.
   for (const SpaceMesh& mesh : {tapered_brick(sides, 0), tapered_brick(sides, 0.4), lone_tetrahedron()}) {
@@ -158,7 +158,7 @@ TEST_CASE("a body of one element that is pinned at a corner turns about it as a 
   }
 }
 
-TEST_CASE("the ledger of bricks in mortar on a base that is shaken closes at any step") {
+TEST_CASE("the energy balance of bricks in mortar on a base that is shaken closes at any step") {
   for (const double dt : {1.6e-5, 8e-6}) {
     Bonded law;
     law.kn = 2e9, law.ks = 1e9, law.mu = 0.6, law.tension = 2e4, law.cohesion = 3e4, law.beta = 1e-4;

@@ -45,7 +45,7 @@ TEST_CASE("statics in space rest a stack where consolidation does, at the overla
   }
 }
 
-TEST_CASE("statics in space say which body nothing holds and leave it where it is") {
+TEST_CASE("statics in space name the unsupported body and leave it in place") {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
   builder.add(fixed_stone("floor", box_solid(Vec3(-3, -3, -0.5), Vec3(3, 3, 0))));
@@ -77,7 +77,7 @@ Model<3> bend_of_45(int chords) {
   return of_space_frames(member_material(1, 1e7, 0), {spec});
 }
 
-TEST_CASE("F1: the bend of 45 degrees in 16 elements comes to where it is published, by statics") {
+TEST_CASE("F1: statics moves the tip of the 45 degree bend of 16 elements to the published position") {
   struct Row {
     double load;
     Vec3 tip;
@@ -102,7 +102,7 @@ TEST_CASE("F1: the bend of 45 degrees in 16 elements comes to where it is publis
   }
 }
 
-TEST_CASE("a path in space controlled by its load leads to the equilibrium that statics find at once") {
+TEST_CASE("a load-controlled path in space leads to the equilibrium of statics") {
   Model<3> model = bend_of_45(8);
   PointLoad<3> load;
   load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
@@ -155,7 +155,7 @@ Model<3> right_angle(int divisions) {
   return model;
 }
 
-TEST_CASE("F5: the right-angle cantilever swings as an explicit run of its own, by implicit steps and explicit ones" *
+TEST_CASE("F5: the right-angle cantilever moves the same with implicit and explicit steps" *
           doctest::test_suite("long")) {
   for (const bool implicit : {false, true}) {
     Simulation<3> sim(right_angle(20));

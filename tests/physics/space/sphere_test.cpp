@@ -45,7 +45,7 @@ SolidRun on_slope(double angle, double mu, const Vec3& velocity = Vec3::Zero(), 
 
 }  // namespace
 
-TEST_CASE("a ball rolls down a slope by 5/7 of what a smooth one does") {
+TEST_CASE("a ball rolls down a slope with 5/7 of the acceleration of a smooth one") {
   const double angle = radians(20);
   SolidRun run = on_slope(angle, 0.5);
   run.run(0.1);
@@ -81,7 +81,7 @@ TEST_CASE("a ball that is pushed along slides until it rolls with 5/7 of its spe
   CHECK(near(run.spin(1).y(), 2 * 5.0 / 7 / radius, 0.003));
 }
 
-TEST_CASE("a ball spun on a plane is held back by the couple of the disc it stands on") {
+TEST_CASE("a spinning ball on a plane is slowed by the friction couple of its contact disc") {
   const double kn = 1e8, mu = 0.4;
   SpaceBuilder space;
   space.gravity(Vec3(0, 0, -standard_gravity));
@@ -107,7 +107,7 @@ TEST_CASE("a ball on a floor sinks in as deep as its weight presses the cap") {
   CHECK(run.velocity(1).norm() < 1e-4);
 }
 
-TEST_CASE("without damping a ball bounces as high as it fell and with it as its equation of motion says") {
+TEST_CASE("a ball bounces to its drop height without damping and by its equation of motion with damping") {
   const double kn = 1e9, speed = 1;
   for (const double beta : {0.0, 2e-4}) {
     SpaceBuilder space;
@@ -157,7 +157,7 @@ TEST_CASE("a ball rolls over the joint of two flush blocks without a bump") {
   CHECK(near(run.velocity(2).x(), 1, 1e-3));
 }
 
-TEST_CASE("spheres, clumps and stones by chance keep momentum and energy as they collide") {
+TEST_CASE("spheres, clumps and stones at random keep momentum and energy as they collide") {
   std::mt19937_64 bits(3);
   double worst = 0;
   for (int i = 0; i < 24; ++i) {
@@ -188,7 +188,7 @@ TEST_CASE("spheres, clumps and stones by chance keep momentum and energy as they
   CHECK(worst < 0.01);
 }
 
-TEST_CASE("the ledger of a ball that falls, slides and rolls closes") {
+TEST_CASE("the energy balance of a ball that falls, slides and rolls closes") {
   SolidRun run = on_slope(radians(10), 0.3, Vec3(0, 1, -1));
   const double before = run.energy().balance();
   run.run(0.5);
@@ -197,7 +197,7 @@ TEST_CASE("the ledger of a ball that falls, slides and rolls closes") {
   CHECK(after[EnergyTerm::contact_friction] > 0.05);
 }
 
-TEST_CASE("dropping Work changes no bit of spheres that fall on each other") {
+TEST_CASE("freeing scratch memory changes no bit of spheres that fall on each other") {
   const auto heap = [] {
     SpaceBuilder space;
     space.gravity(Vec3(0, 0, -standard_gravity));
@@ -223,7 +223,7 @@ TEST_CASE("dropping Work changes no bit of spheres that fall on each other") {
   }
 }
 
-TEST_CASE("the step for spheres is stable in a fast blow") {
+TEST_CASE("the step for spheres is stable in a fast impact") {
   SpaceBuilder space;
   space.add(fixed_stone("floor", box_at(Vec3(2, 2, 1), Vec3(0, 0, -0.5))));
   SolidBody b = ball("ball", Vec3(0, 0, radius + 1e-3));

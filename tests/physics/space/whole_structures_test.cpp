@@ -95,7 +95,8 @@ Model<2> leaning_arch(double share) {
   return scene.builder.build();
 }
 
-TEST_CASE("an arch at .97 of its limit tilt is where explicit steps bring it by implicit ones twenty times as long") {
+TEST_CASE(
+    "an arch at 0.97 of its limit tilt has the same state with explicit steps and implicit ones twenty times as long") {
   const Model<2> model = leaning_arch(0.97);
   const int crown = node_of(model, "v10");
   std::array<Vec2, 2> way{};

@@ -110,7 +110,7 @@ StageOptions explicit_swing() {
 
 }  // namespace
 
-TEST_CASE("a column of fibres stands below its plastic load and goes beyond it along either axis and askew") {
+TEST_CASE("a column of fibres stands below its plastic load and goes beyond it along either axis and obliquely") {
   // A force along x bends the section about z. Under an oblique force at 45 degrees the neutral axis of a rectangle is
   // its diagonal.
   const double about_z = steel_yield * 0.2 * 0.09 / 4, about_y = steel_yield * 0.3 * 0.04 / 4;
@@ -131,7 +131,7 @@ TEST_CASE("a column of fibres stands below its plastic load and goes beyond it a
   CHECK(gone_under_push(angle, force) > 8 * half);
 }
 
-TEST_CASE("a column of fibres that swings beyond yield closes its ledger and is the same in a turned world") {
+TEST_CASE("a column of fibres that swings beyond yield closes its energy balance and is the same in a rotated frame") {
   const ShakenColumn upright = swing({}, 0, explicit_swing());
   CHECK(upright.plastic > 0.2 * thrown_energy);
   CHECK(upright.residual < 1e-3 * thrown_energy);
@@ -151,7 +151,7 @@ TEST_CASE("a column of fibres that swings beyond yield closes its ledger and is 
   CHECK(damped.plastic < upright.plastic);
 }
 
-TEST_CASE("implicit steps take a column of fibres in space where explicit ones do") {
+TEST_CASE("a column of fibres in space moves the same with implicit and explicit steps") {
   const ShakenColumn small = swing({}, 0, explicit_swing());
   StageOptions stage = careful_steps(0.15, 1e-3);
   stage.energy_interval = 1e-3;
@@ -161,7 +161,7 @@ TEST_CASE("implicit steps take a column of fibres in space where explicit ones d
   CHECK(large.residual < 5e-3 * thrown_energy);
 }
 
-TEST_CASE("a column that bends in one plane is that of the plane") {
+TEST_CASE("a column that bends in one plane equals the column in the plane") {
   BodySpec spec = beam_body("column", {0, 0}, {0, column_height}, section_of(FibreShape(column_profile)), "steel", 6);
   spec.frame->joints[0].support = held;
   spec.frame->joints[1].mass = 2e4, spec.frame->joints[1].inertia = 1e3;
@@ -187,7 +187,7 @@ TEST_CASE("a column that bends in one plane is that of the plane") {
   }
 }
 
-TEST_CASE("a column of fibres saved and continued has the bits of one that was not") {
+TEST_CASE("a column of fibres saved and continued gives the same bits as one run without interruption") {
   Model<3> model = column_in(rotation_by({0.2, 0.4, -0.3}), 2e-5);
   model.start_velocity[column_top] = Vec3(1.5, 2, -1);
   SolidRun whole(model, 4e-6);
