@@ -65,6 +65,9 @@ TEST_CASE("a matrix without a diagonal is factored with pivots and one that is s
   Matrix singular(2, 2);
   singular.insert(0, 0) = 1, singular.insert(1, 1) = 1, singular.insert(0, 1) = 1, singular.insert(1, 0) = 1;
   CHECK(!compute(factors, singular));
+  // Bodies that touch nothing have no stiffness.
+  Matrix empty(39, 39);
+  CHECK(!compute(factors, empty));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ bool SparseFactors::compute(const Eigen::Map<const Eigen::SparseMatrix<double>>&
   matrix_ = matrix;
   pivoted_.reset();
   const auto size = static_cast<std::size_t>(matrix_.cols()), entries = static_cast<std::size_t>(matrix_.nonZeros());
+  if (entries < size) return false;  // singular; SparseLU does not return without entries
   const int *column = matrix_.outerIndexPtr(), *row = matrix_.innerIndexPtr();
   const bool same = column_.size() == size + 1 && row_.size() == entries &&
                     std::equal(column_.begin(), column_.end(), column) && std::equal(row_.begin(), row_.end(), row);
