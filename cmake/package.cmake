@@ -21,5 +21,5 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS lua5.4)
 # Packages needed to compile against the C++ package, for films, and for the Python module.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, libtbb-dev, bash-completion, ffmpeg, python3-h5py, python3-pandas, python3-matplotlib")
+  "g++, cmake, pkg-config, libeigen3-dev, libfmt-dev, libhdf5-dev, libcairo2-dev, zlib1g-dev, bash-completion, ffmpeg, python3-h5py, python3-pandas, python3-matplotlib")
 include(CPack)

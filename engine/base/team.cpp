@@ -1,6 +1,6 @@
 #include "base/team.hpp"
 
-#include <tbb/info.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <array>
@@ -209,7 +209,11 @@ class Failing {
 }  // namespace
 
 int threads_here() {
-  return std::clamp(tbb::info::default_concurrency(), 1, most_threads);
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  const bool is_known = sched_getaffinity(0, sizeof allowed, &allowed) == 0;
+  return std::clamp(is_known ? CPU_COUNT(&allowed) : static_cast<int>(std::thread::hardware_concurrency()), 1,
+                    most_threads);
 }
 
 namespace {

@@ -101,7 +101,7 @@ def build(library, folder):
              "-fsanitize=fuzzer,address,undefined", "-fno-sanitize-recover=undefined", "-Iengine"]
     flags += subprocess.run(["pkg-config", "--cflags", "eigen3", "hdf5-serial"], capture_output=True, text=True,
                             check=True).stdout.replace("-I/", "-isystem/").split()
-    libraries = ["hdf5-serial", "cairo", "zlib", "fmt", "tbb"]
+    libraries = ["hdf5-serial", "cairo", "zlib", "fmt"]
     link = subprocess.run(["pkg-config", "--libs", *libraries], capture_output=True, text=True, check=True)
     compiler = (["ccache"] if shutil.which("ccache") else []) + ["clang++"]
     objects = [os.path.join(folder, source.replace("/", "_") + ".o") for source in SOURCES]
