@@ -24,14 +24,6 @@ struct Divergence {
   std::optional<Event> event;  ///< event of the element, if any
 };
 
-/// Largest principal strain of an element, from the deformation gradient at its corners.
-struct ElementStretch {
-  int element = -1;
-  double strain = 0;  ///< stretch minus 1; at -1 and below a corner has no area left, or is inverted [1]
-  double spare = 0;   ///< remaining strain up to the limit of the material; 0 or negative beyond it [1]
-};
-ElementStretch element_stretch(const Model<2>& model, const State<2>& state, int element);
-
 /// True if an element, or a beam along its axis, is strained beyond the limit of its material.
 template <int D>
 bool is_overstrained(const Model<D>& model, const State<D>& state);
