@@ -104,7 +104,7 @@ double balance_anew(Model<D>& model, State<D>& state, Work<D>& work, const StepO
   hold_left(model, state);
   work.valid = false;
   evaluate(model, state, work, state.last_dt);
-  if (!state.implicit()) control_displacement(model, state, work, options);
+  control_displacement(model, state, work, options);
   return energy_now(model, state, work, options).balance();
 }
 

@@ -20,14 +20,15 @@ namespace {
 
 /// Number of steps between two estimates of the explicit step.
 constexpr std::int64_t steps_between_estimates = 32;
-/// Energy errors do not shorten implicit steps below this share of the longest step.
+/// Energy errors shorten no step below this share of the longest step.
 constexpr double shortest_for_energy = 1.0 / 16384;
 /// Cost of an implicit step in explicit steps. Implicit steps are used only if they are longer by at least this factor.
 constexpr double least_gain = 20;
 /// After a change to explicit steps, implicit ones are tried again after this number of longest steps.
 constexpr double tries_after = 40;
 
-double longest_implicit(const StageOptions& o) {
+/// Longest step of a scheme that controls its error.
+double longest_controlled_step(const StageOptions& o) {
   return o.dt > 0 ? o.dt : usual_longest_step;
 }
 
@@ -43,19 +44,21 @@ bool passes_multiple(double time, double last_dt, double interval) {
 
 }  // namespace
 
-/// Integrator at the begin of a stage. A stage that leaves it open continues with the scheme of the state, and starts
-/// implicitly at the very start.
+/// Velocities at the begin of a stage. A stage that leaves the integrator open continues with the scheme of the state,
+/// and starts implicitly at the very start.
 template <int D>
-bool Simulation<D>::wants_implicit() const {
+VelocityTimes Simulation<D>::wanted_velocities() const {
   const StageOptions& o = stage_->options;
-  if (!o.may_change) return o.implicit.has_value();
-  return state_.implicit() || (state_.last_dt == 0 && model_.pushes.empty());
+  const bool own = !o.may_change || state_.implicit() || (state_.last_dt == 0 && model_.pushes.empty());
+  return own ? velocities_of(o.integrator) : CentralDifference::velocities;
 }
 
-/// True if the next step is implicit.
+/// The scheme of the next step.
 template <int D>
-bool Simulation<D>::goes_implicitly() const {
-  return stage_->options.implicit && (!stage_->options.may_change || state_.implicit());
+const AnyIntegrator& Simulation<D>::integrator() const {
+  static const AnyIntegrator otherwise = CentralDifference{};
+  const StageOptions& o = stage_->options;
+  return !o.may_change || velocity_times(state_) == velocities_of(o.integrator) ? o.integrator : otherwise;
 }
 
 /// The step found last, unless the stage requests another one or the next estimate is due.
@@ -63,13 +66,13 @@ template <int D>
 NextStep Simulation<D>::choose_step() const {
   if (!stage_) return {state_.dt, state_.safety, 0};
   const StageOptions& options = stage_->options;
-  if (goes_implicitly()) {
-    const double longest = longest_implicit(options);
+  if (bound_of(integrator()) == StepBound::accuracy) {
+    const double longest = longest_controlled_step(options);
     const double stable = options.may_change ? stable_step(model_, state_, work_).dt : 0;
     return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, stable};
   }
   // A stage with another step option takes effect at once.
-  const double given = options.implicit ? 0 : options.dt, safety = given > 0 ? 0 : options.safety;
+  const double given = given_step(options), safety = given > 0 ? 0 : options.safety;
   const bool other = state_.safety != safety || (given > 0 && state_.dt != given);
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
   const double longest = stable_step(model_, state_, work_).dt;
@@ -117,24 +120,25 @@ void Simulation<D>::unscale_masses() {
 template <int D>
 void Simulation<D>::choose_integrator() {
   const StageOptions& options = stage_->options;
-  const double longest = longest_implicit(options);
+  const double longest = longest_controlled_step(options);
   refresh();
   if (state_.implicit()) {
     if (next_.dt >= least_gain * options.safety * next_.longest) return;
     changed_ =
         fmt::format("continues with explicit steps, because implicit steps became as short as {:.2g} s", next_.dt);
-    change_integrator(false);
+    change_velocities(VelocityTimes::staggered);
   } else if (model_.pushes.empty() && longest >= least_gain * next_.dt &&
              passes_multiple(state_.time, state_.last_dt, tries_after * longest)) {
     changed_ = "tries implicit steps again";
-    change_integrator(true);
+    change_velocities(velocities_of(options.integrator));
   }
 }
 
 /// Commits the last step under the scheme that took it, then prepares the state for the other scheme.
 template <int D>
-void Simulation<D>::change_integrator(bool implicit) {
-  if (implicit && !model_.pushes.empty())
+void Simulation<D>::change_velocities(VelocityTimes to) {
+  const bool collocated = to == VelocityTimes::collocated;
+  if (collocated && !model_.pushes.empty())
     throw InputError(
         fmt::format("stage '{}': push '{}' controls a displacement, which needs explicit steps; release it, or use "
                     "integrator = \"explicit\"",
@@ -142,7 +146,7 @@ void Simulation<D>::change_integrator(bool implicit) {
   refresh();
   commit(model_, state_, work_, times_);
   leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
-  if (implicit)
+  if (collocated)
     begin_implicit(model_, state_, work_);
   else
     begin_explicit(model_, state_, work_);
@@ -150,10 +154,10 @@ void Simulation<D>::change_integrator(bool implicit) {
   evaluated_ = false;
 }
 
-/// Prepares for explicit steps after an implicit step failed at a committed instant. The state is unchanged, with no
-/// step outstanding since the commit.
+/// Prepares for central differences after a step failed at a committed instant. The state is unchanged, with no step
+/// outstanding since the commit.
 template <int D>
-void Simulation<D>::leave_implicit() {
+void Simulation<D>::leave_failed_step() {
   std::vector<Vec<D>> position = std::exchange(state_.position_before, state_.position);
   std::vector<Rotation<D>> rotation = std::exchange(state_.rotation_before, state_.rotation);
   evaluate(model_, state_, work_, state_.last_dt, times_);
@@ -165,34 +169,25 @@ void Simulation<D>::leave_implicit() {
   state_.dt = next_.dt, state_.safety = next_.safety;
 }
 
-/// Takes one step with the implicit scheme of the stage.
-template <int D>
-bool Simulation<D>::step_implicitly(double dt, const Energy& energy) {
-  const StageOptions& options = stage_->options;
-  ImplicitOptions how;
-  how.scheme = *options.implicit, how.dt = dt, how.tolerance = options.tolerance, how.accuracy = options.accuracy;
-  how.shortest = shortest_for_energy * longest_implicit(options);
-  how.give_up = options.may_change ? least_gain * options.safety * next_.longest : 0;
-  const ImplicitStep step = advance_implicitly(model_, state_, work_, energy, *tangent_, how, times_);
-  stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
-  if (step.converged) return true;
-  if (!options.may_change) {
-    stuck_ = stuck_reason(model_, state_, step);
-    return false;
-  }
-  changed_ = fmt::format("continues with explicit steps, because no implicit step of {:.2g} s or more converges",
-                         std::min(dt, how.give_up));
-  leave_implicit();
-  advance(model_, state_, work_, {swept_.dt, rest_}, times_);
-  evaluated_ = false;  // Work was evaluated at a trial state
-  return true;
-}
-
 /// Steps from a committed instant to the next one. False if no step was found.
 template <int D>
 bool Simulation<D>::take_step(double dt, const Energy& energy) {
-  if (state_.implicit()) return step_implicitly(dt, energy);
-  advance(model_, state_, work_, {dt, rest_}, times_);
+  const StageOptions& options = stage_->options;
+  const StepControl control{options.tolerance, options.accuracy, shortest_for_energy * longest_controlled_step(options),
+                            options.may_change ? least_gain * options.safety * next_.longest : 0};
+  const StepInput<D> input{model_, state_, work_, *tangent_, energy, dt, rest_, control, times_};
+  const StepResult step = std::visit([&](const auto& scheme) { return scheme.step(input); }, integrator());
+  stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
+  if (step.done) return true;
+  if (!options.may_change) {
+    stuck_ = step.reason;
+    return false;
+  }
+  changed_ = fmt::format("continues with explicit steps, because no implicit step of {:.2g} s or more converges",
+                         std::min(dt, control.give_up));
+  leave_failed_step();
+  advance(model_, state_, work_, {swept_.dt, rest_}, times_);
+  evaluated_ = false;  // Work was evaluated at a trial state
   return true;
 }
 
@@ -200,19 +195,19 @@ template void Simulation<2>::scale_masses();
 template void Simulation<2>::unscale_masses();
 template void Simulation<3>::scale_masses();
 template void Simulation<3>::unscale_masses();
-template bool Simulation<2>::wants_implicit() const;
-template bool Simulation<2>::goes_implicitly() const;
+template VelocityTimes Simulation<2>::wanted_velocities() const;
+template const AnyIntegrator& Simulation<2>::integrator() const;
 template NextStep Simulation<2>::choose_step() const;
 template void Simulation<2>::choose_integrator();
-template void Simulation<2>::change_integrator(bool);
+template void Simulation<2>::change_velocities(VelocityTimes);
 template bool Simulation<2>::take_step(double, const Energy&);
-template bool Simulation<3>::wants_implicit() const;
-template bool Simulation<3>::goes_implicitly() const;
+template VelocityTimes Simulation<3>::wanted_velocities() const;
+template const AnyIntegrator& Simulation<3>::integrator() const;
 template NextStep Simulation<3>::choose_step() const;
 template void Simulation<3>::choose_integrator();
-template void Simulation<3>::change_integrator(bool);
+template void Simulation<3>::change_velocities(VelocityTimes);
 template bool Simulation<3>::take_step(double, const Energy&);
-template void Simulation<2>::leave_implicit();
-template void Simulation<3>::leave_implicit();
+template void Simulation<2>::leave_failed_step();
+template void Simulation<3>::leave_failed_step();
 
 }  // namespace trilith

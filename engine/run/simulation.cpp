@@ -10,17 +10,16 @@
 
 #include "assembly/evaluate.hpp"
 #include "assembly/start.hpp"
+#include "assembly/tangent/tangent.hpp"
 #include "base/error.hpp"
 #include "base/flagged.hpp"
 #include "edit/deactivate.hpp"
 #include "events/commit.hpp"
 #include "integrate/explicit/bond_step.hpp"
-#include "integrate/explicit/central_difference.hpp"
 #include "integrate/explicit/deep_penetration.hpp"
 #include "integrate/explicit/impact_step.hpp"
 #include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
-#include "integrate/implicit/implicit_step.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
 #include "statics/displacement_control.hpp"
@@ -114,7 +113,7 @@ void Simulation<D>::refresh() {
     if (next_.safety > 0) swept_.dt = dt;
   }
   clock.mark(StepPart::estimate);
-  if (next_.dt > 0 && !state_.implicit()) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  if (next_.dt > 0) control_displacement(model_, state_, work_, {swept_.dt, rest_});
   add_inertia(model_, state_, work_, {swept_.dt, rest_});
   if (!state_.added_share.empty()) clock.mark(StepPart::advance);
   evaluated_ = true;
@@ -137,15 +136,15 @@ double Simulation<D>::whole_step() const {
 /// errors.
 template <int D>
 double Simulation<D>::impact_accuracy() const {
-  if (!stage_ || state_.implicit() || rest_.share > 0 || !(next_.safety > 0)) return 0;
+  if (!stage_ || rest_.share > 0 || !(next_.safety > 0)) return 0;
   return stage_->options.impact_accuracy;
 }
 
 /// Throws InputError if the next step is longer than the stable step, or so short that no stage would end.
 template <int D>
 void Simulation<D>::require_step(const StageOptions& options) const {
-  if (goes_implicitly()) return;
-  const double asked = options.implicit ? 0 : options.dt;
+  if (bound_of(integrator()) == StepBound::accuracy) return;
+  const double asked = given_step(options);
   if (asked > 0 && swept_.piece_a >= 0)
     throw InputError(
         fmt::format("stage '{}': dt is {:g} s, must be at most {:.2g} s at t = {:.4g} s, or one body could pass "
@@ -190,7 +189,7 @@ template <int D>
 StageReport Simulation<D>::run(const StageOptions& options, const RunListener<D>& listener) {
   begin_stage(options);
   if (!options.mass_scaling) unscale_masses();
-  if (const bool implicit = wants_implicit(); implicit != state_.implicit()) change_integrator(implicit);
+  if (const VelocityTimes wanted = wanted_velocities(); wanted != velocity_times(state_)) change_velocities(wanted);
   return go_on(listener);
 }
 

@@ -164,16 +164,15 @@ class Simulation {
   void tell_point(const Waypoint<D>& point, const RunListener<D>& listener);
   void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;
-  [[nodiscard]] bool wants_implicit() const;
-  [[nodiscard]] bool goes_implicitly() const;
+  [[nodiscard]] VelocityTimes wanted_velocities() const;
+  [[nodiscard]] const AnyIntegrator& integrator() const;
   void scale_masses();
   void unscale_masses();
   void choose_integrator();
-  void change_integrator(bool implicit);
-  void leave_implicit();
+  void change_velocities(VelocityTimes to);
+  void leave_failed_step();
   bool take_step(double dt, const Energy& energy);
   bool step_in_time(double dt);
-  bool step_implicitly(double dt, const Energy& energy);
   void fail_stage(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
   [[nodiscard]] double impact_accuracy() const;
@@ -200,8 +199,8 @@ class Simulation {
   RestDamping rest_;        // of the present stage, or of the last one
   bool evaluated_ = false;  // work_, next_ and swept_ match state_ and model_
   std::unique_ptr<Watch> watch_;
-  std::unique_ptr<Tangent<D>> tangent_;  // for implicit steps
-  std::string stuck_;                    // reason for which an implicit step failed
+  std::unique_ptr<Tangent<D>> tangent_;  // of steps that solve equations
+  std::string stuck_;                    // reason for which a step failed
   std::string changed_;                  // reason for a change of integrator within the stage, until reported
   std::vector<Event> leaving_;           // events of bodies that left or changed at this instant, to be reported
   bool all_left_ = false;                // no body is free to move any more, because all have left

@@ -18,7 +18,7 @@ void require_valid_scaling(const StageOptions& o, const std::string& owner) {
     throw InputError(
         fmt::format("{}: dt is {:g} s and mass_scaling has a step of {:g} s; leave dt out; mass_scaling sets the step",
                     owner, o.dt, o.mass_scaling->step));
-  if (o.implicit)
+  if (bound_of(o.integrator) == StepBound::accuracy)
     throw InputError(owner + ": mass_scaling is for explicit steps; implicit steps do not need it; keep one");
 }
 
@@ -35,7 +35,7 @@ void require_valid(const StageOptions& o) {
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
     throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
-  if (o.implicit && o.rest_share > 0)
+  if (bound_of(o.integrator) == StepBound::accuracy && o.rest_share > 0)
     throw InputError(
         fmt::format("{}: damping is {:g}, which is for explicit steps; leave it out, or use integrator = \"explicit\"",
                     owner, o.rest_share));

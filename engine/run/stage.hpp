@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "assembly/alpha_scheme.hpp"
 #include "integrate/explicit/mass_scaling.hpp"
+#include "integrate/list.hpp"
 #include "model/event.hpp"
 #include "model/work.hpp"
 
@@ -32,11 +32,10 @@ struct StageOptions {
 
   std::optional<MassScaling> mass_scaling;  ///< longer explicit steps of meshed bodies
 
-  std::optional<AlphaScheme> implicit;  ///< implicit scheme; otherwise explicit central differences
-  bool may_change = false;              ///< with `implicit`: explicit steps where implicit ones are slower
-  double tolerance = 1e-8;              ///< of implicit steps: largest residual force, as a share of the largest force
-                                        ///< carried
-  double accuracy = 1e-3;               ///< of implicit steps: allowed energy error of a step, see ImplicitOptions
+  AnyIntegrator integrator;  ///< CentralDifference unless set
+  bool may_change = false;   ///< with a scheme bounded by accuracy: central differences where its steps are slower
+  double tolerance = 1e-8;   ///< of schemes bounded by accuracy, see StepControl
+  double accuracy = 1e-3;    ///< likewise
   /// Allowed energy error of an impact in explicit steps, as a share of the energy supplied, if dt is not given (see
   /// ImpactOptions). 0: impacts do not shorten steps.
   double impact_accuracy = 0;
@@ -57,6 +56,11 @@ struct StageOptions {
   double history_interval = 0;  ///< [s]; 0: none
   double energy_interval = 0;   ///< [s]; 0: none
 };
+
+/// The step that the stage prescribes; 0 if it is found by the stability of the scheme [s].
+inline double given_step(const StageOptions& options) {
+  return bound_of(options.integrator) == StepBound::stability ? options.dt : 0;
+}
 
 /// Throws InputError if an option is out of range or contradicts another one.
 void require_valid(const StageOptions& options);

@@ -107,22 +107,6 @@ std::string unsettled_reason(const Instant<D>& now) {
 
 /// Reason for which no step was found at any length: time, progress, and the body with the largest residual, or the two
 /// bodies that would pass through each other.
-template <int D>
-std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step) {
-  const auto body_of = [&](int piece) { return model.bodies[model.piece_body[piece]].name; };
-  if (step.through_a >= 0)
-    return fmt::format(
-        "every step from t = {:.6g} s on, down to {:.2g} s, takes '{}' and '{}' through each other. Use a smaller dt, "
-        "check their speeds and the stiffness of their contact law, or continue with integrator = \"explicit\"",
-        state.time, step.dt, body_of(step.through_a), body_of(step.through_b));
-  const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;
-  return fmt::format(
-      "no step from t = {:.6g} s on converges, down to {:.2g} s: the residual is {:.2g} of the largest force, most of "
-      "it on {}. Check contacts and yielding there, use a smaller dt or more damping, or continue with integrator = "
-      "\"explicit\"",
-      state.time, step.dt, step.left, where);
-}
-
 /// A static residual below this share of the largest force may count as rest.
 constexpr double little_left = 1e-4;
 
@@ -155,8 +139,6 @@ Event unsettled_event(const Instant<D>& now) {
   return e;
 }
 
-template std::string stuck_reason(const Model<2>&, const State<2>&, const ImplicitStep&);
-template std::string stuck_reason(const Model<3>&, const State<3>&, const ImplicitStep&);
 template std::string no_rest_reason(const Model<2>&, const Equilibrium&);
 template std::string no_rest_reason(const Model<3>&, const Equilibrium&);
 template void set_unstable(StageReport&, const Model<2>&, const Travel&, double);

@@ -10,7 +10,6 @@
 namespace trilith {
 
 struct Equilibrium;
-struct ImplicitStep;
 
 /// Event of the stage as a whole.
 template <int D>
@@ -31,9 +30,6 @@ Event diverged_event(const Instant<D>& now, const StageReport& report);
 /// Reason without rest: the worst body, its unbalanced force, and advice.
 template <int D>
 std::string unsettled_reason(const Instant<D>& now);
-/// Reason of an implicit step that did not converge: the place of the largest residual, and advice.
-template <int D>
-std::string stuck_reason(const Model<D>& model, const State<D>& state, const ImplicitStep& step);
 /// Reason of a static stage without rest: the part that moves away, or the largest residual, and advice.
 template <int D>
 std::string no_rest_reason(const Model<D>& model, const Equilibrium& found);

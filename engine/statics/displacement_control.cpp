@@ -96,7 +96,7 @@ void find_unbalanced(const Model<D>& model, Work<D>& work) {
 
 template <int D>
 void control_displacement(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options) {
-  if (model.pushes.empty()) return;
+  if (model.pushes.empty() || state.implicit()) return;
   work.correction.assign(work.load.size(), Vec<D>::Zero());
   work.correction_moment.assign(work.load.size(), nothing<Moment<D>>());
   for (std::size_t i = 0; i < model.pushes.size(); ++i) {

@@ -166,7 +166,7 @@ TEST_CASE("the last force of a bearing acts for another half step, and the energ
       Simulation<2> sim = scene.start();
       StageOptions options;
       options.duration = 0.2, options.dt = dt, options.energy_interval = dt;
-      if (implicitly) options.implicit = AlphaScheme::hht(0);
+      if (implicitly) options.integrator = AlphaMethod::hht(0);
       std::vector<double> balance;
       RunListener<2> listener;
       listener.on_energy = [&](const Instant<2>&, const Energy& e) { balance.push_back(e.balance()); };

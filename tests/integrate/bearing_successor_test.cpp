@@ -63,7 +63,7 @@ Seen follow(Simulation<2>& sim, double duration, bool implicitly, double dt) {
   Seen seen;
   StageOptions options;
   options.duration = duration, options.dt = dt, options.energy_interval = dt;
-  if (implicitly) options.implicit = AlphaScheme::hht(0);
+  if (implicitly) options.integrator = AlphaMethod::hht(0);
   RunListener<2> listener = testing::each_step([&](const Instant<2>& now) {
     const double far = bearing_motion(now.model, now.state, 1).displacement[along];
     if (std::abs(far) > std::abs(seen.farthest)) seen.farthest = far;

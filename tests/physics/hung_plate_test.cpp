@@ -81,7 +81,7 @@ Swing swing_of(const Vec3& velocity, double twist, const std::function<double(co
     }
     before = value, time = now.state.time;
   };
-  const StageReport report = sim.run(steps_in_space(AlphaScheme::hht(-0.05), 12, 5e-3), after_each_step(see));
+  const StageReport report = sim.run(steps_in_space(AlphaMethod::hht(-0.05), 12, 5e-3), after_each_step(see));
   INFO(report.reason);
   CHECK(report.end == StageEnd::time);
   REQUIRE(rises > 3);

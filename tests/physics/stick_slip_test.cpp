@@ -46,7 +46,7 @@ struct MovedSlider {
     set_drive(sim.edit_model(), sim.model().find_body("slider"), 0,
               std::make_shared<GroundMotion>(std::vector<double>(4, 0.0), 1.0, MotionStart{speed, 0}), sim.state().time,
               sim.state().position[slider_].x());
-    StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), length, length / steps);
+    StageOptions stage = implicit_stage(AlphaMethod::hht(-0.05), length, length / steps);
     stage.tolerance = 1e-8;
     const double before = sim.energy()[EnergyTerm::contact_friction];
     GivenOff out;
@@ -122,7 +122,7 @@ TEST_CASE("I8: a block pulled through a spring slips at mu N and then moves alon
     double time, place, speed, dissipated;
   };
   std::vector<Sample> all{{0, 0, 0, 0}};
-  StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), 2, 2e-3);
+  StageOptions stage = implicit_stage(AlphaMethod::hht(-0.05), 2, 2e-3);
   stage.tolerance = 1e-8, stage.energy_interval = 2e-3;
   RunListener<2> listener;
   double begins = 0, low_at = 0, peak = 0, low = 1, most = 0, off = 0;

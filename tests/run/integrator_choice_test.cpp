@@ -19,7 +19,7 @@ Simulation<2> falling_block() {
 constexpr double fine_steps = 0.1;
 
 StageOptions open_stage(double duration) {
-  StageOptions stage = adaptive_stage(AlphaScheme::hht(-0.05), duration, 0.005);
+  StageOptions stage = adaptive_stage(AlphaMethod::hht(-0.05), duration, 0.005);
   stage.may_change = true;
   stage.safety = fine_steps;
   return stage;

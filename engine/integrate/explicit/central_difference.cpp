@@ -321,6 +321,12 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
 }
 
 template <int D>
+StepResult CentralDifference::step(const StepInput<D>& in) const {
+  advance(in.model, in.state, in.work, {in.dt, in.rest}, in.times);
+  return {true, in.dt, ""};
+}
+
+template <int D>
 void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, StepTimes* times) {
   StepClock clock(times);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
@@ -333,6 +339,8 @@ void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOp
 
 template Energy energy_now(const Model<2>&, const State<2>&, const Work<2>&, const StepOptions&);
 template Energy energy_now(const Model<3>&, const State<3>&, const Work<3>&, const StepOptions&);
+template StepResult CentralDifference::step(const StepInput<2>&) const;
+template StepResult CentralDifference::step(const StepInput<3>&) const;
 template void advance(const Model<2>&, State<2>&, Work<2>&, const StepOptions&, StepTimes*);
 template void advance(const Model<3>&, State<3>&, Work<3>&, const StepOptions&, StepTimes*);
 

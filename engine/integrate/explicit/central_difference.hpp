@@ -1,11 +1,7 @@
 // Explicit central differences (leapfrog), and the energy ledger of its steps.
 #pragma once
 
-#include "assembly/step_options.hpp"
-#include "assembly/step_times.hpp"
-#include "model/model.hpp"
-#include "model/state.hpp"
-#include "model/work.hpp"
+#include "integrate/integrator.hpp"
 
 namespace trilith {
 
@@ -18,5 +14,15 @@ void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOp
 /// terms from the running sums. The kinetic energy follows the leapfrog scheme: half of m v(-) v(+).
 template <int D>
 Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepOptions& options);
+
+struct CentralDifference {
+  static constexpr std::string_view name = "explicit";
+  static constexpr std::string_view sentence = "central differences (leapfrog)";
+  static constexpr VelocityTimes velocities = VelocityTimes::staggered;
+  static constexpr StepBound bound = StepBound::stability;
+
+  template <int D>
+  [[nodiscard]] StepResult step(const StepInput<D>& input) const;
+};
 
 }  // namespace trilith

@@ -66,7 +66,7 @@ class Keys {
   void declared(T& value) {
     for (const Parameter<T>& p : T::parameters()) {
       value.*(p.member) = p.required() ? number(p.name, p.unit) : number(p.name, p.unit, p.preset);
-      if (!p.allows(value.*(p.member)))
+      if (value.*(p.member) != p.preset && !p.allows(value.*(p.member)))
         problem(fmt::format("'{}' is {:g}{}{}, must be {}", p.name, value.*(p.member), p.unit == "1" ? "" : " ",
                             p.unit == "1" ? "" : p.unit, p.range()));
     }

@@ -32,10 +32,7 @@ std::string asked_text(const StageOptions& o) {
   return fmt::format(
       "stage '{}' of {:.17g} s to {:.17g} s, dt {:.17g}, safety {:.17g}, local_damping {:.17g}, {}, "
       "tolerance {:.17g}, accuracy {:.17g} and {:.17g}{}{}{}",
-      o.name, o.duration, o.end_time, o.dt, o.safety, o.rest_share,
-      o.may_change ? "auto"
-      : o.implicit ? "implicit"
-                   : "explicit",
+      o.name, o.duration, o.end_time, o.dt, o.safety, o.rest_share, o.may_change ? "auto" : name_of(o.integrator),
       o.tolerance, o.accuracy, o.impact_accuracy,
       o.until_rest ? fmt::format(", until rest: {:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.9g}", o.still_from,
                                  o.still_speed, o.still_ratio, o.still_hold, o.within)

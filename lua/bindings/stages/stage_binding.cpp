@@ -69,11 +69,45 @@ std::string explicit_keys(Keys& keys) {
   return out;
 }
 
-/// { integrator =, alpha =, spectral_radius =, tolerance = }: scheme of the steps.
+/// Reads the parameters of a scheme if it is named, and rejects its parameters if it is not.
+template <Integrator I>
+void read_scheme(Keys& keys, std::string_view name, StageOptions& o) {
+  constexpr bool has_parameters = Declared<I>;
+  if (name != I::name) {
+    if constexpr (has_parameters)
+      for (const Parameter<I>& p : I::parameters())
+        if (keys.has(p.name))
+          keys.problem(fmt::format("'{}' is for integrator = \"{}\", but this stage is {}; leave it out", p.name,
+                                   I::name, name));
+    return;
+  }
+  I scheme;
+  if constexpr (has_parameters) keys.declared(scheme);
+  if constexpr (requires { I::exclusive; }) {
+    const auto [one, other, reason] = I::exclusive;
+    if (keys.has(one) && keys.has(other))
+      keys.problem(fmt::format("both '{}' and '{}' are given; keep one: {}", one, other, reason));
+  }
+  o.integrator = scheme;
+}
+
+/// { integrator =, tolerance =, accuracy = } and the parameters of the scheme. "auto": the implicit scheme, or central
+/// differences.
 void read_integrator(Keys& keys, StageOptions& o) {
   const std::string name = keys.text("integrator", "explicit");
+  o.may_change = name == "auto";
+  std::string names;
+  bool is_known = o.may_change;
+  Integrators::for_each([&]<class I>() {
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", I::name);
+    is_known = is_known || name == I::name;
+  });
+  if (!is_known) keys.problem(fmt::format("'integrator' is \"{}\", must be {} or \"auto\"", name, names));
+  const std::string_view scheme = o.may_change ? AlphaMethod::name : std::string_view(name);
+  Integrators::for_each([&]<class I>() { read_scheme<I>(keys, scheme, o); });
+  const bool is_stable = bound_of(o.integrator) == StepBound::stability;
   o.impact_accuracy = usual_blow_accuracy;
-  double& accuracy = name == "explicit" ? o.impact_accuracy : o.accuracy;
+  double& accuracy = is_stable ? o.impact_accuracy : o.accuracy;
   accuracy = keys.number("accuracy", "1", accuracy);
   if (!(accuracy >= 0 && accuracy <= 1))
     keys.problem(fmt::format("'accuracy' is {:g}, must be from 0 to 1, a share of energies", accuracy));
@@ -81,22 +115,11 @@ void read_integrator(Keys& keys, StageOptions& o) {
     keys.problem(fmt::format("'accuracy' is {:g}, must be 0 for any error, or at least {:g}; less needs too many steps",
                              accuracy, least_accuracy));
   const bool alone = keys.has("accuracy") && !keys.has("safety");
-  if (name == "explicit" && accuracy > 0 && alone && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
-  if (name == "explicit") return refuse(keys, {"alpha", "spectral_radius", "tolerance"}, "implicit");
-  if (name != "implicit" && name != "auto")
-    keys.problem(fmt::format("'integrator' is \"{}\", must be \"explicit\", \"implicit\" or \"auto\"", name));
-  o.may_change = name == "auto";
-  const double alpha = keys.number("alpha", "1", -0.05), radius = keys.number("spectral_radius", "1", unbounded);
+  if (is_stable && accuracy > 0 && alone && !(o.rest_share > 0)) o.safety = safety_beside_accuracy;
+  if (is_stable) return refuse(keys, {"tolerance"}, AlphaMethod::name);
   o.tolerance = keys.number("tolerance", "1", o.tolerance);
-  if (keys.has("alpha") && keys.has("spectral_radius"))
-    keys.problem("both 'alpha' and 'spectral_radius' are given; keep one: each sets the numerical damping");
-  if (!(alpha >= -1.0 / 3 && alpha <= 0))
-    keys.problem(fmt::format("'alpha' is {:g}, must be from -1/3 to 0 (no damping)", alpha));
-  if (std::isfinite(radius) && !(radius >= 0 && radius <= 1))
-    keys.problem(fmt::format("'spectral_radius' is {:g}, must be from 0 to 1 (no damping)", radius));
   if (!(o.tolerance > 0 && o.tolerance <= 1e-2))
     keys.problem(fmt::format("'tolerance' is {:g}, must be above 0 and at most 0.01", o.tolerance));
-  o.implicit = std::isfinite(radius) ? AlphaScheme::from_radius(radius) : AlphaScheme::hht(alpha);
 }
 
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {

@@ -165,7 +165,7 @@ says("'far' has no support", function()
   n:block { name = "far", size = { 1, 1, 1 }, at = { 0, 0, 5 }, material = "stone" }
   n:run { duration = 1 }
 end)
-says("'alpha' is -1, must be from -1/3 to 0",
+says("'alpha' is -1, must be not below -0.333333 and at most 0",
   function() model():run { duration = 1, integrator = "implicit", alpha = -1 } end)
 
 -- Implicit steps, statics and modes.

@@ -36,7 +36,7 @@ struct Swing {
 };
 
 /// Damping ratio from the peaks of the tip's sway without the first ones.
-Swing swing(Model<2> model, double hertz, std::optional<AlphaScheme> scheme) {
+Swing swing(Model<2> model, double hertz, std::optional<AlphaMethod> scheme) {
   Simulation<2> sim(std::move(model));
   StageOptions o;
   o.duration = 12 / hertz;
@@ -80,7 +80,7 @@ TEST_CASE("damping over a band: implicit and explicit steps decay the same, with
   const BandDamping band{0.03, 1, 20};
   for (const double hertz : {2.1, 9.5}) {
     const Swing by_explicit = swing(mast(hertz, band), hertz, std::nullopt);
-    const Swing by_implicit = swing(mast(hertz, band), hertz, AlphaScheme::hht(0));
+    const Swing by_implicit = swing(mast(hertz, band), hertz, AlphaMethod::hht(0));
     CHECK(near(by_implicit.ratio, by_explicit.ratio, 0.01));
     CHECK(near(by_implicit.given, by_explicit.given, 0.02));
     // A share of exp(-2 zeta w t) of the energy remains after 12 cycles.

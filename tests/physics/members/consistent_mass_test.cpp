@@ -131,7 +131,7 @@ TEST_CASE("a free bar with consistent mass turns on and keeps energy, and its mo
       Simulation<2> sim(model);
       const double before = implicit_kinetic(model, sim.state());
       const Vec2 begun = momentum_of(model, sim.state());
-      sim.run(implicit_stage(AlphaScheme::hht(0), 0.25, 1e-3 / (1 << finer)), each_step([&](const Instant<2>& now) {
+      sim.run(implicit_stage(AlphaMethod::hht(0), 0.25, 1e-3 / (1 << finer)), each_step([&](const Instant<2>& now) {
                 astray[finer] = std::max(astray[finer], (momentum_of(model, now.state) - begun).norm() / begun.norm());
               }));
       const Vec2 chord = sim.state().position[1] - sim.state().position[0];
@@ -153,7 +153,7 @@ TEST_CASE("the error of the centre of a flying and rotating bar falls with the s
   for (const int i : {0, 1, 2})
     for (const double speed : {0.0, 0.5}) {
       Simulation<2> sim(flying_bar(1 << i, speed, 3));
-      sim.run(implicit_stage(AlphaScheme::hht(0), 0.1, 1e-4));
+      sim.run(implicit_stage(AlphaMethod::hht(0), 0.1, 1e-4));
       const double off = (middle_of(sim.state()) - Vec2(2 + 0.1 * speed, 0.04 * speed)).norm();
       if (speed == 0) CHECK(off < 1e-13);
       astray[i] = off;
@@ -170,7 +170,7 @@ TEST_CASE("mass damping brakes flight and rotation of a bar with consistent mass
     Simulation<2> sim(flying_bar(beams, 0.5, 3, c));
     const Vec2 begun = momentum_of(sim.model(), sim.state());
     const double kinetic = implicit_kinetic(sim.model(), sim.state());
-    sim.run(implicit_stage(AlphaScheme::hht(0), 0.5, 5e-4));
+    sim.run(implicit_stage(AlphaMethod::hht(0), 0.5, 5e-4));
     const Energy e = sim.energy();
     // Velocities fall as exp(-c t), energies twice as fast: 0.5 s at 2 1/s.
     CHECK(near(momentum_of(sim.model(), sim.state()).norm(), begun.norm() * std::exp(-1), 1e-4));
@@ -211,7 +211,7 @@ TEST_CASE("a state within implicit steps with consistent mass continues with the
   for (int i = 0; i <= 200; ++i) samples.push_back(3 * std::sin(2 * M_PI * i / 50.0));
   set_drive(model, 0, 0, std::make_shared<GroundMotion>(samples, 0.01), 0, 0);
   for (const StageOptions& plan :
-       {implicit_stage(AlphaScheme::hht(-0.05), 1, 0.01), adaptive_stage(AlphaScheme::from_radius(0.8), 1, 0.02)}) {
+       {implicit_stage(AlphaMethod::hht(-0.05), 1, 0.01), adaptive_stage(AlphaMethod::from_radius(0.8), 1, 0.02)}) {
     StageOptions stage = plan;
     Simulation<2> once(model);
     std::vector<std::uint64_t> kept;
@@ -240,7 +240,7 @@ TEST_CASE("a cantilever with consistent mass follows its modes in implicit steps
   add_load(model, "post", {0, 3}, {2e3, 0});
   Simulation<2> sim(model);
   double most = 0, at = 0;
-  sim.run(implicit_stage(AlphaScheme::hht(0), 1.2 / frequency, 0.002 / frequency),
+  sim.run(implicit_stage(AlphaMethod::hht(0), 1.2 / frequency, 0.002 / frequency),
           each_step([&](const Instant<2>& now) {
             const double drift = now.state.position[1].x();
             if (drift > most) most = drift, at = now.state.time;
@@ -264,7 +264,7 @@ TEST_CASE("a support that moves does its work on consistent mass, whatever the f
     // lumped half: 13/35 of the mass and 6/5 I/A.
     const double speed = 3 / (2 * M_PI), mass = 7850 * 0.04;
     const double begun = 0.5 * speed * speed * mass * (0.5 - 13.0 / 35 - 1.2 * 0.04 / 12);
-    sim.run(implicit_stage(AlphaScheme::hht(0), 1, 5e-4));
+    sim.run(implicit_stage(AlphaMethod::hht(0), 1, 5e-4));
     const Energy e = sim.energy();
     MESSAGE("head of " << head << " kg: put in " << e[EnergyTerm::support] << " J, begun with " << begun
                        << " J, numerical " << e[EnergyTerm::numerical] << " J");

@@ -6,15 +6,15 @@
 namespace trilith::testing {
 
 /// Fixed steps of length dt, whatever their energy error.
-inline StageOptions implicit_stage(const AlphaScheme& scheme, double duration, double dt) {
+inline StageOptions implicit_stage(const AlphaMethod& scheme, double duration, double dt) {
   StageOptions o;
-  o.duration = duration, o.dt = dt, o.implicit = scheme;
+  o.duration = duration, o.dt = dt, o.integrator = scheme;
   o.tolerance = 1e-12, o.accuracy = 0;
   return o;
 }
 
 /// Steps of length dt that are halved if their energy error is too large.
-inline StageOptions adaptive_stage(const AlphaScheme& scheme, double duration, double dt) {
+inline StageOptions adaptive_stage(const AlphaMethod& scheme, double duration, double dt) {
   StageOptions o = implicit_stage(scheme, duration, dt);
   o.tolerance = 1e-8, o.accuracy = 1e-3;
   return o;

@@ -24,13 +24,13 @@ struct Vibration {
 };
 
 /// `from`: number of first steps left out, in which start effects decay.
-Vibration vibration(const AlphaScheme& scheme, double step, double duration = 20, std::size_t from = 10) {
+Vibration vibration(const AlphaMethod& scheme, double step, double duration = 20, std::size_t from = 10) {
   return Vibration(history_of({Linear{unit_stiffness, 0}, 1, 1}, implicit_stage(scheme, duration, step)), from);
 }
 
 TEST_CASE("I1: average acceleration keeps the amplitude and lengthens the period by the formula") {
   for (const double h : {0.02, 0.05, 0.1, 0.2}) {
-    const Vibration v = vibration(AlphaScheme::hht(0), h, 100);
+    const Vibration v = vibration(AlphaMethod::hht(0), h, 100);
     const double w = 2 * M_PI * h, longer = (w / 2) / std::atan(w / 2) - 1;
     MESSAGE("I1 h/T = " << h << ": elongation " << 100 * (v.period * h - 1) << " %, formula " << 100 * longer << " %");
     CHECK(near(v.period * h - 1, longer, 1e-3));
@@ -45,7 +45,7 @@ TEST_CASE("I2: damping and period error of HHT follow its amplification matrix")
   for (const Row& row : {Row{-0.05, 0.05, .999948, 0}, Row{-0.05, 0.1, .999282, .03611}, Row{-0.05, 0.2, .993015, 0},
                          Row{-0.1, 0.05, .999907, 0}, Row{-0.1, 0.1, .998728, .03951}, Row{-0.1, 0.2, .987832, 0},
                          Row{-0.3, 0.05, .999832, 0}, Row{-0.3, 0.1, .997750, .04657}, Row{-0.3, 0.2, .979310, 0}}) {
-    const Vibration v = vibration(AlphaScheme::hht(row.alpha), row.step);
+    const Vibration v = vibration(AlphaMethod::hht(row.alpha), row.step);
     CAPTURE(row.alpha);
     CAPTURE(row.step);
     CHECK(near(v.radius, row.radius, 1e-5));
@@ -59,8 +59,8 @@ TEST_CASE("I3: damping and period error of generalised alpha follow its spectral
   };
   for (const Row& row : {Row{0.9, .999990, .999872, .03247}, Row{0.8, .999904, .998853, .03383},
                          Row{0.5, .997733, .979178, .04672}, Row{0, .969708, .853874, .12321}}) {
-    const Vibration tenth = vibration(AlphaScheme::from_radius(row.radius), 0.1, 10),
-                    fifth = vibration(AlphaScheme::from_radius(row.radius), 0.2, 10, 25);
+    const Vibration tenth = vibration(AlphaMethod::from_radius(row.radius), 0.1, 10),
+                    fifth = vibration(AlphaMethod::from_radius(row.radius), 0.2, 10, 25);
     CAPTURE(row.radius);
     CHECK(near(tenth.radius, row.at_tenth, 1e-5));
     CHECK(near(fifth.radius, row.at_fifth, 1e-5));
@@ -80,13 +80,13 @@ TEST_CASE("I4: a suddenly loaded mass has the digits of Newmark and HHT, of seco
                          Row{-0.1, {.28324395, .26810278, .26899266, .26963711, .26983565}}}) {
     double h = 0.1, last = 0;
     for (const double expected : row.at) {
-      const double u = history_of(mass, implicit_stage(AlphaScheme::hht(row.alpha), 1, h)).back();
+      const double u = history_of(mass, implicit_stage(AlphaMethod::hht(row.alpha), 1, h)).back();
       CAPTURE(row.alpha);
       CAPTURE(h);
       CHECK(std::abs(u - expected) < 1e-7);
       last = u - exact, h /= 2;
     }
-    const double next = history_of(mass, implicit_stage(AlphaScheme::hht(row.alpha), 1, h)).back() - exact;
+    const double next = history_of(mass, implicit_stage(AlphaMethod::hht(row.alpha), 1, h)).back() - exact;
     CHECK(near(last / next, row.alpha == 0 ? 3.99 : 3.9, 0.02));
   }
 }
@@ -95,7 +95,7 @@ TEST_CASE("I6: an elastic-plastic mass after a blow: peak, rest, energy") {
   Simulation<2> sim(MassOnLaw{ElasticPlastic{1e6, 1e4, 0, 0}, 1000, 0.8}.model());
   const int node = node_of(sim.model(), "mass");
   double most = 0, at = 0, least = 1, low_at = 0;
-  sim.run(implicit_stage(AlphaScheme::hht(0), 0.25, 1e-3), each_step([&](const Instant<2>& now) {
+  sim.run(implicit_stage(AlphaMethod::hht(0), 0.25, 1e-3), each_step([&](const Instant<2>& now) {
             const double x = now.state.position[node].x();
             if (x > most && now.state.time < 0.15) most = x, at = now.state.time;
             if (x < least && now.state.time > at) least = x, low_at = now.state.time;
@@ -126,7 +126,7 @@ TEST_CASE("I9: twenty bounces on a compression-only spring keep height and perio
   const int node = node_of(sim.model(), "block");
   double deepest = 0, highest = 0, last = 1;
   std::vector<double> touched;
-  sim.run(adaptive_stage(AlphaScheme::hht(0), 20 * .689897, 0.01), each_step([&](const Instant<2>& now) {
+  sim.run(adaptive_stage(AlphaMethod::hht(0), 20 * .689897, 0.01), each_step([&](const Instant<2>& now) {
             const double y = now.state.position[node].y() - 0.5;
             deepest = std::min(deepest, y);
             if (y < 0 && last >= 0) touched.push_back(now.state.time - now.state.last_dt * y / (y - last));
@@ -173,7 +173,7 @@ struct ShakenBlock {
 TEST_CASE("a block on a shaken base slides the same distance with implicit and explicit steps") {
   StageOptions explicitly;
   explicitly.duration = 4;
-  StageOptions implicitly = adaptive_stage(AlphaScheme::hht(-0.05), 4, 0.005);
+  StageOptions implicitly = adaptive_stage(AlphaMethod::hht(-0.05), 4, 0.005);
   implicitly.accuracy = 3e-4;
   ShakenBlock a, b;
   const std::vector<double> fine = a.slid(explicitly, 0.5), coarse = b.slid(implicitly, 0.5);
@@ -189,7 +189,7 @@ TEST_CASE("a block on a shaken base slides the same distance with implicit and e
 }
 
 TEST_CASE("the state within an implicit stage continues with the same bits") {
-  const StageOptions whole = adaptive_stage(AlphaScheme::hht(-0.05), 0.6, 0.005);
+  const StageOptions whole = adaptive_stage(AlphaMethod::hht(-0.05), 0.6, 0.005);
   Simulation<2> once = falling_block(4e8, 1000, 0.05);
   once.run(whole);
   StageOptions first = whole;
@@ -215,7 +215,7 @@ TEST_CASE("a step that does not converge changes no state and reports the place"
   steep.displacement = {-1, -1e-12, 1e-12, 1}, steep.force = {-1e6, -1e6, 1e6, 1e6};
   Simulation<2> sim(MassOnLaw{steep, 1e-3, 0.1}.model());
   const int node = node_of(sim.model(), "mass");
-  const StageReport report = sim.run(adaptive_stage(AlphaScheme::hht(-0.05), 0.1, 0.005));
+  const StageReport report = sim.run(adaptive_stage(AlphaMethod::hht(-0.05), 0.1, 0.005));
   CHECK(report.end == StageEnd::not_converged);
   CHECK(report.reason.find("on mass") != std::string::npos);
   CHECK(report.reason.find("smaller dt") != std::string::npos);
@@ -235,7 +235,7 @@ TEST_CASE("a body that leaves the bounds in an implicit stage stands still from 
   Model<2> model = scene.builder.build();
   model.bounds = {Vec2(-2, -2), Vec2(2, 2)};
   Simulation<2> sim(model);
-  CHECK(sim.run(adaptive_stage(AlphaScheme::hht(-0.05), 1, 0.01)).end == StageEnd::time);
+  CHECK(sim.run(adaptive_stage(AlphaMethod::hht(-0.05), 1, 0.01)).end == StageEnd::time);
   const Vec2 out = sim.state().position[node_of(model, "leaves")], in = sim.state().position[node_of(model, "stays")];
   CHECK(out.x() > 2);
   CHECK(out.x() < 2.4);
@@ -247,7 +247,7 @@ TEST_CASE("explicit, implicit, explicit again: the energy balance stays closed a
   Simulation<2> sim(MassOnLaw{Linear{unit_stiffness, 0.3}, 1, 1}.model());
   const int node = node_of(sim.model(), "mass");
   run_for(sim, 0.37, 1e-4);
-  const StageReport middle = sim.run(implicit_stage(AlphaScheme::hht(0), 0.5, 1e-3));
+  const StageReport middle = sim.run(implicit_stage(AlphaMethod::hht(0), 0.5, 1e-3));
   CHECK(middle.end == StageEnd::time);
   INFO(middle.reason);
   const StageReport last = run_for(sim, 0.63, 1e-4);

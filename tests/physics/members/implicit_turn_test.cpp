@@ -12,7 +12,7 @@
 namespace trilith::testing {
 namespace {
 
-const AlphaScheme newmark = AlphaScheme::hht(0), damped = AlphaScheme::hht(-0.05);
+const AlphaMethod newmark = AlphaMethod::hht(0), damped = AlphaMethod::hht(-0.05);
 
 SolidSpec flying(const Vec3& sides, const Vec3& spin) {
   SolidSpec spec;
@@ -104,7 +104,7 @@ TEST_CASE("HHT conserves the momentum of a free body, and the energy balance con
   Simulation<3> sim(free_body({0.3, 0.5, 1.1}, {0.7, 3, 0.4}));
   const Vec3 momentum = turning_momentum(sim.model(), sim.state(), 0);
   const double energy = 0.5 * momentum.dot(sim.state().spin[0]);
-  CHECK(sim.run(steps_in_space(AlphaScheme::hht(-0.2), 4, 0.02)).end == StageEnd::time);
+  CHECK(sim.run(steps_in_space(AlphaMethod::hht(-0.2), 4, 0.02)).end == StageEnd::time);
   CHECK((turning_momentum(sim.model(), sim.state(), 0) - momentum).norm() < 1e-10 * momentum.norm());
   sim.refresh();
   CHECK(near(sim.energy().balance(), energy, 1e-9));

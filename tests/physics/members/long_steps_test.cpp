@@ -67,7 +67,7 @@ TEST_CASE("a block rocks the same with implicit steps and explicit ones a twenti
   const auto tilt = [&](const State<2>& s) { return s.rotation[n]; };
   const Sampled fine(a, explicit_stage(2), 0.01, tilt);
   // The energy tolerance of steps is tighter than usual: with the default of 1e-3 the two differ by 2.02 %.
-  StageOptions implicitly = adaptive_stage(AlphaScheme::hht(-0.05), 2, 20 * fine.longest);
+  StageOptions implicitly = adaptive_stage(AlphaMethod::hht(-0.05), 2, 20 * fine.longest);
   implicitly.accuracy = 3e-4;
   CHECK(apart_at_most("rocking", fine, Sampled(b, implicitly, 0.01, tilt)) < 0.02);
 }
@@ -109,7 +109,7 @@ TEST_CASE("a block slides on a shaken base the same with implicit steps and expl
                                      {"sliding, well damped", ShakenSlider{1e9, 0.2, 1e-4, 2.5}},
                                      {"sliding on a corner at rest", ShakenSlider{1e9, 0.3, 1e-3, 1.5, true}}}) {
     Sampled fine;
-    CHECK(slides_apart(what, slider, adaptive_stage(AlphaScheme::hht(-0.05), 4, 0), fine) < 0.02);
+    CHECK(slides_apart(what, slider, adaptive_stage(AlphaMethod::hht(-0.05), 4, 0), fine) < 0.02);
   }
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("the sliding distance of a block does not depend on the longest implic
   Sampled fine;
   for (const double dt : {2e-3, 5e-3, 10e-3})
     for (const double accuracy : {1e-3, 3e-4, 1e-4}) {
-      StageOptions stage = adaptive_stage(AlphaScheme::hht(-0.05), 4, dt);
+      StageOptions stage = adaptive_stage(AlphaMethod::hht(-0.05), 4, dt);
       stage.accuracy = accuracy;
       CHECK(slides_apart(fmt::format("sliding, accuracy {:g}", accuracy), ShakenSlider{1e9}, stage, fine) < 0.02);
     }
@@ -153,7 +153,7 @@ TEST_CASE("a bearing yields back and forth the same with implicit and explicit s
     const Sampled fine(fine_run, explicit_stage(4), 0.02, moved);
     for (const double dt : {5e-3, 10e-3}) {
       Simulation<2> sim = shaken_bearing(stiffness);
-      const Sampled coarse(sim, adaptive_stage(AlphaScheme::hht(-0.05), 4, dt), 0.02, moved);
+      const Sampled coarse(sim, adaptive_stage(AlphaMethod::hht(-0.05), 4, dt), 0.02, moved);
       CHECK(apart_at_most(fmt::format("yielding, {:g} N/m", stiffness), fine, coarse) < 0.02);
     }
   }

@@ -205,7 +205,7 @@ TEST_CASE("mass scaling: an impossible step is rejected with the possible one") 
   both.dt = 1e-6;
   CHECK(stack_refusal(both).find("leave dt out") != std::string::npos);
   StageOptions implicit = shaking_stage(3e-5);
-  implicit.implicit = AlphaScheme::hht(-0.05);
+  implicit.integrator = AlphaMethod::hht(-0.05);
   CHECK(stack_refusal(implicit).find("explicit steps") != std::string::npos);
   StageOptions none = shaking_stage(3e-5);
   none.mass_scaling->step = -1;

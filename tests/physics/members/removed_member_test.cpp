@@ -63,7 +63,7 @@ Ended end_of(const Model<2>& model, const State<2>& state, std::vector<Event> ev
   return out;
 }
 
-Ended run(bool removes, const std::optional<AlphaScheme>& scheme) {
+Ended run(bool removes, const std::optional<AlphaMethod>& scheme) {
   Simulation<2> sim(two_columns(removes, true));
   StageOptions o;
   o.duration = 5;
@@ -96,7 +96,7 @@ TEST_CASE("a removed member: the other column carries all, by statics, implicit 
   const Equilibrium found = find_equilibrium(model, state, options);
   REQUIRE(found.converged);
   const Ended by_statics = end_of(model, state, found.events);
-  const Ended by_explicit = run(true, std::nullopt), by_implicit = run(true, AlphaScheme::from_radius(0.8));
+  const Ended by_explicit = run(true, std::nullopt), by_implicit = run(true, AlphaMethod::from_radius(0.8));
   for (const Ended* e : {&by_statics, &by_explicit, &by_implicit}) {
     REQUIRE(e->events.size() == 3);
     CHECK(e->events[0].type == EventType::member_yielded);

@@ -95,7 +95,7 @@ TEST_CASE("I12: with implicit steps of 1 ms a block lands at the time of the pen
                         Case{"K4", k4, 0.9, .8784}, Case{"K5", k5, 0.25, .2987}, Case{"K5", k5, 0.5, .4939},
                         Case{"K5", k5, 0.75, .7731}, Case{"T30", t30, 0.25, .23855}, Case{"T30", t30, 0.5, .39321},
                         Case{"T30", t30, 0.75, .61422}}) {
-    const RockingRun r(c.shape, c.q, adaptive_stage(AlphaScheme::hht(-0.05), 3.5 * c.expected, 1e-3));
+    const RockingRun r(c.shape, c.q, adaptive_stage(AlphaMethod::hht(-0.05), 3.5 * c.expected, 1e-3));
     MESSAGE(
         fmt::format("I12, {} q {}: lands at {:.5f} s ({}) with {:.5f} rad/s ({:.5f}), e {:.4f}; {} landings, {} "
                     "steps, energy at most {:.1e} above its start",

@@ -170,7 +170,7 @@ TEST_CASE("a stack brought to rest by statics stands as consolidation leaves it,
   CHECK((on.state().position.back() - top).norm() < 1e-12);
   CHECK(std::abs(on.energy().balance()) < 1e-6);
   StageOptions implicitly;
-  implicitly.duration = 0.05, implicitly.implicit = AlphaScheme::hht(-0.05);
+  implicitly.duration = 0.05, implicitly.integrator = AlphaMethod::hht(-0.05);
   CHECK(on.run(implicitly).end == StageEnd::time);
   CHECK((on.state().position.back() - top).norm() < 1e-12);
 }
@@ -183,7 +183,7 @@ TEST_CASE("statics finds the same rest from any motion and keeps the energy bala
     Simulation<2> moving(model);
     StageOptions options;
     options.duration = 2e-3, options.dt = implicitly ? 1e-5 : 1e-7;
-    if (implicitly) options.implicit = AlphaScheme::hht(-0.05);
+    if (implicitly) options.integrator = AlphaMethod::hht(-0.05);
     moving.run(options);
     moving.refresh();
     const Energy before = moving.energy();

@@ -74,7 +74,7 @@ struct Turning {
 
 /// Fixed HHT steps of length `h` [s].
 StageOptions implicit_stage_of(double alpha, double h) {
-  StageOptions stage = implicit_stage(AlphaScheme::hht(alpha), 10, h);
+  StageOptions stage = implicit_stage(AlphaMethod::hht(alpha), 10, h);
   stage.tolerance = 1e-8;
   return stage;
 }
@@ -93,7 +93,7 @@ void check_energy(const Turning& t, double within) {
 }
 
 TEST_CASE("I5: a stiff pendulum keeps energy and momentum for four turns with the usual scheme and step") {
-  const Turning t(adaptive_stage(AlphaScheme::hht(-0.05), 10, 0.005));
+  const Turning t(adaptive_stage(AlphaMethod::hht(-0.05), 10, 0.005));
   tell_turning("alpha -0.05, h 0.005 s", t);
   check_energy(t, 0.01);
   CHECK(near(t.period, 2.47771, 0.01));
@@ -111,7 +111,7 @@ TEST_CASE("I5: with the largest damping of HHT a stiff pendulum loses energy in 
 }
 
 TEST_CASE("I5: average acceleration diverges for a stiff pendulum unless steps are limited by their energy error") {
-  const Turning free(implicit_stage_of(0, 0.05)), held_to(adaptive_stage(AlphaScheme::hht(0), 10, 0.05));
+  const Turning free(implicit_stage_of(0, 0.05)), held_to(adaptive_stage(AlphaMethod::hht(0), 10, 0.05));
   tell_turning("alpha 0, h 0.05 s", free);
   tell_turning("alpha 0, h 0.05 s at most", held_to);
   CHECK(std::max(free.most / 297.992 - 1, 1 - free.least / 297.992) > 0.01);
@@ -121,7 +121,7 @@ TEST_CASE("I5: average acceleration diverges for a stiff pendulum unless steps a
 TEST_CASE("I5: a stiff pendulum with almost no rotary inertia keeps turning on a bar stiff in bending") {
   for (const double inertia : {1e-9, 1.5e-13}) {
     const StiffPendulum made(inertia, 1e6);
-    const Turning adaptive(adaptive_stage(AlphaScheme::hht(-0.05), 10, 0.005), made);
+    const Turning adaptive(adaptive_stage(AlphaMethod::hht(-0.05), 10, 0.005), made);
     const Turning fixed(implicit_stage_of(-0.05, 0.005), made);
     tell_turning(fmt::format("inertia {:g} kg m2, h 0.005 s at most", inertia), adaptive);
     tell_turning(fmt::format("inertia {:g} kg m2, h 0.005 s", inertia), fixed);

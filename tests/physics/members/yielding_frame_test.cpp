@@ -11,7 +11,7 @@ namespace {
 
 /// Fixed steps, for slowly growing loads.
 StageOptions slow_stage(double duration) {
-  StageOptions stage = implicit_stage(AlphaScheme::hht(-0.05), duration, 0.02);
+  StageOptions stage = implicit_stage(AlphaMethod::hht(-0.05), duration, 0.02);
   stage.tolerance = 1e-8;
   return stage;
 }
@@ -63,7 +63,7 @@ struct Shaken {
   HingeReading hinge;
   std::vector<Event> events;
 };
-Shaken shake(const HingeLaw& law, double damping, const std::optional<AlphaScheme>& scheme) {
+Shaken shake(const HingeLaw& law, double damping, const std::optional<AlphaMethod>& scheme) {
   Simulation<2> sim(shaken_column(law, damping));
   StageOptions stage;
   stage.duration = 2, stage.energy_interval = 0.01;
@@ -92,7 +92,7 @@ TEST_CASE(
     "a column yields at its foot: no moment beyond its own, the same energy in the energy balance and in the hinge") {
   for (const double damping : {0.0, 2e-3}) {
     const Shaken explicit_run = shake(plain_hinge(), damping, std::nullopt);
-    const Shaken implicit_run = shake(plain_hinge(), damping, AlphaScheme::hht(0));
+    const Shaken implicit_run = shake(plain_hinge(), damping, AlphaMethod::hht(0));
     for (const Shaken* run : {&explicit_run, &implicit_run}) {
       CHECK(run->moment <= yield_moment * (1 + 1e-9));
       CHECK(near(run->moment, yield_moment, 1e-6));
@@ -190,7 +190,7 @@ TEST_CASE("a state within yielding continues with the same bits, explicit and im
   for (const bool is_implicit : {false, true}) {
     StageOptions stage;
     stage.duration = 1.5;
-    if (is_implicit) stage = adaptive_stage(AlphaScheme::hht(-0.05), 1.5, 0.01);
+    if (is_implicit) stage = adaptive_stage(AlphaMethod::hht(-0.05), 1.5, 0.01);
     Simulation<2> once(shaken_column(law, 0));
     std::vector<std::uint64_t> kept;
     RunListener<2> listener;

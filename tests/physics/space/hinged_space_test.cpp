@@ -80,7 +80,7 @@ struct SpacePortal {
 
 double gone_under(const SpacePortal& portal, double share) {
   Simulation<3> sim(portal.model(share));
-  StageOptions stage = steps_in_space(AlphaScheme::hht(-0.05), 3, 0.02);
+  StageOptions stage = steps_in_space(AlphaMethod::hht(-0.05), 3, 0.02);
   stage.tolerance = 1e-8;
   sim.run(stage);
   double most = 0;

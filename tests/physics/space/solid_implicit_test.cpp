@@ -242,7 +242,7 @@ TEST_CASE("a stage with automatic integrator in space uses implicit steps while 
   Simulation<3> sim(stacked(Vec3(0.5, 0.5, 0.3), 2, 0, 0, frictional(1e9, 5e8, 0.6, 2e-4)));
   // Twenty times the explicit step, the least for which implicit steps are cheaper.
   StageOptions stage = careful_steps(0.5, 0.02), rest = stage;
-  rest.implicit.reset();
+  rest.integrator = CentralDifference{};
   REQUIRE(sim.settle(rest, {}).end == StageEnd::rest);
   stage.may_change = true;
   const StageReport report = sim.run(stage);

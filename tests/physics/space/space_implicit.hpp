@@ -9,16 +9,16 @@
 namespace trilith::testing {
 
 /// Fixed steps of length dt, whatever their energy error.
-inline StageOptions steps_in_space(const AlphaScheme& scheme, double duration, double dt) {
+inline StageOptions steps_in_space(const AlphaMethod& scheme, double duration, double dt) {
   StageOptions o;
-  o.duration = duration, o.dt = dt, o.implicit = scheme;
+  o.duration = duration, o.dt = dt, o.integrator = scheme;
   o.tolerance = 1e-12, o.accuracy = 0;
   return o;
 }
 
 /// Steps of length dt that are halved if their energy error is too large.
 inline StageOptions careful_steps(double duration, double dt) {
-  StageOptions o = steps_in_space(AlphaScheme::hht(-0.05), duration, dt);
+  StageOptions o = steps_in_space(AlphaMethod::hht(-0.05), duration, dt);
   o.tolerance = 1e-8, o.accuracy = 1e-3;
   return o;
 }

@@ -143,7 +143,7 @@ TEST_CASE("a free bar in space with consistent mass conserves energy, and moment
       Simulation<3> sim(model);
       const double before = implicit_kinetic(model, sim.state());
       const Vec3 begun = momentum_in_space(model, sim.state());
-      StageOptions stage = steps_in_space(AlphaScheme::hht(0), 0.2, 1e-3 / (1 << finer));
+      StageOptions stage = steps_in_space(AlphaMethod::hht(0), 0.2, 1e-3 / (1 << finer));
       stage.tolerance = 1e-9;  // with a tighter tolerance, rounding halves some steps
       sim.run(stage, after_each_step([&](const Instant<3>& now) {
                 astray[static_cast<std::size_t>(finer)] =
@@ -165,7 +165,7 @@ TEST_CASE("a free bar in space with consistent mass conserves energy, and moment
 TEST_CASE("damping by mass brakes a bar in space with consistent mass, all of it in the energy balance") {
   Simulation<3> sim(tumbling_bar(2, 2));
   const double kinetic = implicit_kinetic(sim.model(), sim.state());
-  sim.run(steps_in_space(AlphaScheme::hht(0), 0.25, 5e-4));
+  sim.run(steps_in_space(AlphaMethod::hht(0), 0.25, 5e-4));
   const Energy e = sim.energy();
   CHECK(near(e[EnergyTerm::kinetic], kinetic * std::exp(-1), 1e-3));
   CHECK(near(e[EnergyTerm::mass_damping], kinetic * (1 - std::exp(-1)), 1e-3));
@@ -194,7 +194,7 @@ TEST_CASE(
   load.name = "pull", load.at = Vec3(0, 0, 3), load.force = Vec3(1.5e3, 1e3, 0);
   model.point_loads = {make_solid_load(model, 0, load)};
   Simulation<3> sim(model);
-  StageOptions stage = steps_in_space(AlphaScheme::hht(0), 1.2 / frequency, 0.004 / frequency);
+  StageOptions stage = steps_in_space(AlphaMethod::hht(0), 1.2 / frequency, 0.004 / frequency);
   stage.tolerance = 1e-9;
   double most = 0, at = 0;
   std::vector<std::uint64_t> kept;
@@ -231,7 +231,7 @@ struct SpaceSwing {
   double ratio = 0, given = 0, residual = 0;
 };
 
-SpaceSwing swing_in_space(Model<3> model, double hertz, const Vec3& way, const std::optional<AlphaScheme>& scheme) {
+SpaceSwing swing_in_space(Model<3> model, double hertz, const Vec3& way, const std::optional<AlphaMethod>& scheme) {
   Simulation<3> sim(std::move(model));
   StageOptions o = scheme ? steps_in_space(*scheme, 12 / hertz, 1 / (200 * hertz)) : explicit_steps(12 / hertz);
   if (scheme) o.tolerance = 1e-9;
@@ -268,7 +268,7 @@ TEST_CASE("damping over a band in space: free vibration has the requested ratio 
   }
   const SpaceSwing by_explicit = swing_in_space(mast_in_space(4.5, BandDamping{0.03, 1, 20}, world), 4.5, way, {});
   const SpaceSwing by_implicit =
-      swing_in_space(mast_in_space(4.5, BandDamping{0.03, 1, 20}, world), 4.5, way, AlphaScheme::hht(0));
+      swing_in_space(mast_in_space(4.5, BandDamping{0.03, 1, 20}, world), 4.5, way, AlphaMethod::hht(0));
   CHECK(near(by_implicit.ratio, by_explicit.ratio, 0.01));
   CHECK(near(by_implicit.given, by_explicit.given, 0.02));
 }

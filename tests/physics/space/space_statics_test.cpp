@@ -166,7 +166,7 @@ TEST_CASE("F5: the right-angle cantilever moves the same with implicit and expli
     const std::vector<Reading> expected{{2, 4.115, 0}, {5, 3.111, 5.479}, {10, -3.095, 4.464}};
     std::size_t next = 0;
     double after_load = 0, energy_off = 0, tip_peak = 0, tip_peak_at = 0;
-    StageOptions stage = implicit ? steps_in_space(AlphaScheme::hht(0), 15, 0.025) : explicit_steps(15);
+    StageOptions stage = implicit ? steps_in_space(AlphaMethod::hht(0), 15, 0.025) : explicit_steps(15);
     stage.energy_interval = 0.1;
     RunListener<3> listener = after_each_step([&](const Instant<3>& now) {
       const double elbow = now.state.position[1].z(), tip = now.state.position[2].z(), t = now.state.time;
@@ -220,7 +220,7 @@ TEST_CASE("a soft frame that tumbles freely keeps energy, momentum and angular m
   sim.refresh();
   const double energy = sim.energy().balance();
   const auto [along, about] = momenta();
-  CHECK(sim.run(steps_in_space(AlphaScheme::hht(0), 2, 2e-3)).end == StageEnd::time);
+  CHECK(sim.run(steps_in_space(AlphaMethod::hht(0), 2, 2e-3)).end == StageEnd::time);
   sim.refresh();
   // Strain energy against the work of forces at both ends of steps: to the order of the scheme.
   CHECK(near(sim.energy().balance(), energy, 1e-4));

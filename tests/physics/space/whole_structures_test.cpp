@@ -34,7 +34,7 @@ TEST_CASE("undamped average acceleration keeps the energy of an elastic frame ov
   Simulation<2> sim(model);
   const double begun = implicit_kinetic(model, sim.state());
   double most = 0, least = 1e300;
-  sim.run(implicit_stage(AlphaScheme::hht(0), 1000 * period, period / 20), each_step([&](const Instant<2>& now) {
+  sim.run(implicit_stage(AlphaMethod::hht(0), 1000 * period, period / 20), each_step([&](const Instant<2>& now) {
             const double held_now = implicit_kinetic(now.model, now.state) + now.work.element_stored;
             most = std::max(most, held_now), least = std::min(least, held_now);
           }));
@@ -105,7 +105,7 @@ TEST_CASE(
     Simulation<2> sim(model);
     StageOptions stage;
     stage.duration = 0.15;
-    if (i == 1) stage = adaptive_stage(AlphaScheme::hht(-0.05), 0.15, 20 * longest[0]);
+    if (i == 1) stage = adaptive_stage(AlphaMethod::hht(-0.05), 0.15, 20 * longest[0]);
     const StageReport report = sim.run(stage);
     CHECK(report.end == StageEnd::time);
     longest[i] = report.longest_dt;

@@ -62,7 +62,7 @@ double gone_under_push(double angle, double force, const UnitQuaternion& world =
   Model<3> model = column_in(world, 0);
   push_top(model, turn_of(world).apply(force * Vec3(std::cos(angle), std::sin(angle), 0)));
   Simulation<3> sim(model);
-  StageOptions stage = steps_in_space(AlphaScheme::hht(-0.05), 2, 0.02);
+  StageOptions stage = steps_in_space(AlphaMethod::hht(-0.05), 2, 0.02);
   stage.tolerance = 1e-8;
   sim.run(stage);
   return (sim.state().position[column_top] - model.start_position[column_top]).norm();
