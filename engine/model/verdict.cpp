@@ -23,13 +23,14 @@ void Verdict::add(EventType type, double time, double value, const std::string& 
 }
 
 bool Verdict::sound() const {
-  return std::none_of(fault_.begin(), fault_.end(), [](const FaultCount& f) { return f.count > 0; });
+  return failed_.empty() && std::none_of(fault_.begin(), fault_.end(), [](const FaultCount& f) { return f.count > 0; });
 }
 
 double Verdict::sound_until() const {
   double until = sound() ? 0 : 1e300;
   for (const FaultCount& f : fault_)
     if (f.count > 0) until = std::min(until, f.time);
+  for (const FailedCheck& f : failed_) until = std::min(until, f.time);
   return until;
 }
 
@@ -41,6 +42,7 @@ std::string Verdict::text(double zero) const {
     if (found.count == 1) parts.push_back(found.first);
     if (found.count > 1) parts.push_back(fmt::format("{} times {}, first: {}", found.count, row.heading, found.first));
   }
+  for (const FailedCheck& f : failed_) parts.push_back(f.text);
   return fmt::format("not to be trusted after {:.4g} s: {}", sound_until() - zero, fmt::join(parts, "; "));
 }
 

@@ -16,6 +16,12 @@ struct FaultCount {
   std::string first;  ///< the first, as text
 };
 
+/// A check of the seal that failed.
+struct FailedCheck {
+  double time = 0;  ///< time until which the run is reliable [s]
+  std::string text;
+};
+
 class Verdict {
  public:
   /// Whether `add` counts events of this type: the invalid ones, and bodies that leave the bounds.
@@ -23,6 +29,9 @@ class Verdict {
   /// Counts an event. `value`: Event::value, or the first figure of a results file; `text`: as from event_text. A run
   /// in which bodies leave the bounds is still reliable.
   void add(EventType type, double time, double value, const std::string& text);
+
+  /// Adds a failed check of the seal: its text, and the time until which the run is reliable [s].
+  void fail(double time, const std::string& text) { failed_.push_back({time, text}); }
 
   [[nodiscard]] const FaultCount& fault(EventType type) const { return fault_[static_cast<std::size_t>(type)]; }
   [[nodiscard]] bool has(EventType type) const { return fault(type).count > 0; }
@@ -37,12 +46,13 @@ class Verdict {
   /// Calls each(member) for all members.
   template <class Each>
   void each_number(Each&& each) {
-    each(fault_), each(left_);
+    each(fault_), each(left_), each(failed_);
   }
 
  private:
   std::vector<FaultCount> fault_ = std::vector<FaultCount>(event_types);
   std::int64_t left_ = 0;
+  std::vector<FailedCheck> failed_;
 };
 
 }  // namespace trilith

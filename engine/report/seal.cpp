@@ -107,6 +107,10 @@ void write_seal(const ReportSource& source, const ReportProgress& progress, Html
   const results::Provenance& from = source.header.provenance;
   const MotionDigest digest = motion_digest(source, progress);
   html.element("h2", "Seal");
+  const std::vector<SealRow> checks = source.reader.seal();
+  std::vector<std::vector<std::string>> rows;
+  for (const SealRow& row : checks) rows.push_back({row.state, seal_text(row)});
+  if (!rows.empty()) html.table({"State", "Check of the run, made while it ran"}, rows, 2);
   html.table({"What", "Value"},
              {{"Digest of motion and events", fmt::format("{:016x} ({} frames, {} events)", digest.all,
                                                           source.reader.frame_count(), source.events.size())},

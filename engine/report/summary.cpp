@@ -159,7 +159,8 @@ std::string losses(const ReportSource& source) {
   if (bodies.moved > 0)
     parts.push_back(fmt::format("{} of {} free bodies moved by more than half their depth relative to the ground",
                                 bodies.moved, bodies.free));
-  if (parts.empty() && results::results_verdict(source.events).sound()) parts.emplace_back("nothing failed");
+  if (parts.empty() && results::results_verdict(source.reader, source.events).sound())
+    parts.emplace_back("nothing failed");
   if (bodies.moved == 0 && bodies.free > 0)
     parts.emplace_back("no body moved by more than half its depth relative to the ground");
   return parts.empty() ? "no losses are recorded" : listed(parts);
@@ -229,7 +230,7 @@ void write_head(const ReportSource& source, HtmlText& html) {
                      ? "Not finished: a run is writing this file. The report covers it up to its last flush."
                      : "Not finished: the run stopped early. The report covers it up to its last flush.",
                  R"(class="warning")");
-  const Verdict found = results::results_verdict(source.events);
+  const Verdict found = results::results_verdict(source.reader, source.events);
   if (!found.sound())
     html.element("p", fmt::format("This run is {}.", found.text(source.origin.zero)), R"(class="warning")");
   html.element("p", verdict(source), R"(class="verdict")");

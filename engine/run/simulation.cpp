@@ -179,7 +179,7 @@ void Simulation<D>::begin_stage(const StageOptions& options) {
         fmt::format("stage '{}': cannot begin, because the run {}; go back to an earlier time, or build a new model",
                     options.name, verdict_.fault(EventType::stage_diverged).first));
   stage_.emplace(options, state_.time);
-  if (options.until_rest && options.within > 0) watch_->keep_places(state_);
+  keep_places(options);
   rest_ = {options.rest_share};
   evaluated_ = false;
   watch_->reset();
@@ -239,7 +239,7 @@ void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);
-  return {state_, kept_model_, causes_, stage_, rest_, verdict_, leaving_};
+  return {state_, kept_model_, causes_, stage_, rest_, verdict_, seal_, leaving_};
 }
 
 template <int D>
@@ -250,6 +250,7 @@ void Simulation<D>::restore(const Snapshot<D>& snapshot) {
   kept_model_ = snapshot.model;
   causes_ = snapshot.causes;
   verdict_ = snapshot.verdict;
+  seal_ = snapshot.seal;
   all_left_ = hold_left(model_, state_);
   watch_->reset();
   tangent_->forget();

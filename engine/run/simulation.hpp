@@ -19,6 +19,7 @@
 #include "model/verdict.hpp"
 #include "model/work.hpp"
 #include "run/record/causes.hpp"
+#include "run/seal.hpp"
 #include "run/stage.hpp"
 #include "run/stage_progress.hpp"
 #include "run/thread_choice.hpp"
@@ -35,6 +36,7 @@ struct Snapshot {
   std::optional<StageProgress> stage;  ///< stage that was running
   RestDamping rest;                    ///< of that stage, or of the last one
   Verdict verdict;
+  Seal seal;
   std::vector<Event> untold;  ///< events at the border, to be reported at the next instant
 };
 
@@ -93,6 +95,10 @@ class Simulation {
   [[nodiscard]] const Model<D>& model() const { return model_; }
   /// Verdict of all stages so far.
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
+  /// Checks of all stages so far.
+  [[nodiscard]] const Seal& seal() const { return seal_; }
+  /// Adds a check that was made after a stage that began at `begun` [s].
+  void add_check(const SealRow& row, double begun) { seal_.add(row, begun, verdict_); }
   /// Access for changes between stages (supports, drives, damping, gravity), or at the border of a step.
   Model<D>& edit_model();
   /// Change by a function. Call drop_step if it frees a degree of freedom. Not for supports and drives during a run.
@@ -184,12 +190,14 @@ class Simulation {
   void change_parts(Change&& change);
   void tell(Event event, const RunListener<D>& listener, const Instant<D>& now);
   void tell_end(const RunListener<D>& listener, const Instant<D>& now);
+  void end_seal(const Instant<D>& now);
 
   Model<D> model_;
   State<D> state_;
   Work<D> work_;
   Causes causes_;
   Verdict verdict_;
+  Seal seal_;
   std::optional<StageProgress> stage_;
   std::shared_ptr<const Model<D>> kept_model_;  // copy of model_, if unchanged
   StepTimes* times_ = nullptr;

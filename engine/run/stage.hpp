@@ -62,6 +62,11 @@ inline double given_step(const StageOptions& options) {
   return bound_of(options.integrator) == StepBound::stability ? options.dt : 0;
 }
 
+/// True for a stage that searches for the rest of the structure as drawn, not for its rest after a collapse.
+inline bool seeks_rest(const StageOptions& options) {
+  return options.until_rest && (options.must_rest || options.rest_share > 0);
+}
+
 /// Throws InputError if an option is out of range or contradicts another one.
 void require_valid(const StageOptions& options);
 

@@ -10,6 +10,12 @@
 #include "run/watch.hpp"
 
 namespace trilith {
+namespace {
+
+/// In shorter stages the kinetic energy within a leapfrog step is no measure of the energy error.
+constexpr std::int64_t least_sealed_steps = 20;
+
+}  // namespace
 
 template <int D>
 Instant<D> Simulation<D>::instant() const {
@@ -34,8 +40,18 @@ void Simulation<D>::tell_end(const RunListener<D>& listener, const Instant<D>& n
   if (report.end == StageEnd::not_at_rest && now.stage.must_rest) tell(unsettled_event(now), listener, now);
   if (report.end == StageEnd::unstable && now.stage.must_rest)
     tell(unstable_event(now, report, watch_->displaced()), listener, now);
+  if (report.end != StageEnd::diverged) end_seal(now);
   tell(stage_event(EventType::stage_ended, now, fmt::format("{}: {}", now.stage.name, name_of(report.end))), listener,
        now);
+}
+
+template <int D>
+void Simulation<D>::end_seal(const Instant<D>& now) {
+  seal_.sample(now, energy(), stage_->report.steps >= least_sealed_steps);
+  const bool sought = seeks_rest(now.stage);
+  const Travel farthest = sought ? watch_->farthest(now) : Travel{};
+  const std::string body = farthest.body < 0 ? "" : model_.bodies[static_cast<std::size_t>(farthest.body)].name;
+  seal_.end_stage(stage_->report, sought, farthest, body, verdict_);
 }
 
 template <int D>
@@ -48,6 +64,11 @@ void Simulation<D>::tell_samples(const RunListener<D>& listener, const Instant<D
     listener.on_history(now);
   if ((stage.energies.due(state_.time, now.dt) || (ends && options.energy_interval > 0)) && listener.on_energy)
     listener.on_energy(now, energy());
+  if (ends) return;  // end_seal() follows
+  if (Seal::due(state_.step, state_.implicit()))
+    seal_.sample(now, energy(), false);
+  else if (state_.step % depth_interval == 0)
+    seal_.sample_depth(model_, work_);
 }
 
 /// Reports the events of a step, with the new state evaluated. All data that handlers read refer to the instant of the
@@ -65,6 +86,8 @@ void Simulation<D>::tell_step(const RunListener<D>& listener) {
 template Instant<2> Simulation<2>::instant() const;
 template void Simulation<2>::tell(Event, const RunListener<2>&, const Instant<2>&);
 template void Simulation<2>::tell_end(const RunListener<2>&, const Instant<2>&);
+template void Simulation<2>::end_seal(const Instant<2>&);
+template void Simulation<3>::end_seal(const Instant<3>&);
 template void Simulation<2>::tell_samples(const RunListener<2>&, const Instant<2>&, bool);
 template void Simulation<2>::tell_step(const RunListener<2>&);
 template Instant<3> Simulation<3>::instant() const;

@@ -55,6 +55,9 @@ class Watch {
   /// At the end of such a stage: the body that has moved farther than StageOptions::within.
   template <int D>
   const Travel& look_at_places(const Instant<D>& now);
+  /// The largest displacement since the begin of this stage, if its places were kept.
+  template <int D>
+  [[nodiscard]] Travel farthest(const Instant<D>& now) const;
   /// Result for the last stage checked this way.
   [[nodiscard]] const Travel& displaced() const { return displaced_; }
   /// Range until bonds may come near their strength, see integrate/explicit/bond_step.hpp.

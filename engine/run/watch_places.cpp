@@ -18,6 +18,13 @@ void Watch::keep_places(const State<D>& state) {
 }
 
 template <int D>
+Travel Watch::farthest(const Instant<D>& now) const {
+  const auto stage = std::find_if(places_.begin(), places_.end(), [&](const auto& s) { return s.first == now.begun; });
+  const auto* const from = stage == places_.end() ? nullptr : std::get_if<Placement<D>>(&stage->second);
+  return from == nullptr ? Travel{} : farthest_travel(now.model, now.state, *from);
+}
+
+template <int D>
 const Travel& Watch::look_at_places(const Instant<D>& now) {
   displaced_ = {};
   const double within = now.stage.within;
@@ -30,6 +37,8 @@ const Travel& Watch::look_at_places(const Instant<D>& now) {
 
 template void Watch::keep_places(const State<2>&);
 template void Watch::keep_places(const State<3>&);
+template Travel Watch::farthest(const Instant<2>&) const;
+template Travel Watch::farthest(const Instant<3>&) const;
 template const Travel& Watch::look_at_places(const Instant<2>&);
 template const Travel& Watch::look_at_places(const Instant<3>&);
 

@@ -52,7 +52,7 @@ void write_run(const results::ResultsReader& reader, const ViewFrames& frames, s
   json.text("name", reader.title()).text("state", state_of(reader));
   json.text("script", from.script).text("script_path", from.script_path).text("program", from.program_version);
   json.text("commit", from.git_commit).text("platform", from.platform).text("command", from.command_line);
-  json.text("verdict", results::results_verdict(reader.events()).text());
+  json.text("verdict", results::results_verdict(reader, reader.events()).text());
   json.text("started", from.start_time).number("dim", reader.header().dim);
   json.number("frame_stride", static_cast<double>(frames.frame_stride));
   json.number("contact_stride", static_cast<double>(frames.contact_stride));
@@ -60,6 +60,8 @@ void write_run(const results::ResultsReader& reader, const ViewFrames& frames, s
   json.key("parameters").begin_list();
   for (const results::ParameterRow& p : from.parameters)
     json.begin_list().text(p.name).text(p.value).text(p.unit).text(p.fallback).text(p.text).end();
+  json.end().key("seal").begin_list();
+  for (const SealRow& row : reader.seal()) json.begin_list().text(row.state).text(seal_text(row)).end();
   json.end().key("motions").begin_list();
   for (const std::string& motion : from.motions) json.text(motion);
   json.end().key("notes").begin_list();

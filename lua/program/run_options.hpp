@@ -22,6 +22,7 @@ struct RunOptions {
   double least_impact = slow_impact;
   bool quiet = false, list = false, profile = false;
   int only = 0, threads = 0;
+  std::string check_step;                ///< "": no; "true": the usual window; or "FROM,TO" [s]
   double checkpoint = usual_checkpoint;  ///< [s]; 0: none
   bool resumes = false;                  ///< continue from the checkpoints
   bool goes_on = false;                  ///< ... in the case's folder, if they belong to this run

@@ -290,7 +290,7 @@ void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoic
   scene.since = choice.origin.text();
   add_stage(reader, frame, scene);
   scene.event = event_before(reader, frame.time, choice.origin.zero);
-  const Verdict verdict = results::results_verdict(reader.events());
+  const Verdict verdict = results::results_verdict(reader, reader.events());
   if (frame.time > verdict.sound_until()) scene.verdict = verdict.text(choice.origin.zero);
   if (choice.magnify != 1)
     scene.stage += fmt::format("{}displacements x {:g}", scene.stage.empty() ? "" : ", ", choice.magnify);

@@ -337,4 +337,8 @@ std::vector<GrowingSet*> Layout::sets() {
   return all;
 }
 
+void write_seal(hid_t file, const std::vector<SealRow>& rows, int dim) {
+  write_rows(file, {"/seal", "", "checks of the run, made while it ran"}, rows, dim);
+}
+
 }  // namespace trilith::results

@@ -63,4 +63,7 @@ struct Layout {
   GrowingSet motion_acceleration;
 };
 
+/// Writes the table of the seal.
+void write_seal(hid_t file, const std::vector<SealRow>& rows, int dim);
+
 }  // namespace trilith::results

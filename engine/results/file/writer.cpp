@@ -45,6 +45,7 @@ class ResultsWriter::Body {
   void add_energy(double time, std::span<const double> terms, double residual);
   void add(const NoteRow& note);
   void add(const ModeRow& mode);
+  void seal(const std::vector<SealRow>& rows);
   void add(MotionRow motion);
   std::int32_t begin_stage(const StageRow& row);
   void end_stage(double time, std::string_view why);
@@ -238,6 +239,10 @@ void ResultsWriter::Body::add(const NoteRow& note) {
   layout_->notes.append(note, dim_);
 }
 
+void ResultsWriter::Body::seal(const std::vector<SealRow>& rows) {
+  guarded([&] { results::write_seal(file_->file(), rows, dim_); });
+}
+
 void ResultsWriter::Body::add(const ModeRow& mode) {
   require_open();
   check_mode(mode, dim_, nodes_);
@@ -356,6 +361,9 @@ void ResultsWriter::append_energy(double time, std::span<const double> terms, do
 }
 void ResultsWriter::append_note(double time, std::string_view text) {
   body_->add(NoteRow{time, std::string(text)});
+}
+void ResultsWriter::write_seal(const std::vector<SealRow>& rows) {
+  body_->seal(rows);
 }
 void ResultsWriter::append_mode(const ModeRow& mode) {
   body_->add(mode);

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "model/seal_row.hpp"
 #include "results/file/results.hpp"
 
 namespace trilith::results {
@@ -56,6 +57,8 @@ class ResultsWriter {
   void append_energy(double time, std::span<const double> terms, double residual);
   /// Adds a note or warning at `time` [s].
   void append_note(double time, std::string_view text);
+  /// Writes the checks of the whole run, once, before finish().
+  void write_seal(const std::vector<SealRow>& rows);
   /// Adds a mode, and flushes.
   void append_mode(const ModeRow& mode);
   /// Adds a motion of a body, and flushes. Samples that the file contains already are not stored again.

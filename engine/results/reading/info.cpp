@@ -146,6 +146,12 @@ std::string energy(const EnergyTable& table, const std::vector<Quantity>& terms)
   return text + "\n";
 }
 
+std::string seal(const std::vector<SealRow>& rows) {
+  std::string text = rows.empty() ? "" : "seal\n";
+  for (const SealRow& row : rows) text += fmt::format("  {:<9}{}\n", row.state, seal_text(row));
+  return text;
+}
+
 std::string notes(const std::vector<Note>& rows) {
   std::string text = rows.empty() ? "" : "notes\n";
   for (const Note& row : rows) text += fmt::format("  {:g} s: {}\n", row.time, row.text);
@@ -163,9 +169,9 @@ std::string newer_run_text(const ResultsReader& reader) {
 
 std::string info_text(const ResultsReader& reader) {
   const Header& header = reader.header();
-  return state(reader) + verdict(results_verdict(reader.events())) + provenance(header.provenance) + model(header) +
-         stages(reader.stages()) + records(reader) + events(reader.events()) +
-         energy(reader.energy(), header.energy_terms) + notes(reader.notes());
+  return state(reader) + verdict(results_verdict(reader, reader.events())) + seal(reader.seal()) +
+         provenance(header.provenance) + model(header) + stages(reader.stages()) + records(reader) +
+         events(reader.events()) + energy(reader.energy(), header.energy_terms) + notes(reader.notes());
 }
 
 }  // namespace trilith::results

@@ -247,6 +247,14 @@ std::vector<Note> ResultsReader::notes() const {
   });
 }
 
+std::vector<SealRow> ResultsReader::seal() const {
+  return body_->guarded([&]() -> std::vector<SealRow> {
+    const hid_t file = body_->file.get();
+    if (H5Lexists(file, "/seal", H5P_DEFAULT) <= 0) return {};
+    return read_table<SealRow>(file, "/seal", header().dim);
+  });
+}
+
 std::vector<ModeRow> ResultsReader::modes() const {
   return body_->guarded([&]() -> std::vector<ModeRow> {
     const hid_t file = body_->file.get();

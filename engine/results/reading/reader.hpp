@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/seal_row.hpp"
 #include "results/file/results.hpp"
 
 namespace trilith::results {
@@ -61,6 +62,8 @@ class ResultsReader {
   EnergyTable energy() const;
   std::vector<StageRow> stages() const;
   std::vector<Note> notes() const;
+  /// Checks of the whole run; none in an unfinished file, or one of an earlier program version.
+  std::vector<SealRow> seal() const;
   /// In the order in which they were found; none in a file of an earlier program version.
   std::vector<ModeRow> modes() const;
   /// In the order in which they began, with their samples; none in a file of an earlier program version.

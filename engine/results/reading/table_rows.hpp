@@ -1,6 +1,7 @@
 // Private to results/: the columns of every table, each named once. `a` is an archive of table_columns.hpp.
 #pragma once
 
+#include "model/seal_row.hpp"
 #include "results/file/results.hpp"
 #include "results/reading/table_columns.hpp"
 
@@ -158,6 +159,17 @@ void describe(A& a, typename A::template Of<MotionRow>& row) {
   a.text("record", row.record, 120, "file it was read from");
   a.text("title", row.title, 120, "event and station");
   a.text("text", row.text, 240, "record and the operations on it");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<SealRow>& row) {
+  a.text("check", row.check, 40, "name of the check");
+  a.text("state", row.state, 10, "passed, failed, or not made: there was nothing to check");
+  a.number("value", row.value, "", "the worst of the run, in the unit of the column unit");
+  a.number("limit", row.limit, "", "it may be at most this; 0: no limit");
+  a.text("unit", row.unit, 8, "unit of value and limit");
+  a.text("text", row.text, 120, "in a few words");
+  a.number("valid_until", row.valid_until, "s", "of a failed check: the run is reliable until then");
 }
 
 template <class A>

@@ -1,14 +1,14 @@
-// Verdict on the reliability of a run, from the events of a results file.
+// Verdict on the reliability of a run, from the events and the seal of a results file.
 #pragma once
 
 #include <vector>
 
 #include "model/verdict.hpp"
-#include "results/file/results.hpp"
+#include "results/reading/reader.hpp"
 
 namespace trilith::results {
 
-/// `events`: all events of a file, sorted by time.
-Verdict results_verdict(const std::vector<EventRow>& events);
+/// `events`: all events of the file, sorted by time.
+Verdict results_verdict(const ResultsReader& reader, const std::vector<EventRow>& events);
 
 }  // namespace trilith::results

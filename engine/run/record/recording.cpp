@@ -336,6 +336,11 @@ void Recording<D>::note(std::string_view text) {
 }
 
 template <int D>
+void Recording<D>::seal(const std::vector<SealRow>& rows) {
+  writer_.write_seal(rows);
+}
+
+template <int D>
 void Recording<D>::step() {
   if (rows_wait_) flush_when_due();
 }

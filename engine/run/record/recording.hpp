@@ -67,6 +67,8 @@ class Recording {
   /// Adds a line of text to the run, at the time of the last row.
   void note(std::string_view text);
 
+  /// Writes the checks of the whole run, before finish().
+  void seal(const std::vector<SealRow>& rows);
   /// Completes the file under its final name. Nothing can be recorded afterwards.
   void finish();
   /// Ends an incomplete run: writes the reason to the file, which remains `<path>.part`, unfinished. Does not throw.

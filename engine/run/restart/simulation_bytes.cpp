@@ -27,6 +27,11 @@ void each_field(File& file, FaultCount& f) {
   file.item(f.count), file.item(f.time), file.item(f.first);
 }
 
+template <class File>
+void each_field(File& file, FailedCheck& f) {
+  file.item(f.time), file.item(f.text);
+}
+
 template <int D>
 void Simulation<D>::write(ByteWriter& out) const {
   const Fingerprint print = model_fingerprint(model_, state_);
@@ -34,6 +39,7 @@ void Simulation<D>::write(ByteWriter& out) const {
   out.item(state_words(state_));
   const_cast<Causes&>(causes_).each_number([&](auto& v) { out.item(v); });
   const_cast<Verdict&>(verdict_).each_number([&](auto& v) { out.item(v); });
+  const_cast<Seal&>(seal_).each_number([&](auto& v) { out.item(v); });
   out.item(leaving_), out.item(changed_), out.item(rest_.share);
   watch_->each_number([&](auto& v) { out.item(v); });
   out.item(stage_.has_value());
@@ -49,6 +55,7 @@ void Simulation<D>::read(ByteReader& in, const StageOptions* options) {
   require_fingerprint(in.owner(), model_fingerprint(model_, state_), saved);
   causes_.each_number([&](auto& v) { in.item(v); });
   verdict_.each_number([&](auto& v) { in.item(v); });
+  seal_.each_number([&](auto& v) { in.item(v); });
   in.item(leaving_), in.item(changed_), in.item(rest_.share);
   watch_->each_number([&](auto& v) { in.item(v); });
   stage_.reset();
@@ -69,7 +76,7 @@ void Simulation<D>::put_state(State<D> state) {
 
 template <int D>
 void Simulation<D>::keep_places(const StageOptions& options) {
-  if (options.until_rest && options.within > 0) watch_->keep_places(state_);
+  if (options.until_rest && (options.within > 0 || seeks_rest(options))) watch_->keep_places(state_);
 }
 
 template <int D>

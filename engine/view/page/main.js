@@ -198,6 +198,7 @@ class App {
     byId("about").replaceChildren(
       make("dl", { class: "facts" }, ...row("command", about.command), ...row("program", `trilith ${about.program} ${about.commit}`), ...row("started", about.started),
         ...row("bodies", String(this.run.bodies.length)), ...row("frames", `${this.run.frames}, to ${seconds(this.run.end)}${clock.since ? ` since ${clock.since}` : ""}`), ...row("this page", thinned.join("; ")),
+        ...(about.seal || []).flatMap(([state, text]) => row(state === "failed" ? "seal: FAILED" : "seal", text)),
         ...about.parameters.flatMap(([name, value, unit, , text]) => row(name, `${value} ${unit}${text ? ` (${text})` : ""}`)), ...about.motions.flatMap((m) => row("motion", m))),
       ...about.notes.map(([time, text]) => make("p", { class: "hint" }, `${seconds(time)}: ${text}`)),
       about.script ? make("details", {}, make("summary", {}, "script"), make("pre", { tabindex: 0 }, about.script)) : "");

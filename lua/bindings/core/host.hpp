@@ -15,6 +15,7 @@
 #include "model/verdict.hpp"
 #include "results/file/results.hpp"
 #include "run/stage.hpp"
+#include "run/step_window.hpp"
 #include "run/study/study.hpp"
 #include "run/thread_choice.hpp"
 
@@ -126,6 +127,7 @@ struct Host {
   std::vector<std::shared_ptr<ScriptModel>> recorded;  ///< models that write results; they live until finish()
   /// Verdicts of all models that ran, by title; they outlive the models.
   std::vector<std::pair<std::string, std::shared_ptr<const Verdict>>> verdicts;
+  std::optional<StepWindow> check_step;  ///< repeat this window with half the step
 
   /// Folder of the script, "." if it has none.
   [[nodiscard]] std::filesystem::path folder() const;

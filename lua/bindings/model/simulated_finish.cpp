@@ -1,5 +1,6 @@
 // The end of a recording: the results file, and a line on the energy balance.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -40,13 +41,19 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
     recording->abandon(why);
     return fmt::format("results so far, unfinished, are in {}{}", recording->part().string(), close_restart(false));
   }
+  if (checked_step_) {
+    simulation_->add_check(checked_step_->first, checked_step_->second);
+    *verdict_ = simulation_->verdict();
+  }
+  const std::vector<SealRow> seal = simulation_->seal().rows(*verdict_, notes().size());
+  if (!modes_alone) recording->seal(seal);
   recording->finish();
   static_cast<void>(close_restart(true));
   if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
   const EnergyCheck& check = recording->energy_check();
-  return fmt::format("results are in {}; the error of the energy balance is {} of the input, {}{}",
+  return fmt::format("results are in {}; the error of the energy balance is {} of the input, {}{}\n{}",
                      recording->path().string(), percent_text(check.share()), quantity_text(check.input(), "J"),
-                     dissipated_text(check));
+                     dissipated_text(check), fmt::join(seal_lines(seal), "\n"));
 }
 
 template std::string SimulatedModel<2>::finish(const std::string&);

@@ -237,8 +237,9 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, Host
     script.on_step(now.state.time, now.state.last_dt);
   };
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
-  if (script.at_border || checkpoints.on || restart)
+  if (script.at_border || checkpoints.on || restart || step_check_)
     all.at_border = [this, &script, &host] {
+      if (step_check_) step_check_->look(*simulation_);
       if (restart) keep_checkpoint(script, host);
       // At the end of the removed run this one is compared with it: this checkpoint is stored with it, before its own,
       // because checkpoints of this run may be dropped.
@@ -315,6 +316,8 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     s.measure(&host.profile.times);
     host.profile.laws = s.model().law_names;
   }
+  step_check_.reset();
+  if (host.check_step && statics == nullptr) step_check_.emplace(*host.check_step, options, s);
   const auto go = [&] {
     const RunListener<D> all = listen_with(listener, host);
     if (restart) begin_kept_stage(options, statics == nullptr, host.restart.script_ended);
@@ -325,6 +328,8 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
       report =
           statics == nullptr ? s.run(options, all) : s.settle(options, *statics, all, own == nullptr ? nullptr : *own);
     if (restart) end_kept_stage(*report, listener, host);
+    if (step_check_)
+      if (const auto row = step_check_->repeat(s)) checked_step_.emplace(*row, report->begun);
     return *report;
   };
   return guarded_run(go, host);

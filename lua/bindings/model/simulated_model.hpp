@@ -10,6 +10,7 @@
 #include "bindings/model/script_model.hpp"
 #include "run/findings.hpp"
 #include "run/record/recording.hpp"
+#include "run/step_check.hpp"
 
 namespace trilith::script {
 
@@ -163,10 +164,12 @@ class SimulatedModel : public ScriptModel {
   std::optional<double> balance_at_start_;  // of the ledger, from its first stage on [J]
   std::unique_ptr<Recording<D>> recording_;
   std::vector<std::vector<results::ModeRow>> waiting_modes_;
-  Host* modes_host_ = nullptr;                           // of those
-  std::optional<State<D>> recorded_from_;                // begin of all branches of the results
-  std::vector<std::function<void(Model<D>&)>> changes_;  // to be made at the step border
-  std::size_t caught_up_ = 0;                            // number of additions already in the model
+  Host* modes_host_ = nullptr;                              // of those
+  std::optional<State<D>> recorded_from_;                   // begin of all branches of the results
+  std::vector<std::function<void(Model<D>&)>> changes_;     // to be made at the step border
+  std::size_t caught_up_ = 0;                               // number of additions already in the model
+  std::optional<StepCheck<D>> step_check_;                  // of the stage that runs
+  std::optional<std::pair<SealRow, double>> checked_step_;  // of the last stage that had one, and its begin [s]
 };
 
 }  // namespace trilith::script

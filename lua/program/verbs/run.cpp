@@ -1,11 +1,14 @@
 // trilith run SCRIPT [NAME=VALUE ...]
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "base/bytes.hpp"
+#include "base/error.hpp"
 #include "base/team.hpp"
 #include "base/whole_file.hpp"
 #include "bindings/restart/restart_files.hpp"
@@ -43,6 +46,19 @@ bool is_of_this_run(const RunOptions& options, const script::RestartCall& now) {
   return false;
 }
 
+/// The window of --check-step. Throws InputError for a text that is none.
+std::optional<StepWindow> step_window(const std::string& text) {
+  if (text.empty() || text == "false") return std::nullopt;
+  StepWindow window;
+  if (text == "true") return window;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &window.from, &window.to, &rest) == 2 && window.from >= 0 &&
+      window.to > window.from)
+    return window;
+  throw InputError(
+      fmt::format("--check-step={}: must be two times of the run in seconds, FROM,TO, such as 9,10", text));
+}
+
 /// Restart options, and how to run the script again.
 script::RestartChoice restart_of(const RunOptions& options) {
   script::RestartChoice restart;
@@ -75,6 +91,7 @@ int run_as_asked(const RunOptions& options) {
   host.list_parameters = options.list;
   host.results_file = options.results;
   host.profile.wanted = options.profile;
+  host.check_step = step_window(options.check_step);
   host.threads = options.threads;
   host.records = script::record_folders();
   host.observer = options.list ? nullptr : &live;
@@ -135,6 +152,10 @@ void add_run(CLI::App& app, int& code) {
       ->check(CLI::Range(1, most_threads));
   add_checkpoint_option(*verb, options->checkpoint, fmt::format("{:g} where not given", usual_checkpoint));
   verb->add_flag("--go-on", options->goes_on)->group("");
+  verb->add_flag(
+      "--check-step", options->check_step,
+      "repeat the last second of the last shaking, or with =FROM,TO that window [s], with half the step, and "
+      "report the difference");
   verb->add_flag("--profile", options->profile,
                  "print the computing time: parts of the step, contact laws, Lua callbacks");
   add_room_options(*verb, options->room);
