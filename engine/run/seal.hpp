@@ -88,7 +88,7 @@ class Seal {
   bool carries_ = false;                     // any inner force was met
   double motion_off_ = 0, motion_peak_ = 0;  // [m]
   double deepest_ = 0;                       // share of the thickness
-  double shortest_ = 0, longest_ = 0;  // [s]
+  double shortest_ = 0, longest_ = 0;        // [s]
   std::int64_t step_count_ = 0, rests_ = 0;
   double rest_ratio_ = 0, travel_ = 0;
   std::string travelled_;  // body of travel_
