@@ -23,4 +23,3 @@ for _ = 1, 3 do few, many = math.min(few, cost(150)), math.min(many, cost(1200))
 if os.getenv "TRILITH_SHOW" then print(few*1e6, many*1e6) end
 -- Quadratic cost is eight times as much for each law. The table of laws by pairs is small compared with the rest.
 assert(many < 5*few, ("%.3g us for each of 1200 laws, %.3g us for each of 150"):format(many*1e6, few*1e6))
-print("contact laws cost little more where there are many")

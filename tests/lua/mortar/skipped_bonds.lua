@@ -80,3 +80,5 @@ for _, dim in ipairs { 2, 3 } do
     end
   end
 end
+
+print "each skipped bond is reported"
