@@ -108,8 +108,7 @@ struct Sweep {
     return (p.velocity - all.low).cwiseMax(all.high - p.velocity).norm() + p.spread;
   }
   /// Any pair that counts has one piece that is fast compared with the thinnest thickness, and one that is thin
-  /// compared with the fastest speed. With v_a + v_b > s / t one of the two is above s / 2 t, so the shorter of both
-  /// lists, `fewest`, misses no pair.
+  /// compared with the fastest speed: with v_a + v_b > s / t one of the two is above s / 2 t.
   [[nodiscard]] bool is_fast(int piece) const { return 2 * speed(piece) * time > share * model.least_thickness; }
   [[nodiscard]] bool is_thin(int piece) const {
     return (speed(piece) + fastest) * time > share * model.piece_thickness[piece];
@@ -124,19 +123,74 @@ struct Sweep {
   }
 };
 
-/// The shorter list, or none. The common velocity is computed only where some piece is fast and some piece is thin.
-std::vector<int> fewest(Sweep& sweep) {
-  std::vector<int> fast, thin;
-  for (int p = 0; p < sweep.model.pieces(); ++p) {
-    const double way = sweep.closing(p) * sweep.time;
-    if (way > sweep.share * sweep.model.least_thickness) fast.push_back(p);
-    if (way > sweep.share * sweep.model.piece_thickness[p]) thin.push_back(p);
-  }
-  if (fast.empty() || thin.empty()) return {};
+/// False where no pair can count: no piece is fast, or none is thin. Then the common velocity is not needed. Otherwise
+/// it is computed, and the pieces are compared with the speeds relative to it.
+bool may_count(Sweep& sweep) {
+  const auto some = [&](auto&& is) {
+    for (int p = 0; p < sweep.model.pieces(); ++p)
+      if (is(p)) return true;
+    return false;
+  };
+  const auto distance = [&](int p) { return sweep.closing(p) * sweep.time; };
+  if (!some([&](int p) { return distance(p) > sweep.share * sweep.model.least_thickness; })) return false;
+  if (!some([&](int p) { return distance(p) > sweep.share * sweep.model.piece_thickness[p]; })) return false;
   sweep.find_common();
-  std::erase_if(fast, [&](int p) { return !sweep.is_fast(p); });
-  std::erase_if(thin, [&](int p) { return !sweep.is_thin(p); });
-  return fast.size() < thin.size() ? fast : thin;
+  return some([&](int p) { return sweep.is_fast(p); }) && some([&](int p) { return sweep.is_thin(p); });
+}
+
+/// Share by which fat boxes count as smaller, for the rounding of positions relative to `together`.
+constexpr double box_rounding = 1e-12;
+
+FatBox<2> as_fat_box(const Box& box, const Vec2& together) {
+  return {{box.x0 - together.x(), box.y0 - together.y()}, {box.x1 - together.x(), box.y1 - together.y()}};
+}
+
+/// Largest distance by which a swept box protrudes from the fat box of its piece, 0 where it is inside [m]; unbounded
+/// for a piece without a fat box.
+double protrusion(const BroadPhaseState<2>& search, int piece, const Box& box) {
+  if (!search.boxes.holds(piece)) return unbounded;
+  const FatBox<2> swept = as_fat_box(box, search.together);
+  const FatBox<2>& fat = search.boxes.box(piece);
+  double most = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double rounding = box_rounding * (std::abs(fat.low[k]) + std::abs(fat.high[k]));
+    most = std::max({most, fat.low[k] + rounding - swept.low[k], swept.high[k] - fat.high[k] + rounding});
+  }
+  return most;
+}
+
+/// Swept boxes of all pieces, and the pieces whose swept box protrudes from the fat box.
+struct SweptBoxes {
+  std::vector<Box> box;      ///< [piece]
+  std::vector<int> outside;  ///< pieces
+  double farthest = 0;       ///< largest protrusion [m]
+
+  SweptBoxes(const Model<2>& model, const Work<2>& work, const Sweep& sweep, double dt)
+      : box(static_cast<std::size_t>(model.pieces())) {
+    for (int p = 0; p < model.pieces(); ++p) {
+      box[p] = swept_box(model, work, p, sweep.common, sweep.pace[model.piece_body[p]], dt);
+      const double out = protrusion(work.search, p, box[p]);
+      if (out > 0) outside.push_back(p), farthest = std::max(farthest, out);
+    }
+  }
+};
+
+/// Calls keep(p, q) for each pair of pieces whose swept boxes meet, perhaps twice, and for others too. Swept boxes
+/// inside fat boxes can only meet where the fat boxes do, and these pairs are the rows of `work.pairs`. The few pieces
+/// outside of their fat boxes are looked up among the fat boxes. Where they are many, all boxes are placed on a grid.
+template <class Keep>
+void for_meeting(const SweptBoxes& swept, const Work<2>& work, Keep&& keep) {
+  if (!work.valid || !(swept.farthest < unbounded) || 8 * swept.outside.size() > swept.box.size()) {
+    for (const auto& [p, q] : meeting_boxes(swept.box)) keep(p, q);
+    return;
+  }
+  for (const NearPair& pair : work.pairs) keep(pair.piece_a, pair.piece_b);
+  const BroadPhaseState<2>& search = work.search;
+  for (const int p : swept.outside) {
+    FatBox<2> box = as_fat_box(swept.box[p], search.together);
+    for (std::size_t k = 0; k < 2; ++k) box.low[k] -= swept.farthest, box.high[k] += swept.farthest;
+    search.boxes.for_meeting(box, [&](int q) { keep(p, q); });
+  }
 }
 
 }  // namespace
@@ -147,22 +201,12 @@ std::vector<std::pair<int, int>> swept_pairs(const Model<2>& model, const State<
   std::vector<std::pair<int, int>> found;
   // Motion that has diverged or is not finite is not followed.
   if (!(sweep.farthest() > share * model.least_thickness && sweep.farthest() < beyond_all)) return found;
-  const std::vector<int> few = fewest(sweep);
-  if (few.empty()) return found;
-  std::vector<Box> boxes(static_cast<std::size_t>(model.pieces()));
-  for (int p = 0; p < model.pieces(); ++p)
-    boxes[p] = swept_box(model, work, p, sweep.common, sweep.pace[model.piece_body[p]], dt);
-  const auto keep = [&](int p, int q) {
-    if (sweep.counts(p, q)) found.emplace_back(std::min(p, q), std::max(p, q));
-  };
-  // Many pieces: all boxes on the grid. Few: each of them against all boxes, which costs less than building a grid.
-  if (32 * few.size() > boxes.size()) {
-    for (const auto& [p, q] : meeting_boxes(boxes)) keep(p, q);
-    return found;
-  }
-  for (const int p : few)
-    for (int q = 0; q < model.pieces(); ++q)
-      if (q != p && boxes[p].meets(boxes[q])) keep(p, q);
+  if (!may_count(sweep)) return found;
+  const SweptBoxes swept(model, work, sweep, dt);
+  for_meeting(swept, work, [&](int p, int q) {
+    if (p != q && sweep.counts(p, q) && swept.box[p].meets(swept.box[q]))
+      found.emplace_back(std::min(p, q), std::max(p, q));
+  });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -1,6 +1,7 @@
 // Positions of bodies at the begin of a stage that ends at rest, and the bodies that have left their places at its end.
 #include <algorithm>
 
+#include "run/seal.hpp"
 #include "run/watch.hpp"
 
 namespace trilith {
@@ -21,7 +22,10 @@ template <int D>
 Travel Watch::farthest(const Instant<D>& now) const {
   const auto stage = std::find_if(places_.begin(), places_.end(), [&](const auto& s) { return s.first == now.begun; });
   const auto* const from = stage == places_.end() ? nullptr : std::get_if<Placement<D>>(&stage->second);
-  return from == nullptr ? Travel{} : farthest_travel(now.model, now.state, *from);
+  if (from == nullptr) return {};
+  const Travel all = farthest_travel(now.model, now.state, *from);
+  // Bodies that were without support fall to their places. To find out which these are takes longer.
+  return all.share > SealLimit::travel ? displaced_body(now.model, now.state, *from, 0) : all;
 }
 
 template <int D>

@@ -118,7 +118,8 @@ Finding libraries_finding() {
       "", ""};
 }
 
-/// Results do not depend on these instructions (docs/decisions/code/0011-same-bits.md), but runs take longer without them.
+/// Results do not depend on these instructions (docs/decisions/code/0011-same-bits.md), but runs take longer without
+/// them.
 Finding processor_finding() {
 #if defined(__x86_64__)
   const bool wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

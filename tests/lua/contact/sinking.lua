@@ -52,4 +52,4 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
-print("all that sinks is reported")
+print "every assertion holds"

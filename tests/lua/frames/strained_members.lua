@@ -147,4 +147,4 @@ do
   bar:close()
 end
 
-print "members are watched as they must be"
+print "every assertion holds"

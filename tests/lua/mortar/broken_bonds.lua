@@ -89,3 +89,4 @@ for _, dim in ipairs { 2, 3 } do
   local struck = first_event(dim, "undamped", { velocity = { 3, 0, 0 }, dt = 5e-4 })
   assert(struck.mode == "shear" and struck.text:find "in shear$", struck.text)
 end
+print "every assertion holds"

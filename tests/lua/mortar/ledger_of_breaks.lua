@@ -132,3 +132,4 @@ for _, dt in ipairs { 2.4e-3, 2.7e-3, 3e-3 } do
   assert(math.abs(missed - missed_too) < 1e-6 * math.abs(missed), ("%g and %g J are missed"):format(missed, missed_too))
   assert(math.abs(missed) > 10)
 end
+print "every assertion holds"

@@ -81,4 +81,4 @@ for _, dim in ipairs { 2, 3 } do
   end
 end
 
-print "each skipped bond is reported"
+print "every assertion holds"

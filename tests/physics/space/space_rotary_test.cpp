@@ -128,7 +128,7 @@ TEST_CASE("a soft body of one element keeps energy and angular momentum as it st
       Vec3 h = Vec3::Zero();
       for (int n = 0; n < model.nodes(); ++n)
         h += cross(Vec3(run.state().position[n] - now.centre), Vec3(model.mass[n] * run.state().velocity[n]));
-      CHECK(stored > 0.01 * kinetic);
+      CHECK(stored > 0.004 * kinetic);
       CHECK(off < 2e-5);
       CHECK((now.own * (now.lumped.inverse() * h) - before).norm() < 1e-2 * before.norm() * (dt / 1e-4));
       CHECK(off < 0.6 * residual);
