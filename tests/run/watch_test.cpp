@@ -1,7 +1,7 @@
 // Run-time checks of a run: elements strained beyond their solid's limit, energy and speed without a source, rest not
 // reached; and the text of the verdict.
-#include "run/element_stretch.hpp"
 #include "run/watch.hpp"
+#include "run/element_stretch.hpp"
 
 #include "near.hpp"
 #include "physics/space/solids.hpp"
