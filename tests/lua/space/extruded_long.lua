@@ -89,7 +89,7 @@ local into_space = { "\nm:results[^\n]*", "\nm = m:extruded()\n" }
 -- space: it reaches 0.2537 m of its limit of 0.254 m, and 0.2548 m in the plane.
 do
   local function first(changes)
-    changes[#changes + 1] = { "duration = 150%*s, still = %b{}", "duration = 5*s" }
+    changes[#changes + 1] = { "duration = 150%*s, rest = %b{}", "duration = 5*s" }
     changes[#changes + 1] = { "$", [[
 
       for _, e in ipairs(m.events) do if e.type == "bearing.failed" then return e.time - begun, e.text end end]] }
