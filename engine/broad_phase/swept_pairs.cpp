@@ -175,9 +175,9 @@ struct SweptBoxes {
   }
 };
 
-/// Calls keep(p, q) for each pair of pieces whose swept boxes meet, perhaps twice, and for others too. Swept boxes
-/// inside fat boxes can only meet where the fat boxes do, and these pairs are the rows of `work.pairs`. The few pieces
-/// outside of their fat boxes are looked up among the fat boxes. Where they are many, all boxes are placed on a grid.
+/// Calls keep(p, q) for each pair of pieces whose swept boxes meet. It may visit a pair twice, and pairs whose boxes do
+/// not meet. Swept boxes inside fat boxes can only meet where the fat boxes do, and these pairs are the rows of
+/// `work.pairs`. For the few other pieces the fat boxes are queried. If they are many, all boxes are put on a grid.
 template <class Keep>
 void for_meeting(const SweptBoxes& swept, const Work<2>& work, Keep&& keep) {
   if (!work.valid || !(swept.farthest < unbounded) || 8 * swept.outside.size() > swept.box.size()) {
