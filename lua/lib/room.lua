@@ -1,4 +1,4 @@
--- The closed room: removes access to other files, programs or the internals of the library from a script's globals.
+-- The sandbox: removes access to other files, programs or the internals of the library from a script's globals.
 -- This file, like all of the library, uses a copy of the globals that no script can change. It calls no method of a
 -- text, because a script can change these.
 local room = ...

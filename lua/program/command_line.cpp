@@ -72,7 +72,7 @@ void describe_command_line(CLI::App& app, int& code) {
   app.set_version_flag("--version", "trilith " TRILITH_VERSION);
   app.footer(
       "Without arguments, trilith opens a console. trilith SCRIPT runs a script, and trilith -i SCRIPT\n"
-      "opens a console after it. A script runs in a closed room: it starts no programs, and uses files\n"
+      "opens a console after it. A script runs in a sandbox: it starts no programs, and uses files\n"
       "only below its own folder, the current folder and the paths on the command line. The option\n"
       "--trust lifts these limits. trilith doctor prints where the program, its Lua module and its\n"
       "records are, and whether they work.\n"

@@ -70,7 +70,7 @@ std::vector<std::string> RoomOptions::words() const {
 
 void add_room_options(CLI::App& verb, RoomOptions& options) {
   verb.add_flag("--trust", options.trust,
-                "run the script without its closed room: it may start programs and use all your files");
+                "run the script without its sandbox: it may start programs and use all your files");
   verb.add_option_function<std::string>(
           "--script-memory", [&options](const std::string& text) { options.memory = bytes_of(text); },
           "memory that the script's Lua code may hold; default 4 GiB, 0 for no limit")

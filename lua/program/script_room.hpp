@@ -1,4 +1,4 @@
-// The closed room of a script: available parts of Lua's own libraries.
+// The sandbox of a script: available parts of Lua's own libraries.
 #pragma once
 
 #include "bindings/core/host.hpp"

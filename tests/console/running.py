@@ -117,7 +117,7 @@ LOOPS = {
 
 def session_the_first_ctrl_c_ends_every_loop(place):
     for name, loop in LOOPS.items():
-        s = place.console("-i", "--trust", "fall.lua")  # a closed room has no hooks
+        s = place.console("-i", "--trust", "fall.lua")  # a sandbox has no hooks
         s.line(loop)
         s.expect(r"^begun\r?$")
         s.interrupt()

@@ -1,5 +1,5 @@
 -- Base of random programs: sound models with one handle of each kind, and calls that may fail on their own. Created
--- before all models, so that it is finalized after them. A closed room has no finalizers.
+-- before all models, so that it is finalized after them. A sandbox has no finalizers.
 local is_closed = getmetatable "" == "locked"
 local late = setmetatable({}, not is_closed and { __gc = function(o) for _, f in ipairs(o) do pcall(f) end end } or nil)
 local trilith = require "trilith"

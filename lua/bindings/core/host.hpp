@@ -25,7 +25,7 @@ namespace trilith::script {
 
 class ScriptModel;
 
-// Default limits of a script in a closed room.
+// Default limits of a script in a sandbox.
 inline constexpr double default_script_memory = 4.0 * (std::uint64_t{1} << 30);  ///< [bytes]
 inline constexpr double default_script_seconds = 600;                            ///< [s]
 

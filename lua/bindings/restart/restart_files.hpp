@@ -26,7 +26,7 @@ struct RestartCall {
   std::string named_results;       ///< results file given on the command line, or ""
   std::string case_folder;         ///< of a study, or ""
   std::vector<std::string> given;  ///< parameters
-  std::string room;                ///< options of the closed room, as bytes
+  std::string room;                ///< options of the sandbox, as bytes
   int number = 0;                  ///< case of a study, or 0
   int threads = 0;
   double every = 0;  ///< wall clock between checkpoints [s]

@@ -11,10 +11,10 @@ struct CasesOfScript {
   std::filesystem::path script;    ///< that runs a case
   std::vector<std::string> fixed;  ///< "name=value", equal in all cases
   bool by_number = false;          ///< the script selects its cases by number; otherwise it receives their parameters
-  bool trust = false;              ///< the cases run without a closed room
+  bool trust = false;              ///< the cases run without a sandbox
   double memory = 0, seconds = 0;  ///< limits of each case as in Host; 0: default
   double checkpoint = -1;          ///< wall clock between checkpoints of a case [s]; below 0: default
-  std::vector<std::filesystem::path> folders;  ///< that the cases may use in a closed room
+  std::vector<std::filesystem::path> folders;  ///< that the cases may use in a sandbox
 };
 
 /// An order for `plan`, without file, histories and jobs. Throws InputError if the script cannot be read.
