@@ -148,7 +148,7 @@ void respond_live(const Model<D>& model, const State<D>& state, Work<D>& work, s
   after.failed_direction = static_cast<std::uint32_t>(beyond);
 }
 
-/// Work over half of the last step by the bearing forces at its begin [J].
+/// Work over half of the last step by the bearing forces at its start [J].
 template <int D>
 double half_work(const Model<D>& model, const State<D>& state, std::size_t i, double dt) {
   const auto mean = mean_rates(model, state, model.bearings[i], bearing_motion(model, state, i), dt);

@@ -50,7 +50,7 @@ TurnMotion<2> turned(const Model<2>& model, int node, const AlphaScheme& scheme,
   return out;
 }
 
-// Input: t, and R, w, A of the begin. Output: R', then w' from the rotation, L' from w', l' from the momentum, A' from
+// Input: t, and R, w, A of the start. Output: R', then w' from the rotation, L' from w', l' from the momentum, A' from
 // l'.
 TurnMotion<3> turned(const Model<3>& model, int node, const AlphaScheme& scheme, double dt, const TurnMotion<3>& from,
                      const Vec3& path, const TurnMotion<3>& to) {

@@ -109,7 +109,7 @@ bool moves(const Model<2>& model, const BodyRow& body) {
   return false;
 }
 
-/// Mean velocities of all skin points over the last step, from their positions at its begin.
+/// Mean velocities of all skin points over the last step, from their positions at its start.
 void place_means(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.skin_mean.resize(model.skin_place.size());
   const double per_step = state.last_dt > 0 ? 1 / state.last_dt : 0;

@@ -236,7 +236,7 @@ DisplacementBound<3> place_all(const Model<3>& model, const State<3>& state, Wor
 
 }  // namespace
 
-/// The positions of a piece and its faces at the begin of an implicit step do not change; their fits contain the
+/// The positions of a piece and its faces at the start of an implicit step do not change; their fits contain the
 /// present ones.
 void place_again(const Model<3>& model, const State<3>& state, Work<3>& work, int piece) {
   SolidWork<3>& solids = work.solids;

@@ -92,7 +92,7 @@ void look_up_all_solids(const Model<3>& model, Work<3>& work) {
   list_bearings(model, search);
 }
 
-/// The contact law between two pieces, -1 where they are no candidate pair.
+/// The contact law between two pieces, -1 where they are not a candidate pair.
 int law_between(const Model<3>& model, const State<3>& state, const BroadPhaseState<3>& search, int p, int q) {
   const int a = model.piece_body[p], b = model.piece_body[q];
   if (a == b || state.left[a] != 0 || state.left[b] != 0) return -1;

@@ -84,7 +84,7 @@ struct Sweep {
   std::vector<Pace> pace;  ///< [body]
   Range all;               ///< velocities of all points of all bodies [m/s]
   double time, share;      ///< [s], [1]
-  /// Common velocity of most bodies, which is no relative motion [m/s]. So ground motion alone makes no pair.
+  /// Common velocity of most bodies, which is not relative motion [m/s]. So ground motion alone makes no pair.
   Vec2 common = Vec2::Zero();
   double fastest = 0;  ///< relative to `common` [m/s]
 

@@ -20,7 +20,7 @@ double length_of(const Model<3>& model, int beam) {
   return model.beams_3d[static_cast<std::size_t>(beam)].length;
 }
 
-/// "column 1 at a"; for a beam within a member, with its distance from the begin of the member.
+/// "column 1 at a"; for a beam within a member, with its distance from the start of the member.
 template <int D>
 std::string place_text(const Model<D>& model, const Member& m, int beam, int end) {
   const std::string member = m.name == model.bodies[m.body].name ? "" : m.name + " ";

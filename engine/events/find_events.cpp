@@ -72,7 +72,7 @@ void tell_mode(const Model<2>& model, const State<2>& state, const Work<2>& work
   });
 }
 
-/// The ends of a face at the begin of the last step.
+/// The ends of a face at the start of the last step.
 FaceEnds<double> ends_before(const State<2>& state, const Work<2>& work, int from, int to) {
   FaceEnds<double> ends = face_ends(work, from, to);
   const auto mean = [&](int point, double u, double v) {
@@ -83,7 +83,7 @@ FaceEnds<double> ends_before(const State<2>& state, const Work<2>& work, int fro
   return ends;
 }
 
-/// Resultant of a row at the begin of the last step.
+/// Resultant of a row at the start of the last step.
 ContactResultant resultant_before(const Model<2>& model, const State<2>& state, const Work<2>& work, int row) {
   const NearPair& p = work.pairs[row];
   const ContactHistory& before = contacts_before(state, work);

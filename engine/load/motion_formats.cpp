@@ -24,7 +24,7 @@ std::optional<std::string_view> value_of(std::string_view line, std::string_view
   return trimmed(line.substr(key.size()));
 }
 
-/// The number at the begin of a text, before its unit: "100Hz", "3920(gal)".
+/// The number at the start of a text, before its unit: "100Hz", "3920(gal)".
 double leading_number(std::string_view text, std::string_view what, const TextLines& lines) {
   return lines.require_number(text.substr(0, std::min(text.find_first_not_of("0123456789.+-"), text.size())), what);
 }

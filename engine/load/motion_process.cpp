@@ -216,7 +216,7 @@ std::pair<GroundMotion, GroundMotion> rotated(const GroundMotion& first, const G
     const MotionStart from = one.start(), across = other.start();
     MotionSource source = one.source();
     (source.file.empty() ? source.title : source.file) +=
-        fmt::format(", turned by {:g} deg", angle * 180 / std::numbers::pi);
+        fmt::format(", rotated by {:g} deg", angle * 180 / std::numbers::pi);
     return GroundMotion(a, one.step(),
                         {c * from.velocity + s * across.velocity, c * from.displacement + s * across.displacement},
                         std::move(source));

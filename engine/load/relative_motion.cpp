@@ -29,7 +29,7 @@ Grid grid_over(const GroundMotion& right, const GroundMotion& left, double step)
   return {begin, step, static_cast<std::size_t>(std::ceil((end - begin) / step)) + 1};
 }
 
-/// Relative displacement before the begin of both motions.
+/// Relative displacement before the start of both motions.
 double offset_at_rest(const GroundMotion& right, const GroundMotion& left) {
   return right.start().displacement - left.start().displacement;
 }

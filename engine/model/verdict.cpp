@@ -43,7 +43,7 @@ std::string Verdict::text(double zero) const {
     if (found.count > 1) parts.push_back(fmt::format("{} times {}, first: {}", found.count, row.heading, found.first));
   }
   for (const FailedCheck& f : failed_) parts.push_back(f.text);
-  return fmt::format("not to be trusted after {:.4g} s: {}", sound_until() - zero, fmt::join(parts, "; "));
+  return fmt::format("not reliable after {:.4g} s: {}", sound_until() - zero, fmt::join(parts, "; "));
 }
 
 }  // namespace trilith

@@ -45,7 +45,7 @@ std::vector<Moment> busy_moments(const std::vector<results::EventRow>& events, d
     const auto k = fullest - count.begin();
     const double from = begin + (end - begin) * static_cast<double>(k) / stretches;
     const double to = from + (end - begin) / stretches;
-    out.push_back({to, fmt::format("after {} events of note in {}", *fullest, shown_time(to - from))});
+    out.push_back({to, fmt::format("after {} important events in {}", *fullest, shown_time(to - from))});
     for (auto i = std::max<std::ptrdiff_t>(0, k - 1); i <= std::min<std::ptrdiff_t>(stretches - 1, k + 1); ++i)
       count[i] = 0;
   }

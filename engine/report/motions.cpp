@@ -131,9 +131,9 @@ void write_stored(const ReportSource& source, const std::vector<results::MotionR
     names.push_back(where);
     motions.push_back(motion);
   }
-  html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration", "Missed by"}, rows, 1);
+  html.table({"Motion", "PGA", "PGV", "PGD", "Arias", "Duration", "Deviation"}, rows, 1);
   html.element("p",
-               "From the samples in the results file. Duration: from 5 to 95 % of the Arias intensity. Missed by: the "
+               "From the samples in the results file. Duration: from 5 to 95 % of the Arias intensity. Deviation: the "
                "largest distance, over all frames, between the position of the body and its prescribed position.",
                R"(class="note")");
   if (!motions.empty()) write_motion_figure(html, motions, names);

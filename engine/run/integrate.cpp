@@ -44,7 +44,7 @@ bool passes_multiple(double time, double last_dt, double interval) {
 
 }  // namespace
 
-/// Velocities at the begin of a stage. A stage that leaves the integrator open continues with the scheme of the state,
+/// Velocities at the start of a stage. A stage that leaves the integrator open continues with the scheme of the state,
 /// and starts implicitly at the very start.
 template <int D>
 VelocityTimes Simulation<D>::wanted_velocities() const {

@@ -19,7 +19,7 @@ double thinner_of_pair(const Model<D>& model, const NearPair& pair) {
   return std::min(model.piece_thickness[pair.piece_a], model.piece_thickness[pair.piece_b]);
 }
 
-/// Largest overlap of the touching contacts that are no faces of the plane.
+/// Largest overlap of the touching contacts that are not faces of the plane.
 template <int D>
 double deepest_of_general(const Model<D>& model, const Work<D>& work) {
   double most = 0;
@@ -47,7 +47,7 @@ DrivenPlace farthest_driven(const Model<D>& model, const State<D>& state) {
   return out;
 }
 
-/// Energy of the whole model at 1 mm/s [J]: smaller residuals are no error of a run.
+/// Energy of the whole model at 1 mm/s [J]: smaller residuals are not errors of a run.
 template <int D>
 double trifling_energy(const Model<D>& model) {
   constexpr double speed = 1e-3;  // [m/s]

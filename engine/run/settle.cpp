@@ -79,7 +79,7 @@ void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& l
 }
 
 /// A stage without duration, between two evaluations of the same instant; the events that led to rest are reported at
-/// the second one. A structure strained beyond its limit at the begin, as at the end of a load path, is not settled.
+/// the second one. A structure strained beyond its limit at the start, as at the end of a load path, is not settled.
 template <int D>
 StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
                                   const RunListener<D>& listener, const LoadWay<D>* way) {

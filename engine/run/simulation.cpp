@@ -29,7 +29,7 @@ namespace {
 
 /// A step is too short below this length [s], or below this share of its stage: time would not advance.
 constexpr double shortest_step = 1e-12, shortest_share = 1e-9;
-/// With fewer steps, the kinetic energy at the middle of a leapfrog step is no measure of its energy error.
+/// With fewer steps, the kinetic energy at the middle of a leapfrog step is not a measure of its energy error.
 constexpr std::int64_t least_told_steps = 20;
 /// A stage of at least this duration [s] is expected to end by rest, by a number of steps, or by the user.
 constexpr double open_ended = 1e8;

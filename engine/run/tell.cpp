@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// In shorter stages the kinetic energy within a leapfrog step is no measure of the energy error.
+/// In shorter stages the kinetic energy within a leapfrog step is not a measure of the energy error.
 constexpr std::int64_t least_sealed_steps = 20;
 
 }  // namespace

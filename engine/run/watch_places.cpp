@@ -1,4 +1,4 @@
-// Positions of bodies at the begin of a stage that ends at rest, and the bodies that have left their places at its end.
+// Positions of bodies at the start of a stage that ends at rest, and the bodies that have left their places at its end.
 #include <algorithm>
 
 #include "run/seal.hpp"

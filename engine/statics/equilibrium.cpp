@@ -83,8 +83,8 @@ class Search {
   const Model<D>& model_;
   const EquilibriumOptions& options_;
   StaticTrial<D> trial_;
-  Placement<D> given_;         // at the begin of the search
-  std::vector<Vec<D>> begin_;  // [node] at the begin of the present load share
+  Placement<D> given_;         // at the start of the search
+  std::vector<Vec<D>> begin_;  // [node] at the start of the present load share
   std::vector<int> body_of_;
   double merit_ = 0;
   bool has_failed_ = false;

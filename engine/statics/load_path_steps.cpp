@@ -71,7 +71,7 @@ double LoadPathWalk<D>::dissipation_along(const Eigen::VectorXd& by) {
   return (more - less) / (2 * share);
 }
 
-/// The trial at a share of a move from the begin of the step.
+/// The trial at a share of a move from the start of the step.
 template <int D>
 void LoadPathWalk<D>::try_at(const Eigen::VectorXd& direction, double factor, double share) {
   trial_.go_back();

@@ -91,7 +91,7 @@ StaticTrial<D>::StaticTrial(const Model<D>& model, const State<D>& state)
   begin_here();
 }
 
-/// The forces at the begin are stored: work is booked by the mean of them and the forces at the end.
+/// The forces at the start are stored: work is booked by the mean of them and the forces at the end.
 template <int D>
 void StaticTrial<D>::begin_here() {
   state_.position_before = begin_position_ = state_.position;

@@ -150,7 +150,7 @@ Travel displaced_body(const Model<D>& model, const State<D>& state, const Placem
 
 std::string travel_text(const Travel& t) {
   std::string text = fmt::format("moved by {}", quantity_text(t.moved, "m"));
-  if (t.turned > 0) text += fmt::format(" and turned by {:.2g} rad", t.turned);
+  if (t.turned > 0) text += fmt::format(" and rotated by {:.2g} rad", t.turned);
   return text + fmt::format(", {:.2g} of its size", t.share);
 }
 

@@ -74,7 +74,7 @@ double rounded(double value, double parts) {
   return std::round(value * parts) / parts;
 }
 
-/// For each face the number of its corners, then their vertex rows; and the begin of the faces of each body.
+/// For each face the number of its corners, then their vertex rows; and the start of the faces of each body.
 void write_faces(const results::Header& header, JsonText& json) {
   json.key("faces").begin_list();
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {

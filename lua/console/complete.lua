@@ -16,7 +16,7 @@ local function beginning_with(names, start)
   return found
 end
 
---- The open quote at the end of the text and the begin of its string; nil if there is none.
+--- The open quote at the end of the text and the start of its string; nil if there is none.
 local function open_string(text)
   local quote, from
   local i = 1

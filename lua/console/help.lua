@@ -72,7 +72,8 @@ end
 
 local function overview()
   local lines = {
-    "Lines are Lua. Values of expressions are printed. Tab completes, arrows recall lines, Ctrl-C interrupts.",
+    "The console executes Lua and prints the values of expressions.",
+    "Tab completes, arrows recall lines, Ctrl-C interrupts.",
     "  help(x), help \"m.run\"        describes a value or a name",
     "  apropos \"bearing\"           finds entries that mention a word",
     "  help \"stages\"                prints a page of the manual. Pages:",
@@ -80,9 +81,9 @@ local function overview()
   for _, page in ipairs(console.manual().pages) do
     lines[#lines + 1] = ("    %-12s %s"):format(page.name, page.title)
   end
-  lines[#lines + 1] = "Where a run pauses (Ctrl-C, m:break_on): `continue`, `stop`, `where`, `frame(n)`; "
+  lines[#lines + 1] = "While a run is paused (Ctrl-C, m:break_on): `continue`, `stop`, `where`, `frame(n)`; "
     .. "local variables are available by name."
-  lines[#lines + 1] = "`quit` or Ctrl-D leaves."
+  lines[#lines + 1] = "`quit` or Ctrl-D leaves the console."
   return table.concat(lines, "\n")
 end
 

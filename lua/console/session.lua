@@ -257,7 +257,7 @@ local function loop(session)
       ends = ends + 1
       if not session.paused or not terminal.interactive then break end
       if ends > 1 then terminal.quit(0, "left at a pause") end
-      terminal.write "`continue` runs on, `stop` ends the stage here, Ctrl-D once more leaves the program.\n"
+      terminal.write "`continue` continues the run, `stop` ends the stage here, Ctrl-D once more leaves the program.\n"
     end
   end
   console.failed = console.failed or not all_good
@@ -280,7 +280,8 @@ function console.pause(why, model)
   if frames[1] then
     terminal.write(("%s:%d, in %s. "):format(frames[1].source, frames[1].line, frames[1].name))
   end
-  terminal.write(console.has_paused and "\n" or "`continue` runs on, `stop` ends the stage here, `help` prints more.\n")
+  local hint = "`continue` continues the run, `stop` ends the stage here, `help` prints more.\n"
+  terminal.write(console.has_paused and "\n" or hint)
   console.has_paused = true
   local outer = core.leave_pause
   function core.leave_pause() session.left = true end

@@ -217,7 +217,7 @@ local function join(chains, tolerance)
     if not start.used then
       start.used = true
       local points = table.move(start.points, 1, #start.points, 1, {})
-      for _ = 1, 2 do -- from its end, then from its begin
+      for _ = 1, 2 do -- from its end, then from its start
         local chain, more = next_at(points[#points])
         while chain do
           chain.used = true

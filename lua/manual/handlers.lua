@@ -21,7 +21,7 @@ f         function  function of the model]], gives = "table",
     args = "state  table  numbers, texts, booleans, bodies, bearings, seats and tables of these", gives = "table",
     example = "local state = m:keep { impacts = 0 }\n"
       .. 'm:on("impact", function() state.impacts = state.impacts + 1 end)' },
-  { "model:story", "Runs f(model) alongside the model: up to its first m:wait at once, then on at each event it "
+  { "model:story", "Runs f(model) as a coroutine: up to its first m:wait at once, then on at each event it "
     .. "waits for.", args = "f  function  function of the model",
     example = "m:story(function() m:wait(0.05); print(m.time) end)" },
   { "model:wait", "In a story: waits for an event, or for a time. Returns the event, or nil after the time.",

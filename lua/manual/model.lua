@@ -5,7 +5,7 @@ name             text = ""           name in messages
 dim              integer = 2         2 in the plane, 3 in space: see "Models in space"  <2 or 3>
 thickness        number m = 1        thickness out of the plane, of every contact  <above 0>
 gravity          number m/s2 = 9.80665  gravity, downwards; or a vector {x, y}, in space {x, y, z}  <at least 0>
-threads          integer = chosen at run time  number of threads; results are the same bits  <1 to 64>
+threads          integer = chosen at run time  number of threads; results do not depend on it  <1 to 64>
 mass_damping     number 1/s = 0      mass-proportional damping: damping force over momentum  <at least 0>
 impact_speed     number m/s = 0.5    closing speed above which a new contact is an impact  <above 0>
 apart_time       number s = 0.02     time after which an open contact is lost  <at least 0>
@@ -83,7 +83,7 @@ at_end   point   end of the body
 edge     point   edge of the seat
 inward   point?  direction from the edge over the seat; default horizontal, towards at_end]], gives = "seat" },
   { "model:remove", "Removes bodies, bearings or loads: at once between stages, in a handler at the end of the step. "
-    .. "Bodies that leaned on them are free from the next step on.",
+    .. "Bodies that rested on them lose this support from the next step on.",
     args = "what  bodies  a body, set, bearing, name of one, of a group or of a load, or a list of these" },
   { "model:put_back", "Returns removed bodies, at rest at their last position if it is free, and bearings, which "
     .. "restart without force at their present position.",

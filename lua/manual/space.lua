@@ -156,7 +156,7 @@ stone_length     number m            length of a stone along y  <above 0>
 stones           integer = 1         number of whole stones in a course  <1 to 10000>
 bond             flag = true         joints shift from course to course
 half_first       flag = false        the first course begins with half a stone
-from             number m = 0        y of the begin
+from             number m = 0        y of the start
 at               vector = {0, 0, 0}  translation]], with = "solids", gives = "set" },
   { "space:cross_vault", "Two barrels that meet along the diagonals of a square bay.", keys = [[
 name             text?               prefix of names

@@ -5,7 +5,7 @@ rests        flag      true where the stage ended at rest
 collapsed    flag      true where until_collapse ended the stage
 reason       text      reason, where the stage did not end as requested
 steps        integer   number of time steps
-begun        number s  time at the begin
+begun        number s  time at the start
 ended        number s  time at the end
 shortest_dt  number s  shortest time step
 longest_dt   number s  longest time step

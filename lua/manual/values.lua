@@ -3,22 +3,22 @@ return {
   { "trilith.units", "Returns the factors that convert units to SI: local ft, kip = trilith.units \"ft kip\".",
     args = "names  text  unit names, separated by blanks", gives = "number..." },
   -- As in Lua's `math`, which calls the C library (docs/decisions/code/0011-same-bits.md).
-  { "trilith.math.sin", "Sine, the same bits on every processor.", args = "angle  number rad  any", gives = "number" },
-  { "trilith.math.cos", "Cosine, the same bits on every processor.", args = "angle  number rad  any",
+  { "trilith.math.sin", "Sine, bit-identical on every processor.", args = "angle  number rad  any", gives = "number" },
+  { "trilith.math.cos", "Cosine, bit-identical on every processor.", args = "angle  number rad  any",
     gives = "number" },
-  { "trilith.math.tan", "Tangent, the same bits on every processor.", args = "angle  number rad  any",
+  { "trilith.math.tan", "Tangent, bit-identical on every processor.", args = "angle  number rad  any",
     gives = "number" },
-  { "trilith.math.asin", "Arc sine [rad], the same bits on every processor.", args = "x  number  -1 to 1",
+  { "trilith.math.asin", "Arc sine [rad], bit-identical on every processor.", args = "x  number  -1 to 1",
     gives = "number" },
-  { "trilith.math.acos", "Arc cosine [rad], the same bits on every processor.", args = "x  number  -1 to 1",
+  { "trilith.math.acos", "Arc cosine [rad], bit-identical on every processor.", args = "x  number  -1 to 1",
     gives = "number" },
-  { "trilith.math.atan", "Angle of (x, y) from the x axis [rad], the same bits on every processor.", args = [[
+  { "trilith.math.atan", "Angle of (x, y) from the x axis [rad], bit-identical on every processor.", args = [[
 y  number      height
 x  number = 1  distance]], gives = "number" },
-  { "trilith.math.exp", "Exponential, the same bits on every processor.", args = "x  number  any", gives = "number" },
-  { "trilith.math.log", "Natural logarithm, the same bits on every processor.", args = "x  number  above 0",
+  { "trilith.math.exp", "Exponential, bit-identical on every processor.", args = "x  number  any", gives = "number" },
+  { "trilith.math.log", "Natural logarithm, bit-identical on every processor.", args = "x  number  above 0",
     gives = "number" },
-  { "trilith.math.pow", "base^exponent, the same bits on every processor. Lua's ^ has the same bits only for squares.",
+  { "trilith.math.pow", "base^exponent, bit-identical on every processor. Lua's ^ is bit-identical only for squares.",
     args = [[
 base      number  base
 exponent  number  exponent]], gives = "number" },

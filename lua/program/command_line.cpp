@@ -77,8 +77,8 @@ void describe_command_line(CLI::App& app, int& code) {
       "--trust lifts these limits. trilith doctor prints where the program, its Lua module and its\n"
       "records are, and whether they work.\n"
       "Exit code 0 is success, 1 wrong input or an error in a script or case, 2 a wrong command line.\n"
-      "Exit code 3 is a run that is not to be trusted or a model without solution; the message names\n"
-      "which. Exit code 130 is an interrupt.");
+      "Exit code 3 is a run that is not reliable or a model without solution; a message gives the\n"
+      "reason. Exit code 130 is an interrupt.");
   app.require_subcommand(1);
   app.failure_message(failure_text);
   add_console(app, code);

@@ -39,7 +39,7 @@ int report_error(script::Host& host, const std::string& message) {
 
 /// The verdict where no run of the script has one of its own.
 constexpr const char* no_solution_verdict =
-    "not to be trusted: the script ended, as its model has no solution that was asked for; see the line above";
+    "not reliable: the script ended because its model has no solution; the line above gives the reason";
 
 /// Exit code of a script that an error has ended, maybe a search without a solution.
 int report_failure(lua_State* L, script::Host& host) {
@@ -102,7 +102,7 @@ int run_script(script::Host& host) {
     good = message_at_top(L).find(script::script_is_done) != std::string::npos;
   if (!good) return report_failure(L, host);
   if (host.study.only > 0 && !host.study.begun)
-    return report_error(host, fmt::format("{} has no study, so no case {}", host.script, host.study.only));
+    return report_error(host, fmt::format("{} has no study, so there is no case {}", host.script, host.study.only));
   if (!host.given_used && !host.given.empty())
     return report_error(host, fmt::format("{} declares no parameters, so '{}' cannot be set; see trilith.params",
                                           host.script, host.given.front()));

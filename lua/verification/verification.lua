@@ -182,7 +182,7 @@ local function rows_of(case)
 end
 
 local columns = { "name", "quantity", "exact", "value", "error", "tolerance", "result" }
-local heads = { name = "case", quantity = "quantity", exact = "exact", value = "ours", error = "error",
+local heads = { name = "case", quantity = "quantity", exact = "exact", value = "computed", error = "error",
   tolerance = "tolerance", result = "" }
 
 local function print_subject(subject, tally)
@@ -231,7 +231,7 @@ local function taken(text, part, trouble, errors)
     if chunk then pcall(chunk) end
   end
   local first = errors:match "[^\n]+"
-  local why = trouble ~= "" and trouble .. (first and ": " .. first or "") or "the process printed nothing of it"
+  local why = trouble ~= "" and trouble .. (first and ": " .. first or "") or "the process printed no result for it"
   for _, case in ipairs(part.cases) do
     if not case.values and not case.reason then case.reason = why:sub(1, most_reason) end
   end

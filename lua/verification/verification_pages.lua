@@ -55,7 +55,7 @@ local function add_file(page, file, folder)
   add(wrapped(("Source: %s."):format(declared.source))) add ""
   add(("Script: [%s](../../%s). To run it: `trilith verify %s/%s`."):format(script, script, declared.subject,
     declared.name)) add ""
-  add "| case | quantity | exact | ours | error | tolerance | |"
+  add "| case | quantity | exact | computed | error | tolerance | |"
   add "|---|---|---|---|---|---|---|"
   for _, case in ipairs(file.cases) do
     for i, row in ipairs(case.rows) do
@@ -118,7 +118,7 @@ end
 local function difference(subject)
   local path = path_of(V.compare, subject)
   local file = io.open(path)
-  if not file then return path .. " is not there" end
+  if not file then return path .. " does not exist" end
   local kept = {}
   for line in file:lines() do kept[#kept + 1] = line end
   file:close()

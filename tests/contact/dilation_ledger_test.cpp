@@ -38,7 +38,7 @@ struct SlidingBlock {
     return shear + pressing_energy(FaceOverlap<double>(a, b), m, own, law);
   }
 
-  /// One step; all energy at its begin [J].
+  /// One step; all energy at its start [J].
   double step() {
     const FaceEnds<double> a{4, 0, -2, 0, 0, 0, 0, 0}, b{x, y, x + 1, y, vx, vy, vx, vy};
     const auto r = respond_face_pair<Cohesive::Kernel, double>(a, b, 1.0, memory, own, law);

@@ -70,7 +70,7 @@ TEST_CASE("force and moment of flat faces without sliding are the gradient of th
   }
 }
 
-TEST_CASE("bricks side by side, apart or deep in each other are no flat faces") {
+TEST_CASE("bricks side by side, apart or deep in each other are not flat faces") {
   const ConvexSolid one = brick(1, 1, 1);
   FaceOverlap3 faces;
   const PlacedSolid at_home = set_down(one, {}, Vec3::Zero());

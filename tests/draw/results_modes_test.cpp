@@ -81,5 +81,5 @@ TEST_CASE("of several sets of modes the last before a time is taken, and there m
   CHECK(modes_found(reader).front().analysis == 1);
   CHECK(modes_found(reader).size() == 2);
   CHECK(modes_found(reader, 1.5).front().analysis == 0);
-  CHECK_THROWS_WITH_AS(modes_found(reader, 0.5), doctest::Contains("the first were found at 1 s"), InputError);
+  CHECK_THROWS_WITH_AS(modes_found(reader, 0.5), doctest::Contains("the first were computed at 1 s"), InputError);
 }

@@ -142,9 +142,9 @@ TEST_CASE("conditions on the cases of a study: flags, numbers and texts") {
   CHECK(hits("drift>=0.04") == std::pair{6, 11});
   CHECK(hits("record = b") == std::pair{4, 12});
   CHECK(hits("record != b") == std::pair{8, 12});
-  CHECK_THROWS_WITH_AS(hits("drift"), doctest::Contains("is no flag"), InputError);
+  CHECK_THROWS_WITH_AS(hits("drift"), doctest::Contains("is not a flag"), InputError);
   CHECK_THROWS_WITH_AS(hits("colapsed"), doctest::Contains("did you mean 'collapsed'"), InputError);
-  CHECK_THROWS_WITH_AS(hits("drift > much"), doctest::Contains("is no number"), InputError);
+  CHECK_THROWS_WITH_AS(hits("drift > much"), doctest::Contains("is not a number"), InputError);
   CHECK_THROWS_WITH_AS(hits("record > b"), doctest::Contains("give = or !="), InputError);
 }
 

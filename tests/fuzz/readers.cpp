@@ -41,11 +41,11 @@ void require(bool holds, const char* what) {
 
 void read_record(std::string_view text) {
   const trilith::GroundMotion motion = trilith::parse_motion(text, "record");
-  require(std::isfinite(motion.duration()), "a record was taken whose duration is no number");
+  require(std::isfinite(motion.duration()), "a record was taken whose duration is not a number");
   for (const double share : {-1.0, 0.0, 0.37, 1.0, 2.0}) {
     const auto [acceleration, velocity, displacement] = motion.at(share * motion.duration());
     require(std::isfinite(acceleration) && std::isfinite(velocity) && std::isfinite(displacement),
-            "a record was taken whose motion is no number");
+            "a record was taken whose motion is not a number");
   }
 }
 
@@ -69,7 +69,7 @@ void read_columns(std::string_view text) {
   form.decimal = word(4).empty() ? '\0' : word(4)[0];
   const trilith::GroundMotion motion =
       trilith::parse_plain_motion(text.substr(std::min(end + 1, text.size())), "record", form);
-  require(std::isfinite(motion.samples().back().displacement), "a record was taken whose motion is no number");
+  require(std::isfinite(motion.samples().back().displacement), "a record was taken whose motion is not a number");
 }
 
 /// Accepted parts are bodies: named, closed, with a volume.
@@ -78,7 +78,7 @@ void require_sound(const trilith::SolidParts& made) {
   for (const trilith::SolidPart& part : made.parts) {
     require(!part.name.empty() && !part.pieces.empty(), "a solid was taken without a name or a piece");
     const double volume = trilith::volume_of(part);
-    require(std::isfinite(volume) && volume > 0, "a solid was taken whose volume is no number above 0");
+    require(std::isfinite(volume) && volume > 0, "a solid was taken whose volume is not a number above 0");
   }
 }
 
@@ -107,12 +107,12 @@ void read_quantity(std::string_view text) {
   const std::size_t comma = text.find(',');
   const std::string_view unit = comma == std::string_view::npos ? "m" : text.substr(0, comma);
   const std::string_view value = comma == std::string_view::npos ? text : text.substr(comma + 1);
-  require(std::isfinite(trilith::parse_quantity(value, unit, "value")), "a value was taken that is no number");
+  require(std::isfinite(trilith::parse_quantity(value, unit, "value")), "a value was taken that is not a number");
 }
 
 void read_unit(std::string_view text) {
   const trilith::UnitProduct unit = trilith::parse_unit(text);
-  require(std::isfinite(unit.factor), "a unit was taken whose factor is no number");
+  require(std::isfinite(unit.factor), "a unit was taken whose factor is not a number");
   (void)trilith::si_unit(unit.dimension);
 }
 

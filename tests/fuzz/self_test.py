@@ -24,7 +24,7 @@ def check(holds, what):
 
 def check_judgements():
     for code in (0, 1, 2, 3, 130):
-        check(outcome(f"sh -c 'echo refused; exit {code}'") is None, f"code {code} is no finding")
+        check(outcome(f"sh -c 'echo refused; exit {code}'") is None, f"code {code} is not a finding")
     check(outcome("sh -c 'exit 7'") == "ended with code 7", "a code that is not documented")
     check(outcome("sh -c 'kill -SEGV $$'") == "ended by SIGSEGV", "a signal")
     for said in ("std::bad_alloc", "map::at", "x: trilith/show.lua:3: attempt", "runtime error: overflow"):

@@ -21,7 +21,7 @@ DOCUMENTED = {0, 1, 2, 3, 130}
 FREED = "ASAN_OPTIONS=detect_leaks=0" if SANITIZED else "MALLOC_PERTURB_=165"
 # Patterns that no message to a user may contain: internals of C++, of the HDF5 library, of the compiled-in Lua files,
 # of Lua's own assertions, or of sanitizers. Exceptions: lines of tracebacks, which begin with a tab, may name Lua
-# files, and a script may call a value of its own that is no function.
+# files, and a script may call a value of its own that is not a function.
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 

@@ -366,7 +366,7 @@ TEST_CASE("bearings in space: an invalid bearing is rejected in one line") {
   spec.horizontal_limit = 1;
   CHECK(refusal(spec).find("becomes bearing 'other', which does not exist") != std::string::npos);
   spec.becomes_bearing = "", spec.body_b = "a";
-  CHECK(refusal(spec).find("links body 'a' to itself") != std::string::npos);
+  CHECK(refusal(spec).find("connects body 'a' with itself") != std::string::npos);
 }
 
 }  // namespace trilith

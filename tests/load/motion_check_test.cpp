@@ -59,7 +59,7 @@ TEST_CASE("ground that travels one way is rejected above 5 % of PGV") {
   CHECK(contains(why_not_usable(travelling_at(0.06)), "drifts"));
 }
 
-TEST_CASE("a permanent offset reached at rest is no drift") {
+TEST_CASE("a permanent offset reached at rest is not a drift") {
   const GroundMotion motion(fling(200), 0.01);
   CHECK(motion.samples().back().displacement > 0.2);
   CHECK(why_not_usable(motion) == "");

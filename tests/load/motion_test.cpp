@@ -167,7 +167,7 @@ TEST_CASE("the description of a motion lists every step from the file") {
   CHECK(motion.source().file == "folder/made.csv");
 }
 
-TEST_CASE("samples, steps, starts and factors that are no numbers or out of range are rejected") {
+TEST_CASE("samples, steps, starts and factors that are not numbers or out of range are rejected") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> good{0, 1, 0};
   CHECK_THROWS_AS(GroundMotion(std::vector<double>{1}, 0.01), InputError);

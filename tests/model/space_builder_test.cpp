@@ -47,7 +47,7 @@ TEST_CASE("a body of two boxes has the mass, the middle and the moments of the w
   CHECK((halves.inertia.moments - whole.inertia.moments).norm() < 1e-9);
 }
 
-TEST_CASE("faces by which pieces of a body hang together are no surface, all others are") {
+TEST_CASE("faces by which pieces of a body are connected are not part of the surface, all others are") {
   SpaceBuilder builder;
   builder.add(body_of({box_solid(Vec3(0, 0, 0), Vec3(2, 1, 1)), box_solid(Vec3(0.5, 0.2, 1), Vec3(1, 0.8, 2))}));
   const Model<3> model = builder.build();

@@ -34,7 +34,7 @@ TEST_CASE("a body of one piece is as thick as its least width") {
   CHECK(near(model.least_thickness, 0.3, 1e-12));
 }
 
-TEST_CASE("an inner cut is no end of a body - a low step on a thick base is as thick as both") {
+TEST_CASE("an inner cut is not an end of a body - a low step on a thick base is as thick as both") {
   // A step of 0.1 x 1 on a base 0.8 thick.
   const Model<2> model = one_body({{0, 0}, {3, 0}, {3, 0.8}, {2, 0.8}, {2, 0.9}, {1, 0.9}, {1, 0.8}, {0, 0.8}});
   REQUIRE(model.pieces() > 1);

@@ -104,7 +104,7 @@ assert(#m:modes { count = 3 } == 3)
   const Said run = ask(here, "run modes.lua");
   REQUIRE_MESSAGE(run.code == 0, run.err);
   CHECK(run.says("modes are in modes.h5"));
-  CHECK(ask(here, "info modes.h5").says("modes       3, the last ones found at 0 s"));
+  CHECK(ask(here, "info modes.h5").says("modes       3, the last ones computed at 0 s"));
   CHECK(ask(here, "draw modes.h5 --mode 1,3 -o modes.svg").code == 0);
   CHECK(testing::bytes_of(here / "modes.svg").find("<svg") != std::string::npos);
   check_refused(ask(here, "draw modes.h5 --mode 4"), "there is no mode 4; 'modes.h5' has modes 1 to 3");

@@ -115,7 +115,7 @@ TEST_CASE("a stored motion equals its source, and the deviation of a body from i
   for (int i = 0; i < 20; ++i) {
     SampleRow sample(header, i);
     sample.position[0] = row.origin + made.displacement(sample.time - row.begin) + (i == 11 ? 1e-3 : 0);
-    if (sample.time < row.begin) sample.position[0] = 99;  // before its begin the body has another position
+    if (sample.time < row.begin) sample.position[0] = 99;  // before its start the body has another position
     sample.frame.position = sample.position;
     sample.append_to(writer);
   }

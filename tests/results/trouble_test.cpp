@@ -191,7 +191,7 @@ TEST_CASE("places that cannot be written are rejected with the reason") {
   }
 }
 
-TEST_CASE("a file that is no results file is rejected with its kind") {
+TEST_CASE("a file that is not a results file is rejected with its kind") {
   const Folder folder;
   const auto says = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;

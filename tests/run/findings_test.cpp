@@ -73,7 +73,7 @@ TEST_CASE("joints are the faces that lie on each other at the start, with the en
   }
 }
 
-TEST_CASE("faces apart at the start are no joint, and a joint of dry stones has no bond") {
+TEST_CASE("faces apart at the start are not a joint, and a joint of dry stones has no bond") {
   Scene scene(dry);
   add(scene, "base", box(-2, -1, 4, 0), {}, true);
   add(scene, "on", box(0, 0, 1, 1), {}, false);

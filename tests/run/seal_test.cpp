@@ -94,7 +94,7 @@ TEST_CASE("the ledger fails the seal above a fifth of the input, and not below i
     CHECK(out.verdict.sound() == (share < 0.2));
     if (out.verdict.sound()) continue;
     CHECK(out.verdict.sound_until() == 2);
-    CHECK(out.verdict.text() == "not to be trusted after 2 s: energy balance: 21 % of the input, must be at most 20 %");
+    CHECK(out.verdict.text() == "not reliable after 2 s: energy balance: 21 % of the input, must be at most 20 %");
     CHECK(seal_lines(out.rows) ==
           std::vector<std::string>{"seal: FAILED: energy balance: 21 % of the input, must be at most 20 %"});
   }

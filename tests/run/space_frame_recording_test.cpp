@@ -35,7 +35,7 @@ TEST_CASE("the skin of a frame in space that has moved is where a results file p
     for (const Vec3& corner : run.work().solids.placed[static_cast<std::size_t>(p)].corners)
       CHECK((at.vertex(row++) - corner).norm() < 1e-12);
   CHECK(row == header.bodies[1].first_vertex + header.bodies[1].vertex_count);
-  // Inner cuts between the pieces are no faces: 4 sides each, both tips, and both ends at the joint, because obliquely
+  // Inner cuts between the pieces are not faces: 4 sides each, both tips, and both ends at the joint, because obliquely
   // joined members cover each other's ends only in part.
   CHECK(header.bodies[1].face_count == 4 * model.bodies[1].pieces + 4);
 }

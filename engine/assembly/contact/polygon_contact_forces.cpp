@@ -324,8 +324,8 @@ void GeneralPass::respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* 
   }
 }
 
-/// Lists the active rows of a chunk of all rows: rows of general shape, and rows whose faces are no pair of faces now.
-/// They are in order, from the begin of the chunk in Work::awake_rows. Returns their number.
+/// Lists the active rows of a chunk of all rows: rows of general shape, and rows whose faces are not a pair of flat
+/// faces now. They are in order, from the start of the chunk in Work::awake_rows. Returns their number.
 int list_stretch(const GeneralPass& pass, Work<2>& work, int first, int last) {
   std::fill(work.is_general.begin() + first, work.is_general.begin() + last, std::uint8_t{0});
   const auto begin = std::lower_bound(work.general.begin(), work.general.end(), first);

@@ -16,7 +16,7 @@ struct QuadNodes {
   }
 };
 
-/// Computes the additional nodal forces of four quads. Returns a mask of the quads that are no parallelograms.
+/// Computes the additional nodal forces of four quads. Returns a mask of the quads that are not parallelograms.
 TRILITH_INLINE LaneMask rotation_forces(const QuadNodes& place, const QuadNodes& velocity, const QuadNodes& force,
                                         double last_dt, const std::array<Lanes, 4>& m, std::array<Lanes, 4>& fx,
                                         std::array<Lanes, 4>& fy) {

@@ -40,7 +40,7 @@ class FaceCopies {
   void press(std::size_t first, double depth);
   /// Evaluates the law for all copies.
   void respond(const LawInUse& law);
-  /// False if the copy is no pair of faces.
+  /// False if the copy is not a pair of faces.
   [[nodiscard]] bool is_faces(std::size_t copy) const {
     return !answer_[copy / lane_count].is_general[copy % lane_count];
   }
@@ -234,8 +234,8 @@ class FaceTerms {
     });
     if (pressed) copies_.press(first, pressed_in * most);
   }
-  /// If one side of a difference is no pair of faces, a one-sided difference with the unmoved row is used. A row whose
-  /// copies touch only in part has just met: it counts as closed or open.
+  /// If one side of a difference is not a pair of faces, a one-sided difference with the unmoved row is used. A row
+  /// whose copies touch only in part has just met: it counts as closed or open.
   std::size_t take_row(int row, std::size_t copy, bool pressed) {
     list_nodes(row);
     const std::size_t stands = copy++;

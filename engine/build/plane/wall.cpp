@@ -144,7 +144,7 @@ class Laying {
           fmt::format("{}: the masonry from x = {:g} to {:g} m is {:g} m long, less than the least length of a unit, "
                       "{:g} m; move the opening, or give a smaller least_length",
                       what, from, to, to - from, plan_.least_length));
-    // A short piece is merged with its shorter neighbour, and the stretch is checked again from its begin.
+    // A short piece is merged with its shorter neighbour, and the stretch is checked again from its start.
     for (std::size_t i = 0; i + 1 < cuts.size();) {
       if (cuts[i + 1] - cuts[i] >= least) {
         ++i;

@@ -20,7 +20,7 @@ double wall_length(const Wall& wall, const WallPlan& plan) {
   return require_count(wall.units, 1, 100'000, plan.owner + ": number of units in a course") * plan.units.stretcher;
 }
 
-/// Number of courses in `height`, or -1 if it is no whole number of them.
+/// Number of courses in `height`, or -1 if it is not a whole number of them.
 int whole_courses(double height, double course_height) {
   const double courses = height / course_height, nearest = std::round(courses);
   return std::abs(courses - nearest) <= whole_within && nearest < 1e6 ? static_cast<int>(nearest) : -1;

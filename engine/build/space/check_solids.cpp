@@ -20,7 +20,7 @@ constexpr double most_pair_work = 1e8;
 /// The distance of edges is not computed for solids with more faces.
 constexpr int most_faces_for_edges = 200;
 
-/// Reason for which a surface is no closed solid, or "".
+/// Reason for which a surface is not a closed solid, or "".
 std::string broken_loops(const Polyhedron& solid) {
   if (solid.faces.count() < 4) return fmt::format("has {} faces, needs at least 4", solid.faces.count());
   for (const Vec3& p : solid.corners)

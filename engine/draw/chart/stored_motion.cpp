@@ -11,7 +11,7 @@ int axis_of(const std::string& direction) {
   return direction == "x" ? 0 : direction == "y" ? 1 : direction == "z" ? 2 : -1;
 }
 
-/// End time of the motion of row `r`: its last sample, or the begin of the next one of the same node and direction.
+/// End time of the motion of row `r`: its last sample, or the start of the next one of the same node and direction.
 double over_at(const std::vector<results::MotionRow>& rows, std::size_t r, const GroundMotion& motion) {
   double end = rows[r].begin + motion.end_time();
   for (std::size_t k = r + 1; k < rows.size(); ++k)

@@ -88,14 +88,14 @@ std::string mode_text(const ModeRow& mode) {
 std::vector<ModeRow> modes_found(const results::ResultsReader& reader, double time) {
   std::vector<ModeRow> all = reader.modes();
   if (all.empty())
-    throw InputError(
-        fmt::format("'{}' has no modes; compute them in the script with m:modes() and record them with m:results",
-                    reader.path().string()));
+    throw InputError(fmt::format(
+        "'{}' has no natural modes; compute them in the script with m:modes() and record them with m:results",
+        reader.path().string()));
   int last = -1;
   for (const ModeRow& mode : all)
     if (mode.time <= time) last = mode.analysis;
   if (last < 0)
-    throw InputError(fmt::format("'{}' has no modes at or before {:g} s; the first were found at {:g} s",
+    throw InputError(fmt::format("'{}' has no modes at or before {:g} s; the first were computed at {:g} s",
                                  reader.path().string(), time, all.front().time));
   std::erase_if(all, [&](const ModeRow& mode) { return mode.analysis != last; });
   return all;

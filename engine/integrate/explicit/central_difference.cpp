@@ -40,7 +40,7 @@ struct StepSpan {
   double between;     ///< from the middle of the last step to the middle of the next one
 };
 
-/// Rotates a node for a time dt with the spin at the begin of the step. A free body keeps its angular momentum rather
+/// Rotates a node for a time dt with the spin at the start of the step. A free body keeps its angular momentum rather
 /// than its spin; a body with a fixed axis in the world keeps its spin.
 void turn_node(const Model<2>& /*model*/, State<2>& state, int n, double spin, double dt) {
   state.spin[n] = spin;
@@ -301,7 +301,7 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
   if (state.implicit()) return implicit_energy(model, state, work);
   Energy energy = work.given;
   // Half of v(-) M v(+), as if the next step were as long as the last one: v^2 - (a dt / 2)^2 with the present speed v.
-  // With another length dt' the term v a (dt' - dt) / 2 would be added, which is no work of a force.
+  // With another length dt' the term v a (dt' - dt) / 2 would be added, which is not work of a force.
   const double span = state.last_dt;
   const Outside outside(model, state, work);
   double kinetic = 0;

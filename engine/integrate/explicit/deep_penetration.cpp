@@ -118,7 +118,7 @@ double depth_of_bodies(const Model<2>& model, const Work<2>& work, int p, int q)
 /// Depth and text of two bodies with an element that is thin against its body.
 void tell_bodies(const Model<2>& model, int p, int q, double depth, const Two& two, Event& e) {
   e.value = depth;
-  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; take a stiffer law", two.closing_speed(),
+  e.text = fmt::format("at {:.3g} m/s, the thinner {:.3g} m thick; use a stiffer law", two.closing_speed(),
                        thinner_body(model, p, q));
 }
 
@@ -284,7 +284,7 @@ void look_back(const Model<2>& model, State<2>& state, const Work<2>& work, int 
   for (int looks = 0; left > 0 && looks < most_looks; ++looks) {
     const Two two(model, state, p, q, -left);
     if (two.room(allowed) < 0) return tell(model, state, work, p, q, two, told);
-    // Follows the step from its begin with the velocities at its end. This is exactly the path of a leapfrog step,
+    // Follows the step from its start with the velocities at its end. This is exactly the path of a leapfrog step,
     // including rotation.
     const double time = time_to_depth(two.a, two.b, left, growth);
     if (!(time > 0)) return;  // the motion is not finite

@@ -59,7 +59,7 @@ class Search {
   std::vector<PieceWay<D>> way_;    // [piece]
   std::vector<double> allowed_;     // [piece] [m]
   double least_ = unbounded;        // least of `allowed_`
-  Vec<D> common_ = Vec<D>::Zero();  // displacement of most pieces, which is no relative motion [m]
+  Vec<D> common_ = Vec<D>::Zero();  // displacement of most pieces, which is not relative motion [m]
   PieceOnPath<D> a_, b_;
 };
 
@@ -107,7 +107,7 @@ bool Search<D>::is_known(int p, int q) const {
   return std::binary_search(state_.passed.begin(), state_.passed.end(), contact_key(std::min(a, b), std::max(a, b)));
 }
 
-/// AABB of a piece from the end of the step back to its begin, relative to `common_`.
+/// AABB of a piece from the end of the step back to its start, relative to `common_`.
 template <int D>
 FatBox<D> Search<D>::swept_box(int piece) const {
   FatBox<D> box = box_of(model_, work_, piece);

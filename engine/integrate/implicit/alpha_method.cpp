@@ -14,7 +14,7 @@ std::string stuck_reason(const Model<D>& model, const State<D>& state, const Imp
   const auto body_of = [&](int piece) { return model.bodies[model.piece_body[piece]].name; };
   if (step.through_a >= 0)
     return fmt::format(
-        "every step from t = {:.6g} s on, down to {:.2g} s, takes '{}' and '{}' through each other. Use a smaller dt, "
+        "every step from t = {:.6g} s on, down to {:.2g} s, moves '{}' and '{}' through each other. Use a smaller dt, "
         "check their speeds and the stiffness of their contact law, or continue with integrator = \"explicit\"",
         state.time, step.dt, body_of(step.through_a), body_of(step.through_b));
   const std::string where = step.worst < 0 ? "nowhere" : model.bodies[body_of_node(model, step.worst)].name;

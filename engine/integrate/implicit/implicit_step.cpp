@@ -37,7 +37,7 @@ ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>&
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;
     const bool can_be_cut = out.cuts < most_cuts_for_energy && 0.5 * out.dt >= options.shortest;
-    // The tangent is adequate: the step is correct but too long, and is repeated from its begin with half the length.
+    // The tangent is adequate: the step is correct but too long, and is repeated from its start with half the length.
     if (out.missed > options.accuracy && gains && can_be_cut) continue;
     for (std::size_t i = 0; i < booked.value.size(); ++i) state.given.value[i] += booked.value[i];
     ++state.step;

@@ -61,7 +61,7 @@ ImplicitTrial<D>::ImplicitTrial(const Model<D>& model, State<D>& state, Work<D>&
   kinetic_beside_ = kinetic_beside();
 }
 
-/// Restores the begin of the step. The steps up to there are committed and no last step remains, so the outstanding
+/// Restores the start of the step. The steps up to there are committed and no last step remains, so the outstanding
 /// half of the work is booked here.
 template <int D>
 void ImplicitTrial<D>::give_up() {

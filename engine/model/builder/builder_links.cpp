@@ -40,7 +40,7 @@ void ModelBuilder::add_bearing(const BearingSpec& spec) {
   require_new(bearings_, spec.name, "bearing", [](const BearingSpec& b) { return b.name; });
   const std::string owner = fmt::format("bearing '{}'", spec.name);
   if (require_body(spec.body_a, owner) == require_body(spec.body_b, owner))
-    throw InputError(fmt::format("{}: links body '{}' to itself; name two bodies", owner, spec.body_a));
+    throw InputError(fmt::format("{}: connects body '{}' with itself; name two bodies", owner, spec.body_a));
   check_bearing(spec, owner);
   require_near(spec.body_a, spec.point_a, owner, spec.arm);
   require_near(spec.body_b, spec.point_b, owner, spec.arm);

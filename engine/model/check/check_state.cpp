@@ -33,7 +33,7 @@ void check_contacts(const std::string& owner, const Model<D>& model, const State
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (!is_contact_of(model, c.key[i]) || (i > 0 && c.key[i - 1] >= c.key[i]))
       fail(owner, "has a contact of pieces that do not exist, or out of order");
-    if (!in_known_state(c.memory[i])) fail(owner, "has a contact in no known state");
+    if (!in_known_state(c.memory[i])) fail(owner, "has a contact in an unknown state");
   }
   for (const Parted& p : s.parted)
     if (!is_contact_of(model, p.contact)) fail(owner, "has a lost contact of pieces that do not exist");
@@ -73,7 +73,7 @@ void check_bearings(const std::string& owner, const State<D>& s) {
   constexpr std::uint32_t last = D == 2 ? 2 : 6;  // in space the horizontal resultant is last
   for (const BearingMemory<D>& m : s.bearing)
     if (m.status > BearingStatus::removed || m.failed_direction > last || !(m.stood_for >= 0))
-      fail(owner, "has a bearing in no known state");
+      fail(owner, "has a bearing in an unknown state");
 }
 
 /// A body is removed if it is held out and has a time that is not negative.

@@ -59,9 +59,9 @@ bool touches_something(const Model<2>& model, const Body& body) {
 
 }  // namespace
 
-/// For a single-piece body the least width. For several pieces, whose cuts are no surface, the least distance from the
-/// middle of a surface edge through the body, because a thin piece may have others behind it. It is at least the
-/// piece's own width.
+/// For a single-piece body the least width. For several pieces, whose cuts are not part of the surface, the least
+/// distance from the middle of a surface edge through the body, because a thin piece may have others behind it. It is
+/// at least the piece's own width.
 void find_thickness(Model<2>& model) {
   model.piece_thickness.assign(static_cast<std::size_t>(model.pieces()), 0);
   model.least_thickness = unbounded;

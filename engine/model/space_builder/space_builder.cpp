@@ -84,7 +84,7 @@ void check_solid_body(const SolidBody& body) {
   if (!(body.density > 0) || !std::isfinite(body.density))
     throw InputError(fmt::format("body '{}' has a density of {} kg/m3; it must be above 0", body.name, body.density));
   if (!body.velocity.allFinite() || !body.spin.allFinite())
-    throw InputError(fmt::format("body '{}' begins with a velocity or spin that is not finite", body.name));
+    throw InputError(fmt::format("body '{}' has an initial velocity or spin that is not finite", body.name));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ Committed read_committed(hid_t file) {
   const TableType type = committed_type();
   const h5::Handle compound = type.hdf5();
   const h5::Handle dataset(H5Dopen2(file, "/committed", H5P_DEFAULT), H5Dclose, "there are no row counters");
-  if (!h5::extents(dataset.get()).empty()) throw h5::Failure("the row counters are no scalar");
+  if (!h5::extents(dataset.get()).empty()) throw h5::Failure("the row counters are not a scalar");
   const h5::Handle stored(H5Dget_type(dataset.get()), H5Tclose, "the row counters have no readable type");
   h5::require_plain(stored.get(), "the table of row counters");
   std::vector<std::byte> record(type.size);

@@ -165,7 +165,8 @@ void check_spheres(const Header& header) {
   for (std::size_t s = 0; s < header.sphere_vertex.size(); ++s) {
     const std::int32_t vertex = header.sphere_vertex[s];
     if (vertex < 0 || static_cast<std::size_t>(vertex) >= header.vertex_node.size())
-      throw ResultsError(fmt::format("results header: sphere {} is about vertex {}, which is not there", s, vertex));
+      throw ResultsError(
+          fmt::format("results header: sphere {} has the centre vertex {}, which does not exist", s, vertex));
     if (!(header.sphere_radius[s] > 0) || !std::isfinite(header.sphere_radius[s]))
       throw ResultsError(
           fmt::format("results header: sphere {} has a radius of {}, must be above 0", s, header.sphere_radius[s]));
@@ -258,7 +259,7 @@ void write_header(hid_t file, const Header& header) {
 
 Layout::Layout(hid_t file, const Header& h)
     : time(with_groups(file), {"/frames/time", "s", "time of each frame"}, "frames", Kind::real, {}),
-      step(file, {"/frames/step", "1", "steps done at each frame"}, "frames", Kind::int64, {}),
+      step(file, {"/frames/step", "1", "number of steps before each frame"}, "frames", Kind::int64, {}),
       stage(file, {"/frames/stage", "1", "row of /stages"}, "frames", Kind::int32, {}),
       position(file, {"/frames/position", "m", "position of each node"}, "frames", Kind::real, per_node(h, h.dim)),
       rotation(file,
@@ -276,15 +277,16 @@ Layout::Layout(hid_t file, const Header& h)
       energy_time(file, {"/energy/time", "s", "time of each row"}, "energy", Kind::real, {}),
       energy_terms(columns(file, "/energy/", "energy", h.energy_terms)),
       energy_residual(file, {"/energy/residual", "J", "error of the energy balance"}, "energy", Kind::real, {}),
-      events(file, {"/events", "", "events in the order they happened"}, "events", event_type(h)),
+      events(file, {"/events", "", "events in the order of their times"}, "events", event_type(h)),
       stages(file, {"/stages", "", "stages of the run"}, "stages", plain_type<StageRow>(h.dim)),
       notes(file, {"/provenance/notes", "", "notes and warnings"}, "notes", plain_type<NoteRow>(h.dim)),
-      modes(file, {"/modes/list", "", "modes in the order they were found"}, "modes", plain_type<ModeRow>(h.dim)),
-      mode_position(file, {"/modes/position", "m", "position of each node when it was found"}, "modes", Kind::real,
-                    per_node(h, h.dim)),
+      modes(file, {"/modes/list", "", "natural modes, in the order of their computation"}, "modes",
+            plain_type<ModeRow>(h.dim)),
+      mode_position(file, {"/modes/position", "m", "position of each node at the time of the mode"}, "modes",
+                    Kind::real, per_node(h, h.dim)),
       mode_rotation(file,
                     {h.dim == 2 ? "/modes/angle" : "/modes/quaternion", h.dim == 2 ? "rad" : "1",
-                     "rotation of each node when it was found"},
+                     "rotation of each node at the time of the mode"},
                     "modes", Kind::real, per_node(h, rotation_width(h.dim))),
       mode_displacement(file, {"/modes/displacement", "1/sqrt(kg)", "of each node; phi' M phi = 1"}, "modes",
                         Kind::real, per_node(h, h.dim)),

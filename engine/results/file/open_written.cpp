@@ -57,7 +57,7 @@ std::string open_elsewhere(const std::filesystem::path& path) {
   while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (child > 0 && why.empty() && WIFSIGNALED(status))
-    why = "cannot be opened: the HDF5 library does not survive it; it is damaged";
+    why = "cannot be opened: it is damaged in a way that ends the HDF5 library";
   return why;
 }
 

@@ -101,7 +101,7 @@ std::string span_of(const std::vector<double>& times) {
 /// Number of modes, and the frequencies of the modes found last.
 std::string modes(const std::vector<ModeRow>& rows) {
   if (rows.empty()) return "";
-  std::string text = line("modes", fmt::format("{}, the last ones found at {:g} s", rows.size(), rows.back().time));
+  std::string text = line("modes", fmt::format("{}, the last ones computed at {:g} s", rows.size(), rows.back().time));
   for (const ModeRow& row : rows)
     if (row.analysis == rows.back().analysis)
       text += fmt::format("    {}: {:.5g} Hz, damping {:.3g} %\n", row.number, row.frequency, 100 * row.damping);

@@ -289,7 +289,7 @@ std::vector<MotionRow> ResultsReader::motions() const {
     auto rows = read_table<MotionRow>(file, "/motions/list", 0, safe.motions, header().dim);
     for (MotionRow& row : rows) {
       if (row.first_sample < 0 || row.sample_count < 0 || row.sample_count > safe.motion_samples - row.first_sample)
-        throw h5::Failure("a motion has samples that are not there");
+        throw h5::Failure("a motion has samples that do not exist");
       row.acceleration = read_rows<double>(file, "/motions/acceleration", row.first_sample, row.sample_count, {});
     }
     return rows;

@@ -49,7 +49,7 @@ void read_into(hid_t file, const std::string& path, std::int64_t first, std::int
 void match_stored(hid_t file, const std::string& path, TableType& type) {
   const h5::Handle dataset = open_set(file, path);
   const h5::Handle table = stored(dataset, path);
-  if (H5Tget_class(table.get()) != H5T_COMPOUND) throw h5::Failure(path + " is no table");
+  if (H5Tget_class(table.get()) != H5T_COMPOUND) throw h5::Failure(path + " is not a table");
   for (Column& column : type.columns) {
     const int index = H5Tget_member_index(table.get(), column.name.c_str());
     column.present = index >= 0;
@@ -69,7 +69,7 @@ std::string read_text_set(hid_t file, const std::string& path) {
   const h5::Handle type = stored(dataset, path);
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
       !h5::extents(dataset.get()).empty())
-    throw h5::Failure(path + " is no text");
+    throw h5::Failure(path + " is not a text");
   const std::size_t length = H5Tget_size(type.get());
   require_stored(dataset.get(), length, path);
   std::string text(length, '\0');

@@ -53,7 +53,8 @@ const StudyColumn& named_column(const std::vector<StudyColumn>& columns, const s
 
 std::vector<Holds> flag_holds(const StudyColumn& column, bool wanted) {
   if (!is_flag(column))
-    throw InputError(fmt::format("'{}' of the study is no flag; compare it, as in '{} > 1'", column.name, column.name));
+    throw InputError(
+        fmt::format("'{}' of the study is not a flag; compare it, as in '{} > 1'", column.name, column.name));
   std::vector<Holds> out;
   for (const double v : study_numbers(column))
     out.push_back(std::isnan(v) ? Holds::unknown : (v != 0) == wanted ? Holds::yes : Holds::no);
@@ -64,7 +65,7 @@ double number_in(const std::string& text, const std::string& condition) {
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size())
-    throw InputError(fmt::format("condition '{}': '{}' is no number", condition, text));
+    throw InputError(fmt::format("condition '{}': '{}' is not a number", condition, text));
   return value;
 }
 

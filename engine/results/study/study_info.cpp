@@ -52,7 +52,7 @@ std::string probability_words(const Tally& tally) {
 
 std::string number_words(const std::vector<double>& values) {
   const Spread s = spread_of(values);
-  if (s.count == 0) return "no case has it";
+  if (s.count == 0) return "no case has a value";
   if (s.count == 1) return fmt::format("{:.4g} (one case)", s.median);
   std::string text = fmt::format("median {:.4g}, 16 to 84 % {:.4g} to {:.4g}, range {:.4g} to {:.4g}", s.median,
                                  s.lower, s.upper, s.low, s.high);
@@ -66,7 +66,7 @@ std::string text_words(const std::vector<std::string>& values) {
     if (!v.empty()) ++counts[v];
   std::string text;
   for (const auto& [value, count] : counts) text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count, value);
-  return text.empty() ? "no case has it" : text;
+  return text.empty() ? "no case has a value" : text;
 }
 
 std::string figure_words(const StudyColumn& column) {

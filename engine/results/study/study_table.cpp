@@ -65,7 +65,7 @@ void write_study_provenance(hid_t file, const Provenance& provenance) {
 std::size_t require_rows(hid_t dataset, hid_t type) {
   constexpr double most_compressed = 1100;
   const std::vector<hsize_t> extent = h5::extents(dataset);
-  if (extent.size() != 1 || H5Tget_class(type) != H5T_COMPOUND) throw h5::Failure("/cases is no table");
+  if (extent.size() != 1 || H5Tget_class(type) != H5T_COMPOUND) throw h5::Failure("/cases is not a table");
   h5::require_plain(type, "/cases");
   const double bytes = static_cast<double>(extent[0]) * static_cast<double>(H5Tget_size(type));
   if (bytes > most_compressed * static_cast<double>(H5Dget_storage_size(dataset)))
@@ -128,7 +128,7 @@ std::vector<StudyColumn> read_study_table(const std::filesystem::path& path) {
                                    descriptions = h5::read_texts(dataset.get(), "columns");
     const std::size_t rows = require_rows(dataset.get(), type.get());
     std::vector<StudyColumn> columns;
-    const int members = h5::check(H5Tget_nmembers(type.get()), "/cases is no table");
+    const int members = h5::check(H5Tget_nmembers(type.get()), "/cases is not a table");
     if (static_cast<int>(std::min(units.size(), descriptions.size())) < members)
       throw h5::Failure("/cases has columns without a unit or a description");
     for (unsigned i = 0; i < static_cast<unsigned>(members); ++i) {

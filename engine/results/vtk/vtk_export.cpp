@@ -102,7 +102,7 @@ void make_folder(const std::filesystem::path& folder) {
   if (error) throw InputError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
 }
 
-/// [body] true for an absent body, which is no cell.
+/// [body] true for an absent body, which is not a cell.
 std::vector<bool> absent_at(const Presence& presence, const Header& header, double time) {
   std::vector<bool> absent(header.bodies.size());
   for (std::size_t i = 0; i < absent.size(); ++i) absent[i] = !presence.is_there(i, time);

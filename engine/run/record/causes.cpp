@@ -5,7 +5,7 @@
 #include "model/event_list.hpp"
 
 namespace trilith {
-/// Numbers an event and sets its cause: the latest event of one of its bodies that can be a cause, otherwise the begin
+/// Numbers an event and sets its cause: the latest event of one of its bodies that can be a cause, otherwise the start
 /// of the stage. The events of a run form a tree.
 void Causes::name(Event& event) {
   event.id = next_++;

@@ -113,7 +113,7 @@ std::string directions_text(const Bearing<2>& b) {
   std::string out;
   for (std::size_t k = 0; k < 3; ++k)
     add_direction(out, Directions<2>::names[k], b.law[k], b.limit[k], unit_of_direction<2>(static_cast<int>(k)));
-  if (b.angle != 0) out += fmt::format("; axes turned by {:g} rad", b.angle);
+  if (b.angle != 0) out += fmt::format("; axes rotated by {:g} rad", b.angle);
   return out;
 }
 /// Directions without law and limit are omitted.

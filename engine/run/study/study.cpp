@@ -79,7 +79,7 @@ class StudyRun {
     if (!order_.only.empty()) return run_some();
     const Lock lock(folder_of_cases(order_));
     results::require_study_path(order_.file);
-    results::Provenance provenance = order_.provenance;  // before the first case: its time is the begin of the study
+    results::Provenance provenance = order_.provenance;  // before the first case: its time is the start of the study
     sort_out();
     const bool whole = order_.on_slurm.empty() ? run_due() : run_on_slurm();
     results::write_study_table(order_.file, study_table_columns(order_.plan, outcomes_), provenance, whole);

@@ -27,14 +27,14 @@ StudyFigure figure_of(const std::string& line) {
   for (std::string part; std::getline(in, part, '\t');) field.push_back(part);
   if (field.size() == 3) field.emplace_back();  // an empty text
   if (field.size() != 4 || field[0].empty() || (field[2] != "number" && field[2] != "text" && field[2] != "flag"))
-    throw InputError(fmt::format("'{}' is no figure of a case", line));
+    throw InputError(fmt::format("'{}' is not a figure of a case", line));
   if (field[2] == "text") return {field[0], field[1], field[3]};
   if (field[2] == "flag" && (field[3] == "true" || field[3] == "false"))
     return {field[0], field[1], field[3] == "true"};
   double value = 0;
   const char* const end = field[3].data() + field[3].size();
   const auto [stop, error] = std::from_chars(field[3].data(), end, value);
-  if (error != std::errc() || stop != end) throw InputError(fmt::format("'{}' is no figure of a case", line));
+  if (error != std::errc() || stop != end) throw InputError(fmt::format("'{}' is not a figure of a case", line));
   return {field[0], field[1], value};
 }
 

@@ -45,7 +45,7 @@ export class EventsPanel {
     } }, `${label} `, make("small", {}, String(count)));
     const note = this.app.run.events.filter((e) => e.note).length;
     byId("event-kinds").append(
-      chip("of note only", note, this.onlyNote, (on) => (this.onlyNote = on)),
+      chip("important only", note, this.onlyNote, (on) => (this.onlyNote = on)),
       ...this.app.run.types.map(([type, heading]) => chip(heading, counts.get(type), true, (on) => (on ? this.off.delete(type) : this.off.add(type)))));
   }
 

@@ -18,7 +18,7 @@ import { byId, clock, make, seconds } from "./words.js";
 
 const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
   ["names", "names", null], ["start", "start", null]];
-const states = { finished: "", running: "still being written: the page shows its content when the page was made", stopped: "stopped before its end: the page shows the part that was written" };
+const states = { finished: "", running: "still in progress when this page was made", stopped: "stopped before its end: the page shows the part up to the last flush" };
 
 class App {
   constructor(run) {

@@ -67,7 +67,7 @@ export class Modes {
     const mode = this.app.run.modes[this.app.run.mode.index];
     byId("clock").textContent = `mode ${mode.number}`;
     byId("stage").textContent = mode.frequency > 0
-      ? `${mode.frequency.toPrecision(4)} Hz, damping ${(100 * mode.damping).toPrecision(2)} %, as found at ${seconds(mode.time)}; slowed down and magnified`
+      ? `${mode.frequency.toPrecision(4)} Hz, damping ${(100 * mode.damping).toPrecision(2)} %, computed at ${seconds(mode.time)}; slowed down and magnified`
       : "does not oscillate";
   }
 }

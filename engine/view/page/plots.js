@@ -89,7 +89,7 @@ export class Plot {
     this.canvas = make("canvas", { class: "plot", role: "img", "aria-label": `${title} over ${across}, ${this.to.unit}` });
     const keys = this.lines.map((l, i) => make("span", { class: "key" },
       make("i", { style: `background:${colours[i % colours.length]}` }), lines.length > 1 ? `${l.name.replaceAll("_", " ")} ` : "", this.readings[i]));
-    const large = make("button", { class: "icon enlarge", title: "large, and back", "aria-label": `${title}: large, and back`,
+    const large = make("button", { class: "icon enlarge", title: "enlarge or reduce", "aria-label": `${title}: enlarge or reduce`,
       onclick: () => enlarge(this.element, () => window.trilith.redraw()) }, "⤢");
     this.element = make("figure", {}, make("figcaption", {}, make("b", {}, title), make("span", { class: "quiet" },
       this.over ? `${this.to.unit} over ${across}` : this.to.unit), ...keys, large), this.canvas);

@@ -79,7 +79,7 @@ export class SelectionPanel {
       this.events((e) => e.bearing === bearing.index));
     this.tell = (frame, time) => {
       const state = run.bearingState(bearing, frame, time), mark = this.app.scene.bearingMark(bearing);
-      return `now ${stateNames[state]}${mark && mark.state !== state ? ", its bodies apart" : ""}`;
+      return `now ${stateNames[state]}${mark && mark.state !== state ? ", its bodies are separated" : ""}`;
     };
   }
 
@@ -98,7 +98,7 @@ export class SelectionPanel {
     const rows = all.length > 60 ? all.filter((e) => e.note).slice(0, 200) : all;
     const items = rows.map((e) => make("li", {}, make("button", { class: "event-link", onclick: () => this.app.seek(e.time) },
       make("time", {}, seconds(e.time)), e.text)));
-    return make("section", {}, make("h3", {}, rows.length < all.length ? `Events of note (${rows.length} of ${all.length})` : `Events (${all.length})`),
+    return make("section", {}, make("h3", {}, rows.length < all.length ? `Important events (${rows.length} of ${all.length})` : `Events (${all.length})`),
       rows.length ? make("ul", { class: "plain" }, ...items) : make("p", { class: "hint" }, "none"));
   }
 

@@ -75,7 +75,7 @@ const Findings<D>& SimulatedModel<D>::findings() {
   return *findings_;
 }
 
-/// Initial kinetic energy and initial contact energy are supplied without work and are no error.
+/// Initial kinetic energy and initial contact energy are supplied without work and are not an error.
 template <int D>
 double SimulatedModel<D>::residual() {
   const double balance = energy().balance();

@@ -103,7 +103,8 @@ int space_joint_named(Keys& keys, const SpaceFrameSpec& frame, const char* key) 
     if (frame.joints[j].name == name) return static_cast<int>(j);
     known.push_back(frame.joints[j].name);
   }
-  if (!name.empty()) keys.problem(fmt::format("'{}' is '{}', which is no joint{}", key, name, name_hint(name, known)));
+  if (!name.empty())
+    keys.problem(fmt::format("'{}' is '{}', which is not a joint{}", key, name, name_hint(name, known)));
   return 0;
 }
 

@@ -42,7 +42,7 @@ std::string framed(std::string_view bytes) {
 
 std::string unframed(std::string bytes, const std::string& title) {
   const auto refuse = [&](const std::string& why) { throw InputError(title + " " + why); };
-  if (!bytes.starts_with(magic)) refuse("is no restart file: it begins with other bytes");
+  if (!bytes.starts_with(magic)) refuse("is not a restart file: it begins with other bytes");
   if (bytes.size() < head + 8) refuse("is cut off");
   ByteReader in(std::string_view(bytes).substr(magic.size(), head - magic.size()), title);
   if (in.get<std::uint32_t>() != byte_order_mark) refuse("was written on a machine of the other byte order");

@@ -89,7 +89,8 @@ template <int D>
 std::string unsteady_text(const SimulatedModel<D>& m, const std::vector<NaturalMode<D>>& found) {
   const auto still = std::count_if(found.begin(), found.end(), [](const auto& mode) { return !(mode.square > 0); });
   if (still == 0) return "";
-  const std::string which = still == 1 ? "one mode does not oscillate" : fmt::format("{} modes do not swing", still);
+  const std::string which =
+      still == 1 ? "one mode does not oscillate" : fmt::format("{} modes do not oscillate", still);
   if (m.time() == 0)
     return fmt::format(
         "\n{}: no contact carries weight yet, so bodies can separate, slide and rotate freely; bring the model to rest "

@@ -180,7 +180,7 @@ class Handlers {
       call(L_, arguments, results);
       return true;
     } catch (const ScriptError& e) {
-      // With a console the run is not lost: it continues without that call. An interrupt is no failure, and ends a
+      // With a console the run is not lost: it continues without that call. An interrupt is not a failure, and ends a
       // handler that hangs.
       if (host_.console != nullptr && !interrupted()) {
         const std::string said = e.what(), first = said.substr(0, said.find('\n'));

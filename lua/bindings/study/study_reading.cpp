@@ -87,8 +87,9 @@ StudyPlan list_at_top(lua_State* L) {
       for (const std::string& name : names) parameters.push_back({name, "", {}});
     if (!std::equal(names.begin(), names.end(), parameters.begin(), parameters.end(),
                     [](const std::string& name, const StudyParameter& p) { return name == p.name; }))
-      throw InputError(fmt::format("study: case {} gives {}, the first one other parameters; give the same in all", i,
-                                   fmt::join(names, ", ")));
+      throw InputError(fmt::format(
+          "study: case {} has the parameters {}, which differ from the first case; give the same parameters in all", i,
+          fmt::join(names, ", ")));
     for (StudyParameter& p : parameters) {
       lua_getfield(L, -1, p.name.c_str());
       p.values.push_back(value_at_top(L, p.name));
@@ -138,7 +139,7 @@ StudyTake take_at_top(lua_State* L, const std::string& history) {
   const std::string text = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
   const auto it = std::find(takes.begin(), takes.end(), text);
   if (it == takes.end())
-    throw InputError(fmt::format("study: of history '{}' {} is taken, must be one of {}", history, what_is(L, -1),
+    throw InputError(fmt::format("study: history '{}': the value is {}, must be one of {}", history, what_is(L, -1),
                                  fmt::join(takes, ", ")));
   return static_cast<StudyTake>(it - takes.begin());
 }

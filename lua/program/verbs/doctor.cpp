@@ -192,7 +192,8 @@ std::vector<Finding> module_findings(const fs::path& folder) {
   const fs::path lua = in_search_path("lua5.4"), beside = module_beside();
   if (lua.empty())
     return {
-        {"no lua5.4 here: only trilith runs scripts" + (beside.empty() ? "" : "; module: " + beside.string()), "", ""}};
+        {"lua5.4 is not installed: only trilith runs scripts" + (beside.empty() ? "" : "; module: " + beside.string()),
+         "", ""}};
   write_whole_file(folder / "module.lua", module_script);
   const Answer answer =
       ask(folder, "module", {lua.string(), (folder / "module.lua").string(), "out=" + (folder / "module.h5").string()});

@@ -125,7 +125,7 @@ void add_export(CLI::App& app, int& code) {
       ->type_name("FOLDER");
   verb->add_option("--frames", o->frames, "vtk: which frames, counted from 0, as in 0:300:10; default all")
       ->type_name("FROM:TO:EVERY");
-  verb->add_option("--table", o->table, "csv: one table alone")->check(CLI::IsMember(results::csv_table_names()));
+  verb->add_option("--table", o->table, "csv: only one table")->check(CLI::IsMember(results::csv_table_names()));
   verb->add_option("--at", o->at,
                    "csv: moments of the tables of bodies and bearings: seconds, 'start', 'end' or an event")
       ->type_name("T[,T...]")

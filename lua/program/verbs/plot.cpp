@@ -167,11 +167,11 @@ void add_plot(CLI::App& app, int& code) {
   verb->add_option("--stage", o->window.stage, "only this stage, with time counted from its beginning")
       ->type_name("NAME");
   add_since(*verb, o->window.since);
-  verb->add_option("--from", o->window.from, "begin of the drawn time [s]")->type_name("T");
+  verb->add_option("--from", o->window.from, "start of the drawn time [s]")->type_name("T");
   verb->add_option("--to", o->window.to, "end of the drawn time [s]")->type_name("T");
   verb->add_flag("--events", o->events, "mark stages and events of the first run");
   verb->add_flag("--lines", o->lines, "terms of the energy as lines, not stacked");
-  verb->add_flag("--list", o->list, "list the histories and end");
+  verb->add_flag("--list", o->list, "list the histories and exit");
   verb->callback([o, &code] { code = plot(*o); });
 }
 

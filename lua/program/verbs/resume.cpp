@@ -59,9 +59,9 @@ std::string difference(const std::string& before, const std::string& now) {
   for (int line = 1;; ++line) {
     const bool has_a = static_cast<bool>(std::getline(a, was)), has_b = static_cast<bool>(std::getline(b, is));
     if (!has_a && !has_b) return "only its last line break differs";
-    if (!has_a) return fmt::format("line {}, '{}', is new", line, is);
-    if (!has_b) return fmt::format("line {}, '{}', is gone", line, was);
-    if (was != is) return fmt::format("line {} was '{}', and is '{}'", line, was, is);
+    if (!has_a) return fmt::format("line {} was added: '{}'", line, is);
+    if (!has_b) return fmt::format("line {} was removed: '{}'", line, was);
+    if (was != is) return fmt::format("line {} was '{}' and is now '{}'", line, was, is);
   }
 }
 
@@ -89,10 +89,11 @@ int resume(const ResumeOptions& o) {
 
 void require_same(const script::RestartCall& call) {
   if (call.build != script::this_build())
-    throw InputError(fmt::format(
-        "resume: the checkpoints were written by Trilith {}, and this is Trilith {}, which may compute other bits; "
-        "resume with the program that wrote them, or give --accept-changes",
-        call.build, script::this_build()));
+    throw InputError(
+        fmt::format("resume: the checkpoints were written by Trilith {}, and this is Trilith {}, whose results may "
+                    "differ in the last bits; "
+                    "resume with the program that wrote them, or give --accept-changes",
+                    call.build, script::this_build()));
   const std::string now = text_of_file(call.script, "script", script::largest_script);
   if (now != call.text)
     throw InputError(

@@ -145,9 +145,10 @@ void add_run(CLI::App& app, int& code) {
   verb->add_option("--case", options->only, "run only this case of the script's study, here")
       ->type_name("NUMBER")
       ->check(CLI::Validator(is_positive, "", ""));
-  verb->add_option("--threads", options->threads,
-                   "threads of a step; results are the same bits. Default: TRILITH_THREADS, the script, or the fastest "
-                   "number, which is measured")
+  verb->add_option(
+          "--threads", options->threads,
+          "threads of a step; results do not depend on it. Default: TRILITH_THREADS, the script, or the fastest "
+          "number, which is measured")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, most_threads));
   add_checkpoint_option(*verb, options->checkpoint, fmt::format("{:g} where not given", usual_checkpoint));
@@ -159,7 +160,7 @@ void add_run(CLI::App& app, int& code) {
   verb->add_flag("--profile", options->profile,
                  "print the computing time: parts of the step, contact laws, Lua callbacks");
   add_room_options(*verb, options->room);
-  verb->add_flag("--params", options->list, "list the script's parameters and end");
+  verb->add_flag("--params", options->list, "list the script's parameters and exit");
   verb->callback([options, &code] { code = run_as_asked(*options); });
 }
 

@@ -191,7 +191,7 @@ void add_study(CLI::App& app, int& code) {
   add_room_options(*verb, o->room);
   add_checkpoint_option(*verb, o->choice.checkpoint, "of each case; as for trilith run where not given");
   verb->add_flag("--fresh", o->choice.fresh, "run finished cases again too");
-  verb->add_flag("--list", o->choice.list, "print the command of each case and end");
+  verb->add_flag("--list", o->choice.list, "print the command of each case and exit");
   verb->add_flag("--quiet,-q", o->quiet, "show only errors");
   verb->callback([o, &code] {
     if (o->ida.empty() != o->stop.empty()) throw InputError("study: --ida needs --stop, and --stop needs --ida");

@@ -272,7 +272,7 @@ void add_verify(CLI::App& app, int& code) {
       "3 where a case fails");
   verb->add_option("names", o->names, "subjects, files or cases, as --list shows them; * matches any letters")
       ->type_name("NAME");
-  verb->add_flag("--list", o->list, "list the cases and end");
+  verb->add_flag("--list", o->list, "list the cases and exit");
   verb->add_flag("--quick", o->quick, "leave out the slow cases");
   verb->add_option("-j,--jobs", o->jobs, "files of cases at a time; as many as there are processors where not given")
       ->type_name("N")

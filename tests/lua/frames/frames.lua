@@ -72,7 +72,7 @@ local function portal(change, other)
   for k, v in pairs(other or {}) do t[k] = v end
   return t
 end
-refused("'to' is 'bb', which is no joint", p.frame, p, portal(function(l) l[1].to = "bb" end))
+refused("'to' is 'bb', which is not a joint", p.frame, p, portal(function(l) l[1].to = "bb" end))
 refused("'section' is missing", p.frame, p, portal(function(l) l[2].section = nil end))
 refused("'pinned' names 'middle'", p.frame, p, portal(function(l) l[3].pinned = "middle" end))
 refused("divisions", p.frame, p, portal(function(l) l[1].divisions = 0 end))

@@ -158,7 +158,7 @@ refused("end_hinge: its start is pinned already",
   beam { from_hinge = trilith.end_hinge { sagging = 1e5, across = 1e5 }, pinned = "from" })
 refused("'contour' is 3", function() trilith.end_hinge { sagging = 1e5, contour = 3 } end)
 refused("'mass_matrix' is 'heavy'", beam { mass_matrix = "heavy" })
-refused("'to' is 'C', which is no joint", function()
+refused("'to' is 'C', which is not a joint", function()
   m:frame { name = "f", joints = { A = { 0, 0, 0 }, B = { 0, 0, 1 } }, material = "concrete",
             members = { { from = "A", to = "C", section = section } } }
 end)

@@ -81,7 +81,7 @@ do
   fails(function() walls:damage_by_storey { apart = -1 } end, "'apart' is -1 m, must not be below 0")
 end
 
--- A model without storeys has none, and the initial energy of bodies is no error of the ledger.
+-- A model without storeys has none, and the initial energy of bodies is not an error of the ledger.
 do
   local m = trilith.model { name = "stone", dim = 3 }
   m:material { name = "stone", density = 2000 }

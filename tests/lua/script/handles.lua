@@ -179,7 +179,7 @@ do
   collectgarbage("setpause", 200)
 end
 
--- A table with a handle's metatable is no handle, and a handle is destroyed once.
+-- A table with a handle's metatable is not a handle, and a handle is destroyed once.
 local meta = debug.getmetatable(other.model)
 local file = debug.setmetatable(assert(io.open("script/handles.lua")), meta)
 assert(not pcall(function() return file.time end))

@@ -223,7 +223,7 @@ given.check {
   { function() m:bearing { name = "B", between = { "base", "nobody" }, at = { 0, 0 } } end,
     "bearing 'B': there is no body 'nobody'; known: base" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 } } end,
-    "bearing 'B': links body 'base' to itself; name two bodies" },
+    "bearing 'B': connects body 'base' with itself; name two bodies" },
   { function() m:bearing { name = "B", between = { "base", "base" } } end,
     "bearing 'B': its place is missing; give at = {x, y}, or from = {x, y} and to = {x, y}" },
   { function() m:bearing { name = "B", between = { "base", "base" }, at = { 0, 0 }, along = stone } end,

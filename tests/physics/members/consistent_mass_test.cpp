@@ -145,7 +145,7 @@ TEST_CASE("a free bar with consistent mass turns on and keeps energy, and its mo
   }
 }
 
-// The rotation of a beam's own deflected shape is no part of its velocities (docs/theory/frames.md). So flight bends a
+// The rotation of a beam's own deflected shape is not part of its velocities (docs/theory/frames.md). So flight bends a
 // rotating beam, and the mean of its ends is not its centre of mass. Both errors are of second order in the length of
 // the beams, whatever the step.
 TEST_CASE("the error of the centre of a flying and rotating bar falls with the square of the beam length") {

@@ -239,7 +239,7 @@ std::string refusal(SpaceMesh mesh) {
   return "";
 }
 
-TEST_CASE("meshes in space that are no bodies are rejected in one clear line, mirrored elements reversed") {
+TEST_CASE("meshes in space that are not bodies are rejected in one clear line, mirrored elements reversed") {
   const SpaceMesh good = mesh_of(box_solid(Vec3::Zero(), Vec3(2, 1, 1)), {BodyKind::mesh, {2, 1, 1}}, "box");
   CHECK(refusal(good).empty());
   SpaceMesh inverted = good;
