@@ -178,8 +178,8 @@ class Results:
     @property
     def verdict(self):
         """"" for a reliable run, otherwise the first event that makes it invalid."""
-        wrong = self.events[self.events.type.isin(VERDICT_EVENTS)]
-        return "" if wrong.empty else f"{wrong.type.iloc[0]} at {wrong.time.iloc[0]:g} s: {wrong.text.iloc[0]}"
+        invalid = self.events[self.events.type.isin(VERDICT_EVENTS)]
+        return "" if invalid.empty else f"{invalid.type.iloc[0]} at {invalid.time.iloc[0]:g} s: {invalid.text.iloc[0]}"
 
     # --- tables
     @property

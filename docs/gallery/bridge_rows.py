@@ -15,16 +15,16 @@ HERE = pathlib.Path(__file__).parent
 WORDS = {b"bearing.failed": "fails", b"seat.lost": "unseats"}
 
 
-def row(line, results, said):
+def row(line, results, output):
     with h5py.File(results) as h:
         shake = h["stages"][-1]
         start = shake["begin"] + LEAD_IN
         chain = [(e["time"] - start, e["bearing_name"].decode() or e["text"].decode().split("(")[1].split(")")[0],
                   WORDS[e["type"]]) for e in h["events"][:] if e["type"] in WORDS]
-    told = "; ".join(f"{name} {word} {t:.1f}" for t, name, word in chain) or "no bearing fails, no seat is lost"
-    residual = said.split("error of the energy balance is ")[1].split(" of ")[0]
+    chain_text = "; ".join(f"{name} {word} {t:.1f}" for t, name, word in chain) or "no bearing fails, no seat is lost"
+    residual = output.split("error of the energy balance is ")[1].split(" of ")[0]
     rest = f"{shake['end'] - start:.1f}" if shake["ended"] and b"rest" in shake["why"] else "not at rest"
-    return f"| {line} | {told} | {rest} | {residual} |"
+    return f"| {line} | {chain_text} | {rest} | {residual} |"
 
 
 def main():

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Runs the cases of the benchmarks and says what a step of each costs, by part; docs/benchmarks.md has how to read it.
+"""Runs the cases of the benchmarks and prints the cost of a step of each, by part; docs/benchmarks.md has how to read it.
 
 bench.py PROGRAM [--against OTHER] [--cases REGEX] [--long] [--threads N[,N...]] [--times N] [--instructions] [--parts]
 
 One line for each case and number of threads: the median of `--times` runs, its spread, and what one thread takes over
-what several do. With --against, runs of both programs come in turn, and the ratio of each two is told with its spread:
-below 1 PROGRAM is faster. What other processes took of the machine meanwhile is told too; such figures are worth less.
+what several do. With --against, runs of both programs come in turn, and the ratio of each two is printed with its spread:
+below 1 PROGRAM is faster. The load by other processes meanwhile is printed too; such figures are less reliable.
 """
 import argparse
 import os
@@ -26,11 +26,11 @@ SPACE_PILE, TOWER, SPHERES = "tests/bench/pile3d.lua", "tests/bench/tower3d.lua"
 class Case:
     """A script and its parameters. `before`: those of a shorter run that is taken off, where only what follows is
     asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `whole`: how long a
-    run is asked for of which this is a part [s]. `told`: its figures are the lines that it prints."""
+    run is asked for of which this is a part [s]. `prints_figures`: its figures are the lines that it prints."""
 
-    def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, told=False, whole=None):
+    def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, prints_figures=False, whole=None):
         self.name, self.script, self.words, self.long, self.before = name, script, words, long, before
-        self.motion, self.told, self.whole = motion, told, whole
+        self.motion, self.prints_figures, self.whole = motion, prints_figures, whole
         self.brief = brief or words  # for counting instructions
 
 
@@ -77,13 +77,13 @@ CASES = [
          brief="spheres=2000 across=12 seconds=0.1"),
     bridge_of_beams("explicit"), bridge_of_beams("implicit"),
     Case("frame of 2000 beams, implicit", "tests/bench/frame.lua", "steps=40", before="steps=20"),
-    Case("gallery wall set down by statics", "tests/bench/statics.lua", "", told=True),
+    Case("gallery wall set down by statics", "tests/bench/statics.lua", "", prints_figures=True),
 ]
 
 
 class Cost:
     """What a run took: steps, seconds by part, memory at its peak [kB]; pairs that touch at its end and bodies, where
-    the script tells them."""
+    the script prints them."""
 
     def __init__(self, text="", peak=0):
         self.steps, self.seconds, self.parts, self.pairs, self.hash = 0, 0.0, {}, None, None
@@ -127,13 +127,13 @@ def order(program, case, words, threads):
 
 
 def watched(command):
-    """A finished run: its code, what it said, and the most memory that it held [kB]."""
-    with tempfile.TemporaryFile("w+") as said:
-        child = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT)
+    """A finished run: its exit code, its output, and the most memory that it held [kB]."""
+    with tempfile.TemporaryFile("w+") as output_file:
+        child = subprocess.Popen(command, stdout=output_file, stderr=subprocess.STDOUT)
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
-        said.seek(0)
-        return child.returncode, said.read(), usage.ru_maxrss
+        output_file.seek(0)
+        return child.returncode, output_file.read(), usage.ru_maxrss
 
 
 def run(program, case, threads):
@@ -159,7 +159,7 @@ def run_calmly(program, case, threads, calm, tries=5):
     return found
 
 
-def tell_lines(program, case):
+def print_lines(program, case):
     done = subprocess.run([program, "run", case.script, *case.words.split(), "--quiet"], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"bench: {' '.join(done.args)} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
@@ -172,7 +172,7 @@ def spread(values):
     return f"{statistics.median(values):.3g} ({min(values):.3g} to {max(values):.3g})"
 
 
-def tell(case, threads, runs, alone):
+def print_cost(case, threads, runs, alone):
     costs = [cost for cost, _ in runs]
     steps = [1e6 * cost.step() for cost in costs]
     line = f"{case.name:32} {threads} thread{'s' if threads > 1 else ' '} {spread(steps)} us a step"
@@ -192,7 +192,7 @@ def tell(case, threads, runs, alone):
     return steps
 
 
-def tell_parts(costs):
+def print_parts(costs):
     cost = sorted(costs, key=Cost.step)[len(costs) // 2]
     for part, seconds in sorted(cost.parts.items(), key=lambda p: -p[1]):
         if seconds > 0.005 * cost.seconds:
@@ -216,7 +216,7 @@ def counted(program, case, words):
     return None, 0
 
 
-def tell_instructions(program, case):
+def print_instructions(program, case):
     """Of a step: what a run of twice the length takes more, over the steps that it takes more."""
     longer = re.sub(r"(seconds|duration)=([\d.]+)", lambda m: f"{m[1]}={2 * float(m[2]):g}", case.brief)
     (few, steps), (many, more) = counted(program, case, case.brief), counted(program, case, longer)
@@ -253,8 +253,8 @@ def main():
     for case in CASES:
         if not re.search(args.cases, case.name) or (case.long and not args.long):
             continue
-        if case.told:
-            tell_lines(args.program, case)
+        if case.prints_figures:
+            print_lines(args.program, case)
             continue
         if args.against:
             for threads in counts:
@@ -270,12 +270,12 @@ def main():
             sys.exit(f"bench: {case.name}: the bits depend on the threads: {hashes}")
         alone = None
         for threads in counts:
-            steps = tell(case, threads, runs[threads], alone)
+            steps = print_cost(case, threads, runs[threads], alone)
             alone = steps if threads == 1 else alone
             if args.parts:
-                tell_parts([cost for cost, _ in runs[threads]])
+                print_parts([cost for cost, _ in runs[threads]])
         if args.instructions:
-            tell_instructions(args.program, case)
+            print_instructions(args.program, case)
 
 
 if __name__ == "__main__":

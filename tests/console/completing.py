@@ -83,37 +83,37 @@ def session_tab_completes_the_module(place):
 def session_tab_where_nothing_fits_adds_nothing(place):
     s = place.console()
     s.type("zzzz\t1 = 5\r")
-    s.ask("zzzz1", "^5$")
+    s.query("zzzz1", "^5$")
 
 
 def session_help_of_everything(place):
     s = place.console("-i", "fall.lua")
-    s.ask("help", r"Tab completes.*stages +Stages: runs.*leaves\.\s+^> $")
-    s.ask('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+Brings the model to rest under dead load.*rest +rest, optional +limits of rest: \{ ratio = 1e-5.*gives: report")
-    s.ask("help(m.run)", r"^model:run\{\.\.\.\}")
-    s.ask("help(block)", r"^body 'block'.*body\.rotation +counter-clockwise")
-    s.ask("help(trilith.frictional)", r"^trilith\.frictional\{\.\.\.\}.*mu +number")
-    s.ask('help "stages"', r"^Stages: .*model:shake +Bodies follow")
-    s.ask('help "event"', r"event\.cause +id of the event")
-    s.ask('help "%s"', r"help: there is nothing called '%s'")
-    s.ask('help "rnu"', r"help: there is nothing called 'rnu'; did you mean 'run'\?")
-    s.ask("help(3)", r"^a integer: 3|^an? integer")
+    s.query("help", r"Tab completes.*stages +Stages: runs.*leaves\.\s+^> $")
+    s.query('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+Brings the model to rest under dead load.*rest +rest, optional +limits of rest: \{ ratio = 1e-5.*gives: report")
+    s.query("help(m.run)", r"^model:run\{\.\.\.\}")
+    s.query("help(block)", r"^body 'block'.*body\.rotation +counter-clockwise")
+    s.query("help(trilith.frictional)", r"^trilith\.frictional\{\.\.\.\}.*mu +number")
+    s.query('help "stages"', r"^Stages: .*model:shake +Bodies follow")
+    s.query('help "event"', r"event\.cause +id of the event")
+    s.query('help "%s"', r"help: there is nothing called '%s'")
+    s.query('help "rnu"', r"help: there is nothing called 'rnu'; did you mean 'run'\?")
+    s.query("help(3)", r"^a integer: 3|^an? integer")
 
 
 def session_apropos(place):
     s = place.console()
-    s.ask('apropos "bearing"', r"model:bearing +A bearing between two bodies")
-    s.ask('apropos "qqq"', r"^no entry mentions 'qqq'")
-    s.ask("apropos(3)", r"^apropos: takes a word")
+    s.query('apropos "bearing"', r"model:bearing +A bearing between two bodies")
+    s.query('apropos "qqq"', r"^no entry mentions 'qqq'")
+    s.query("apropos(3)", r"^apropos: takes a word")
 
 
 def session_long_tables_are_cut(place):
     s = place.console()
     s.line("local t = {}")
     s.line("for i = 1, 100 do t[i] = i end")
-    s.ask("t", r"and 76 more")
+    s.query("t", r"and 76 more")
     s.line("t.t = t")
-    s.ask("{ deep = { { { { 1 } } } } }", r"\{ deep = \{ \{ \{ \.\.\. \} \} \} \}")
+    s.query("{ deep = { { { { 1 } } } } }", r"\{ deep = \{ \{ \{ \.\.\. \} \} \} \}")
 
 
 if __name__ == "__main__":

@@ -31,11 +31,11 @@ def session_break_on_an_event_then_continue(place):
     bridge(place, "m:break_on 'bearing.failed'\n")
     s = place.start("-i", "deck.lua")
     s.expect(r"Paused: .* s  bearing B1 failed.*s> $")
-    s.ask("m.bearings.B1", r"bearing 'B1'.*status\s+failed.*share")
-    s.ask("m:breaks()", r'\{ "event bearing\.failed" \}')
+    s.query("m.bearings.B1", r"bearing 'B1'.*status\s+failed.*share")
+    s.query("m:breaks()", r'\{ "event bearing\.failed" \}')
     s.line("continue")
     s.expect(r"stage ended.*^> $")
-    s.ask("r.ending", r"^time$")
+    s.query("r.ending", r"^time$")
 
 
 def session_break_with_a_filter(place):
@@ -51,7 +51,7 @@ def session_break_on_a_condition(place):
     place.write("when.lua", FALL + "m:break_on(function() return block.y < 0.3 end)\nm:run { duration = 1 }\n")
     s = place.start("-i", "when.lua")
     s.expect(r"Paused: condition at when\.lua:8\..*s> $")
-    s.ask("block.y < 0.3 and block.y > 0.299", r"^true$")
+    s.query("block.y < 0.3 and block.y > 0.299", r"^true$")
     s.line("m:continue()")
     s.expect(r"stage ended.*^> $")
 
@@ -60,7 +60,7 @@ def session_break_on_a_line(place):
     place.write("line.lua", FALL + "m:break_on { line = 'line.lua:10' }\nlocal a = 5\na = a + 1\nprint('a is', a)\n")
     s = place.start("-i", "line.lua")
     s.expect(r"Paused: line\.lua:10\.\s+line\.lua:10, in the script\..*paused> $")
-    s.ask("a", r"^5$")
+    s.query("a", r"^5$")
     s.line("a = 50")
     s.line("continue")
     s.expect(r"^a is\s+51\s+> $")
@@ -68,7 +68,7 @@ def session_break_on_a_line(place):
 
 def session_break_is_taken_off(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:break_on 'impact'", r"^1$")
+    s.query("m:break_on 'impact'", r"^1$")
     s.line("m:break_off(1)")
     s.expect("^> $")
     s.line("m:run { duration = 1 }")
@@ -76,13 +76,13 @@ def session_break_is_taken_off(place):
     check("Paused" not in s.text, "it paused")
 
 
-def session_wrong_breaks_are_told(place):
+def session_wrong_breaks_are_reported(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:break_on 'impcat'", r"break_on: there is no event 'impcat'; did you mean 'impact'\?")
-    s.ask("m:break_on { 'impact', bdy = 'x' }", r"break_on: unknown key 'bdy'; did you mean 'body'\?")
-    s.ask("m:break_on(7)", r"break_on: takes an event, a function or a table; this is a number")
-    s.ask("m:break_on { line = 'x' }", r"must be a number or a text such as")
-    s.ask("m:break_off(3)", r"break_off: there is no break 3")
+    s.query("m:break_on 'impcat'", r"break_on: there is no event 'impcat'; did you mean 'impact'\?")
+    s.query("m:break_on { 'impact', bdy = 'x' }", r"break_on: unknown key 'bdy'; did you mean 'body'\?")
+    s.query("m:break_on(7)", r"break_on: takes an event, a function or a table; this is a number")
+    s.query("m:break_on { line = 'x' }", r"must be a number or a text such as")
+    s.query("m:break_off(3)", r"break_off: there is no break 3")
 
 
 def session_steps_and_run_to_in_a_pause(place):
@@ -93,60 +93,60 @@ def session_steps_and_run_to_in_a_pause(place):
     s.expect(r"s> $")
     s.line("m:step(5)")
     s.expect(r"s> $")
-    s.ask("m.steps - n", r"^5$")
+    s.query("m.steps - n", r"^5$")
     s.line("m:run { to = t + 0.1 }")
     s.expect(r"s> $")
-    s.ask("m.time >= t + 0.1 and m.time < t + 0.101", r"^true$")
-    s.ask("m:run { to = 0 }", r"run: 'to' is 0 s, must be after the present")
-    s.ask("m:shake {}", r"shake: ")
+    s.query("m.time >= t + 0.1 and m.time < t + 0.101", r"^true$")
+    s.query("m:run { to = 0 }", r"run: 'to' is 0 s, must be after the present")
+    s.query("m:shake {}", r"shake: ")
     s.line("continue")
     s.expect(r"stage ended.*^> $")
 
 
 def session_step_at_the_top(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:step(10).steps", r"^10$")
-    s.ask("m.steps", r"^10$")
-    s.ask("m:step(0)", r"step: takes a number of steps, at least 1; this is 0")
+    s.query("m:step(10).steps", r"^10$")
+    s.query("m.steps", r"^10$")
+    s.query("m:step(0)", r"step: takes a number of steps, at least 1; this is 0")
 
 
 def session_rewind_and_run_on_gives_the_same_bits(place):
     bridge(place)
     s = place.console("-i", "deck.lua")
-    s.ask("m:checkpoints()", r"\d+ checkpoints from .* MB; one every 0\.1 s")
-    s.ask("m:rewind(1.5)", r"note: back at .*m:continue\(\) continues the stage")
-    s.ask("m.hash ~= hash", r"^true$")
-    s.ask("m:continue().ending", r"^time$")
-    s.ask("m.hash == hash", r"^true$")
-    s.ask("m:compare()", r"^identical at ")
+    s.query("m:checkpoints()", r"\d+ checkpoints from .* MB; one every 0\.1 s")
+    s.query("m:rewind(1.5)", r"note: back at .*m:continue\(\) continues the stage")
+    s.query("m.hash ~= hash", r"^true$")
+    s.query("m:continue().ending", r"^time$")
+    s.query("m.hash == hash", r"^true$")
+    s.query("m:compare()", r"^identical at ")
 
 
 def session_rewind_in_a_pause_gives_the_same_bits(place):
     bridge(place)
     s = place.start("-i", "deck.lua")
     s.expect(r"^> $")
-    plain = s.ask("hash", r"^([0-9a-f]{16})$").group(1)
+    plain = s.query("hash", r"^([0-9a-f]{16})$").group(1)
     bridge(place, "m:break_on { 'bearing.failed', once = true }\n")
     s = place.start("-i", "deck.lua")
     s.expect(r"Paused.*s> $")
-    s.ask("m:rewind(0.1)", r"note: back at .*s> $")
+    s.query("m:rewind(0.1)", r"note: back at .*s> $")
     s.line("continue")
     s.expect(r"stage ended.*^> $")
-    s.ask("hash == '%s'" % plain, r"^true$")
+    s.query("hash == '%s'" % plain, r"^true$")
 
 
 def session_rewind_change_and_compare(place):
     bridge(place, "m:break_on { 'bearing.failed', once = true }\n")
     s = place.start("-i", "deck.lua")
     s.expect(r"Paused.*s> $")
-    s.ask("m:rewind(0.1)", r"note: back at .*s> $")
-    s.ask("m:change { bearing = 'B1', limit = { along = 0.5 } }", r"note: bearing 'B1' is now along: .*limit 0\.5 m")
-    s.ask("m:change { law = 'joint', mu = -1 }", r"change: 'mu' is -1, must be not below 0")
-    s.ask("m:change { law = 'jiont', mu = 1 }", r"change: there is no law 'jiont'; did you mean 'joint'\?")
+    s.query("m:rewind(0.1)", r"note: back at .*s> $")
+    s.query("m:change { bearing = 'B1', limit = { along = 0.5 } }", r"note: bearing 'B1' is now along: .*limit 0\.5 m")
+    s.query("m:change { law = 'joint', mu = -1 }", r"change: 'mu' is -1, must be not below 0")
+    s.query("m:change { law = 'jiont', mu = 1 }", r"change: there is no law 'jiont'; did you mean 'joint'\?")
     s.line("continue")
     s.expect(r"stage ended.*^> $")
-    s.ask("m.bearings.B1.status", r"^intact$")
-    s.ask("m:compare()", r"bearing\.failed  B1\s+before at .* s, not now")
+    s.query("m.bearings.B1.status", r"^intact$")
+    s.query("m:compare()", r"bearing\.failed  B1\s+before at .* s, not now")
 
 
 def session_a_pause_that_did_not_come_leaves_nothing_behind(place):
@@ -155,42 +155,42 @@ m:break_on { 'impact', above = 1.5 }
 m:on('impact', function() if wrong then error 'at fault' end end)
 """)
     s = place.console("-i", "stale.lua")
-    s.ask("m:run { duration = 1 }", r"Paused: .*block hit base.*a handler failed: .*at fault.*s> $")
-    hit = float(s.ask("m.time", r"^([0-9.]+)$").group(1))
-    s.ask("m:rewind(0.1)", r"back at.*s> $")
+    s.query("m:run { duration = 1 }", r"Paused: .*block hit base.*a handler failed: .*at fault.*s> $")
+    hit = float(s.query("m.time", r"^([0-9.]+)$").group(1))
+    s.query("m:rewind(0.1)", r"back at.*s> $")
     s.line("wrong = false")
     s.expect(r"s> $")
     s.line("continue")
     s.expect(r"Paused: ([0-9.]+) s  block hit base.*s> $")
     check(s.text.count("Paused") == 2, "it paused without a reason")
-    check(float(s.ask("m.time", r"^([0-9.]+)$").group(1)) >= hit - 1e-3, "it paused before the block hit")
+    check(float(s.query("m.time", r"^([0-9.]+)$").group(1)) >= hit - 1e-3, "it paused before the block hit")
     s.line("continue")
     s.expect(r"stage ended.*^> $")
-    s.ask("m:run { duration = 0.05 }.ending", r"^time$")
+    s.query("m:run { duration = 0.05 }.ending", r"^time$")
     check(s.text.count("Paused") == 2, "it paused again")
 
 
 def session_rewind_that_cannot_be(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:rewind(1)", r"rewind: the model has not run yet")
+    s.query("m:rewind(1)", r"rewind: the model has not run yet")
     s.line("m:checkpoints { every = 0.05, count = 3 }")
     s.expect(r"no checkpoint yet; one every 0\.05 s, at most 3 in 256 MB")
     s.line("m:run { duration = 1 }")
     s.expect(r"^> $")
-    s.ask("m:checkpoints().count", r"^3$")
-    s.ask("m:rewind(0.9)", r"rewind: the oldest checkpoint is at 0\.[89]")
-    s.ask("m:rewind { to = 2 }", r"rewind: the present time is 1\.0000 s, and 2 s is later")
-    s.ask("m:rewind { to = 1e300 }", r"and 1e\+300 s is later")
-    s.ask("m:rewind(-1)", r"rewind: the time to go back is -1 s")
-    s.ask("m:compare()", r"compare: there is no earlier branch")
-    s.ask("m:continue()", r"continue: no stage is paused")
+    s.query("m:checkpoints().count", r"^3$")
+    s.query("m:rewind(0.9)", r"rewind: the oldest checkpoint is at 0\.[89]")
+    s.query("m:rewind { to = 2 }", r"rewind: the present time is 1\.0000 s, and 2 s is later")
+    s.query("m:rewind { to = 1e300 }", r"and 1e\+300 s is later")
+    s.query("m:rewind(-1)", r"rewind: the time to go back is -1 s")
+    s.query("m:compare()", r"compare: there is no earlier branch")
+    s.query("m:continue()", r"continue: no stage is paused")
 
 
 def session_rewind_within_the_pausing_stage_alone(place):
     bridge(place, "m:break_on { 'bearing.failed', once = true }\n")
     s = place.start("-i", "deck.lua")
     s.expect(r"Paused.*s> $")
-    s.ask("m:rewind { to = 0.2 }", r"rewind: the stage that pauses here began at .*end it first with stop")
+    s.query("m:rewind { to = 0.2 }", r"rewind: the stage that pauses here began at .*end it first with stop")
 
 
 def session_results_of_branches(place):
@@ -207,16 +207,16 @@ def session_results_of_branches(place):
     s.ends(0)
     check(place.has("deck.h5.part") and not place.has("deck.h5"), "the first branch looks finished")
     check(place.has("deck.branch2.h5"), "the second branch is not there")
-    told = subprocess.run([place.program, "info", "deck.branch2.h5"], cwd=place.folder, capture_output=True, text=True)
-    check("branch 2: the run went back from" in told.stdout, told.stdout)
-    told = subprocess.run([place.program, "info", "deck.h5.part"], cwd=place.folder, capture_output=True, text=True)
-    check("continues in deck.branch2.h5" in told.stdout and "NOT finished" in told.stdout, told.stdout)
+    info = subprocess.run([place.program, "info", "deck.branch2.h5"], cwd=place.folder, capture_output=True, text=True)
+    check("branch 2: the run went back from" in info.stdout, info.stdout)
+    info = subprocess.run([place.program, "info", "deck.h5.part"], cwd=place.folder, capture_output=True, text=True)
+    check("continues in deck.branch2.h5" in info.stdout and "NOT finished" in info.stdout, info.stdout)
 
 
 def session_results_of_a_stage_not_gone_on_with_are_unfinished(place):
     place.write("r.lua", FALL + "m:results { file = 'r.h5' }\nm:run { duration = 1 }\n")
     s = place.console("-i", "r.lua")
-    s.ask("m:rewind(0.5)", r"back at")
+    s.query("m:rewind(0.5)", r"back at")
     s.line("quit()")
     s.ends(0)
     check(place.has("r.branch2.h5.part") and not place.has("r.branch2.h5"), "it looks finished")
@@ -225,12 +225,12 @@ def session_results_of_a_stage_not_gone_on_with_are_unfinished(place):
 def session_worst_and_dt_and_lint(place):
     place.write("lint.lua", FALL.replace("beta = 2e-4", "beta = 0"))
     s = place.console("-i", "lint.lua")
-    s.ask("m:lint()", r"has no damping \(beta = 0\).*is not in equilibrium at the start.*nothing is recorded")
-    s.ask("m.worst", r"^block: 3530 N unbalanced, 1 of the largest force carried\s+it has no contacts")
+    s.query("m:lint()", r"has no damping \(beta = 0\).*is not in equilibrium at the start.*nothing is recorded")
+    s.query("m.worst", r"^block: 3530 N unbalanced, 1 of the largest force carried\s+it has no contacts")
     s.line("m:run { duration = 0.01 }")
     s.expect("^> $")
-    s.ask("m:explain_dt()", r".+")
-    s.ask("#m:contacts { between = { 'base', 'block' } }", r"^0$")
+    s.query("m:explain_dt()", r".+")
+    s.query("#m:contacts { between = { 'base', 'block' } }", r"^0$")
 
 
 if __name__ == "__main__":

@@ -6,26 +6,26 @@ from sessions import check, run_all
 
 def session_expression_is_shown_and_ctrl_d_leaves(place):
     s = place.console()
-    s.ask("1 + 2*3", r"^7$")
-    s.ask('"a" .. "b"', r"^ab$")
-    s.ask("nil, 2", r"^nil\s+^2$")
+    s.query("1 + 2*3", r"^7$")
+    s.query('"a" .. "b"', r"^ab$")
+    s.query("nil, 2", r"^nil\s+^2$")
     s.type("\x04")
     s.ends(0)
 
 
 def session_trilith_is_there_without_require(place):
     s = place.console()
-    s.ask('trilith.build.block { width = 1, height = 1 } ~= nil', r"^true$")
+    s.query('trilith.build.block { width = 1, height = 1 } ~= nil', r"^true$")
     s.line("local trilith = 7")
-    s.ask("trilith", r"^7$")
+    s.query("trilith", r"^7$")
 
 
 def session_locals_of_a_line_are_seen_by_the_next(place):
     s = place.console()
     s.line("local width = 3")
-    s.ask("width*2", r"^6$")
+    s.query("width*2", r"^6$")
     s.line("width = 5")
-    s.ask("width", r"^5$")
+    s.query("width", r"^5$")
 
 
 def session_lines_belong_together_until_the_chunk_is_whole(place):
@@ -35,7 +35,7 @@ def session_lines_belong_together_until_the_chunk_is_whole(place):
     s.line("return 2*x")
     s.expect(r"^>> ")
     s.line("end")
-    s.ask("twice(21)", r"^42$")
+    s.query("twice(21)", r"^42$")
 
 
 def session_ctrl_c_drops_the_line(place):
@@ -44,7 +44,7 @@ def session_ctrl_c_drops_the_line(place):
     s.expect(r"x = \(1 \+$")
     s.interrupt()
     s.expect(r"^> $")
-    s.ask("1 + 1", r"^2$")
+    s.query("1 + 1", r"^2$")
 
 
 def session_ctrl_c_drops_an_unfinished_chunk(place):
@@ -52,12 +52,12 @@ def session_ctrl_c_drops_an_unfinished_chunk(place):
     s.line("for i = 1, 3 do")
     s.expect(r"^>> ")
     s.interrupt()
-    s.ask("1 + 1", r"^2$")
+    s.query("1 + 1", r"^2$")
 
 
 def session_arrow_up_brings_the_last_line(place):
     s = place.console()
-    s.ask("40 + 2", r"^42$")
+    s.query("40 + 2", r"^42$")
     s.type("\x1b[A")
     s.expect(r"40 \+ 2")
     s.type("0\r")
@@ -75,8 +75,8 @@ def session_history_is_kept_between_sessions(place):
     del kept["TRILITH_HISTORY"]
     kept["TRILITH_HISTORY"] = os.path.join(place.folder, "lines", "kept")
     s = place.console(environment=kept)
-    s.ask("6*7 + 0", r"^42$")
-    s.ask(" 'not kept, with a blank before'", r"^not kept, with a blank before$")
+    s.query("6*7 + 0", r"^42$")
+    s.query(" 'not kept, with a blank before'", r"^not kept, with a blank before$")
     s.type("\x04")
     s.ends(0)
     check(open(kept["TRILITH_HISTORY"]).read() == "6*7 + 0\n", "the file holds something else")
@@ -86,17 +86,17 @@ def session_history_is_kept_between_sessions(place):
     s.expect(r"^42$")
 
 
-def session_history_that_cannot_be_written_is_told_once(place):
+def session_history_that_cannot_be_written_is_reported_once(place):
     place.write("file", "")
     s = place.console(environment={"TRILITH_HISTORY": os.path.join(place.folder, "file", "history")})
-    s.ask("1 + 1", r"the history of this console is not saved: cannot write .*^2$")
-    s.ask("2 + 1", r"^3$")
-    check(s.text.count("is not saved") == 1, "told twice")
+    s.query("1 + 1", r"the history of this console is not saved: cannot write .*^2$")
+    s.query("2 + 1", r"^3$")
+    check(s.text.count("is not saved") == 1, "printed twice")
 
 
 def session_letters_of_other_alphabets(place):
     s = place.console()
-    s.ask('"Säule" .. " π"', r"^Säule π$")
+    s.query('"Säule" .. " π"', r"^Säule π$")
 
 
 def session_tab_completes_a_global(place):

@@ -1,4 +1,4 @@
-"""Input from a pipe: no prompt, no banner, errors on stderr, and a code that says whether all chunks went well."""
+"""Input from a pipe: no prompt, no banner, errors on stderr, and an exit code that is 0 if all chunks succeeded."""
 from sessions import check, run_all
 
 
@@ -7,7 +7,7 @@ def session_piped_lines_give_their_values_alone(place):
     check((code, out, err) == (0, "2\n42\n", ""), (code, out, err))
 
 
-def session_piped_error_is_told_the_rest_runs_the_code_is_1(place):
+def session_piped_error_is_reported_the_rest_runs_the_code_is_1(place):
     code, out, err = place.pipe("error 'no'\n1 + 1\n")
     check(code == 1 and out == "2\n" and "no" in err, (code, out, err))
 
@@ -23,7 +23,7 @@ def session_piped_wrong_syntax(place):
 
 
 def session_piped_nothing(place):
-    check(place.pipe("") == (0, "", ""), "something was said")
+    check(place.pipe("") == (0, "", ""), "something was printed")
 
 
 def session_piped_after_a_script(place):

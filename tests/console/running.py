@@ -10,27 +10,27 @@ RUNNING = r"run +t [0-9.]+ s +step"
 def session_script_runs_and_its_locals_stay(place):
     s = place.console("-i", "run.lua")
     check("the script goes on" in s.text, "the script did not run")
-    s.ask("m", r"model 'fall': 2 bodies")
-    s.ask("report.ending", r"^time$")
-    s.ask("block.y < 0.2", r"^true$")
+    s.query("m", r"model 'fall': 2 bodies")
+    s.query("report.ending", r"^time$")
+    s.query("block.y < 0.2", r"^true$")
 
 
-def session_ctrl_c_pauses_a_run_and_continue_goes_on(place):
+def session_ctrl_c_pauses_a_run_and_continue_continues(place):
     s = place.start("-i", "long.lua")
     s.expect(r"stage begun")
     s.interrupt()
     s.expect(r"Paused: interrupted\.\s+long\.lua:8, in the script\..*s> $")
-    s.ask("m.time > 0", r"^true$")
-    first = float(s.ask("m.time", r"^([0-9.e+-]+)$").group(1))
+    s.query("m.time > 0", r"^true$")
+    first = float(s.query("m.time", r"^([0-9.e+-]+)$").group(1))
     s.line("continue")
     s.expect(RUNNING)
     s.interrupt()
     s.expect(r"Paused: interrupted")
-    second = float(s.ask("m.time", r"^([0-9.e+-]+)$").group(1))
+    second = float(s.query("m.time", r"^([0-9.e+-]+)$").group(1))
     check(second > first, "it did not run on")
     s.line("stop")
     s.expect(r"stage ended.*stopped.*^the script goes on\s+^> $")
-    s.ask("m.time >= %r" % (second - 1e-6), r"^true$")
+    s.query("m.time >= %r" % (second - 1e-6), r"^true$")
 
 
 def session_ctrl_c_pauses_a_run_typed_at_the_console(place):
@@ -41,7 +41,7 @@ def session_ctrl_c_pauses_a_run_typed_at_the_console(place):
     s.expect(r"Paused: interrupted\..*s> $")
     s.line("stop")
     s.expect(r"stage ended.*^> $")
-    s.ask("r.ending", r"^stopped$")
+    s.query("r.ending", r"^stopped$")
 
 
 def session_locals_are_read_and_set_in_a_pause(place):
@@ -57,11 +57,11 @@ go()
     s.expect(r"stage begun")
     s.interrupt()
     s.expect(r"Paused: interrupted")
-    s.ask("inner, limit", r"^10\s+^5$")
+    s.query("inner, limit", r"^10\s+^5$")
     s.line("inner = 77; limit = 8")
-    s.ask("where", r"> 1  local\.lua:11, in go\s+  2  local\.lua:14, in the script")
-    s.ask("frame(2)", r"> 2  local\.lua:14")
-    s.ask("limit, go ~= nil", r"^8\s+^true$")
+    s.query("where", r"> 1  local\.lua:11, in go\s+  2  local\.lua:14, in the script")
+    s.query("frame(2)", r"> 2  local\.lua:14")
+    s.query("limit, go ~= nil", r"^8\s+^true$")
     s.line("stop")
     s.expect(r"inner is\s+77\s+limit is\s+8")
 
@@ -72,10 +72,10 @@ def session_what_is_changed_in_a_pause_holds(place):
     s.interrupt()
     s.expect(r"Paused")
     s.line("m:fix(block)")
-    s.ask("m.speed", r"^0$")
+    s.query("m.speed", r"^0$")
     s.line("stop")
     s.expect(r"^> $")
-    s.ask("m.speed", r"^0$")
+    s.query("m.speed", r"^0$")
 
 
 def session_ctrl_c_ends_an_endless_loop(place):
@@ -84,7 +84,7 @@ def session_ctrl_c_ends_an_endless_loop(place):
     s.expect(r"^round$")
     s.interrupt()
     s.expect(r"^interrupted\s+^> $")
-    s.ask("1 + 1", r"^2$")
+    s.query("1 + 1", r"^2$")
 
 
 # Endless loops, each of which prints that it has begun. The first Ctrl-C ends them, and the console continues.
@@ -123,8 +123,8 @@ def session_the_first_ctrl_c_ends_every_loop(place):
         s.interrupt()
         s.expect(r"^interrupted$")
         s.expect(r"^> $")
-        s.ask("1 + 1", r"^2$")
-        s.ask("pcall(error, 'caught')", r"false\s+caught")  # other errors are caught as before
+        s.query("1 + 1", r"^2$")
+        s.query("pcall(error, 'caught')", r"false\s+caught")  # other errors are caught as before
         s.line("quit()")
         s.ends(0)
 
@@ -167,43 +167,43 @@ def session_a_hook_of_the_script_outlives_ctrl_c(place):
     s.expect(r"^more\s+true$")
 
 
-def session_error_objects_are_told_in_words(place):
+def session_error_objects_are_reported_in_words(place):
     s = place.console("-i", "fall.lua")
     s.line("m:every(0.01, function() error { code = 5, why = 'so' } end)")
     s.expect("^> $")
-    s.ask("m:run { duration = 1 }", r"Paused: a handler failed: .*error object is a table value: \{ code = 5, why = \"so\" \}.*s> $")
+    s.query("m:run { duration = 1 }", r"Paused: a handler failed: .*error object is a table value: \{ code = 5, why = \"so\" \}.*s> $")
     s.line("stop")
     s.expect(r"stage ended.*^> $")
-    s.ask("error(setmetatable({}, { __tostring = function() return 'in its own words' end }))", r"^in its own words")
+    s.query("error(setmetatable({}, { __tostring = function() return 'in its own words' end }))", r"^in its own words")
 
 
-def session_error_is_told_and_the_session_goes_on(place):
+def session_error_is_reported_and_the_session_continues(place):
     s = place.console("-i", "fall.lua")
-    s.ask("m:fix 'blokc'", r"^fix: there is no body or group 'blokc'; did you mean 'block'\?\s+^> $")
-    s.ask("m.tme", r"^model 'fall' has no 'tme'; did you mean 'time'\?\s+^> $")
-    s.ask("error { 1 }", r"error object is a table value.*^> $")
-    s.ask("blokc", r"^there is no 'blokc' here; did you mean 'block'\?")
-    s.ask("m:run { duration = 0.01 }.steps > 0", r"^true$")
+    s.query("m:fix 'blokc'", r"^fix: there is no body or group 'blokc'; did you mean 'block'\?\s+^> $")
+    s.query("m.tme", r"^model 'fall' has no 'tme'; did you mean 'time'\?\s+^> $")
+    s.query("error { 1 }", r"error object is a table value.*^> $")
+    s.query("blokc", r"^there is no 'blokc' here; did you mean 'block'\?")
+    s.query("m:run { duration = 0.01 }.steps > 0", r"^true$")
 
 
 def session_error_in_a_handler_leaves_the_model_usable(place):
     s = place.console("-i", "fall.lua")
     s.line("m:on('impact', function() local x = nil + 1 end)")
     s.expect("^> $")
-    s.ask("m:run { duration = 1 }", r"Paused: a handler failed: .*attempt to perform arithmetic on a nil value.*s> $")
-    s.ask("m.time > 0.2 and m.time < 0.21", r"^true$")
+    s.query("m:run { duration = 1 }", r"Paused: a handler failed: .*attempt to perform arithmetic on a nil value.*s> $")
+    s.query("m.time > 0.2 and m.time < 0.21", r"^true$")
     s.line("stop")
     s.expect(r"stage ended.*^> $")
-    s.ask("m:run { duration = 0.05 }.ending", r"^time$")
+    s.query("m:run { duration = 0.05 }.ending", r"^time$")
 
 
 def session_script_with_an_error_leaves_its_locals(place):
     place.write("wrong.lua", FALL + "local x = 12\nm:fix 'nobody'\n")
     s = place.console("-i", "wrong.lua")
     check("wrong.lua:9: fix: there is no body or group 'nobody'" in s.text, "the message is not there")
-    s.ask("x", r"^12$")
+    s.query("x", r"^12$")
     s.line("m:fix 'base'")
-    s.ask("m:run { duration = 0.1 }.ending", r"^time$")
+    s.query("m:run { duration = 0.1 }.ending", r"^time$")
     s.type("\x04")
     s.ends(0)
 
@@ -212,7 +212,7 @@ def session_script_with_wrong_syntax(place):
     place.write("syntax.lua", "local x = = 1\n")
     s = place.console("-i", "syntax.lua")
     check("syntax.lua:1: unexpected symbol near '='" in s.text, "the message is not there")
-    s.ask("1 + 1", r"^2$")
+    s.query("1 + 1", r"^2$")
 
 
 def session_ctrl_d_in_a_pause_asks_once(place):
@@ -238,8 +238,8 @@ def session_results_of_a_pause_that_is_left_are_unfinished(place):
     s.expect(r"results so far, unfinished, are in fall\.h5\.part")
     s.ends(0)
     check(place.has("fall.h5.part") and not place.has("fall.h5"), "the wrong file is left")
-    told = subprocess.run([place.program, "info", "fall.h5.part"], cwd=place.folder, capture_output=True, text=True)
-    check("s: m:fix(block)" in told.stdout, "what was typed is not in the results:\n" + told.stdout)
+    info = subprocess.run([place.program, "info", "fall.h5.part"], cwd=place.folder, capture_output=True, text=True)
+    check("s: m:fix(block)" in info.stdout, "what was typed is not in the results:\n" + info.stdout)
 
 
 def session_quit_gives_its_code(place):

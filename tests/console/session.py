@@ -66,7 +66,7 @@ class Session:
             if left <= 0 or (not self._take(left) and self.process.poll() is not None):
                 raise Failed(f"no {pattern!r} after {self.typed[-1:]}; the screen:\n{self.text[-2500:]}")
 
-    def ask(self, text, pattern, seconds=60):
+    def query(self, text, pattern, seconds=60):
         """Types a line, waits for an answer and for the next prompt."""
         self.line(text)
         match = self.expect(pattern, seconds)

@@ -103,8 +103,8 @@ class Call:
 
 
 def row_of(cells):
-    said = f"{cells[4]} {cells[5] if len(cells) > 5 else ''}"
-    return cells[0].strip("`"), cells[1], "needed" in cells, sorted(set(re.findall(r"\b[a-z_]{2,}\b", said)))
+    description = f"{cells[4]} {cells[5] if len(cells) > 5 else ''}"
+    return cells[0].strip("`"), cells[1], "needed" in cells, sorted(set(re.findall(r"\b[a-z_]{2,}\b", description)))
 
 
 def declarations(program):

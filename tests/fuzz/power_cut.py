@@ -168,7 +168,7 @@ class Cuts:
         self.program, self.folder = program, folder
         self.rows = rows_module()
         self.script = os.path.join(HERE, "..", "restart", "two_stages.lua")
-        self.resumed = self.refused = self.wrong = 0
+        self.resumed = self.refused = self.failed = 0
 
     def record(self):
         run = os.path.join(self.folder, "run")
@@ -185,7 +185,7 @@ class Cuts:
         self.recorded = Recorded(log, run)
         return self.recorded.count
 
-    def says(self, cut, *words):
+    def run_at(self, cut, *words):
         done = subprocess.run([self.program, *words], cwd=os.path.join(self.folder, "run"), capture_output=True, text=True,
                               timeout=300)
         lines = done.stderr.strip().splitlines()
@@ -195,8 +195,8 @@ class Cuts:
         return None
 
     def report(self, cut, text):
-        self.wrong += 1
-        kept = os.path.join(self.folder, f"wrong{self.wrong}")
+        self.failed += 1
+        kept = os.path.join(self.folder, f"failed{self.failed}")
         shutil.copytree(os.path.join(self.folder, "cut"), kept, dirs_exist_ok=True)
         print(f"cut {cut}: {text}; files in {kept}", flush=True)
 
@@ -207,9 +207,9 @@ class Cuts:
         shutil.copy(self.script, run)
         for name in ("run.h5", "run.h5.part"):
             if os.path.exists(os.path.join(run, name)):
-                self.says(cut, "info", name)
+                self.run_at(cut, "info", name)
         if resumes:
-            done = self.says(cut, "resume", "run.h5", "--quiet")
+            done = self.run_at(cut, "resume", "run.h5", "--quiet")
             if done and done.returncode == 0:
                 self.resumed += 1
                 why = self.rows.difference(os.path.join(self.folder, "reference.h5"), os.path.join(run, "run.h5"))
@@ -218,7 +218,7 @@ class Cuts:
             elif done:
                 self.refused += 1
                 if not re.search("no checkpoint|is finished", done.stderr):
-                    self.report(cut, "resume says: " + done.stderr)
+                    self.report(cut, "resume prints: " + done.stderr)
         shutil.rmtree(os.path.join(self.folder, "cut"))
 
 
@@ -237,8 +237,8 @@ def main(program, folder, cuts="20", seed="1"):
         plan = [(draw.randint(0, count), i % 2) for i in range(int(cuts))]
     for cut, mode in plan:
         tried.attempt(cut, draw if mode else None, cuts != "all" or cut % 8 == 0)
-    print(f"{len(plan)} cuts of {count} writes: {tried.resumed} runs were resumed, {tried.refused} refused, {tried.wrong} wrong")
-    return 1 if tried.wrong else 0
+    print(f"{len(plan)} cuts of {count} writes: {tried.resumed} runs were resumed, {tried.refused} refused, {tried.failed} failed")
+    return 1 if tried.failed else 0
 
 
 if __name__ == "__main__":

@@ -86,7 +86,7 @@ def vary(draw, step):
 
 
 def mend(draw, step, message):
-    """The call after what was said of it: without the key that is unknown, with one that was missed."""
+    """The call as its error message requires: without the unknown key, with the missing one."""
     step = step.copy()
     unknown = re.search(r"unknown key '(\w+)'", message)
     choices = re.search(r"'(\w+)' is '[^']*', must be one of ([\w, ]+)", message)
@@ -153,8 +153,8 @@ class Programs:
         return len({name for name, _ in self.known}), len(self.calls)
 
     def learn_in(self, dim, until, findings):
-        """The last time with a model that has run: a call as it is declared, then as it is after a thought about what was
-        said of it."""
+        """The last time with a model that has run: each call as declared, then
+        corrected by its error message."""
         failed, fresh = {}, f'a = fuzz.make("a", {dim})'
         for turn, new in enumerate([fresh] * 3 + [f"{fresh} a.model:run {{ duration = 0.01 }}"]):
             calls, made = [c for c in self.calls_in(dim) if len(self.known.get((c.name, dim), [])) < 4], {}
@@ -169,15 +169,15 @@ class Programs:
                 return shared.attempt(self.job("\n".join(lines) + "\n", dim=dim, other=dim), findings)
             if not calls:
                 return
-            for number, said in enumerate(shared.in_parallel(until, work, LEARNING)):
-                for at, message in re.findall(r"^(\d+): (.*)$", said, re.M):
+            for number, output in enumerate(shared.in_parallel(until, work, LEARNING)):
+                for at, message in re.findall(r"^(\d+): (.*)$", output, re.M):
                     step = made[number][int(at)]
                     failed.setdefault(step.call.name, []).append((step, message))
-                for at in re.findall(r"^good (\d+)$", said, re.M):
+                for at in re.findall(r"^good (\d+)$", output, re.M):
                     step = made[number][int(at)]
                     self.known.setdefault((step.call.name, dim), []).append(step)
                 if turn < 3:
-                    self.building |= {made[number][int(i)].call.name for i in re.findall(r"^built (\d+)$", said, re.M)}
+                    self.building |= {made[number][int(i)].call.name for i in re.findall(r"^built (\d+)$", output, re.M)}
 
     def sound(self, draw, call, dim=2):
         steps = self.known.get((call.name, dim))

@@ -12,7 +12,7 @@ TOKEN = re.compile(r'"[^"\n]*"|\b\d+(?:\.\d+)?(?:e[-+]?\d+)?\b|\b[a-z_]\w*\b|[-+
 # Placed on the first line, so that line numbers stay the same: each stage of each model ends after some steps.
 SHORT = ('do local t = require "trilith" local make = t.model t.model = function(...) local m, n = make(...), 0 '
          "m:on_step(function() n = n + 1 if n % 40 == 0 then m:stop() end end) return m end "
-         "local p = print print = function(...) p('said', ...) end end ")
+         "local p = print print = function(...) p('printed', ...) end end ")
 
 
 def changed(draw, text):

@@ -27,11 +27,11 @@ def check_judgements():
         check(outcome(f"sh -c 'echo refused; exit {code}'") is None, f"code {code} is not a finding")
     check(outcome("sh -c 'exit 7'") == "ended with code 7", "a code that is not documented")
     check(outcome("sh -c 'kill -SEGV $$'") == "ended by SIGSEGV", "a signal")
-    for said in ("std::bad_alloc", "map::at", "x: trilith/show.lua:3: attempt", "runtime error: overflow"):
-        check(outcome(f"echo '{said}'").startswith("says: "), f"'{said}' is from within")
+    for output in ("std::bad_alloc", "map::at", "x: trilith/show.lua:3: attempt", "runtime error: overflow"):
+        check(outcome(f"echo '{output}'").startswith("prints: "), f"'{output}' is from within")
     for name, inner in (("console", True), ("ft", False)):
-        said = outcome(f'echo "x.lua:3: attempt to call a number value (upvalue \'{name}\')"')
-        check((said is not None) == inner, f"the variable '{name}' is {'' if inner else 'not '}one of the library")
+        output = outcome(f'echo "x.lua:3: attempt to call a number value (upvalue \'{name}\')"')
+        check((output is not None) == inner, f"the variable '{name}' is {'' if inner else 'not '}one of the library")
     check(outcome("printf 'stack traceback:\\n\\ttrilith/show.lua:3: in f\\n'") is None, "a line of a traceback is none")
     shared.SECONDS = 0.3
     burn = "import time\nwhile time.process_time() < 0.5: pass"
@@ -44,7 +44,7 @@ def check_kept():
     with tempfile.TemporaryDirectory() as folder:
         findings = shared.Findings(folder)
         for number in (1, 2):
-            findings.add(shared.Job("part", f"cat input {number}", {"input": "content"}), f"took {number} s", "said")
+            findings.add(shared.Job("part", f"cat input {number}", {"input": "content"}), f"took {number} s", "output")
         check(sorted(os.listdir(folder)) == ["part-1"], "one of each kind is kept")
         check(sorted(os.listdir(os.path.join(folder, "part-1"))) == ["finding.txt", "input"], "with what repeats it")
 
@@ -87,9 +87,9 @@ def check_space(made):
         job = made.job(text, dim=dim, other=5 - dim)
         with tempfile.TemporaryDirectory() as folder:
             job.lay_out(folder)
-            said = shared.run(job, folder)[2]
-        good = sum(f"good {i}" in said for i in range(len(some)))
-        check(good == len(some), f"sound calls of a model of {dim} dimensions go well: {said}")
+            output = shared.run(job, folder)[2]
+        good = sum(f"good {i}" in output for i in range(len(some)))
+        check(good == len(some), f"sound calls of a model of {dim} dimensions go well: {output}")
 
 
 check_judgements()

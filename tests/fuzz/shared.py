@@ -14,7 +14,7 @@ SECONDS = 10        # of processor time for one command, all of which ask for li
 WALL = 60           # of wall clock, after which it is killed: machines may be busy
 SANITIZED = bool(os.environ.get("TRILITH_FUZZ_SANITIZED"))  # the program has sanitizers: it is slow and claims much
 MEMORY = 4 << 30    # bytes of address space
-SAID = 200000       # largest number of checked output bytes of a command
+MOST_OUTPUT = 200000       # largest number of checked output bytes of a command
 # Exit codes of the program: success, wrong input, wrong usage, unsound verdict, interrupted.
 DOCUMENTED = {0, 1, 2, 3, 130}
 # Freed memory is filled with this value, so that a later read fails at once.
@@ -41,7 +41,7 @@ INTERNAL = re.compile(r"std::|vector::|basic_string|bad_alloc|map::at|bad option
                       r"|runtime error|Sanitizer|terminate called|core dumped|HDF5-DIAG|Can't allocate"
                       r"|^(?!\t).*trilith/\w+\.lua:\d+: (?!cannot resume)"
                       r"|attempt to \w+ a \w+ value \(upvalue '(?:" + WITHIN + r")'"
-                      r"|bad argument #\d to '\?'|^(?!said\t).*\d{60}", re.M)
+                      r"|bad argument #\d to '\?'|^(?!printed\t).*\d{60}", re.M)
 
 
 class Job:
@@ -65,10 +65,10 @@ def set_limits():
 
 
 def run(job, folder):
-    """How the job ended in `folder`: code (None where it was killed), seconds of processor time, what it said."""
-    said_path = os.path.join(folder, "said.txt")
-    with open(said_path, "wb") as said:
-        process = subprocess.Popen(["/bin/sh", "-c", job.command], cwd=folder, stdout=said, stderr=subprocess.STDOUT,
+    """How the job ended in `folder`: code (None where it was killed), seconds of processor time, its output."""
+    output_path = os.path.join(folder, "output.txt")
+    with open(output_path, "wb") as output:
+        process = subprocess.Popen(["/bin/sh", "-c", job.command], cwd=folder, stdout=output, stderr=subprocess.STDOUT,
                                    stdin=subprocess.DEVNULL, preexec_fn=set_limits,
                                    start_new_session=True)
     killed, until = False, time.monotonic() + WALL
@@ -81,8 +81,8 @@ def run(job, folder):
             os.killpg(process.pid, signal.SIGKILL)
         time.sleep(0.002)
     process.returncode = os.waitstatus_to_exitcode(status)
-    with open(said_path, "rb") as said:
-        text = said.read(SAID).decode("utf8", "replace")
+    with open(output_path, "rb") as output:
+        text = output.read(MOST_OUTPUT).decode("utf8", "replace")
     return None if killed else process.returncode, used.ru_utime + used.ru_stime, text
 
 
@@ -97,7 +97,7 @@ def judge(code, seconds, text):
         return f"ended with code {code}"
     found = INTERNAL.search(text)
     if found:
-        return "says: " + next(line for line in text.splitlines() if INTERNAL.search(line))[:300]
+        return "prints: " + next(line for line in text.splitlines() if INTERNAL.search(line))[:300]
     if seconds > SECONDS * (5 if SANITIZED else 1):
         return f"took {seconds:.0f} s of processor time"
     return None
@@ -136,7 +136,7 @@ class Findings:
 
 
 def attempt(job, findings):
-    """Runs the job in a folder that goes away, keeps what it finds; what the job said."""
+    """Runs the job in a folder that goes away, keeps its findings; returns the output of the job."""
     with tempfile.TemporaryDirectory(prefix="fuzz") as folder:
         job.lay_out(folder)
         code, seconds, text = run(job, folder)

@@ -134,12 +134,12 @@ def fuzz(program, until, seed, out, findings):
         total += sum(int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line)
         if done.returncode != 0:
             made = [line.split()[-1] for line in done.stderr.splitlines() if "Test unit written to" in line]
-            told = next((line for line in done.stderr.splitlines() if "ERROR" in line or "runtime error" in line),
+            error_line = next((line for line in done.stderr.splitlines() if "ERROR" in line or "runtime error" in line),
                         "ended badly")
             content = b""
             if made:
                 with open(made[0], "rb") as file:
                     content = file.read()
             job = shared.Job("text", f"TRILITH_READER={reader} {program} input", {"input": content})
-            findings.add(job, f"{reader}: {told}", done.stderr[-4000:])
+            findings.add(job, f"{reader}: {error_line}", done.stderr[-4000:])
     return f"{total} texts and checkpoints"

@@ -54,17 +54,17 @@ class Verb:
     """A verb with its options (flag, what it takes or "") and positionals, as its help has them."""
 
     def __init__(self, program, name):
-        said = subprocess.run([program, name, "--help"], capture_output=True, text=True, check=True).stdout
+        output = subprocess.run([program, name, "--help"], capture_output=True, text=True, check=True).stdout
         self.name = name
         self.options = [(m[1], m[2].split(":")[0].split(",")[0].split("=")[0] if "NAME=" not in m[2] else m[2],
                          re.search(r"\{(.*)\}", m[2]))
-                        for m in re.finditer(r"^  (?:-\w,)?(--?[\w-]+)(?:,-\w)? ?(\S*)", said, re.M)]
-        self.positionals = re.findall(r"^  [a-z]+ (\S+)(?: REQUIRED)?(?: \.\.\.)? ", said.split("Options:")[0], re.M)
+                        for m in re.finditer(r"^  (?:-\w,)?(--?[\w-]+)(?:,-\w)? ?(\S*)", output, re.M)]
+        self.positionals = re.findall(r"^  [a-z]+ (\S+)(?: REQUIRED)?(?: \.\.\.)? ", output.split("Options:")[0], re.M)
 
 
 def verbs_of(program):
-    said = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
-    return [Verb(program, name) for name in re.findall(r"^  ([a-z]+) {2,}", said.split("Subcommands:")[1], re.M)]
+    output = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    return [Verb(program, name) for name in re.findall(r"^  ([a-z]+) {2,}", output.split("Subcommands:")[1], re.M)]
 
 
 def quoted(word):

@@ -80,7 +80,7 @@ def read_list(path=LIST):
 
 
 def problems(found, root=ROOT):
-    """What is wrong with the list, as lines of text."""
+    """Errors in the list, as lines of text."""
     out = list(found.errors)
     for count, fault in enumerate(found.faults, 1):
         where = f"fault {fault.number} ({fault.file})"
@@ -103,6 +103,6 @@ def problems(found, root=ROOT):
 
 if __name__ == "__main__":
     listed = read_list()
-    wrong = problems(listed)
-    print("\n".join(wrong) if wrong else f"{len(listed.faults)} faults in {len(listed.tests)} modules, each in one place of its file")
-    sys.exit(1 if wrong else 0)
+    errors = problems(listed)
+    print("\n".join(errors) if errors else f"{len(listed.faults)} faults in {len(listed.tests)} modules, each in one place of its file")
+    sys.exit(1 if errors else 0)

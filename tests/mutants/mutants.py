@@ -124,13 +124,13 @@ def commands_of(listed, folder, modules):
 def require_sound(commands, pool):
     """Without a fault all tests pass; sets the time limits."""
     every = [command for of in commands.values() for command in of]
-    wrong = []
+    errors = []
     for command, (failed, seconds) in zip(every, pool.map(lambda c: c.run(0), every)):
         command.limit = max(LEAST_LIMIT, SLACK * seconds)
         if failed:
-            wrong.append(f"fails without any fault: {failed} ({' '.join(command.command)})")
-    if wrong:
-        sys.exit("\n".join(wrong))
+            errors.append(f"fails without any fault: {failed} ({' '.join(command.command)})")
+    if errors:
+        sys.exit("\n".join(errors))
 
 
 def catch(fault, commands):
@@ -165,8 +165,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     asked = parser.parse_args()
     listed = faults.read_list()
-    if wrong := faults.problems(listed):
-        sys.exit("\n".join(wrong))
+    if errors := faults.problems(listed):
+        sys.exit("\n".join(errors))
     folder = asked.folder.resolve()
     if not asked.run_only:
         build(listed, folder)

@@ -37,7 +37,7 @@ def check(holds, text):
         sys.exit(f"wrong: {text}")
 
 
-def ask(*words, **more):
+def run_program(*words, **more):
     return subprocess.run([str(program), *words], cwd=folder, capture_output=True, text=True, check=False, **more)
 
 
@@ -46,7 +46,7 @@ def record(name, space):
     for key, value in {"NAME": name, "DIM": ", dim = 3" if space else "", **BLOCKS[space]}.items():
         text = text.replace(key, value)
     (folder / f"{name}.lua").write_text(text)
-    ran = ask("run", f"{name}.lua", "--quiet")
+    ran = run_program("run", f"{name}.lua", "--quiet")
     check(ran.returncode == 0, ran.stderr)
 
 
@@ -59,8 +59,8 @@ def probe(name):
 
 
 def refused(words, part, code=1, **more):
-    said = ask("movie", *words, **more)
-    check(said.returncode == code and part in said.stderr, f"{words}: {said.returncode} {said.stderr}")
+    result = run_program("movie", *words, **more)
+    check(result.returncode == code and part in result.stderr, f"{words}: {result.returncode} {result.stderr}")
 
 
 record("plane", False)
@@ -82,7 +82,7 @@ if not shutil.which("ffmpeg") or not shutil.which("ffprobe"):
     sys.exit(0)
 
 # 0.5 s at 10 pictures per second, slowed by 4: a picture each 0.025 s from 0 to 0.5 s, both included.
-made = ask("movie", "plane.h5", "-o", "films/plane.mp4", "--fps", "10", "--slow", "4", "--size", "640x360",
+made = run_program("movie", "plane.h5", "-o", "films/plane.mp4", "--fps", "10", "--slow", "4", "--size", "640x360",
            "--poster", "start,end")
 check(made.returncode == 0, made.stderr)
 check(made.stdout.splitlines() == ["films/plane_1.png", "films/plane_2.png", "films/plane.mp4"], made.stdout)
@@ -94,7 +94,7 @@ for i in (1, 2):
 check((folder / "films/plane_1.png").read_bytes() != (folder / "films/plane_2.png").read_bytes(), "nothing moved")
 
 for name, ending in (("plane", "gif"), ("space", "webm")):
-    made = ask("movie", f"{name}.h5", "-o", f"{name}.{ending}", "--fps", "10", "--size", "320x240",
+    made = run_program("movie", f"{name}.h5", "-o", f"{name}.{ending}", "--fps", "10", "--size", "320x240",
                *(["--view", "235,18"] if name == "space" else []))
     check(made.returncode == 0, made.stderr)
     check(probe(f"{name}.{ending}") == (320, 240, 6), probe(f"{name}.{ending}"))
@@ -105,7 +105,7 @@ pixels = [subprocess.run(["ffmpeg", "-v", "error", "-i", "films/plane.mp4", "-vf
           for n in (0, 20)]
 rows = [[i for i in range(360) if min(p[640 * i + 100:640 * i + 110]) < 200] for p in pixels]
 check(rows[0] and abs(rows[0][0] - rows[1][0]) <= 1, f"the ground moves in the film: {rows[0][:2]} {rows[1][:2]}")
-again = ask("movie", "plane.h5", "-o", "again.mp4", "--fps", "10", "--slow", "4", "--size", "640x360")
+again = run_program("movie", "plane.h5", "-o", "again.mp4", "--fps", "10", "--slow", "4", "--size", "640x360")
 check(again.returncode == 0 and (folder / "again.mp4").read_bytes() == (folder / "films/plane.mp4").read_bytes(),
       "the same film has other bytes")
 check(not list(folder.glob("**/.*")), "an unfinished film was left")

@@ -49,12 +49,12 @@ def run(*words):
 
 
 def clean(what, done, code=0):
-    said = done.stdout + done.stderr
-    expect(f"{what} ends with {code}", done.returncode == code, said.decode(errors="replace"))
-    found = re.search(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]", said)
-    expect(f"{what} prints no control character", not found, said[max(0, found.start() - 60):].decode(errors="replace")
+    output = done.stdout + done.stderr
+    expect(f"{what} ends with {code}", done.returncode == code, output.decode(errors="replace"))
+    found = re.search(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]", output)
+    expect(f"{what} prints no control character", not found, output[max(0, found.start() - 60):].decode(errors="replace")
            if found else "")
-    return said.decode(errors="replace")
+    return output.decode(errors="replace")
 
 
 class Page(html.parser.HTMLParser):
@@ -123,8 +123,8 @@ def refusals():
     for name, text in CONTROLS.items():
         with open(os.path.join(folder, "control.lua"), "w", encoding="utf-8") as file:
             file.write(MODEL % f'"a{text}b"')
-        said = clean(f"a name with {name}", run("run", "control.lua", "--quiet"), 1)
-        expect(f"a name with {name} is refused with its place", said.startswith("control.lua:4: ") and said.count("\n") == 1, said)
+        output = clean(f"a name with {name}", run("run", "control.lua", "--quiet"), 1)
+        expect(f"a name with {name} is refused with its place", output.startswith("control.lua:4: ") and output.count("\n") == 1, output)
 
 
 def files():

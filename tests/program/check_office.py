@@ -24,11 +24,11 @@ def check(holds, text):
         sys.exit(f"wrong: {text}")
 
 
-def ask(command, where):
+def run_program(command, where):
     return subprocess.run(["sh", "-c", command], cwd=where, env=environment, capture_output=True, text=True, check=False)
 
 
-made = ask("trilith new facade", folder)
+made = run_program("trilith new facade", folder)
 check(made.returncode == 0, made.stderr)
 here = folder / "facade"
 commands = re.search(r"```sh\n(.*?)```", (here / "README.md").read_text(), re.S).group(1).splitlines()
@@ -42,8 +42,8 @@ for command in commands:
     short = " duration=0.3s" if "record=" in command and "--over" not in command else ""
     if "--over" in command:
         short = " duration=0.3s"
-    said = ask(command + short, here)
-    check(said.returncode == 0, f"{command}: {said.stderr}{said.stdout}")
+    result = run_program(command + short, here)
+    check(result.returncode == 0, f"{command}: {result.stderr}{result.stdout}")
 
 with open(here / "out" / "facade_0_csv" / "histories.csv", newline="", encoding="utf8") as file:
     rows = list(csv.reader(file))

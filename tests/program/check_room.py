@@ -171,10 +171,10 @@ def way_out(name, text, message):
     before = contents()
     seconds = "0.3" if "has run for" in message else "100"
     done = run(text, "--script-seconds=" + seconds, "--script-memory=100MB")
-    said = done.stdout + done.stderr
-    known = any(part in said for part in message.split("|"))
-    if done.returncode == 0 or not known or "secret\n" in said or "ran" == said[:3]:
-        failed.append(f"{name}: code {done.returncode}, not '{message}':\n{said}")
+    output = done.stdout + done.stderr
+    known = any(part in output for part in message.split("|"))
+    if done.returncode == 0 or not known or "secret\n" in output or "ran" == output[:3]:
+        failed.append(f"{name}: code {done.returncode}, not '{message}':\n{output}")
     after = contents()
     if after[outside] != before[outside] or open(outside + "/twin", encoding="utf-8").read() != "a twin\n":
         failed.append(f"{name}: it has left {after[outside]}")

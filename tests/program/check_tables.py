@@ -40,7 +40,7 @@ def check(holds, text):
         sys.exit(f"wrong: {text}")
 
 
-def ask(*words):
+def run_program(*words):
     return subprocess.run([str(program), *words], cwd=folder, capture_output=True, text=True, check=False)
 
 
@@ -60,15 +60,15 @@ script("plane")
 script("space", DIM=", dim = 3", BASE="size = { 2, 1, 0.2 }, at = { -1, -0.5, -0.2 }", UP="uz",
        BLOCK="size = { 0.5, 0.5, 0.3 }, at = { -0.25, -0.25, p.height }")
 for name in ("plane", "space"):
-    check(ask("run", f"{name}.lua", "--quiet").returncode == 0, f"{name} does not run")
+    check(run_program("run", f"{name}.lua", "--quiet").returncode == 0, f"{name} does not run")
 
 # Before it touches, the block has fallen by g t^2/2.
 fallen = -9.80665 * 0.1**2 / 2  # an explicit fall is ahead of it by g t dt/2
 for name, axes in (("plane", "xy"), ("space", "xyz")):
-    said = ask("export", f"{name}.h5", "--to", "csv", "--at", "0,0.1,end")
-    check(said.returncode == 0, said.stderr)
+    result = run_program("export", f"{name}.h5", "--to", "csv", "--at", "0,0.1,end")
+    check(result.returncode == 0, result.stderr)
     tables = ["histories", "energy", "events", "stages", "bodies", "bearings", "modes", "notes", "parameters"]
-    check(said.stdout.splitlines() == [f"{name}_csv/{t}.csv" for t in tables], said.stdout)
+    check(result.stdout.splitlines() == [f"{name}_csv/{t}.csv" for t in tables], result.stdout)
     file = h5py.File(folder / f"{name}.h5")
     histories = rows_of(f"{name}_csv/histories.csv")
     check(histories[0] == ["time [s]", 'uy, of "block" [m]'], histories[0])
@@ -104,12 +104,12 @@ for name, axes in (("plane", "xy"), ("space", "xyz")):
     check("<table" in run._repr_html_() and "falling" in run._repr_html_(), "no page in a notebook")
     run.close()
 
-one = ask("export", "plane.h5", "--to", "csv", "--table", "stages")
+one = run_program("export", "plane.h5", "--to", "csv", "--table", "stages")
 check(one.stdout.splitlines()[0] == "name,kind,begin [s],end [s],why" and one.returncode == 0, one.stdout)
-check(ask("export", "plane.h5", "--to", "csv", "--table", "events", "-o", "e.csv").stdout == "e.csv\n", "one file")
+check(run_program("export", "plane.h5", "--to", "csv", "--table", "events", "-o", "e.csv").stdout == "e.csv\n", "one file")
 for words, part in ((["--at", "9"], "outside the frames"), (["--frames", "0:1"], "csv takes moments")):
-    said = ask("export", "plane.h5", "--to", "csv", *words)
-    check(said.returncode == 1 and part in said.stderr, said.stderr)
+    result = run_program("export", "plane.h5", "--to", "csv", *words)
+    check(result.returncode == 1 and part in result.stderr, result.stderr)
 
 # From Python: parameters in, run, results out.
 import os  # noqa: E402  pylint: disable=wrong-import-position,wrong-import-order

@@ -24,7 +24,7 @@ KINDS = {
 }
 
 
-def ask(*words, cwd=folder):
+def run_program(*words, cwd=folder):
     return subprocess.run([str(program), *words], cwd=cwd, capture_output=True, text=True, check=False)
 
 
@@ -33,21 +33,21 @@ def check(holds, text):
         sys.exit(f"wrong: {text}")
 
 
-listed = ask("new")
+listed = run_program("new")
 check(listed.returncode == 0, listed.stderr)
 for kind in KINDS:
     check(re.search(rf"^  {kind} +\S", listed.stdout, re.M), f"the list has no {kind}: {listed.stdout}")
 check(len(listed.stdout.splitlines()) == len(KINDS) + 1, f"the list has other entries: {listed.stdout}")
 
 for kind, (words, line) in KINDS.items():
-    made = ask("new", kind, f"my {kind}")
+    made = run_program("new", kind, f"my {kind}")
     check(made.returncode == 0, made.stderr)
     here = folder / f"my {kind}"
     drawings = ["facade.dxf"] if kind == "facade" else []
     check(sorted(p.name for p in here.iterdir()) == ["README.md", *drawings, "model.lua"], f"{kind}: other files")
-    again = ask("new", kind, f"my {kind}")
+    again = run_program("new", kind, f"my {kind}")
     check(again.returncode == 1 and "exists already" in again.stderr, f"{kind}: overwritten: {again.stderr}")
-    ran = ask("run", "model.lua", "--quiet", *words, cwd=here)
+    ran = run_program("run", "model.lua", "--quiet", *words, cwd=here)
     check(ran.returncode == 0, f"{kind}: {ran.stderr}{ran.stdout}")
     check(re.search(line, ran.stdout), f"{kind}: '{line}' is not in: {ran.stdout}")
     check("note:" not in ran.stderr, f"{kind}: a starting model runs without notes: {ran.stderr}")
@@ -59,6 +59,6 @@ for kind, (words, line) in KINDS.items():
     for quoted in re.findall(r"^\| `([^`.]+)", readme, re.M):
         check(quoted.strip(" .") in ran.stdout or quoted.startswith("error of"), f"{kind}: no '{quoted}' in {ran.stdout}")
 
-unknown = ask("new", "brige")
+unknown = run_program("new", "brige")
 check(unknown.returncode == 1 and "did you mean 'bridge'?" in unknown.stderr, unknown.stderr)
 print(f"{len(KINDS)} starting models run")

@@ -38,12 +38,12 @@ class Page:
         self.driver.get("file://" + path)
         self.until("document.documentElement.dataset.ready === 'true'")
 
-    def ask(self, code):
+    def evaluate(self, code):
         return self.driver.execute_script("return " + code)
 
     def until(self, condition, seconds=15):
         end = time.time() + seconds
-        while not self.ask(condition):
+        while not self.evaluate(condition):
             assert time.time() < end, f"not in {seconds} s: {condition}"
             time.sleep(0.03)
 
@@ -54,7 +54,7 @@ class Page:
         self.driver.find_element("css selector", selector).click()
 
     def click_canvas(self, x, y):
-        box = self.ask("(({left, top}) => [left, top])(document.getElementById('canvas').getBoundingClientRect())")
+        box = self.evaluate("(({left, top}) => [left, top])(document.getElementById('canvas').getBoundingClientRect())")
         chain = ActionChains(self.driver)
         chain.w3c_actions.pointer_action.move_to_location(round(box[0] + x), round(box[1] + y)).click()
         chain.perform()
@@ -68,10 +68,10 @@ class Page:
 
     def close(self):
         # Messages of a graphics driver about its speed do not come from the page.
-        said = [line for line in self.driver.get_log("browser")
+        messages = [line for line in self.driver.get_log("browser")
                 if line["level"] in ("SEVERE", "WARNING") and line["source"] != "rendering"]
         self.driver.quit()
-        assert not said, said
+        assert not messages, messages
 
 
 def plays_to_the_end(page):
@@ -80,9 +80,9 @@ def plays_to_the_end(page):
     # A short run may end before the first check.
     page.until("trilith.player.playing || trilith.player.time > trilith.run.begin")
     page.until("!trilith.player.playing", 20)
-    end = page.ask("trilith.run.end")
+    end = page.evaluate("trilith.run.end")
     assert page.text("#clock") == f"{end:.2f} s", page.text("#clock")
-    print(f"{page.name}: {page.ask('trilith.player.rate'):.0f} frames a second while playing")
+    print(f"{page.name}: {page.evaluate('trilith.player.rate'):.0f} frames a second while playing")
     page.keys(Keys.ARROW_DOWN * 4)
     page.picture("end")
 
@@ -92,55 +92,55 @@ def shows_a_failed_bearing(page):
     page.keys(Keys.HOME)
     page.driver.find_element("id", "event-search").send_keys("failed")
     page.click("[data-type='bearing.failed']")
-    event = page.ask("trilith.run.events.find(e => e.type === 'bearing.failed')")
-    assert abs(page.ask("trilith.player.time") - event["time"]) < 1e-6
+    event = page.evaluate("trilith.run.events.find(e => e.type === 'bearing.failed')")
+    assert abs(page.evaluate("trilith.player.time") - event["time"]) < 1e-6
     assert event["text"] in page.text("#told")
     page.keys(Keys.ESCAPE)
-    place = page.ask(f"(trilith.draw(), trilith.scene.bearingMark(trilith.run.bearings[{event['bearing']}])).a")
+    place = page.evaluate(f"(trilith.draw(), trilith.scene.bearingMark(trilith.run.bearings[{event['bearing']}])).a")
     page.click_canvas(*place)
-    name = page.ask(f"trilith.run.bearings[{event['bearing']}].name")
+    name = page.evaluate(f"trilith.run.bearings[{event['bearing']}].name")
     assert page.text("#selection-name") == name, page.text("#selection-name")
     assert len(page.driver.find_elements("css selector", "#selection canvas.plot")) == 2
     assert event["text"] in page.text("#selection")
     page.picture("failed_bearing")
     page.click("#selection canvas.plot")
-    assert abs(page.ask("trilith.player.time - trilith.run.end / 2")) < 0.1 * page.ask("trilith.run.end")
+    assert abs(page.evaluate("trilith.player.time - trilith.run.end / 2")) < 0.1 * page.evaluate("trilith.run.end")
 
 
 def shows_a_body(page):
     """A click on the largest free body: its histories; colours, forces, dark, zoom and help by key."""
     page.keys("f", Keys.END)
     page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
-    index = page.ask("trilith.run.bodies.filter(b => b.free && b.vertices === 4).reduce((a, b) => a.area > b.area ? a : b).index")
-    place = page.ask(f"trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[{index}]))")
+    index = page.evaluate("trilith.run.bodies.filter(b => b.free && b.vertices === 4).reduce((a, b) => a.area > b.area ? a : b).index")
+    place = page.evaluate(f"trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[{index}]))")
     page.click_canvas(*place)
-    assert page.text("#selection-name") == page.ask(f"trilith.run.bodies[{index}].name")
+    assert page.text("#selection-name") == page.evaluate(f"trilith.run.bodies[{index}].name")
     assert "displacement" in page.text("#selection .now")
-    for way in page.ask("trilith.ways.map(w => w.id)"):
-        page.ask(f"trilith.colourBy('{way}')")
-        page.ask("trilith.draw()")
+    for way in page.evaluate("trilith.ways.map(w => w.id)"):
+        page.evaluate(f"trilith.colourBy('{way}')")
+        page.evaluate("trilith.draw()")
     page.click("#show-forces")
     page.keys("t")
-    assert page.ask("document.documentElement.dataset.theme") == "dark"
+    assert page.evaluate("document.documentElement.dataset.theme") == "dark"
     page.picture("dark_forces")
     page.keys("?")
-    assert page.ask("document.getElementById('help').open")
+    assert page.evaluate("document.getElementById('help').open")
     page.picture("help")
     page.keys(Keys.ESCAPE)
-    scale = page.ask("trilith.camera.scale")
+    scale = page.evaluate("trilith.camera.scale")
     page.keys("+")
-    assert page.ask("trilith.camera.scale") > scale
+    assert page.evaluate("trilith.camera.scale") > scale
     page.keys("f")
-    assert abs(page.ask("trilith.camera.scale") - scale) < 1e-9
+    assert abs(page.evaluate("trilith.camera.scale") - scale) < 1e-9
 
 
 def shows_cracks(page):
     """Cracks are drawn at joints that broke, and only there; the share of bonds lost colours bodies."""
-    assert page.ask("trilith.run.joints.length") > 0
-    assert page.ask("trilith.run.events.every(e => !e.type.startsWith('bond.') || trilith.run.joints.some(j => j.event === e))")
+    assert page.evaluate("trilith.run.joints.length") > 0
+    assert page.evaluate("trilith.run.events.every(e => !e.type.startsWith('bond.') || trilith.run.joints.some(j => j.event === e))")
     page.keys(Keys.END)
-    page.ask("trilith.colourBy('damage')")
-    assert page.ask("trilith.way.values(trilith.run.frames - 1, trilith.run.end).some(v => v > 0)")
+    page.evaluate("trilith.colourBy('damage')")
+    assert page.evaluate("trilith.way.values(trilith.run.frames - 1, trilith.run.end).some(v => v > 0)")
     page.click("#tab-histories")
     assert page.driver.find_elements("css selector", "#histories canvas.plot")
     page.picture("cracks")
@@ -149,24 +149,24 @@ def shows_cracks(page):
 def shows_loops(page):
     """A history over another with the moment in it; a bearing's loop; a plot made large and put back."""
     page.click("#tab-histories")
-    page.ask("(s => (s.value = 'displacement', s.dispatchEvent(new Event('change'))))(document.getElementById('against'))")
-    assert page.ask("trilith.histories.plots.length") == 1 and "over displacement" in page.text("#histories figcaption")
+    page.evaluate("(s => (s.value = 'displacement', s.dispatchEvent(new Event('change'))))(document.getElementById('against'))")
+    assert page.evaluate("trilith.histories.plots.length") == 1 and "over displacement" in page.text("#histories figcaption")
     page.keys(Keys.END)
     page.until("!trilith.waiting")
     page.picture("loop")
-    far = page.ask("trilith.histories.plots[0].nearestTime(...(p => { const b = p.canvas.getBoundingClientRect(), s = p.scales(b.width, b.height), "
+    far = page.evaluate("trilith.histories.plots[0].nearestTime(...(p => { const b = p.canvas.getBoundingClientRect(), s = p.scales(b.width, b.height), "
                    "k = p.lines[0].values.length >> 1; return [s.x(p.over.values[k]), s.y(p.lines[0].values[k]), b]; })(trilith.histories.plots[0]))")
-    assert abs(far - page.ask("trilith.histories.plots[0].lines[0].times[trilith.histories.plots[0].lines[0].values.length >> 1]")) < 0.05, far
-    height = page.ask("trilith.histories.plots[0].canvas.getBoundingClientRect().height")
+    assert abs(far - page.evaluate("trilith.histories.plots[0].lines[0].times[trilith.histories.plots[0].lines[0].values.length >> 1]")) < 0.05, far
+    height = page.evaluate("trilith.histories.plots[0].canvas.getBoundingClientRect().height")
     page.click("#histories .enlarge")
-    assert page.ask("document.getElementById('large').open")
+    assert page.evaluate("document.getElementById('large').open")
     page.until("trilith.histories.plots[0].canvas.getBoundingClientRect().height > 4 * %f" % height)
     page.keys(Keys.ARROW_LEFT)
-    assert page.ask("trilith.player.time < trilith.run.end")
+    assert page.evaluate("trilith.player.time < trilith.run.end")
     page.picture("large")
     page.keys(Keys.ESCAPE)
     page.until("trilith.histories.plots[0].element.closest('#histories')")
-    page.ask("trilith.select({ bearing: trilith.run.bearings[0] })")
+    page.evaluate("trilith.select({ bearing: trilith.run.bearings[0] })")
     assert "loop, along" in page.text("#selection"), page.text("#selection")
     page.picture("bearing_loop")
 
@@ -174,10 +174,10 @@ def shows_loops(page):
 def counts_from_a_stage(page):
     """The menu of what times count from: clock, list of events and plots follow, and durations stay."""
     page.keys(Keys.END)
-    end, begin = page.ask("trilith.run.end"), page.ask("trilith.run.stages.at(-1).begin")
+    end, begin = page.evaluate("trilith.run.end"), page.evaluate("trilith.run.stages.at(-1).begin")
     stage = page.text("#stage")
     assert page.text("#clock") == f"{end:.2f} s"
-    page.ask("(s => (s.value = [...s.options].findLast(o => o.text.endsWith('began')).value, s.dispatchEvent(new Event('change'))))"
+    page.evaluate("(s => (s.value = [...s.options].findLast(o => o.text.endsWith('began')).value, s.dispatchEvent(new Event('change'))))"
              "(document.getElementById('since'))")
     page.until("!trilith.waiting")
     assert page.text("#clock") == f"{end - begin:.2f} s", page.text("#clock")
@@ -189,78 +189,78 @@ def counts_from_the_start_it_was_given(page):
     """A page made with --since begins with that."""
     page.keys(Keys.END)
     page.until("!trilith.waiting")
-    passed = page.ask("trilith.run.end - trilith.run.stages.at(-1).begin")
+    passed = page.evaluate("trilith.run.end - trilith.run.stages.at(-1).begin")
     assert page.text("#clock") == f"{passed:.2f} s", page.text("#clock")
 
 
 def shows_stress(page):
     """Finite elements have their colours, a body the history of its mean stress."""
-    ways = page.ask("trilith.ways.map(w => w.id)")
+    ways = page.evaluate("trilith.ways.map(w => w.id)")
     assert {"stress", "tension", "shear"} <= set(ways), ways
-    page.ask("trilith.colourBy('stress')")
-    cells = page.ask("trilith.way.cells(trilith.run.frames - 1)")
-    assert len(cells) == page.ask("trilith.run.elements.length") and max(cells) > 0
+    page.evaluate("trilith.colourBy('stress')")
+    cells = page.evaluate("trilith.way.cells(trilith.run.frames - 1)")
+    assert len(cells) == page.evaluate("trilith.run.elements.length") and max(cells) > 0
     page.keys(Keys.END)
     page.picture("stress")
-    page.ask("trilith.select({ body: trilith.run.bodies.find(b => b.free && b.nodes > 1) })")
+    page.evaluate("trilith.select({ body: trilith.run.bodies.find(b => b.free && b.nodes > 1) })")
     assert "mean stress" in page.text("#selection")
 
 
 def plays_a_mode(page):
     """The menu of modes: the first swings about where it stood, space stops it, the next key brings the next; back to the run."""
-    assert page.ask("trilith.run.modes.length") == 3
+    assert page.evaluate("trilith.run.modes.length") == 3
     page.keys("m")
     page.until("trilith.run.mode && trilith.run.mode.share < -0.5")
     assert page.text("#clock") == "mode 1" and "Hz" in page.text("#stage"), page.text("#stage")
     page.keys(" ")
     # The largest displacement of a node is at most 6 % of the structure's size.
     at = "(share => (trilith.run.mode.share = share, trilith.run.poseMode(), [...trilith.run.nodeX].concat([...trilith.run.nodeY])))"
-    ways = [abs(a - b) for a, b in zip(page.ask(at + "(1)"), page.ask(at + "(-1)"))]
+    ways = [abs(a - b) for a, b in zip(page.evaluate(at + "(1)"), page.evaluate(at + "(-1)"))]
     assert 0.5 * 0.06 * 4.7 < max(ways) / 2 < 1.1 * 0.06 * 4.8, max(ways)
     page.picture("mode")
     page.keys("m")
-    assert page.ask("trilith.run.mode.index") == 1
+    assert page.evaluate("trilith.run.mode.index") == 1
     page.keys(Keys.HOME)
-    assert page.ask("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
+    assert page.evaluate("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
 
 
 def plays_a_mode_in_space(page):
     """As in the plane; nodes move and turn as the mode has them, and what stood still is drawn as it stood."""
-    assert page.ask("trilith.run.dim === 3 && trilith.run.modes.length === 3 && !document.getElementById('modes').hidden")
+    assert page.evaluate("trilith.run.dim === 3 && trilith.run.modes.length === 3 && !document.getElementById('modes').hidden")
     for index in range(3):
         page.keys("m")
         page.until("trilith.run.mode && trilith.run.mode.share < -0.5")
         assert page.text("#clock") == f"mode {index + 1}" and "Hz" in page.text("#stage"), page.text("#stage")
         page.keys(" ")
         posed = "(share => (trilith.run.mode.share = share, trilith.run.poseMode(), [[...trilith.run.pointX], [...trilith.run.pointY], [...trilith.run.pointZ]]))"
-        one, other = page.ask(posed + "(1)"), page.ask(posed + "(-1)")
+        one, other = page.evaluate(posed + "(1)"), page.evaluate(posed + "(-1)")
         ways = [sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5 / 2 for p, q in zip(zip(*one), zip(*other))]
         # The box of the points of free bodies has a diagonal of 5 m: the largest displacement is 6 % of it.
         assert 0.9 * 0.06 * 5 < max(ways) < 1.1 * 0.06 * 5.4, max(ways)
-        ground = page.ask("trilith.run.bodies.findIndex(b => b.name === 'ground')")
-        first, count = page.ask(f"[trilith.run.bodies[{ground}].vertex, trilith.run.bodies[{ground}].vertices]")
+        ground = page.evaluate("trilith.run.bodies.findIndex(b => b.name === 'ground')")
+        first, count = page.evaluate(f"[trilith.run.bodies[{ground}].vertex, trilith.run.bodies[{ground}].vertices]")
         assert max(ways[first:first + count]) == 0
         # Points move with their nodes rigidly: the rotation quaternion of a node has length 1, and half of its rotation
         # angle.
-        assert page.ask("Math.max(...Array.from({ length: trilith.run.nodes }, (_, n) => "
+        assert page.evaluate("Math.max(...Array.from({ length: trilith.run.nodes }, (_, n) => "
                         "Math.abs(Math.hypot(...trilith.run.quaternion.slice(4 * n, 4 * n + 4)) - 1)))") < 1e-12
-        page.ask("trilith.draw()")
+        page.evaluate("trilith.draw()")
         page.picture(f"mode_{index + 1}")
     page.keys(Keys.HOME)
-    assert page.ask("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
+    assert page.evaluate("trilith.run.mode === null") and page.text("#clock") == "0.00 s"
 
 
 def shows_solids(page):
     """A model in space: bodies are where they should be, drawn, turned by a drag, chosen by a click."""
-    assert page.ask("trilith.run.dim") == 3
-    page.ask("trilith.run.pose(0.55)")
-    found = page.ask("[0, 1, 2].map(k => trilith.run.place[3 + k])")
+    assert page.evaluate("trilith.run.dim") == 3
+    page.evaluate("trilith.run.pose(0.55)")
+    found = page.evaluate("[0, 1, 2].map(k => trilith.run.place[3 + k])")
     assert all(abs(a - b) < 2e-4 for a, b in zip(found, (-0.345, 0.11, 0.665))), found
-    assert abs(page.ask("trilith.run.rotation(trilith.run.bodies[1], 10)") - (1 + 4 + 2.25) ** 0.5) < 2e-3
+    assert abs(page.evaluate("trilith.run.rotation(trilith.run.bodies[1], 10)") - (1 + 4 + 2.25) ** 0.5) < 2e-3
     page.keys(Keys.END)
     page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
-    place = page.ask("trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[1]))")
-    colour = page.ask("""(() => {
+    place = page.evaluate("trilith.camera.place(...trilith.scene.middle(trilith.run.bodies[1]))")
+    colour = page.evaluate("""(() => {
       const { gl, canvas, camera } = trilith.scene, pixel = new Uint8Array(4), ratio = canvas.width / camera.width;
       trilith.draw();
       gl.readPixels(%f * ratio, canvas.height - %f * ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
@@ -269,21 +269,21 @@ def shows_solids(page):
     assert colour[0] < 240, colour  # no paper, but a stone in some light
     page.click_canvas(*place)
     assert page.text("#selection-name") == "stone 1", page.text("#selection-name")
-    assert page.ask("Object.keys(trilith.selection.trail).join()") == "x,y,z"
-    for way in page.ask("trilith.ways.map(w => w.id)"):
-        page.ask(f"trilith.colourBy('{way}')")
-        page.ask("trilith.draw()")
+    assert page.evaluate("Object.keys(trilith.selection.trail).join()") == "x,y,z"
+    for way in page.evaluate("trilith.ways.map(w => w.id)"):
+        page.evaluate(f"trilith.colourBy('{way}')")
+        page.evaluate("trilith.draw()")
     page.click("#show-forces")
     page.click("#show-start")
-    azimuth = page.ask("trilith.camera.azimuth")
+    azimuth = page.evaluate("trilith.camera.azimuth")
     chain = ActionChains(page.driver)
     chain.click_and_hold(page.driver.find_element("id", "canvas")).move_by_offset(100, 30).release().perform()
-    assert abs(page.ask("trilith.camera.azimuth") - (azimuth - 40)) < 1, page.ask("trilith.camera.azimuth")
+    assert abs(page.evaluate("trilith.camera.azimuth") - (azimuth - 40)) < 1, page.evaluate("trilith.camera.azimuth")
     page.picture("turned")
     page.keys("v")
-    assert page.ask("trilith.camera.azimuth === -60 && trilith.camera.elevation === 20")
+    assert page.evaluate("trilith.camera.azimuth === -60 && trilith.camera.elevation === 20")
     page.keys("v")
-    assert page.ask("trilith.camera.azimuth === -90 && trilith.camera.elevation === 0")
+    assert page.evaluate("trilith.camera.azimuth === -90 && trilith.camera.elevation === 0")
     page.picture("front")
 
 
@@ -291,21 +291,21 @@ def cuts_solids(page):
     """A cut across x takes away what is before it, from whichever side one looks; sections are shown and can be clicked."""
     page.keys(Keys.HOME, "x")
     page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
-    page.ask("(s => (s.value = '0', s.dispatchEvent(new Event('input'))))(document.getElementById('cut-place'))")
+    page.evaluate("(s => (s.value = '0', s.dispatchEvent(new Event('input'))))(document.getElementById('cut-place'))")
     assert page.text("#cut-told") == "x = 0 m", page.text("#cut-told")
     # The slab alone has a section: four sides.
-    assert page.ask("trilith.scene.cut.outlines(trilith.run).length") == 4 * 2 * 3
+    assert page.evaluate("trilith.scene.cut.outlines(trilith.run).length") == 4 * 2 * 3
     at = "trilith.scene.bodyAt(...trilith.camera.place(%s))?.index ?? -1"
     stone = "...trilith.scene.middle(trilith.run.bodies[%d])"
     for azimuth, there, gone in ((-60, 1, 2), (120, 2, 1)):
-        page.ask(f"(trilith.camera.look({azimuth}, 20), trilith.draw())")
-        assert page.ask(at % (stone % there)) == there
-        assert page.ask(at % (stone % gone)) != gone
-        place = page.ask("trilith.camera.place(0, 0, -0.1)")
-        assert page.ask(at % "0, 0, -0.1") == 0
-        assert page.ask("trilith.scene.cut.takes([0.01, 0, 0])") == (azimuth == -60)
+        page.evaluate(f"(trilith.camera.look({azimuth}, 20), trilith.draw())")
+        assert page.evaluate(at % (stone % there)) == there
+        assert page.evaluate(at % (stone % gone)) != gone
+        place = page.evaluate("trilith.camera.place(0, 0, -0.1)")
+        assert page.evaluate(at % "0, 0, -0.1") == 0
+        assert page.evaluate("trilith.scene.cut.takes([0.01, 0, 0])") == (azimuth == -60)
         # A row of pixels of the section: fill and stripes, both darker than paper.
-        shades = page.ask("""(() => {
+        shades = page.evaluate("""(() => {
           const { gl, canvas, camera } = trilith.scene, row = new Uint8Array(4 * 16), ratio = canvas.width / camera.width;
           trilith.draw();
           gl.readPixels(%f * ratio, canvas.height - %f * ratio, 16, 1, gl.RGBA, gl.UNSIGNED_BYTE, row);
@@ -314,12 +314,12 @@ def cuts_solids(page):
         assert max(shades) < 220 and min(shades) < 0.8 * max(shades), shades
     page.picture("cut")
     page.keys("xxx")
-    assert not page.ask("trilith.scene.cut.isThere") and page.ask("document.getElementById('cut-place').hidden")
+    assert not page.evaluate("trilith.scene.cut.isThere") and page.evaluate("document.getElementById('cut-place').hidden")
 
 
 def shows_cracks_of_solids(page):
     """Joints that have lost their bond are drawn in the colour of their mode, where a solid does not hide them, once they have."""
-    colours = page.ask("[...new Set(trilith.run.joints.map(j => j.mode))].map(m => ({ tension: [208, 58, 0], shear: [138, 63, 252] })[m])")
+    colours = page.evaluate("[...new Set(trilith.run.joints.map(j => j.mode))].map(m => ({ tension: [208, 58, 0], shear: [138, 63, 252] })[m])")
     assert colours and all(colours), colours
     count = """(colours => {
       trilith.draw();
@@ -331,38 +331,38 @@ def shows_cracks_of_solids(page):
     })(%s)""" % colours
     page.keys(Keys.HOME)
     page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
-    assert page.ask(count) == 0
+    assert page.evaluate(count) == 0
     page.keys(Keys.END)
     page.until("trilith.player.time === trilith.run.end && !trilith.waiting")
-    shown = page.ask(count)
+    shown = page.evaluate(count)
     assert shown > 100, shown
     assert "crack" in page.text("#legend"), page.text("#legend")
     page.picture("cracks")
     page.click("#show-cracks")
-    assert page.ask(count) == 0
+    assert page.evaluate(count) == 0
 
 
 def shows_where_it_goes(page):
     for key in (Keys.HOME, Keys.END):
         page.keys(key)
         page.until("!trilith.waiting && !trilith.player.playing")
-        page.ask("trilith.draw()")
-        places = page.ask("trilith.run.bodies.map(b => trilith.camera.place(...trilith.scene.middle(b)))")
-        wide, tall = page.ask("[trilith.camera.width, trilith.camera.height]")
+        page.evaluate("trilith.draw()")
+        places = page.evaluate("trilith.run.bodies.map(b => trilith.camera.place(...trilith.scene.middle(b)))")
+        wide, tall = page.evaluate("[trilith.camera.width, trilith.camera.height]")
         inside = sum(0 < x < wide and 0 < y < tall for x, y in places)
         assert inside >= 0.9 * len(places), (key, inside)
 
 
-def tells_that_it_goes_on(page):
+def shows_a_run_in_progress(page):
     assert "still being written" in page.text("#state")
     page.picture("running")
 
 
-def tells_that_it_was_stopped(page):
+def shows_a_stopped_run(page):
     assert "stopped before its end" in page.text("#state")
 
 
-def tells_that_there_is_no_frame(page):
+def shows_that_there_is_no_frame(page):
     assert "no frame yet" in page.text("#state")
     page.keys(" ", Keys.END, Keys.ARROW_LEFT, "n", "c", "f")
 

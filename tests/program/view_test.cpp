@@ -216,11 +216,11 @@ TEST_CASE("a running or stopped run is viewed up to its last row, with a notice"
     simulation.run(o, recording.listener());
     const Said said = ask(here.path, "view early.h5");
     CHECK(said.says("the run is in progress"));
-    browse(here / "early.html", "tells_that_it_goes_on shows_a_body");
+    browse(here / "early.html", "shows_a_run_in_progress shows_a_body");
     recording.abandon("the power went");
   }
   CHECK(ask(here.path, "view early.h5").says("the run was stopped"));
-  browse(here / "early.html", "tells_that_it_was_stopped plays_to_the_end");
+  browse(here / "early.html", "shows_a_stopped_run plays_to_the_end");
 }
 
 TEST_CASE("trilith view rejects wrong output names and foreign files") {
@@ -233,7 +233,7 @@ TEST_CASE("trilith view rejects wrong output names and foreign files") {
   CHECK(ask(here.path, "view empty.h5 -o new/folder/page.html").out == "new/folder/page.html\n");
   CHECK(ask(here.path, "view").code == 2);
   CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
-  browse(here / "empty.html", "tells_that_there_is_no_frame");
+  browse(here / "empty.html", "shows_that_there_is_no_frame");
   { results::ResultsWriter(here / "faceless.h5", testing::sample_header(2, 3)).finish(); }
   testing::check_refused(ask(here.path, "view faceless.h5"), "contains no faces of solids");
 }

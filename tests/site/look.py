@@ -71,10 +71,10 @@ def errors_of(page, name, width):
     if wide > width:
         found.append(f"{name}: {wide} pixels wide in a window of {width}")
     unset = page.execute_script("return [...document.querySelectorAll('.formula')].filter(f => !f.querySelector('.katex')).length")
-    wrong = page.execute_script("return [...document.querySelectorAll('.katex-error')].map(e => e.title).join('; ')")
+    formula_errors = page.execute_script("return [...document.querySelectorAll('.katex-error')].map(e => e.title).join('; ')")
     broken = page.execute_script("return [...document.images].filter(i => i.complete && !i.naturalWidth).map(i => i.src).join(' ')")
     found += [f"{name}: {unset} formulas are not set"] if unset else []
-    found += [f"{name}: {wrong}"] if wrong else []
+    found += [f"{name}: {formula_errors}"] if formula_errors else []
     found += [f"{name}: no picture at {broken}"] if broken else []
     return found
 

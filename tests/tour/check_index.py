@@ -19,17 +19,17 @@ def dead_links(page):
     return [t for t in local if t and not os.path.exists(os.path.join(here, t))]
 
 
-def first_minutes_trouble(source):
+def first_minutes_errors(source):
     """At most five commands; the one that changes a number changes one line of its script."""
     with open(os.path.join(source, "README.md"), encoding="utf8") as f:
         found = re.search(r"^## The first five minutes\n.*?^```sh\n(.*?)^```$", f.read(), re.M | re.S)
     if not found:
         return ["README.md has no first five minutes"]
     commands = [line for line in found[1].splitlines() if line and not line.startswith("#")]
-    trouble = [] if len(commands) <= 5 else ["README.md: more than five commands in the first five minutes"]
+    errors = [] if len(commands) <= 5 else ["README.md: more than five commands in the first five minutes"]
     edits = [c for c in commands if c.startswith("sed ")]
     if len(edits) != 1:
-        return trouble + ["README.md: the first five minutes change not one number"]
+        return errors + ["README.md: the first five minutes change not one number"]
     script = re.search(r"scripts/\S+\.lua", edits[0])[0]
     with open(os.path.join(source, script), encoding="utf8") as f:
         before = f.read()
@@ -42,22 +42,22 @@ def first_minutes_trouble(source):
         with open(copy, encoding="utf8") as f:
             after = f.read()
     changed = sum(a != b for a, b in zip(before.splitlines(), after.splitlines()))
-    return trouble + ([] if changed == 1 else [f"README.md: '{edits[0]}' changes {changed} lines, not one"])
+    return errors + ([] if changed == 1 else [f"README.md: '{edits[0]}' changes {changed} lines, not one"])
 
 
 def main(source):
     tour, guides = (sorted(glob.glob(os.path.join(source, "docs", part, "*.md"))) for part in ("tour", "guide"))
     pages = [os.path.join(source, "README.md"), os.path.join(source, "docs/README.md")] + tour + guides
-    trouble = [f"{os.path.relpath(p, source)}: leads to {t}, which is not there" for p in pages for t in dead_links(p)]
+    errors = [f"{os.path.relpath(p, source)}: leads to {t}, which is not there" for p in pages for t in dead_links(p)]
     with open(pages[1], encoding="utf8") as f:
         index = f.read()
-    trouble += [f"docs/README.md does not name {os.path.basename(p)}" for p in tour + guides if os.path.basename(p) not in index]
-    told = "".join(open(p, encoding="utf8").read() for p in tour)
+    errors += [f"docs/README.md does not name {os.path.basename(p)}" for p in tour + guides if os.path.basename(p) not in index]
+    tour_text = "".join(open(p, encoding="utf8").read() for p in tour)
     scripts = sorted(os.path.basename(s) for s in glob.glob(os.path.join(source, "scripts/tour/*.lua")))
-    trouble += [f"no page of the tour runs scripts/tour/{s}" for s in scripts if f"scripts/tour/{s}" not in told]
-    trouble += first_minutes_trouble(source)
-    print("".join(line + "\n" for line in trouble), end="")
-    return 1 if trouble or not tour else 0
+    errors += [f"no page of the tour runs scripts/tour/{s}" for s in scripts if f"scripts/tour/{s}" not in tour_text]
+    errors += first_minutes_errors(source)
+    print("".join(line + "\n" for line in errors), end="")
+    return 1 if errors or not tour else 0
 
 
 if __name__ == "__main__":

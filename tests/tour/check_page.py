@@ -28,7 +28,7 @@ def path_numbers(svg):
     return [[float(x) for x in re.findall(r"-?\d+\.?\d*", d)] for d in re.findall(r'<path[^>]* d="([^"]*)"', drawn)]
 
 
-def picture_trouble(made, kept):
+def picture_error(made, kept):
     if not os.path.exists(made):
         return "was not made"
     if os.path.getsize(made) > MOST_BYTES:
@@ -50,7 +50,7 @@ def run(command, work, program):
 
 
 def main(program, source, work, page, keep=False):
-    trouble = []
+    errors = []
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(os.path.join(work, "docs/tour"))
     os.symlink(os.path.join(source, "scripts"), os.path.join(work, "scripts"))
@@ -59,38 +59,38 @@ def main(program, source, work, page, keep=False):
     commands = [line for block in blocks(text, "sh") for line in block.splitlines() if line and not line.startswith("#")]
     os.makedirs(os.path.join(work, "out"))
 
-    said = ""
+    printed = ""
     for command in commands:
         code, output = run(command, work, os.path.abspath(program))
-        said += output
+        printed += output
         if code:
-            trouble.append(f"'{command}' ended with code {code}")
-    lines = iter(said.splitlines())
+            errors.append(f"'{command}' ended with code {code}")
+    lines = iter(printed.splitlines())
     for expected in [line for block in blocks(text, "text") for line in block.splitlines()]:
         if expected not in lines:
-            trouble.append(f"not printed, or not in its place: {expected}")
+            errors.append(f"not printed, or not in its place: {expected}")
             break
 
     names = sorted(set(re.findall(r"scripts/tour/\S+\.lua", "\n".join(commands))))
     scripts = [open(os.path.join(source, name), encoding="utf8").read() for name in names]
     if blocks(text, "lua") != scripts:
-        trouble.append(f"the Lua on the page is not {' '.join(names) or 'any script of the tour'}")
-    trouble += [f"a script has more than {MOST_LINES} lines" for s in scripts if s.count("\n") > MOST_LINES]
+        errors.append(f"the Lua on the page is not {' '.join(names) or 'any script of the tour'}")
+    errors += [f"a script has more than {MOST_LINES} lines" for s in scripts if s.count("\n") > MOST_LINES]
 
     pictures = re.findall(r"-o (docs/tour/\S+\.svg)", "\n".join(commands))
     if not pictures or [os.path.basename(p) for p in pictures] != re.findall(r"!\[[^]]+\]\((\S+)\)", text):
-        trouble.append("the pictures that the commands make are not those that the page shows")
+        errors.append("the pictures that the commands make are not those that the page shows")
     for picture in pictures:
         made, kept = os.path.join(work, picture), os.path.join(source, picture)
         if keep:
             shutil.copyfile(made, kept)
-        what = picture_trouble(made, kept)
+        what = picture_error(made, kept)
         if what:
-            trouble.append(f"{picture} {what}")
+            errors.append(f"{picture} {what}")
     if not blocks(text, "text"):
-        trouble.append("the page says no number to expect")
-    print("".join(f"{page}: {line}\n" for line in trouble), end="")
-    return 1 if trouble else 0
+        errors.append("the page says no number to expect")
+    print("".join(f"{page}: {line}\n" for line in errors), end="")
+    return 1 if errors else 0
 
 
 if __name__ == "__main__":
