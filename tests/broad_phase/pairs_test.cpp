@@ -32,14 +32,14 @@ std::set<ContactKey> keys_of(const Work<2>& work) {
 int left_less(const Model<2>& model, const BroadPhaseState<2>& search, const Work<2>& work) {
   int count = 0;
   for (int p = 0; p < model.pieces(); ++p) {
-    const LanePair said = search.left[static_cast<std::size_t>(model.piece_body[p])].left - search.shifted;
+    const LanePair stored = search.left[static_cast<std::size_t>(model.piece_body[p])].left - search.shifted;
     Vec2 left = Vec2::Constant(unbounded);
     for (int c = model.piece_first[p]; c < model.piece_first[p + 1]; ++c) {
       const SkinMotion<2>& skin = work.skin[static_cast<std::size_t>(model.corner_skin[c])];
       const Vec2 gone = Vec2(skin.x, skin.y) - search.together - search.corner[static_cast<std::size_t>(c)];
       left = left.cwiseMin(gone - search.low[p]).cwiseMin(search.high[p] - gone);
     }
-    count += said[0] <= left.x() && said[1] <= left.y() ? 0 : 1;
+    count += stored[0] <= left.x() && stored[1] <= left.y() ? 0 : 1;
   }
   return count;
 }

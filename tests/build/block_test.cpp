@@ -32,21 +32,22 @@ TEST_CASE("a block is turned counter-clockwise about its anchor") {
 
 TEST_CASE("a block without size or place is rejected by name") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(says(refusal_of([] { build_block({.name = "a", .width = 0, .height = 1}); }), "block 'a': width is 0 m"));
-  CHECK(says(refusal_of([] { build_block({.name = "a", .width = 1, .height = -1}); }), "height is -1 m"));
-  CHECK(says(refusal_of([=] {
-               build_block({.name = "a", .width = 1, .height = 1, .at = {nan, 0}});
-             }),
-             "at must be finite"));
-  CHECK(says(refusal_of([=] { build_block({.name = "a", .width = 1, .height = 1, .angle = nan}); }), "angle is nan"));
+  CHECK(mentions(refusal_of([] { build_block({.name = "a", .width = 0, .height = 1}); }), "block 'a': width is 0 m"));
+  CHECK(mentions(refusal_of([] { build_block({.name = "a", .width = 1, .height = -1}); }), "height is -1 m"));
+  CHECK(mentions(refusal_of([=] {
+                   build_block({.name = "a", .width = 1, .height = 1, .at = {nan, 0}});
+                 }),
+                 "at must be finite"));
+  CHECK(
+      mentions(refusal_of([=] { build_block({.name = "a", .width = 1, .height = 1, .angle = nan}); }), "angle is nan"));
 }
 
 TEST_CASE("a polygon of the user's points comes back repaired, with notes, or is rejected by name") {
   const PolygonPart built = build_polygon("stone", {{0, 0}, {0, 1}, {1, 0}}, {"stones"});
   CHECK(built.part.outline == Polygon{{0, 0}, {1, 0}, {0, 1}});
   CHECK(built.notes.size() == 1);
-  CHECK(says(refusal_of([] {
-               build_polygon("stone", {{0, 0}, {1, 1}, {1, 0}, {0, 1}});
-             }),
-             "polygon 'stone': outline crosses"));
+  CHECK(mentions(refusal_of([] {
+                   build_polygon("stone", {{0, 0}, {1, 1}, {1, 0}, {0, 1}});
+                 }),
+                 "polygon 'stone': outline crosses"));
 }

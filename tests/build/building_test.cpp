@@ -128,15 +128,16 @@ TEST_CASE("a building may be turned, and its floors have any outline") {
 TEST_CASE("a storey without a carrying slab is rejected, one on a partial slab gets a note") {
   Building building = house();
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
-  CHECK(says(refusal_of([&] { build_building(building); }),
-             "wall 'south', storey 2: the slab below does not reach under it, so it hangs 0.2 m above the wall below; "
-             "extend slab_outline under all walls, or leave it out"));
+  CHECK(mentions(
+      refusal_of([&] { build_building(building); }),
+      "wall 'south', storey 2: the slab below does not reach under it, so it hangs 0.2 m above the wall below; "
+      "extend slab_outline under all walls, or leave it out"));
   building.slab_outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
   const std::vector<std::string> notes = build_building(building).notes;
   REQUIRE(notes.size() == building.walls.size());
   // 6.0 m of 6.2 m of its length, and half of its thickness
-  CHECK(
-      says(notes[0], "wall 'south', storey 2: the slab below reaches under 48.4 % of its foot; the rest hangs 0.2 m"));
+  CHECK(mentions(notes[0],
+                 "wall 'south', storey 2: the slab below reaches under 48.4 % of its foot; the rest hangs 0.2 m"));
   building.storeys[0].slab_height = 0;  // it stands on the walls below
   building.slab_outline = {{0.1, 0.1}, {5.9, 0.1}, {5.9, 3.9}, {0.1, 3.9}};
   CHECK(build_building(building).notes.empty());
@@ -196,7 +197,7 @@ TEST_CASE("openings cut units, short pieces join their neighbours with a note") 
   wall.openings = {{.from = 1.25, .sill = 0.4, .width = 1, .height = 1}};
   const SolidParts made = build_solid_wall(wall);
   REQUIRE(made.notes.size() == 1);
-  CHECK(says(made.notes[0], "pieces shorter than 0.08 m were merged with a neighbour"));
+  CHECK(mentions(made.notes[0], "pieces shorter than 0.08 m were merged with a neighbour"));
   CHECK(near(total_volume(made.parts), 0.2 * (4 * 2 - 1), 1e-12));
   check_sound(made.parts);
   wall.openings[0].sill = 0.45, wall.masonry.snap = true;
@@ -207,20 +208,20 @@ TEST_CASE("masonry next to an opening or a lintel that is shorter than the least
   SolidWall wall = wall_of(4, 10, "stretcher");
   const auto refused = [&] { return refusal_of([&] { build_solid_wall(wall); }); };
   wall.openings = {{.from = 0.05, .sill = 0.4, .width = 1, .height = 1, .lintel = false}};
-  CHECK(says(refused(),
-             "wall 'W', storey 1, course 3: the masonry from x = 0 to 0.05 m is 0.05 m long, less than the "
-             "least length of 0.08 m; move the opening, or give a smaller least_length"));
+  CHECK(mentions(refused(),
+                 "wall 'W', storey 1, course 3: the masonry from x = 0 to 0.05 m is 0.05 m long, less than the "
+                 "least length of 0.08 m; move the opening, or give a smaller least_length"));
   wall.openings = {{.from = 1, .width = 1, .height = 1}, {.from = 2.43, .width = 1, .height = 1}};
-  CHECK(says(refused(),
-             "course 6: the masonry from x = 2.2 to 2.23 m is 0.03 m long, less than the least length of 0.08 "
-             "m; move the opening, give its lintel another bearing, or give a smaller least_length"));
+  CHECK(mentions(refused(),
+                 "course 6: the masonry from x = 2.2 to 2.23 m is 0.03 m long, less than the least length of 0.08 "
+                 "m; move the opening, give its lintel another bearing, or give a smaller least_length"));
   wall.masonry.least_length = 0.03;
   CHECK_NOTHROW(build_solid_wall(wall));
   Building building = house();  // its corner is 0.2 m wide, its first joint 0.1 m beyond that
   building.walls[0].openings[2] = {.storey = 2, .from = 0.15, .sill = 0.8, .width = 1, .height = 1, .lintel = false};
-  CHECK(says(refusal_of([&] { build_building(building); }),
-             "wall 'south', storey 2, course 6: the masonry from x = 0.1 to "
-             "0.15 m is 0.05 m long"));
+  CHECK(mentions(refusal_of([&] { build_building(building); }),
+                 "wall 'south', storey 2, course 6: the masonry from x = 0.1 to "
+                 "0.15 m is 0.05 m long"));
 }
 
 TEST_CASE("impossible buildings are rejected") {
@@ -229,30 +230,30 @@ TEST_CASE("impossible buildings are rejected") {
     change(building);
     return refusal_of([&] { build_building(building); });
   };
-  CHECK(says(refused([](Building& b) { b.walls.clear(); }), "building 'house': number of walls is 0"));
-  CHECK(says(refused([](Building& b) { b.storeys.clear(); }), "number of storeys is 0"));
-  CHECK(says(refused([](Building& b) {
-               b.walls[0].end = {6, 1};
-             }),
-             "wall 'south': runs from (0, 0) to (6, 1); walls of a plan run along"));
-  CHECK(says(refused([](Building& b) { b.walls[0].end = b.walls[0].start; }), "its ends are the same point"));
-  CHECK(says(refused([](Building& b) { b.walls[1].name = "south"; }), "there are two walls 'south'"));
-  CHECK(says(refused([](Building& b) {
-               b.walls.push_back({.start = {1, 0.1}, .end = {2, 0.1}});
-             }),
-             "walls 'south' and 'w6' overlap along their length"));
-  CHECK(says(refused([](Building& b) { b.walls[2].bond = "flemmish"; }),
-             "there is no bond 'flemmish'; did you mean 'flemish'"));
-  CHECK(says(refused([](Building& b) { b.storeys[1].height = 2.5; }),
-             "storey 2: height is 2.5 m, which is 11.5 courses"));
-  CHECK(says(refused([](Building& b) { b.walls[0].openings[0].sill = 0.05; }),
-             "opening 1: its sill is at 0.05 m, which is not a course line; the nearest is at 0 m"));
-  CHECK(says(refused([](Building& b) { b.walls[0].openings[0].from = 2.2; }),
-             "opening 1 reaches from 2.2 to 3.2 m in x, into the wall across"));
-  CHECK(says(refused([](Building& b) { b.walls[0].openings[1].from = 5.4; }), "outside of the wall"));
-  CHECK(says(refused([](Building& b) { b.walls[0].openings.push_back(b.walls[0].openings[0]); }),
-             "opening 4 lies on another opening"));
-  CHECK(says(refused([](Building& b) { b.walls[0].openings[0].storey = 3; }), "opening 1: storey is 3"));
-  CHECK(says(refused([](Building& b) { b.masonry.least_length = 1; }), "least length is 1 m"));
-  CHECK(says(refusal_of([] { build_solid_wall(wall_of(0, 1, "stretcher")); }), "wall 'W': length is 0 m"));
+  CHECK(mentions(refused([](Building& b) { b.walls.clear(); }), "building 'house': number of walls is 0"));
+  CHECK(mentions(refused([](Building& b) { b.storeys.clear(); }), "number of storeys is 0"));
+  CHECK(mentions(refused([](Building& b) {
+                   b.walls[0].end = {6, 1};
+                 }),
+                 "wall 'south': runs from (0, 0) to (6, 1); walls of a plan run along"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].end = b.walls[0].start; }), "its ends are the same point"));
+  CHECK(mentions(refused([](Building& b) { b.walls[1].name = "south"; }), "there are two walls 'south'"));
+  CHECK(mentions(refused([](Building& b) {
+                   b.walls.push_back({.start = {1, 0.1}, .end = {2, 0.1}});
+                 }),
+                 "walls 'south' and 'w6' overlap along their length"));
+  CHECK(mentions(refused([](Building& b) { b.walls[2].bond = "flemmish"; }),
+                 "there is no bond 'flemmish'; did you mean 'flemish'"));
+  CHECK(mentions(refused([](Building& b) { b.storeys[1].height = 2.5; }),
+                 "storey 2: height is 2.5 m, which is 11.5 courses"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].openings[0].sill = 0.05; }),
+                 "opening 1: its sill is at 0.05 m, which is not a course line; the nearest is at 0 m"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].openings[0].from = 2.2; }),
+                 "opening 1 reaches from 2.2 to 3.2 m in x, into the wall across"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].openings[1].from = 5.4; }), "outside of the wall"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].openings.push_back(b.walls[0].openings[0]); }),
+                 "opening 4 lies on another opening"));
+  CHECK(mentions(refused([](Building& b) { b.walls[0].openings[0].storey = 3; }), "opening 1: storey is 3"));
+  CHECK(mentions(refused([](Building& b) { b.masonry.least_length = 1; }), "least length is 1 m"));
+  CHECK(mentions(refusal_of([] { build_solid_wall(wall_of(0, 1, "stretcher")); }), "wall 'W': length is 0 m"));
 }

@@ -87,7 +87,7 @@ TEST_CASE("overlaps are reported with their volume, touching faces, edges and co
   CHECK(found[0].part == 4);
   CHECK(found[0].other == 0);
   CHECK(found[1].other == 1);
-  CHECK(says(found[0].text, "solid 'e' shares 0.0375 m3, 0.0375 of the smaller, with solid 'a'"));
+  CHECK(mentions(found[0].text, "solid 'e' shares 0.0375 m3, 0.0375 of the smaller, with solid 'a'"));
 }
 
 TEST_CASE("a part without contact is reported, one at the edge of the search distance is not") {
@@ -109,7 +109,7 @@ TEST_CASE("pieces of one part are looked at too") {
   parts[0].pieces.push_back(box_solid({0.5, 0, 0}, {1.5, 1, 1}));
   const SolidFinding found = only(check_solids(parts));
   CHECK(found.fault == SolidFault::overlapping);
-  CHECK(says(found.text, "solid 'a', piece 2 shares 0.5 m3"));
+  CHECK(mentions(found.text, "solid 'a', piece 2 shares 0.5 m3"));
 }
 
 TEST_CASE("100,000 faces are checked within seconds") {

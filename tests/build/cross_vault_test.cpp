@@ -94,9 +94,9 @@ TEST_CASE("cross vaults may be pointed or segmental, turned, and without bond") 
 }
 
 TEST_CASE("impossible cross vaults are rejected") {
-  CHECK(says(refusal_of([] { build_cross_vault({.name = "V"}); }), "cross vault 'V': stone length is 0 m"));
-  CHECK(says(refusal_of([] { build_cross_vault({.half_bay = 1, .stone_length = 1}); }),
-             "half bay is 1 m, must be at least 1.075 m"));
-  CHECK(says(refusal_of([] { build_cross_vault({.arch = {.voussoirs = 0}, .stone_length = 1}); }),
-             "arch: voussoirs is 0"));
+  CHECK(mentions(refusal_of([] { build_cross_vault({.name = "V"}); }), "cross vault 'V': stone length is 0 m"));
+  CHECK(mentions(refusal_of([] { build_cross_vault({.half_bay = 1, .stone_length = 1}); }),
+                 "half bay is 1 m, must be at least 1.075 m"));
+  CHECK(mentions(refusal_of([] { build_cross_vault({.arch = {.voussoirs = 0}, .stone_length = 1}); }),
+                 "arch: voussoirs is 0"));
 }

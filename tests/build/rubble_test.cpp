@@ -149,12 +149,12 @@ TEST_CASE("impossible rubble in the plane is rejected") {
     change(rubble);
     return refusal_of([&] { build_rubble(rubble); });
   };
-  CHECK(says(with([](Rubble& r) { r.outline = {{0, 0}, {1, 1}}; }), "rubble 'r': outline has 2 different points"));
-  CHECK(says(with([](Rubble& r) { r.stones = 0; }), "stones is 0"));
-  CHECK(says(with([](Rubble& r) { r.aspect = 20; }), "aspect is 20, must be from 0.1 to 10"));
-  CHECK(
-      says(with([](Rubble& r) { r.least_edge = 1; }), "least edge is 1 m, must be at most 0.3 of a stone's mean size"));
-  CHECK(says(with([](Rubble& r) { r.joint = 1; }), "joint is 1 m, must be at most 0.5"));
-  CHECK(says(with([](Rubble& r) { r.jitter = NAN; }), "jitter is nan"));
-  CHECK(says(with([](Rubble& r) { r.relaxations = -1; }), "relaxations is -1"));
+  CHECK(mentions(with([](Rubble& r) { r.outline = {{0, 0}, {1, 1}}; }), "rubble 'r': outline has 2 different points"));
+  CHECK(mentions(with([](Rubble& r) { r.stones = 0; }), "stones is 0"));
+  CHECK(mentions(with([](Rubble& r) { r.aspect = 20; }), "aspect is 20, must be from 0.1 to 10"));
+  CHECK(mentions(with([](Rubble& r) { r.least_edge = 1; }),
+                 "least edge is 1 m, must be at most 0.3 of a stone's mean size"));
+  CHECK(mentions(with([](Rubble& r) { r.joint = 1; }), "joint is 1 m, must be at most 0.5"));
+  CHECK(mentions(with([](Rubble& r) { r.jitter = NAN; }), "jitter is nan"));
+  CHECK(mentions(with([](Rubble& r) { r.relaxations = -1; }), "relaxations is -1"));
 }

@@ -140,8 +140,8 @@ TEST_CASE("solids that are inside out or partly so are reversed with a note") {
   CHECK(volume_of(read.parts[0]) == 1);
   CHECK(volume_of(read.parts[1]) == 1);
   REQUIRE(read.notes.size() == 2);
-  CHECK(says(read.notes[0], "solid 'a' was inside out"));
-  CHECK(says(read.notes[1], "solid 'b': 4 of 12 faces had the wrong orientation"));
+  CHECK(mentions(read.notes[0], "solid 'a' was inside out"));
+  CHECK(mentions(read.notes[1], "solid 'b': 4 of 12 faces had the wrong orientation"));
 }
 
 TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
@@ -153,7 +153,7 @@ TEST_CASE("STL as text gives a body for each solid, in exactly its places") {
   CHECK(read.parts[1].name == "solid");
   CHECK(read.parts[2].name == "a.2");
   REQUIRE(read.notes.size() == 1);
-  CHECK(says(read.notes[0], "there is already a solid 'a'; the next one is named 'a.2'"));
+  CHECK(mentions(read.notes[0], "there is already a solid 'a'; the next one is named 'a.2'"));
   CHECK(near(volume_of(read.parts[1]), 0.5, 1e-15));
   CHECK(read.parts[1].pieces[0].faces.count() == 6);
 }
@@ -180,11 +180,11 @@ TEST_CASE("a dome in single precision, all stones in one binary STL, comes back 
     check_convex(read.parts[i].pieces[0], "stone");
   }
   REQUIRE(read.notes.size() == 1);
-  CHECK(says(read.notes[0], "solids were made plane, corners moved by up to"));
+  CHECK(mentions(read.notes[0], "solids were made plane, corners moved by up to"));
   const SolidParts one = parse_stl(binary_stl_of(dome), {.name = "dome"}, "file");
   CHECK(one.parts.size() == 1);
   CHECK(one.parts[0].pieces.size() == dome.size());
-  CHECK(says(one.notes[0], "has 61 separate shells"));
+  CHECK(mentions(one.notes[0], "has 61 separate shells"));
 }
 
 TEST_CASE("a thousand stones of rubble pass all checks, also after single precision") {
@@ -196,7 +196,8 @@ TEST_CASE("a thousand stones of rubble pass all checks, also after single precis
   CHECK(near(total_volume(read.parts), 50, 1e-6));
   for (const SolidPart& part : read.parts) check_convex(part.pieces[0], part.name);
   REQUIRE(read.notes.size() == 2);
-  CHECK(says(read.notes[1], "solids with very narrow or non-planar faces were replaced by the hulls of their corners"));
+  CHECK(mentions(read.notes[1],
+                 "solids with very narrow or non-planar faces were replaced by the hulls of their corners"));
 }
 
 TEST_CASE("files are read by their ending") {
@@ -204,39 +205,40 @@ TEST_CASE("files are read by their ending") {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "a.STL") << stl_of("a", cube);
   CHECK(read_solids(folder / "a.STL").parts.size() == 1);
-  CHECK(says(refusal_of([&] { read_solids(folder / "a.ply"); }), "its extension is '.ply'"));
-  CHECK(says(refusal_of([&] { read_solids(folder / "b.obj"); }), "cannot read solids"));
+  CHECK(mentions(refusal_of([&] { read_solids(folder / "a.ply"); }), "its extension is '.ply'"));
+  CHECK(mentions(refusal_of([&] { read_solids(folder / "b.obj"); }), "cannot read solids"));
   std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a solid that is not closed and convex is rejected with name and place") {
   Polyhedron open = cube;
   open.faces.corner.resize(20), open.faces.start.pop_back();
-  CHECK(says(refusal_of([&] {
-               parse_obj(obj_of({{"o a\n", open}}), {}, "file");
-             }),
-             "file: solid 'a' is open: 4 edges belong to one face only, such as the edge from ("));
+  CHECK(mentions(refusal_of([&] {
+                   parse_obj(obj_of({{"o a\n", open}}), {}, "file");
+                 }),
+                 "file: solid 'a' is open: 4 edges belong to one face only, such as the edge from ("));
   // all other corners are visible from the first and the last one, so that the fans of triangles are exact
   const Polyhedron ell = extrusion(
       std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {-0.1, 0.5, 0}}, {0, 0, 1});
-  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }), "solid 'L' is not convex: a corner at ("));
-  CHECK(says(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
-             "give it as several convex objects in one group"));
+  CHECK(
+      mentions(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }), "solid 'L' is not convex: a corner at ("));
+  CHECK(mentions(refusal_of([&] { parse_stl(stl_of("L", ell), {}, "file"); }),
+                 "give it as several convex objects in one group"));
   const auto obj = [](const char* text) { return refusal_of([&] { parse_obj(text, {}, "file"); }); };
-  CHECK(says(obj(""), "file: there is no solid in the file"));
-  CHECK(says(obj("v 0 0\n"), "file: line 1: z of a point is ''"));
-  CHECK(says(obj("v 0 0 0\nf 1 2 3\n"), "line 2: a face names point 2, there are points 1 to 1"));
+  CHECK(mentions(obj(""), "file: there is no solid in the file"));
+  CHECK(mentions(obj("v 0 0\n"), "file: line 1: z of a point is ''"));
+  CHECK(mentions(obj("v 0 0 0\nf 1 2 3\n"), "line 2: a face names point 2, there are points 1 to 1"));
   CHECK(obj("f 1 2 3\n") == "file: line 1: a face names point 1, but no point precedes it");
-  CHECK(says(obj("v 0 0 1e13\n"), "file: line 1: a point at (0, 0, 1e+13) m, must be within 1e12 m of the origin"));
-  CHECK(says(obj("v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners"));
-  CHECK(says(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
+  CHECK(mentions(obj("v 0 0 1e13\n"), "file: line 1: a point at (0, 0, 1e+13) m, must be within 1e12 m of the origin"));
+  CHECK(mentions(obj("v 0 0 0\nf 1 1\n"), "line 2: a face has 2 corners"));
+  CHECK(mentions(obj("v 0 0 0\nf a b c\n"), "a corner of a face is 'a'"));
   const auto stl = [](const std::string& text) { return refusal_of([&] { parse_stl(text, {}, "file"); }); };
-  CHECK(says(stl("hello"), "is not an STL file"));
-  CHECK(says(stl("solid a\nfacet"), "line 2: the file ends where 'normal' should be"));
-  CHECK(says(stl("solid a\n facet normal 0 0 1\nouter loop\nvertex 0 0 x"), "line 4: a coordinate is 'x'"));
-  CHECK(says(stl("solid a\nendsolid a\n"), "there is no solid in the file"));
-  CHECK(says(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));
-  CHECK(says(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
+  CHECK(mentions(stl("hello"), "is not an STL file"));
+  CHECK(mentions(stl("solid a\nfacet"), "line 2: the file ends where 'normal' should be"));
+  CHECK(mentions(stl("solid a\n facet normal 0 0 1\nouter loop\nvertex 0 0 x"), "line 4: a coordinate is 'x'"));
+  CHECK(mentions(stl("solid a\nendsolid a\n"), "there is no solid in the file"));
+  CHECK(mentions(refusal_of([&] { parse_stl("solid", {.scale = 0}, "file"); }), "file: scale is 0 m"));
+  CHECK(mentions(refusal_of([&] { parse_stl(stl_of("a", cube), {.flat = 1}, "file"); }), "flat is 1, must be from"));
 }
 
 TEST_CASE("a self-intersecting solid is rejected with the place, not replaced by its hull") {
@@ -254,22 +256,23 @@ TEST_CASE("a self-intersecting solid is rejected with the place, not replaced by
       star += fmt::format("v {} {} {}\n", std::cos(angle), std::sin(angle), z);
     }
   star += "f 5 4 3 2 1\nf 6 7 8 9 10\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
-  CHECK(says(refusal_of([&] { parse_obj(star, {}, "file"); }), "file: solid 'star' intersects itself at (-0.381966, "));
+  CHECK(mentions(refusal_of([&] { parse_obj(star, {}, "file"); }),
+                 "file: solid 'star' intersects itself at (-0.381966, "));
 }
 
 TEST_CASE("a duplicate face and a flat solid are reported") {
   Polyhedron twice = cube;
   twice.faces.add(std::vector<int>(cube.faces[0].begin(), cube.faces[0].end()));
-  CHECK(says(refusal_of([&] {
-               parse_obj(obj_of({{"o a\n", twice}}), {}, "file");
-             }),
-             "file: solid 'a' has an edge with 3 faces, from ("));
+  CHECK(mentions(refusal_of([&] {
+                   parse_obj(obj_of({{"o a\n", twice}}), {}, "file");
+                 }),
+                 "file: solid 'a' has an edge with 3 faces, from ("));
   Polyhedron thin = cube;
   for (Vec3& p : thin.corners) p.z() *= 1e-6;
-  CHECK(says(refusal_of([&] {
-               parse_obj(obj_of({{"o a\n", thin}}), {}, "file");
-             }),
-             "file: solid 'a' is flat: 1e-06 m thick and 1.41 m large, must be thicker than 5.66e-06 m"));
+  CHECK(mentions(refusal_of([&] {
+                   parse_obj(obj_of({{"o a\n", thin}}), {}, "file");
+                 }),
+                 "file: solid 'a' is flat: 1e-06 m thick and 1.41 m large, must be thicker than 5.66e-06 m"));
   CHECK(parse_obj(obj_of({{"o a\n", thin}}), {.flat = 1e-8}, "file").parts.size() == 1);
 }
 
@@ -295,10 +298,10 @@ TEST_CASE("a binary file with a wrong count or a truncated end is rejected with 
   CHECK(stl(more) ==
         "file: is cut short or not an STL file: bytes 81 to 84 announce 13 triangles, which need 734 bytes, but it has "
         "684, room for 12; export it again");
-  CHECK(says(stl(cut), "announce 12 triangles, which need 684 bytes, but it has 664, room for 11"));
-  CHECK(says(stl("xy"), "is not an STL file: a text file begins with 'solid'"));
-  CHECK(says(refusal_of([] { parse_obj(std::string("v 0 0\0 0\n", 9), {}, "file"); }),
-             "file: is not an OBJ file: its byte 6 is 0, but OBJ files are text"));
+  CHECK(mentions(stl(cut), "announce 12 triangles, which need 684 bytes, but it has 664, room for 11"));
+  CHECK(mentions(stl("xy"), "is not an STL file: a text file begins with 'solid'"));
+  CHECK(mentions(refusal_of([] { parse_obj(std::string("v 0 0\0 0\n", 9), {}, "file"); }),
+                 "file: is not an OBJ file: its byte 6 is 0, but OBJ files are text"));
 }
 
 TEST_CASE("a file of 100,000 faces gives one line, whether it is closed, open or hollow") {
@@ -321,7 +324,7 @@ TEST_CASE("a file of 100,000 faces gives one line, whether it is closed, open or
     }
     return refusal_of([&] { parse_obj(text, {}, "file"); });
   };
-  CHECK(says(ball(0, 0), "faces, at most 5000 are allowed; make it coarser"));
-  CHECK(says(ball(0, 1), "file: solid 'ball' is open: 448 edges belong to one face only, such as the edge from ("));
-  CHECK(says(ball(0.1, 0), "file: solid 'ball' is not convex: a corner at ("));
+  CHECK(mentions(ball(0, 0), "faces, at most 5000 are allowed; make it coarser"));
+  CHECK(mentions(ball(0, 1), "file: solid 'ball' is open: 448 edges belong to one face only, such as the edge from ("));
+  CHECK(mentions(ball(0.1, 0), "file: solid 'ball' is not convex: a corner at ("));
 }

@@ -93,7 +93,7 @@ std::string refusal_of(Build build) {
   return "accepted";
 }
 
-inline bool says(const std::string& message, std::string_view part) {
+inline bool mentions(const std::string& message, std::string_view part) {
   return message.find(part) != std::string::npos && message.find('\n') == std::string::npos;
 }
 

@@ -89,13 +89,13 @@ TEST_CASE("a vault may be pointed, without bond, with curved stones, and stand a
 TEST_CASE("impossible vaults are rejected") {
   BarrelVault vault = published_vault();
   vault.stones = 0;
-  CHECK(says(refusal_of([&] { build_barrel_vault(vault); }), "vault 'V': number of stones in a course is 0"));
+  CHECK(mentions(refusal_of([&] { build_barrel_vault(vault); }), "vault 'V': number of stones in a course is 0"));
   vault = published_vault();
   vault.stone_length = 0;
-  CHECK(says(refusal_of([&] { build_barrel_vault(vault); }), "vault 'V': stone length is 0 m"));
+  CHECK(mentions(refusal_of([&] { build_barrel_vault(vault); }), "vault 'V': stone length is 0 m"));
   vault = published_vault();
   vault.arch.thickness = 3;
-  CHECK(says(refusal_of([&] { build_barrel_vault(vault); }), "thickness is 3 m"));
+  CHECK(mentions(refusal_of([&] { build_barrel_vault(vault); }), "thickness is 3 m"));
 }
 
 TEST_CASE("the dome of the published test comes out block by block") {
@@ -144,10 +144,11 @@ TEST_CASE("a dome with an oculus has no key") {
 }
 
 TEST_CASE("impossible domes are rejected") {
-  CHECK(says(refusal_of([] { build_dome({.name = "D", .rings = 0}); }), "dome 'D': number of rings is 0"));
-  CHECK(says(refusal_of([] { build_dome({.sectors = 2}); }), "number of sectors is 2"));
-  CHECK(says(refusal_of([] { build_dome({.radius = 1, .thickness = 2}); }), "thickness is 2 m, must be below twice"));
-  CHECK(says(refusal_of([] { build_dome({.springing = 90}); }), "colatitude of the springing is 90 rad"));
-  CHECK(says(refusal_of([] { build_dome({.springing = 0.1, .crown = 0.2}); }),
-             "must be below the colatitude of the springing"));
+  CHECK(mentions(refusal_of([] { build_dome({.name = "D", .rings = 0}); }), "dome 'D': number of rings is 0"));
+  CHECK(mentions(refusal_of([] { build_dome({.sectors = 2}); }), "number of sectors is 2"));
+  CHECK(
+      mentions(refusal_of([] { build_dome({.radius = 1, .thickness = 2}); }), "thickness is 2 m, must be below twice"));
+  CHECK(mentions(refusal_of([] { build_dome({.springing = 90}); }), "colatitude of the springing is 90 rad"));
+  CHECK(mentions(refusal_of([] { build_dome({.springing = 0.1, .crown = 0.2}); }),
+                 "must be below the colatitude of the springing"));
 }

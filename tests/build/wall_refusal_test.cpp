@@ -43,7 +43,7 @@ TEST_CASE("impossible openings are rejected with place, value and allowed values
   CHECK(with([](WallOpening& o) { o.storey = 2; }) ==
         "wall 'w', opening 1: storey is 2, must be a whole number from 1 to 1");
   CHECK(with([](WallOpening& o) { o.width = 0; }) == first("width is 0 m, must be finite and above 0"));
-  CHECK(says(with([](WallOpening& o) { o.sill = -0.2; }), "sill is -0.2 m"));
+  CHECK(mentions(with([](WallOpening& o) { o.sill = -0.2; }), "sill is -0.2 m"));
   CHECK(with([](WallOpening& o) { o.x = 0.1, o.lintel_bearing = 0.2; }) ==
         first("lintel lies from x = -0.1 to 1.1 m, must lie within the wall's 0 to 2.4 m; a bearing of up to 0.1 m "
               "fits, or give lintel = false"));
@@ -61,15 +61,15 @@ TEST_CASE("openings and lintels on each other are rejected") {
   Wall wall = plain_wall();
   wall.openings = {{.x = 0.4, .sill = 0.2, .width = 0.6, .height = 0.4},
                    {.x = 0.8, .sill = 0.4, .width = 0.6, .height = 0.4}};
-  CHECK(says(refusal_of_wall(wall), "opening 2 (storey 1): overlaps the opening from x = 0.4 to 1 m"));
+  CHECK(mentions(refusal_of_wall(wall), "opening 2 (storey 1): overlaps the opening from x = 0.4 to 1 m"));
   wall.openings[1].x = 1.2, wall.openings[1].sill = 0.2;
-  CHECK(says(refusal_of_wall(wall),
-             "opening 2 (storey 1): lintel from x = 1 to 2 m runs into the lintel from x = 0.2 to "
-             "1.2 m"));
+  CHECK(mentions(refusal_of_wall(wall),
+                 "opening 2 (storey 1): lintel from x = 1 to 2 m runs into the lintel from x = 0.2 to "
+                 "1.2 m"));
   wall.openings[0].lintel_bearing = 0.25;
-  CHECK(says(refusal_of_wall(wall),
-             "opening 1 (storey 1): lintel reaches 0.25 m beyond each side and so over the next opening; give a "
-             "shorter bearing"));
+  CHECK(mentions(refusal_of_wall(wall),
+                 "opening 1 (storey 1): lintel reaches 0.25 m beyond each side and so over the next opening; give a "
+                 "shorter bearing"));
   for (WallOpening& opening : wall.openings) opening.lintel_bearing = 0.1;
   CHECK(refusal_of_wall(wall) == "accepted");
 }
@@ -80,20 +80,23 @@ TEST_CASE("walls with invalid sizes are rejected") {
     change(wall);
     return refusal_of_wall(wall);
   };
-  CHECK(says(with([](Wall& w) { w.length = 0; }), "give its length in m, or the number of whole units"));
-  CHECK(says(with([](Wall& w) { w.units = 3; }), "both length and units are given"));
-  CHECK(says(with([](Wall& w) { w.unit_length = 0; }), "unit length is 0 m"));
-  CHECK(says(with([](Wall& w) { w.bond = "flemisch"; }), "there is no bond 'flemisch'; did you mean 'flemish'?"));
-  CHECK(says(with([](Wall& w) { w.first_row = 3; }), "first row of the bond is 3, must be a whole number from 1 to 2"));
-  CHECK(says(with([](Wall& w) { w.storeys.clear(); }), "has no storey"));
-  CHECK(
-      says(with([](Wall& w) { w.storeys = {{.height = 2.5, .slab_height = 0.2}}; }),
-           "storey 1: 2.5 m high with a slab of 0.2 m leaves 11.5 courses of 0.2 m, must be a whole number; 2.4 or 2.6 "
-           "m would fit"));
-  CHECK(says(with([](Wall& w) { w.storeys = {{.courses = 4, .height = 1}}; }), "4 courses are given, but its height"));
-  CHECK(says(with([](Wall& w) { w.jitter = 0.1; }), "jitter is 0.1 m, must be at most a quarter of the least length"));
-  CHECK(says(with([](Wall& w) { w.length = 0.05; }), "must not be above the wall's length"));
-  CHECK(says(with([](Wall& w) { w.length = 1e9; }), "at most 1000000 are built"));
-  CHECK(says(with([](Wall& w) { w.length = NAN; }), "length is nan"));
-  CHECK(says(with([](Wall& w) { w.least_length = -1; }), "least length is -1 m"));
+  CHECK(mentions(with([](Wall& w) { w.length = 0; }), "give its length in m, or the number of whole units"));
+  CHECK(mentions(with([](Wall& w) { w.units = 3; }), "both length and units are given"));
+  CHECK(mentions(with([](Wall& w) { w.unit_length = 0; }), "unit length is 0 m"));
+  CHECK(mentions(with([](Wall& w) { w.bond = "flemisch"; }), "there is no bond 'flemisch'; did you mean 'flemish'?"));
+  CHECK(mentions(with([](Wall& w) { w.first_row = 3; }),
+                 "first row of the bond is 3, must be a whole number from 1 to 2"));
+  CHECK(mentions(with([](Wall& w) { w.storeys.clear(); }), "has no storey"));
+  CHECK(mentions(
+      with([](Wall& w) { w.storeys = {{.height = 2.5, .slab_height = 0.2}}; }),
+      "storey 1: 2.5 m high with a slab of 0.2 m leaves 11.5 courses of 0.2 m, must be a whole number; 2.4 or 2.6 "
+      "m would fit"));
+  CHECK(mentions(with([](Wall& w) { w.storeys = {{.courses = 4, .height = 1}}; }),
+                 "4 courses are given, but its height"));
+  CHECK(mentions(with([](Wall& w) { w.jitter = 0.1; }),
+                 "jitter is 0.1 m, must be at most a quarter of the least length"));
+  CHECK(mentions(with([](Wall& w) { w.length = 0.05; }), "must not be above the wall's length"));
+  CHECK(mentions(with([](Wall& w) { w.length = 1e9; }), "at most 1000000 are built"));
+  CHECK(mentions(with([](Wall& w) { w.length = NAN; }), "length is nan"));
+  CHECK(mentions(with([](Wall& w) { w.least_length = -1; }), "least length is -1 m"));
 }

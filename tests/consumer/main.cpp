@@ -17,10 +17,10 @@ int main() {
       {.name = "block", .outline = {{-0.5, 1}, {0.5, 1}, {0.5, 2}, {-0.5, 2}}, .density = 2400, .floating = true});
   trilith::Simulation<2> simulation(builder.build());
   double landed = 0;
-  const auto told = [&](const trilith::Event& event, const trilith::Instant<2>&) {
+  const auto on_event = [&](const trilith::Event& event, const trilith::Instant<2>&) {
     landed = landed > 0 ? landed : event.time * (event.type == trilith::EventType::impact);
   };
-  simulation.run({.name = "drop", .duration = 1, .safety = 0.1}, {.on_event = told});
+  simulation.run({.name = "drop", .duration = 1, .safety = 0.1}, {.on_event = on_event});
   std::printf("landed after %.4f s, free fall from 1 m takes %.4f s\n", landed,
               std::sqrt(2 / trilith::standard_gravity));
   return std::abs(landed - std::sqrt(2 / trilith::standard_gravity)) < 0.001 ? 0 : 1;

@@ -24,7 +24,7 @@ std::string refusal(Polygon points) {
   return "accepted";
 }
 
-bool says(const std::string& message, std::string_view part) {
+bool mentions(const std::string& message, std::string_view part) {
   return message.find(part) != std::string::npos;
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("a clockwise polygon is reversed with a note and keeps its first point
   const CheckedPolygon checked = check_polygon({{0, 0}, {0, 1}, {2, 1}, {2, 0}}, "body 'stone'");
   CHECK(checked.outline == Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   REQUIRE(checked.notes.size() == 1);
-  CHECK(says(checked.notes[0], "body 'stone': outline was clockwise"));
+  CHECK(mentions(checked.notes[0], "body 'stone': outline was clockwise"));
 }
 
 TEST_CASE("repeated points are left out with a note, the closing one among them") {
@@ -112,32 +112,32 @@ TEST_CASE("repeated points are left out with a note, the closing one among them"
       check_polygon({{0, 0}, {2, 0}, {2, 1e-13}, {2, 0}, {2, 1}, {0, 1}, {0, 0}}, "body 'stone'");
   CHECK(checked.outline == Polygon{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   REQUIRE(checked.notes.size() == 3);
-  CHECK(says(checked.notes[0], "point 3 (2, 1e-13) repeats point 2"));
-  CHECK(says(checked.notes[2], "point 7 (0, 0) repeats point 1"));
+  CHECK(mentions(checked.notes[0], "point 3 (2, 1e-13) repeats point 2"));
+  CHECK(mentions(checked.notes[2], "point 7 (0, 0) repeats point 1"));
 }
 
 TEST_CASE("points that make no polygon are rejected with number and coordinates") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  CHECK(says(refusal({}), "0 different points, needs at least 3"));
-  CHECK(says(refusal({{0, 0}, {1, 0}, {1, 0}, {0, 0}}), "2 different points"));
-  CHECK(says(refusal({{0, 0}, {1, nan}, {1, 1}}), "body 'stone': point 2 (1, nan) is not finite"));
-  CHECK(says(refusal({{0, 0}, {1, 0}, {inf, 1}}), "point 3 (inf, 1) is not finite"));
-  CHECK(says(refusal({{0, 0}, {1, 0}, {1e300, 1}}), "point 3 (1e+300, 1) is farther out than"));
-  CHECK(says(refusal({{0, 0}, {1, 1}, {3, 3}, {2, 2}}), "no area"));
-  CHECK(says(refusal({{3, 3}, {3, 3}, {3, 3}}), "1 different point,"));
+  CHECK(mentions(refusal({}), "0 different points, needs at least 3"));
+  CHECK(mentions(refusal({{0, 0}, {1, 0}, {1, 0}, {0, 0}}), "2 different points"));
+  CHECK(mentions(refusal({{0, 0}, {1, nan}, {1, 1}}), "body 'stone': point 2 (1, nan) is not finite"));
+  CHECK(mentions(refusal({{0, 0}, {1, 0}, {inf, 1}}), "point 3 (inf, 1) is not finite"));
+  CHECK(mentions(refusal({{0, 0}, {1, 0}, {1e300, 1}}), "point 3 (1e+300, 1) is farther out than"));
+  CHECK(mentions(refusal({{0, 0}, {1, 1}, {3, 3}, {2, 2}}), "no area"));
+  CHECK(mentions(refusal({{3, 3}, {3, 3}, {3, 3}}), "1 different point,"));
 }
 
 TEST_CASE("self-crossing, touching and spikes are rejected, naming edges and place") {
   const std::string bow = refusal({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
-  CHECK(says(bow, "at (1, 1)"));
-  CHECK(says(bow, "from point 1 (0, 0) to point 2 (2, 2)"));
-  CHECK(says(bow, "from point 3 (2, 0) to point 4 (0, 2)"));
-  CHECK(says(refusal({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}), "touches itself at (1, 0)"));
-  CHECK(says(refusal({{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {2, 1}, {0, 1}}), "point 5 (2, 3), a spike"));
-  CHECK(says(refusal({{0, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}), "point 2 (4, 0), a spike"));
+  CHECK(mentions(bow, "at (1, 1)"));
+  CHECK(mentions(bow, "from point 1 (0, 0) to point 2 (2, 2)"));
+  CHECK(mentions(bow, "from point 3 (2, 0) to point 4 (0, 2)"));
+  CHECK(mentions(refusal({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}), "touches itself at (1, 0)"));
+  CHECK(mentions(refusal({{0, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {2, 1}, {0, 1}}), "point 5 (2, 3), a spike"));
+  CHECK(mentions(refusal({{0, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}), "point 2 (4, 0), a spike"));
   // the same corner with a small but nonzero angle
   CHECK(refusal({{0, 0}, {4, 0}, {2, 1e-6}, {2, 2}, {0, 2}}) == "accepted");
-  CHECK(says(refusal({{0, 0}, {4, 0}, {2, 1e-10}, {2, 2}, {0, 2}}), "spike"));
+  CHECK(mentions(refusal({{0, 0}, {4, 0}, {2, 1e-10}, {2, 2}, {0, 2}}), "spike"));
 }
 
 TEST_CASE("a random list of points is either rejected with one line or comes back simple and counter-clockwise") {

@@ -290,8 +290,8 @@ TEST_CASE("a state saved after a bearing took over continues with the same bits"
 }
 
 TEST_CASE("a model whose successors count from their start has another fingerprint") {
-  HandedOn plain, told;
-  Simulation<2> a = plain.start(false), b = told.start(true);
+  HandedOn plain, from_here;
+  Simulation<2> a = plain.start(false), b = from_here.start(true);
   CHECK(state_words(a.state()) == state_words(b.state()));
   CHECK_FALSE(model_fingerprint(a.model()) == model_fingerprint(b.model()));
   CHECK(bearing_text(a.model(), a.model().bearings[0]).ends_with("; becomes bearing second"));

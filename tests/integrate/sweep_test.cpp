@@ -27,7 +27,7 @@ using namespace trilith::testing;
 namespace {
 
 /// The events body.passed of a run.
-struct Told {
+struct EventLog {
   std::vector<Event> passed;
   [[nodiscard]] RunListener<2> listener() {
     RunListener<2> l;
@@ -60,10 +60,10 @@ struct Shot {
   /// Runs over a flight of 20 cm.
   [[nodiscard]] End fly() const {
     Simulation<2> sim = scene().start();
-    Told told;
-    const StageReport report = run_for(sim, 0.2 / speed, dt, told.listener());
+    EventLog log;
+    const StageReport report = run_for(sim, 0.2 / speed, dt, log.listener());
     const int n = node_of(sim.model(), "shot");
-    return {sim.state().position[n].y(), sim.state().velocity[n].y(), told.passed, report};
+    return {sim.state().position[n].y(), sim.state().velocity[n].y(), log.passed, report};
   }
 };
 
@@ -151,15 +151,15 @@ TEST_CASE("no projectile passes a plate without a report, for any shape, angle, 
     spec.floating = true;
     scene.add(spec);
     Simulation<2> sim = scene.start();
-    Told told;
-    run_for(sim, 0.3 / speed, 0, told.listener());
+    EventLog log;
+    run_for(sim, 0.3 / speed, 0, log.listener());
     const bool through = sim.state().position[1].y() < -0.5 * plate;
     INFO("shot ", i, ": kn ", kn, " plate ", plate, " speed ", speed, " angle ", angle, " y ",
          sim.state().position[1].y());
-    CHECK((told.passed.size() == 1 || !through));
-    CHECK(told.passed.size() <= 1);
+    CHECK((log.passed.size() == 1 || !through));
+    CHECK(log.passed.size() <= 1);
     passed += through ? 1 : 0;
-    held += told.passed.empty() ? 1 : 0;
+    held += log.passed.empty() ? 1 : 0;
   }
   MESSAGE(passed, " passed, ", held, " never got deep");
   CHECK(passed > 20);
@@ -185,10 +185,10 @@ TEST_CASE("plates and shots that deform are held and told like rigid ones") {
     builder.add_body(low);
     builder.add_body(high);
     Simulation<2> sim(builder.build());
-    Told told;
-    run_for(sim, 0.2 / speed, 0, told.listener());
+    EventLog log;
+    run_for(sim, 0.2 / speed, 0, log.listener());
     const Body& shot = sim.model().bodies[1];
-    return std::pair(sim.state().position[shot.first_node].y() < -plate, told.passed);
+    return std::pair(sim.state().position[shot.first_node].y() < -plate, log.passed);
   };
   for (const Soft soft : {Soft::plate, Soft::shot}) {
     const std::string who = soft == Soft::plate ? "plate" : "shot";
@@ -197,9 +197,9 @@ TEST_CASE("plates and shots that deform are held and told like rigid ones") {
     CHECK_FALSE(through);
     CHECK(none.empty());
     for (const double share : {3.0, 300.0}) {
-      const auto [gone, told] = fly(soft, share);
-      CHECK(told.size() == 1);
-      for (const Event& e : told) CHECK(e.value > 0.005);
+      const auto [gone, reported] = fly(soft, share);
+      CHECK(reported.size() == 1);
+      for (const Event& e : reported) CHECK(e.value > 0.005);
     }
   }
 }
@@ -210,9 +210,9 @@ TEST_CASE("a body crushed by another of 1e9 times its mass is reported") {
   scene.block("small", box(-0.05, 0, 0.05, 0.1), 10);
   scene.block("large", box(-0.5, 0.101, 0.5, 1.1), 1e10);
   Simulation<2> sim = scene.start();
-  Told told;
-  run_for(sim, 0.5, 0, told.listener());
-  CHECK(told.passed.size() > 0);
+  EventLog log;
+  run_for(sim, 0.5, 0, log.listener());
+  CHECK(log.passed.size() > 0);
 }
 
 TEST_CASE("a rotating thin bar is stopped by a peg, or its passage is reported") {
@@ -225,19 +225,19 @@ TEST_CASE("a rotating thin bar is stopped by a peg, or its passage is reported")
     bar.support = {Support::fixed, Support::fixed, Support::free};
     scene.add(bar);
     Simulation<2> sim = scene.start();
-    Told told;
-    run_for(sim, 3 / spin, 0, told.listener());
-    return std::pair(sim.state().rotation[1] > 1.7, !told.passed.empty());
+    EventLog log;
+    run_for(sim, 3 / spin, 0, log.listener());
+    return std::pair(sim.state().rotation[1] > 1.7, !log.passed.empty());
   };
   for (const double spin : {3.0, 30.0, 300.0, 3000.0})
     for (const double kn : {1e8, 1e10, 1e12}) {
-      const auto [through, told] = turn(kn, spin);
+      const auto [through, reported] = turn(kn, spin);
       INFO("spin ", spin, " kn ", kn);
-      CHECK((told || !through));
+      CHECK((reported || !through));
       // 1/2 I w^2 against the energy stored by 2 cm of peg at a quarter of the bar's 4 mm.
       const double inertia = 8.0 / 12, energy = 0.5 * inertia * spin * spin, store = 0.5 * kn * 0.02 * 1e-6;
-      if (energy < 0.3 * store) CHECK_FALSE(told);
-      if (energy > 30 * store) CHECK(told);
+      if (energy < 0.3 * store) CHECK_FALSE(reported);
+      if (energy > 30 * store) CHECK(reported);
     }
 }
 
@@ -250,10 +250,10 @@ TEST_CASE("a body driven through a plate within one step is reported") {
   spec.floating = true;
   scene.add(spec);
   Simulation<2> sim = scene.start();
-  Told told;
-  run_for(sim, 2e-3, 0, told.listener());
+  EventLog log;
+  run_for(sim, 2e-3, 0, log.listener());
   CHECK(sim.state().position[1].y() < -0.1);
-  CHECK(told.passed.size() == 1);
+  CHECK(log.passed.size() == 1);
 }
 
 TEST_CASE("collapses at common speeds have the same steps without the tunnelling limit") {
@@ -282,7 +282,7 @@ TEST_CASE(
   const Shot shot{1e10, 0.001, 300};
   const double end = 0.2 / shot.speed;
   Simulation<2> whole = shot.scene().start(), parts = shot.scene().start();
-  Told of_whole, of_parts;
+  EventLog of_whole, of_parts;
   StageOptions options;
   options.duration = options.end_time = end;
   std::int64_t saved_at = 0;
@@ -295,7 +295,7 @@ TEST_CASE(
   whole.run(options, listener);
   REQUIRE(saved_at > 0);
   Simulation<2> loaded(shot.scene().builder.build(), load_state(shot.scene().builder.build(), path));
-  Told of_loaded;
+  EventLog of_loaded;
   loaded.run(options, of_loaded.listener());
   CHECK(state_hash(loaded.state()) == state_hash(whole.state()));
   RunListener<2> dropping = of_parts.listener();

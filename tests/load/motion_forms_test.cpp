@@ -272,10 +272,10 @@ TEST_CASE("ambiguous records are rejected with the remedy") {
   for (const Refused& file : files) {
     CAPTURE(file.text.substr(0, 120));
     CAPTURE(file.why);
-    const std::string said = refusal(file.text, file.form, file.name);
-    CAPTURE(said);
-    CHECK(contains(said, file.why));
-    CHECK(said.find('\n') == std::string::npos);
+    const std::string message = refusal(file.text, file.form, file.name);
+    CAPTURE(message);
+    CHECK(contains(message, file.why));
+    CHECK(message.find('\n') == std::string::npos);
   }
 }
 

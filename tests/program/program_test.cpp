@@ -7,10 +7,10 @@
 #include "source_dir.hpp"
 
 using namespace trilith;
-using testing::ask;
 using testing::check_refused;
+using testing::Output;
 using testing::program_is_missing;
-using testing::Said;
+using testing::run_program;
 
 namespace {
 
@@ -34,14 +34,14 @@ bool is_picture(const std::filesystem::path& path, std::string_view head) {
 TEST_CASE("trilith draw makes a picture of one moment or panels of several, in the format requested") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  CHECK(ask(here, "draw span.h5").out == "span.png\n");
+  CHECK(run_program(here, "draw span.h5").out == "span.png\n");
   CHECK(is_picture(here / "span.png", "\x89PNG"));
-  CHECK(ask(here, "draw span.h5 --at 0,seat.lost,1.4,end --ghost --forces -o four.svg").code == 0);
+  CHECK(run_program(here, "draw span.h5 --at 0,seat.lost,1.4,end --ghost --forces -o four.svg").code == 0);
   const std::string four = testing::bytes_of(here / "four.svg");
   CHECK(four.find("<svg") != std::string::npos);
-  CHECK(ask(here, "draw span.h5 --at 0,1,end --stage shaking --columns 3 --units us -o three.pdf").code == 0);
+  CHECK(run_program(here, "draw span.h5 --at 0,1,end --stage shaking --columns 3 --units us -o three.pdf").code == 0);
   CHECK(is_picture(here / "three.pdf", "%PDF"));
-  CHECK(ask(here, "draw span.h5 --view=-2,-1,4,7 -o view.svg").code == 0);
+  CHECK(run_program(here, "draw span.h5 --view=-2,-1,4,7 -o view.svg").code == 0);
 }
 
 TEST_CASE("commands for finished results mention a newer part file next to them") {
@@ -50,9 +50,9 @@ TEST_CASE("commands for finished results mention a newer part file next to them"
   testing::record_falling_span(here / "span.h5");
   std::filesystem::copy_file(here / "span.h5", here / "other.h5");
   const auto note_of = [&](const char* arguments) {
-    const Said said = ask(here.path, arguments);
-    CHECK_MESSAGE(said.code == 0, said.err);
-    return said.err;
+    const Output output = run_program(here.path, arguments);
+    CHECK_MESSAGE(output.code == 0, output.err);
+    return output.err;
   };
   const std::vector<const char*> verbs{"draw span.h5",   "plot span.h5",          "view span.h5",
                                        "report span.h5", "info span.h5 --events", "plot other.h5 -r span.h5"};
@@ -69,22 +69,23 @@ TEST_CASE("commands for finished results mention a newer part file next to them"
     CHECK(note ==
           "note: span.h5: these are the results of an earlier run; a later run stopped early and left span.h5.part\n");
   }
-  CHECK(ask(here.path, "info span.h5").says("a later run stopped early and left span.h5.part"));
+  CHECK(run_program(here.path, "info span.h5").prints("a later run stopped early and left span.h5.part"));
   CHECK(note_of("draw span.h5.part").empty());
 }
 
 TEST_CASE("trilith draw rejects unknown times, stages, views and files in one line") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  check_refused(ask(here, "draw nowhere.h5"), "there is no such file");
-  check_refused(ask(here, "draw span.h5 --at 99"), "outside the frames of 'span.h5', 0 s to 3 s");
-  check_refused(ask(here, "draw span.h5 --at 1x"), "'1x' is not a number");
-  check_refused(ask(here, "draw span.h5 --at seat.lots"), "did you mean 'seat.lost'?");
-  check_refused(ask(here, "draw span.h5 --stage shakin"), "'span.h5' has no stage 'shakin'; did you mean 'shaking'?");
-  check_refused(ask(here, "draw span.h5 --view 1,2,3"), "must be four numbers");
-  check_refused(ask(here, "draw span.h5 --view 1,2,0,5"), "must be above 0");
-  check_refused(ask(here, "draw span.h5 -o picture.gif"), "'.gif' is not a picture format");
-  check_refused(ask(here, "draw span.h5 -o span.h5/such/folder.png"), "span.h5/such");
+  check_refused(run_program(here, "draw nowhere.h5"), "there is no such file");
+  check_refused(run_program(here, "draw span.h5 --at 99"), "outside the frames of 'span.h5', 0 s to 3 s");
+  check_refused(run_program(here, "draw span.h5 --at 1x"), "'1x' is not a number");
+  check_refused(run_program(here, "draw span.h5 --at seat.lots"), "did you mean 'seat.lost'?");
+  check_refused(run_program(here, "draw span.h5 --stage shakin"),
+                "'span.h5' has no stage 'shakin'; did you mean 'shaking'?");
+  check_refused(run_program(here, "draw span.h5 --view 1,2,3"), "must be four numbers");
+  check_refused(run_program(here, "draw span.h5 --view 1,2,0,5"), "must be above 0");
+  check_refused(run_program(here, "draw span.h5 -o picture.gif"), "'.gif' is not a picture format");
+  check_refused(run_program(here, "draw span.h5 -o span.h5/such/folder.png"), "span.h5/such");
   CHECK_FALSE(std::filesystem::exists(here / "picture.gif"));
 }
 
@@ -101,42 +102,43 @@ m:frame { name = "mast", material = "steel", floating = true,
   members = { { from = "foot", to = "head", section = trilith.rectangle_section { width = 0.1, depth = 0.2 } } } }
 assert(#m:modes { count = 3 } == 3)
 )lua";
-  const Said run = ask(here, "run modes.lua");
+  const Output run = run_program(here, "run modes.lua");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(run.says("modes are in modes.h5"));
-  CHECK(ask(here, "info modes.h5").says("modes       3, the last ones computed at 0 s"));
-  CHECK(ask(here, "draw modes.h5 --mode 1,3 -o modes.svg").code == 0);
+  CHECK(run.prints("modes are in modes.h5"));
+  CHECK(run_program(here, "info modes.h5").prints("modes       3, the last ones computed at 0 s"));
+  CHECK(run_program(here, "draw modes.h5 --mode 1,3 -o modes.svg").code == 0);
   CHECK(testing::bytes_of(here / "modes.svg").find("<svg") != std::string::npos);
-  check_refused(ask(here, "draw modes.h5 --mode 4"), "there is no mode 4; 'modes.h5' has modes 1 to 3");
-  check_refused(ask(here, "draw modes.h5 --mode first"), "'first' is not a number");
-  check_refused(ask(here, "draw modes.h5 --mode 1 --forces"), "shows the shape alone");
-  check_refused(ask(here, "draw span.h5 --mode 1"), "'span.h5' has no modes");
+  check_refused(run_program(here, "draw modes.h5 --mode 4"), "there is no mode 4; 'modes.h5' has modes 1 to 3");
+  check_refused(run_program(here, "draw modes.h5 --mode first"), "'first' is not a number");
+  check_refused(run_program(here, "draw modes.h5 --mode 1 --forces"), "shows the shape alone");
+  check_refused(run_program(here, "draw span.h5 --mode 1"), "'span.h5' has no modes");
 }
 
 TEST_CASE("trilith plot draws histories and energy of one or several runs and lists the available ones") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   std::filesystem::copy_file(here / "span.h5", here / "other.h5", std::filesystem::copy_options::overwrite_existing);
-  CHECK(ask(here, "plot span.h5").out == "span.plot.png\n");
-  CHECK(ask(here, "plot span.h5 span.y energy --events -o y.svg").code == 0);
-  CHECK(ask(here, "plot span.h5 span.y left.force -r other.h5 -o both.pdf").code == 0);
-  CHECK(ask(here, "plot span.h5 energy --lines -r other.h5 -o energy.png").code == 0);
-  const Said list = ask(here, "plot span.h5 --list");
-  CHECK(list.says("span.y      m        height of the span\n"));
-  CHECK(list.says("energy "));
-  check_refused(ask(here, "plot span.h5 span.z"), "no history 'span.z'; did you mean 'span.x'?");
+  CHECK(run_program(here, "plot span.h5").out == "span.plot.png\n");
+  CHECK(run_program(here, "plot span.h5 span.y energy --events -o y.svg").code == 0);
+  CHECK(run_program(here, "plot span.h5 span.y left.force -r other.h5 -o both.pdf").code == 0);
+  CHECK(run_program(here, "plot span.h5 energy --lines -r other.h5 -o energy.png").code == 0);
+  const Output list = run_program(here, "plot span.h5 --list");
+  CHECK(list.prints("span.y      m        height of the span\n"));
+  CHECK(list.prints("energy "));
+  check_refused(run_program(here, "plot span.h5 span.z"), "no history 'span.z'; did you mean 'span.x'?");
 }
 
 TEST_CASE("trilith plot draws one history over another, and a stage or a part of a run alone") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  CHECK(ask(here, "plot span.h5 span.y --against span.x -o loop.svg").out == "loop.svg\n");
-  CHECK(ask(here, "plot span.h5 span.y --stage shaking --to 1 -o part.svg").code == 0);
-  check_refused(ask(here, "plot span.h5 span.y --against span.z"), "did you mean 'span.x'?");
-  check_refused(ask(here, "plot span.h5 span.y --stage shakin"), "did you mean 'shaking'?");
-  check_refused(ask(here, "plot span.h5 span.y --from 90"), "no samples of its histories in that part of the run");
-  check_refused(ask(here, "plot span.h5 energy --against span.x"), "the energy is drawn over time");
-  check_refused(ask(here, "plot span.h5 --fragility collapsed"), "for the table of a study");
+  CHECK(run_program(here, "plot span.h5 span.y --against span.x -o loop.svg").out == "loop.svg\n");
+  CHECK(run_program(here, "plot span.h5 span.y --stage shaking --to 1 -o part.svg").code == 0);
+  check_refused(run_program(here, "plot span.h5 span.y --against span.z"), "did you mean 'span.x'?");
+  check_refused(run_program(here, "plot span.h5 span.y --stage shakin"), "did you mean 'shaking'?");
+  check_refused(run_program(here, "plot span.h5 span.y --from 90"),
+                "no samples of its histories in that part of the run");
+  check_refused(run_program(here, "plot span.h5 energy --against span.x"), "the energy is drawn over time");
+  check_refused(run_program(here, "plot span.h5 --fragility collapsed"), "for the table of a study");
 }
 
 TEST_CASE("times count from a stage or an event in plots, pictures, tables, report and page, with a notice") {
@@ -145,18 +147,18 @@ TEST_CASE("times count from a stage or an event in plots, pictures, tables, repo
   const auto holds = [&](const char* file, const std::string& part) {
     CHECK_MESSAGE(testing::bytes_of(here / file).find(part) != std::string::npos, file, " does not hold ", part);
   };
-  CHECK(ask(here, "plot span.h5 span.y --since shaking -o since.svg").code == 0);
-  CHECK(ask(here, "draw span.h5 --since shaking --at 0 -o since.png").code == 0);
-  CHECK(ask(here, "draw span.h5 --names none -o bare.svg").code == 0);
-  CHECK(ask(here, "report span.h5 --since shaking -o since.html").code == 0);
+  CHECK(run_program(here, "plot span.h5 span.y --since shaking -o since.svg").code == 0);
+  CHECK(run_program(here, "draw span.h5 --since shaking --at 0 -o since.png").code == 0);
+  CHECK(run_program(here, "draw span.h5 --names none -o bare.svg").code == 0);
+  CHECK(run_program(here, "report span.h5 --since shaking -o since.html").code == 0);
   holds("since.html", "times count since &#39;shaking&#39; began");
-  const Said table = ask(here, "info span.h5 --events --since shaking");
+  const Output table = run_program(here, "info span.h5 --events --since shaking");
   CHECK(table.out.starts_with("times count since 'shaking' began\n"));
-  CHECK(table.says("    0.0000 s  stage.begun"));
-  CHECK(ask(here, "view span.h5 --since shaking -o page.html").code == 0);
-  check_refused(ask(here, "plot span.h5 --since shakin"), "did you mean 'shaking'?");
-  check_refused(ask(here, "draw span.h5 --since seat.los"), "no stage and no event 'seat.los'");
-  check_refused(ask(here, "info span.h5 --since shaking"), "with --events or --of-note");
+  CHECK(table.prints("    0.0000 s  stage.begun"));
+  CHECK(run_program(here, "view span.h5 --since shaking -o page.html").code == 0);
+  check_refused(run_program(here, "plot span.h5 --since shakin"), "did you mean 'shaking'?");
+  check_refused(run_program(here, "draw span.h5 --since seat.los"), "no stage and no event 'seat.los'");
+  check_refused(run_program(here, "info span.h5 --since shaking"), "with --events or --of-note");
 }
 
 TEST_CASE("control characters in a results file do not reach the terminal") {
@@ -170,27 +172,27 @@ TEST_CASE("control characters in a results file do not reach the terminal") {
   row.event.text = "\033[2Ja span fell\xC2\x9B";
   row.append_to(writer);
   writer.finish();
-  CHECK(ask(here.path, "info old.h5").says("top\\27[31m"));
+  CHECK(run_program(here.path, "info old.h5").prints("top\\27[31m"));
   for (const char* list : {"info old.h5", "info old.h5 --events", "info old.h5 --of-note"}) {
-    const Said said = ask(here.path, list);
-    CHECK(said.code == 0);
-    CHECK(said.out.find_first_of("\033\a") == std::string::npos);
+    const Output output = run_program(here.path, list);
+    CHECK(output.code == 0);
+    CHECK(output.out.find_first_of("\033\a") == std::string::npos);
   }
-  CHECK(ask(here.path, "info old.h5 --events").says("\\27[2Ja span fell\\194\\155"));
+  CHECK(run_program(here.path, "info old.h5 --events").prints("\\27[2Ja span fell\\194\\155"));
 }
 
 TEST_CASE("trilith info describes a file and lists its events below their causes") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
-  const Said info = ask(here, "info span.h5");
+  const Output info = run_program(here, "info span.h5");
   CHECK(info.code == 0);
-  CHECK(info.says("span.h5: finished"));
-  CHECK(info.says("ground motion"));
-  const Said events = ask(here, "info span.h5 --of-note");
-  CHECK(events.says("  bearing.failed     bearing right failed at 0.3 m\n"));
-  CHECK(events.says("  seat.lost              span lost its seat on P2 (right seat)\n"));
-  CHECK_FALSE(events.says("contact.made"));
-  CHECK(ask(here, "info span.h5 --events").says("contact.made"));
+  CHECK(info.prints("span.h5: finished"));
+  CHECK(info.prints("ground motion"));
+  const Output events = run_program(here, "info span.h5 --of-note");
+  CHECK(events.prints("  bearing.failed     bearing right failed at 0.3 m\n"));
+  CHECK(events.prints("  seat.lost              span lost its seat on P2 (right seat)\n"));
+  CHECK_FALSE(events.prints("contact.made"));
+  CHECK(run_program(here, "info span.h5 --events").prints("contact.made"));
 }
 
 TEST_CASE("unfinished results are reported, drawn, and repaired to a clean file") {
@@ -205,13 +207,13 @@ TEST_CASE("unfinished results are reported, drawn, and repaired to a clean file"
     simulation.run(o, recording.listener());
     recording.abandon("the power went");
   }
-  const Said info = ask(here, "info early.h5");
-  CHECK(info.says("NOT finished"));
-  CHECK(info.says("the power went"));
-  CHECK(ask(here, "draw early.h5").code == 0);
-  CHECK(ask(here, "repair early.h5 -o clean.h5").out == "clean.h5: 6 frames\n");
-  CHECK(ask(here, "info clean.h5").says("NOT finished"));
-  check_refused(ask(here, "repair early.h5 -o early.h5.part"), "cannot be repaired in place");
+  const Output info = run_program(here, "info early.h5");
+  CHECK(info.prints("NOT finished"));
+  CHECK(info.prints("the power went"));
+  CHECK(run_program(here, "draw early.h5").code == 0);
+  CHECK(run_program(here, "repair early.h5 -o clean.h5").out == "clean.h5: 6 frames\n");
+  CHECK(run_program(here, "info clean.h5").prints("NOT finished"));
+  check_refused(run_program(here, "repair early.h5 -o early.h5.part"), "cannot be repaired in place");
   // If a dataset that every frame needs is missing, the rest is copied, and missing frames are not counted.
   const std::string lose = "cd '" + here.string() + "' && /usr/bin/python3 2>/dev/null -c 'import h5py\n" +
                            "with h5py.File(\"clean.h5\", \"r+\") as f: del f[\"frames/position\"]'";
@@ -219,10 +221,10 @@ TEST_CASE("unfinished results are reported, drawn, and repaired to a clean file"
     MESSAGE("skipped: /usr/bin/python3 has no h5py");
     return;
   }
-  const Said poor = ask(here, "repair clean.h5 -o poor.h5");
+  const Output poor = run_program(here, "repair clean.h5 -o poor.h5");
   check_refused(poor, "there is no readable /frames/position");
   check_refused(poor, "; of 6 frames in this copy 0 can be read");
-  CHECK(ask(here, "info poor.h5").code == 0);
+  CHECK(run_program(here, "info poor.h5").code == 0);
 }
 
 TEST_CASE("impossible numbers of threads are rejected, from the command line and from the environment") {
@@ -234,32 +236,32 @@ m:block { name = "b", width = 1, height = 1, material = "s", floating = true }
 m:run { duration = 1e-3 }
 )";
   for (const std::string wrong : {"0", "-1", "65", "two"}) {
-    const Said said = ask(here, "run block.lua --quiet --threads " + wrong);
-    CHECK(said.code == 2);
-    CHECK(said.err.find("--threads") != std::string::npos);
+    const Output output = run_program(here, "run block.lua --quiet --threads " + wrong);
+    CHECK(output.code == 2);
+    CHECK(output.err.find("--threads") != std::string::npos);
     ::setenv("TRILITH_THREADS", wrong.c_str(), 1);
-    const Said surrounded = ask(here, "run block.lua --quiet");
+    const Output surrounded = run_program(here, "run block.lua --quiet");
     ::unsetenv("TRILITH_THREADS");
     CHECK(surrounded.code == 1);
     CHECK(surrounded.err.find("TRILITH_THREADS is '" + wrong + "', must be a whole number from 1 to 64") !=
           std::string::npos);
   }
-  CHECK(ask(here, "run block.lua --quiet --threads 1").code == 0);
+  CHECK(run_program(here, "run block.lua --quiet --threads 1").code == 0);
 }
 
 TEST_CASE("trilith motion prints the figures of a record and draws it") {
   if (program_is_missing()) return;
   const std::filesystem::path& here = folder().path;
   const std::string record = "'" + testing::source_dir() + "/scripts/records/elcentro_1940_rest_ns.csv'";
-  const Said said = ask(here, "motion " + record);
-  CHECK(said.code == 0);
-  CHECK(said.says("PGA                  0.34874 g"));
+  const Output output = run_program(here, "motion " + record);
+  CHECK(output.code == 0);
+  CHECK(output.prints("PGA                  0.34874 g"));
   CHECK(is_picture(here / "elcentro_1940_rest_ns.png", "\x89PNG"));
-  const Said scaled = ask(here, "motion " + record + " --peak 0.8 --reverse --no-picture");
-  CHECK(scaled.says("PGA                  -0.80000 g"));
-  check_refused(ask(here, "motion nowhere.csv"), "nowhere.csv");
-  CHECK(ask(here, "motion " + record + " --scale 0 --no-picture").says("PGA                  0.00000 g"));
-  check_refused(ask(here, "motion " + record + " --scale inf -o x.png"), "inf");
+  const Output scaled = run_program(here, "motion " + record + " --peak 0.8 --reverse --no-picture");
+  CHECK(scaled.prints("PGA                  -0.80000 g"));
+  check_refused(run_program(here, "motion nowhere.csv"), "nowhere.csv");
+  CHECK(run_program(here, "motion " + record + " --scale 0 --no-picture").prints("PGA                  0.00000 g"));
+  check_refused(run_program(here, "motion " + record + " --scale inf -o x.png"), "inf");
 }
 
 namespace {
@@ -273,7 +275,7 @@ m:material { name = "stone", density = 2400 }
 m:contact { between = { "stone", "stone" }, law = trilith.frictional { kn = 6e7, ks = 3e7, mu = 0.6, beta = 2e-4 } }
 m:block { name = "base", width = 2, height = 0.2, at = { -1, -0.2 }, material = "stone", support = "fixed" }
 m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25, p.height }, material = "stone", floating = true }
-m:on("impact", function(e) print("said by the script") end)
+m:on("impact", function(e) print("output by the script") end)
 m:run { name = "fall", duration = 1 }
 if os.getenv("TRILITH_FAIL") then error("on purpose") end
 )lua";
@@ -288,20 +290,20 @@ TEST_CASE("trilith run prints events and stages in plain lines without a termina
   if (program_is_missing()) return;
   const testing::Folder here;
   write_script(here.path);
-  const Said said = ask(here.path, "run drop.lua height=0.5");
-  CHECK_MESSAGE(said.code == 0, said.err);
-  CHECK(said.says("fall began"));
-  CHECK(said.says("block hit base at"));
-  CHECK(said.says("said by the script\n"));
-  CHECK(said.says("fall ended (time) after 1 s in "));
-  CHECK(said.says("results are in"));
-  CHECK(said.says("of the input"));
-  CHECK(ask(here.path, "info drop.h5").says("height = 0.5"));
-  CHECK_FALSE(ask(here.path, "run drop.lua --impacts 100").says("hit base"));
-  CHECK_FALSE(ask(here.path, "run drop.lua --events none").says("began"));
-  CHECK(ask(here.path, "run drop.lua --events all").says("block left base"));
-  CHECK(ask(here.path, "run drop.lua --quiet").out.find("fall") == std::string::npos);
-  CHECK(ask(here.path, "run drop.lua --events some").code == 2);
+  const Output output = run_program(here.path, "run drop.lua height=0.5");
+  CHECK_MESSAGE(output.code == 0, output.err);
+  CHECK(output.prints("fall began"));
+  CHECK(output.prints("block hit base at"));
+  CHECK(output.prints("output by the script\n"));
+  CHECK(output.prints("fall ended (time) after 1 s in "));
+  CHECK(output.prints("results are in"));
+  CHECK(output.prints("of the input"));
+  CHECK(run_program(here.path, "info drop.h5").prints("height = 0.5"));
+  CHECK_FALSE(run_program(here.path, "run drop.lua --impacts 100").prints("hit base"));
+  CHECK_FALSE(run_program(here.path, "run drop.lua --events none").prints("began"));
+  CHECK(run_program(here.path, "run drop.lua --events all").prints("block left base"));
+  CHECK(run_program(here.path, "run drop.lua --quiet").out.find("fall") == std::string::npos);
+  CHECK(run_program(here.path, "run drop.lua --events some").code == 2);
 }
 
 TEST_CASE("a failed script leaves unfinished results and prints their file name") {
@@ -309,13 +311,13 @@ TEST_CASE("a failed script leaves unfinished results and prints their file name"
   const testing::Folder here;
   write_script(here.path);
   ::setenv("TRILITH_FAIL", "1", 1);
-  const Said said = ask(here.path, "run drop.lua");
+  const Output output = run_program(here.path, "run drop.lua");
   ::unsetenv("TRILITH_FAIL");
-  CHECK(said.code == 1);
-  CHECK(said.err.find("drop.lua:12: on purpose") != std::string::npos);
-  CHECK(said.says("drop.h5.part"));
+  CHECK(output.code == 1);
+  CHECK(output.err.find("drop.lua:12: on purpose") != std::string::npos);
+  CHECK(output.prints("drop.h5.part"));
   CHECK_FALSE(std::filesystem::exists(here / "drop.h5"));
-  CHECK(ask(here.path, "info drop.h5").says("on purpose"));
+  CHECK(run_program(here.path, "info drop.h5").prints("on purpose"));
 }
 
 TEST_CASE("on a terminal the status is one line that is redrawn, in colours unless NO_COLOR is set") {
@@ -350,12 +352,12 @@ TEST_CASE("wrong usage ends with code 2 and a message on stderr, help with 0") {
   const std::filesystem::path& here = folder().path;
   for (const char* wrong : {"daw span.h5", "draw", "draw span.h5 --unit si", "draw span.h5 --units mm",
                             "draw span.h5 --columns 0", "repair span.h5", "plot span.h5 -r"}) {
-    const Said said = ask(here, wrong);
-    CHECK_MESSAGE(said.code == 2, wrong);
-    CHECK_FALSE(said.err.empty());
+    const Output output = run_program(here, wrong);
+    CHECK_MESSAGE(output.code == 2, wrong);
+    CHECK_FALSE(output.err.empty());
   }
-  CHECK(ask(here, "--version").says("trilith "));
-  const Said help = ask(here, "--help");
+  CHECK(run_program(here, "--version").prints("trilith "));
+  const Output help = run_program(here, "--help");
   CHECK(help.code == 0);
-  for (const char* verb : {"draw", "plot", "motion", "info", "repair"}) CHECK(help.says(verb));
+  for (const char* verb : {"draw", "plot", "motion", "info", "repair"}) CHECK(help.prints(verb));
 }

@@ -12,8 +12,8 @@
 #include "source_dir.hpp"
 
 using namespace trilith;
-using testing::ask;
-using testing::Said;
+using testing::Output;
+using testing::run_program;
 
 namespace {
 
@@ -47,10 +47,10 @@ std::string browsed(const testing::Folder& here, const std::filesystem::path& pa
 TEST_CASE("the report of the bridge prints on a few pages and names the first failure" * doctest::test_suite("long")) {
   if (is_missing(testing::program_path()) || is_missing("/usr/bin/chromium")) return;
   const testing::Folder here;
-  const Said run =
-      ask(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", testing::source_dir()));
+  const Output run =
+      run_program(here.path, fmt::format("run '{}/scripts/bridge.lua' --quiet out=bridge.h5", testing::source_dir()));
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "report bridge.h5").out == "bridge.report.html\n");
+  CHECK(run_program(here.path, "report bridge.h5").out == "bridge.report.html\n");
   const std::string page = testing::bytes_of(here / "bridge.report.html");
   CHECK(page.size() < 1'500'000);
   CHECK(page.find("The first failure occurred at") != std::string::npos);
@@ -78,10 +78,10 @@ TEST_CASE("a stopped run is reported, with a notice of trilith report") {
     o.duration = 0.1;
     o.frame_interval = 0.02;
     simulation.run(o, recording.listener());
-    CHECK(ask(here.path, "report early.h5").says("the run is in progress"));
+    CHECK(run_program(here.path, "report early.h5").prints("the run is in progress"));
     recording.abandon("the power went");
   }
-  CHECK(ask(here.path, "report early.h5 -o stopped.html").says("the run was stopped"));
+  CHECK(run_program(here.path, "report early.h5 -o stopped.html").prints("the run was stopped"));
   CHECK(testing::bytes_of(here / "stopped.html").find("the run stopped early") != std::string::npos);
 }
 
@@ -103,37 +103,37 @@ m:shake { motions = { { body = one, x = motion }, { body = two, x = motion:delay
   duration = 1 }
 m:shake { body = one, x = motion:scale { factor = 2 }, duration = 0.5 }
 )";
-  REQUIRE(ask(here.path, "run shake.lua --quiet").code == 0);
+  REQUIRE(run_program(here.path, "run shake.lua --quiet").code == 0);
   std::filesystem::remove(here / "shake.lua");
   const std::vector<results::MotionRow> rows = results::ResultsReader(here / "shake.h5").motions();
   REQUIRE(rows.size() == 4);
   CHECK(rows[1].first_sample == rows[0].first_sample);  // a delayed copy
-  CHECK(ask(here.path, "report shake.h5").code == 0);
+  CHECK(run_program(here.path, "report shake.h5").code == 0);
   const std::string page = testing::bytes_of(here / "shake.report.html");
   CHECK(page.find("<h1>two supports</h1>") != std::string::npos);
   CHECK(page.find("From the samples in the results file") != std::string::npos);
   CHECK(page.find("records were not found") == std::string::npos);
   const results::ResultsReader reader(here / "shake.h5");
   for (const double miss : draw::motion_misses(reader, rows)) CHECK(miss < 1e-14);
-  const Said shown = ask(here.path, "motion shake.h5 --number 4 -o pictures/motion.svg");
+  const Output shown = run_program(here.path, "motion shake.h5 --number 4 -o pictures/motion.svg");
   CHECK(shown.code == 0);
-  CHECK(shown.says("2792 at 0.02 s"));
+  CHECK(shown.prints("2792 at 0.02 s"));
   CHECK(std::filesystem::exists(here / "pictures" / "motion.svg"));
-  testing::check_refused(ask(here.path, "motion shake.h5 --number 5"), "has motions 1 to 4");
+  testing::check_refused(run_program(here.path, "motion shake.h5 --number 5"), "has motions 1 to 4");
 }
 
 TEST_CASE("trilith report rejects wrong output names and foreign files") {
   if (is_missing(testing::program_path())) return;
   const testing::Folder here;
-  testing::check_refused(ask(here.path, "report nothing.h5"), "there is no such file");
+  testing::check_refused(run_program(here.path, "report nothing.h5"), "there is no such file");
   std::ofstream(here / "text.h5") << "no results";
-  testing::check_refused(ask(here.path, "report text.h5"), "not an HDF5 file");
+  testing::check_refused(run_program(here.path, "report text.h5"), "not an HDF5 file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
-  testing::check_refused(ask(here.path, "report empty.h5 -o page.pdf"), "end with .html");
-  testing::check_refused(ask(here.path, "report empty.h5 -o text.h5/where/page.html"), "cannot write");
-  const Said made = ask(here.path, "report empty.h5 -o new/folder/page.html");
+  testing::check_refused(run_program(here.path, "report empty.h5 -o page.pdf"), "end with .html");
+  testing::check_refused(run_program(here.path, "report empty.h5 -o text.h5/where/page.html"), "cannot write");
+  const Output made = run_program(here.path, "report empty.h5 -o new/folder/page.html");
   CHECK(made.out == "new/folder/page.html\n");
   CHECK(made.err.find("note: made folder new/folder") != std::string::npos);
-  CHECK(ask(here.path, "report").code == 2);
-  CHECK(ask(here.path, "report empty.h5").out == "empty.report.html\n");
+  CHECK(run_program(here.path, "report").code == 2);
+  CHECK(run_program(here.path, "report empty.h5").out == "empty.report.html\n");
 }

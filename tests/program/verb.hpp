@@ -30,37 +30,37 @@ inline bool program_is_missing() {
   return true;
 }
 
-struct Said {
+struct Output {
   int code = -1;         ///< exit code; -1 if it was ended by a signal
   std::string out, err;  ///< output
-  [[nodiscard]] bool says(const std::string& part) const { return out.find(part) != std::string::npos; }
+  [[nodiscard]] bool prints(const std::string& part) const { return out.find(part) != std::string::npos; }
 };
 
 /// `trilith ARGUMENTS` as read by a shell in `folder`; output to pipes and files, so that nothing is a terminal.
-inline Said ask(const std::filesystem::path& folder, const std::string& arguments) {
+inline Output run_program(const std::filesystem::path& folder, const std::string& arguments) {
   const std::filesystem::path err = folder / "stderr.txt";
   const std::string command =
       "cd '" + folder.string() + "' && '" + program_path().string() + "' " + arguments + " 2> '" + err.string() + "'";
-  Said said;
+  Output output;
   std::FILE* const pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> buffer{};
-  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) said.out.append(buffer.data(), n);
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) output.out.append(buffer.data(), n);
   const int status = ::pclose(pipe);
-  said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  said.err = testing::bytes_of(err);
-  CHECK(said.out.find('\033') == std::string::npos);  // no control codes without a terminal
-  CHECK(said.err.find('\033') == std::string::npos);
-  return said;
+  output.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  output.err = testing::bytes_of(err);
+  CHECK(output.out.find('\033') == std::string::npos);  // no control codes without a terminal
+  CHECK(output.err.find('\033') == std::string::npos);
+  return output;
 }
 
 /// Checks for a one-line message with the program's name and the error, and for exit code 1.
-inline void check_refused(const Said& said, const std::string& part) {
-  CHECK(said.code == 1);
-  CHECK_MESSAGE(said.err.starts_with("trilith: "), said.err);
-  CHECK_MESSAGE(said.err.find(part) != std::string::npos, said.err);
-  CHECK(std::count(said.err.begin(), said.err.end(), '\n') == 1);
-  CHECK(said.out.empty());
+inline void check_refused(const Output& output, const std::string& part) {
+  CHECK(output.code == 1);
+  CHECK_MESSAGE(output.err.starts_with("trilith: "), output.err);
+  CHECK_MESSAGE(output.err.find(part) != std::string::npos, output.err);
+  CHECK(std::count(output.err.begin(), output.err.end(), '\n') == 1);
+  CHECK(output.out.empty());
 }
 
 }  // namespace trilith::testing

@@ -7,9 +7,9 @@
 #include "source_dir.hpp"
 
 using namespace trilith;
-using testing::ask;
+using testing::Output;
 using testing::program_is_missing;
-using testing::Said;
+using testing::run_program;
 
 namespace {
 
@@ -52,10 +52,10 @@ TEST_CASE("the page of the bridge plays to the end, goes to the first failure an
   if (program_is_missing()) return;
   const testing::Folder here;
   const std::string script = "'" + testing::source_dir() + "/scripts/bridge.lua'";
-  const Said run = ask(here.path, "run " + script + " --quiet out=bridge.h5");
+  const Output run = run_program(here.path, "run " + script + " --quiet out=bridge.h5");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  const Said said = ask(here.path, "view bridge.h5");
-  CHECK(said.out == "bridge.html\n");
+  const Output output = run_program(here.path, "view bridge.h5");
+  CHECK(output.out == "bridge.html\n");
   CHECK(std::filesystem::file_size(here / "bridge.html") < 1'000'000);
   browse(here / "bridge.html", "plays_to_the_end shows_a_failed_bearing shows_a_body");
 }
@@ -64,9 +64,9 @@ TEST_CASE("the page of a wall in running bond shows cracks and damage") {
   if (program_is_missing()) return;
   const testing::Folder here;
   std::ofstream(here / "wall.lua") << wall_script;
-  const Said run = ask(here.path, "run wall.lua --quiet");
+  const Output run = run_program(here.path, "run wall.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view wall.h5 -o page.html").out == "page.html\n");
+  CHECK(run_program(here.path, "view wall.h5 -o page.html").out == "page.html\n");
   std::filesystem::rename(here / "page.html", here / "wall.html");
   browse(here / "wall.html", "plays_to_the_end shows_cracks shows_a_body");
 }
@@ -85,9 +85,9 @@ TEST_CASE("the page of a wall of finite elements shows their stress") {
   put("duration = 4 }\n", "duration = 1 }\n");
   put("wall.h5", "quads.h5");
   std::ofstream(here / "quads.lua") << script;
-  const Said run = ask(here.path, "run quads.lua --quiet");
+  const Output run = run_program(here.path, "run quads.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view quads.h5").out == "quads.html\n");
+  CHECK(run_program(here.path, "view quads.h5").out == "quads.html\n");
   browse(here / "quads.html", "shows_stress");
 }
 
@@ -107,9 +107,9 @@ m:frame { name = "bent", material = "steel", floating = true,
 m:modes { count = 3 }
 m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
 )lua";
-  const Said run = ask(here.path, "run frame.lua --quiet");
+  const Output run = run_program(here.path, "run frame.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view frame.h5").out == "frame.html\n");
+  CHECK(run_program(here.path, "view frame.h5").out == "frame.html\n");
   browse(here / "frame.html", "plays_a_mode plays_to_the_end");
 }
 
@@ -133,9 +133,9 @@ m:consolidate { integrator = "static" }
 m:modes { count = 3 }
 m:run { duration = 0.2, integrator = "implicit", dt = 0.005 }
 )lua";
-  const Said run = ask(here.path, "run modes.lua --quiet");
+  const Output run = run_program(here.path, "run modes.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view modes3d.h5").out == "modes3d.html\n");
+  CHECK(run_program(here.path, "view modes3d.h5").out == "modes3d.html\n");
   browse(here / "modes3d.html", "plays_a_mode_in_space plays_to_the_end");
 }
 
@@ -158,11 +158,11 @@ m:history { name = "displacement", bearing = "rubber", what = "displacement_alon
 m:run { name = "rest", duration = 0.5, local_damping = 0.8 }
 m:shake { body = pier, x = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 3 }, duration = 4 }
 )lua";
-  const Said run = ask(here.path, "run loop.lua --quiet");
+  const Output run = run_program(here.path, "run loop.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view loop.h5").out == "loop.html\n");
+  CHECK(run_program(here.path, "view loop.h5").out == "loop.html\n");
   browse(here / "loop.html", "shows_loops counts_from_a_stage");
-  CHECK(ask(here.path, "view loop.h5 --since shake -o since.html").code == 0);
+  CHECK(run_program(here.path, "view loop.h5 --since shake -o since.html").code == 0);
   browse(here / "since.html", "counts_from_the_start_it_was_given");
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("the page of a model in space shows, turns and cuts solids and describ
   if (program_is_missing()) return;
   const testing::Folder here;
   testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
-  CHECK(ask(here.path, "view solids.h5").out == "solids.html\n");
+  CHECK(run_program(here.path, "view solids.h5").out == "solids.html\n");
   browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
 }
 
@@ -188,9 +188,9 @@ m:results { file = "stones.h5", frames = 0.05 }
 m:consolidate { duration = 5, fresh = true }
 m:shake { body = "wall.base", y = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = 12 }, duration = 2 }
 )lua";
-  const Said run = ask(here.path, "run stones.lua --quiet");
+  const Output run = run_program(here.path, "run stones.lua --quiet");
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  CHECK(ask(here.path, "view stones.h5").out == "stones.html\n");
+  CHECK(run_program(here.path, "view stones.h5").out == "stones.html\n");
   browse(here / "stones.html", "shows_cracks_of_solids");
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("the page of a long flow in space shows its start and its end") {
   std::vector<testing::FlyingBox> boxes;
   for (int i = 0; i < 20; ++i) boxes.push_back({{0.1, 0.1, 0.1}, {0.3 * i, 0, 0}, {10, 0, -4}});
   testing::record_boxes(here / "flow.h5", boxes, 21, 0.1);
-  CHECK(ask(here.path, "view flow.h5").out == "flow.html\n");
+  CHECK(run_program(here.path, "view flow.h5").out == "flow.html\n");
   browse(here / "flow.html", "shows_where_it_goes");
 }
 
@@ -214,26 +214,26 @@ TEST_CASE("a running or stopped run is viewed up to its last row, with a notice"
     o.duration = 0.1;
     o.frame_interval = 0.02;
     simulation.run(o, recording.listener());
-    const Said said = ask(here.path, "view early.h5");
-    CHECK(said.says("the run is in progress"));
+    const Output output = run_program(here.path, "view early.h5");
+    CHECK(output.prints("the run is in progress"));
     browse(here / "early.html", "shows_a_run_in_progress shows_a_body");
     recording.abandon("the power went");
   }
-  CHECK(ask(here.path, "view early.h5").says("the run was stopped"));
+  CHECK(run_program(here.path, "view early.h5").prints("the run was stopped"));
   browse(here / "early.html", "shows_a_stopped_run plays_to_the_end");
 }
 
 TEST_CASE("trilith view rejects wrong output names and foreign files") {
   if (program_is_missing()) return;
   const testing::Folder here;
-  testing::check_refused(ask(here.path, "view nothing.h5"), "there is no such file");
+  testing::check_refused(run_program(here.path, "view nothing.h5"), "there is no such file");
   { results::ResultsWriter(here / "empty.h5", testing::sample_header()).finish(); }
-  testing::check_refused(ask(here.path, "view empty.h5 -o page.pdf"), "end with .html");
-  testing::check_refused(ask(here.path, "view empty.h5 -o empty.h5/where/page.html"), "cannot write");
-  CHECK(ask(here.path, "view empty.h5 -o new/folder/page.html").out == "new/folder/page.html\n");
-  CHECK(ask(here.path, "view").code == 2);
-  CHECK(ask(here.path, "view empty.h5").out == "empty.html\n");
+  testing::check_refused(run_program(here.path, "view empty.h5 -o page.pdf"), "end with .html");
+  testing::check_refused(run_program(here.path, "view empty.h5 -o empty.h5/where/page.html"), "cannot write");
+  CHECK(run_program(here.path, "view empty.h5 -o new/folder/page.html").out == "new/folder/page.html\n");
+  CHECK(run_program(here.path, "view").code == 2);
+  CHECK(run_program(here.path, "view empty.h5").out == "empty.html\n");
   browse(here / "empty.html", "shows_that_there_is_no_frame");
   { results::ResultsWriter(here / "faceless.h5", testing::sample_header(2, 3)).finish(); }
-  testing::check_refused(ask(here.path, "view faceless.h5"), "contains no faces of solids");
+  testing::check_refused(run_program(here.path, "view faceless.h5"), "contains no faces of solids");
 }

@@ -225,13 +225,13 @@ TEST_CASE("of many histories the eight largest are reported") {
   writer.append_history(1, values);
   writer.finish();
   const std::string page = report_page(ResultsReader(path));
-  int told = 0;
+  int shown = 0;
   for (int k = 0; k < 20; ++k) {
     const bool here = has(page, fmt::format("<td>h{}</td>", k));
     CHECK(here == (values[k] >= 12));
-    told += here ? 1 : 0;
+    shown += here ? 1 : 0;
   }
-  CHECK(told == 8);
+  CHECK(shown == 8);
   CHECK(has(page, "12 further histories"));
 }
 

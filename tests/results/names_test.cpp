@@ -33,7 +33,7 @@ std::string refusal_of(const fs::path& path) {
   return "written";
 }
 
-bool tells(const std::string& text, const char* part) {
+bool holds_text(const std::string& text, const char* part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -65,10 +65,10 @@ TEST_CASE("results whose name is a link go where it leads and the link stays") {
     CHECK(ResultsReader(folder / "far/real.h5").frame_count() == static_cast<std::size_t>(rows));
   }
   put_text(folder / "far/real.h5", "forty pages");
-  CHECK(tells(refusal_of(folder / "run.h5"), "is not a Trilith results file"));
+  CHECK(holds_text(refusal_of(folder / "run.h5"), "is not a Trilith results file"));
   CHECK(bytes_of(folder / "far/real.h5") == "forty pages");
   fs::create_symlink("none/real.h5", folder / "nowhere.h5");
-  CHECK(tells(refusal_of(folder / "nowhere.h5"), "there is no folder"));
+  CHECK(holds_text(refusal_of(folder / "nowhere.h5"), "there is no folder"));
 }
 
 TEST_CASE("a foreign file that appears at the name of the results during the run is not overwritten") {
@@ -87,10 +87,10 @@ TEST_CASE("a foreign file that appears at the name of the results during the run
 TEST_CASE("the rows of an abandoned run are kept under another name by the next run, with a notice") {
   const Folder folder;
   CHECK(run_rows(folder / "run.h5", 1, false).empty());
-  CHECK(tells(run_rows(folder / "run.h5", 2, false), "(1 frame, up to 0 s) are kept in"));
-  const std::string said = run_rows(folder / "run.h5", 3, true);
-  CHECK(tells(said, "(2 frames, up to 0.01 s) are kept in"));
-  CHECK(tells(said, "run.unfinished2.h5"));
+  CHECK(holds_text(run_rows(folder / "run.h5", 2, false), "(1 frame, up to 0 s) are kept in"));
+  const std::string output = run_rows(folder / "run.h5", 3, true);
+  CHECK(holds_text(output, "(2 frames, up to 0.01 s) are kept in"));
+  CHECK(holds_text(output, "run.unfinished2.h5"));
   CHECK(ResultsReader(folder / "run.unfinished1.h5").frame_count() == 1);
   CHECK(ResultsReader(folder / "run.unfinished2.h5").frame_count() == 2);
   CHECK(ResultsReader(folder / "run.h5").frame_count() == 3);
@@ -107,7 +107,7 @@ TEST_CASE("a part file without rows is discarded, an unreadable one is kept") {
   CHECK_FALSE(fs::exists(folder / "run.unfinished1.h5"));
   const std::string torn = "\x89HDF\r\n\x1a\n torn";
   put_text(folder / "run.h5.part", torn);
-  CHECK(tells(run_rows(folder / "run.h5", 1, true), "(not readable without repair) are kept"));
+  CHECK(holds_text(run_rows(folder / "run.h5", 1, true), "(not readable without repair) are kept"));
   CHECK(bytes_of(folder / "run.unfinished1.h5") == torn);
 }
 
@@ -116,15 +116,15 @@ TEST_CASE("links and foreign files at the name of the part are rejected and stay
   run_rows(folder / "other.h5", 1, true);
   const std::string other = bytes_of(folder / "other.h5");
   fs::create_symlink("other.h5", folder / "run.h5.part");
-  CHECK(tells(refusal_of(folder / "run.h5"), "is not a regular file"));
+  CHECK(holds_text(refusal_of(folder / "run.h5"), "is not a regular file"));
   CHECK(bytes_of(folder / "other.h5") == other);
   fs::remove(folder / "run.h5.part");
   fs::create_directory(folder / "run.h5.part");
-  CHECK(tells(refusal_of(folder / "run.h5"), "is not a regular file"));
+  CHECK(holds_text(refusal_of(folder / "run.h5"), "is not a regular file"));
   fs::remove(folder / "run.h5.part");
   write_study_table(folder / "run.h5.part", {{"case", "1", "number", std::vector<std::int32_t>{1, 2}}}, {}, true);
   const std::string table = bytes_of(folder / "run.h5.part");
-  CHECK(tells(refusal_of(folder / "run.h5"), "is not a Trilith results file"));
+  CHECK(holds_text(refusal_of(folder / "run.h5"), "is not a Trilith results file"));
   CHECK(bytes_of(folder / "run.h5.part") == table);
 }
 

@@ -196,12 +196,12 @@ TEST_CASE("a file that is not a results file is rejected with its kind") {
   const auto says = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;
   };
-  CHECK(says(message_of_opening(folder / "none.h5"), "there is no such file"));
-  CHECK(says(message_of_opening(folder.path), "is a folder"));
+  CHECK(mentions(message_of_opening(folder / "none.h5"), "there is no such file"));
+  CHECK(mentions(message_of_opening(folder.path), "is a folder"));
   write_text(folder / "empty.h5", "");
-  CHECK(says(message_of_opening(folder / "empty.h5"), "is empty"));
+  CHECK(mentions(message_of_opening(folder / "empty.h5"), "is empty"));
   write_text(folder / "text.h5", "not HDF5 at all");
-  CHECK(says(message_of_opening(folder / "text.h5"), "is not an HDF5 file"));
+  CHECK(mentions(message_of_opening(folder / "text.h5"), "is not an HDF5 file"));
 }
 
 TEST_CASE("a part file without rows is reported in one line") {
