@@ -193,7 +193,7 @@ TEST_CASE("places that cannot be written are rejected with the reason") {
 
 TEST_CASE("a file that is not a results file is rejected with its kind") {
   const Folder folder;
-  const auto says = [](const std::string& message, const char* part) {
+  const auto mentions = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;
   };
   CHECK(mentions(message_of_opening(folder / "none.h5"), "there is no such file"));

@@ -193,7 +193,7 @@ TEST_CASE("invalid frames are rejected with a remedy") {
     }
     return "";
   };
-  const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  const auto mentions = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   CHECK(refusal([](BodySpec&) {}).empty());
   CHECK(mentions(refusal([](BodySpec& b) { b.frame->members.clear(); }), "without members"));
   CHECK(mentions(refusal([](BodySpec& b) { b.frame->joints[1].place = {0, 0}; }), "must lie apart"));
