@@ -73,7 +73,7 @@ constexpr std::array former_names{
     FormerName{"turn_z", "rotation_z"},
 };
 
-/// How `given` is written today if it is a former name of one of `known`; else "".
+/// Present spelling of `given` if it is a former name of one of `known`, otherwise "".
 std::string_view written_today(std::string_view given, const std::vector<std::string>& known) {
   for (const FormerName& former : former_names)
     if (former.before == given && std::find(known.begin(), known.end(), former.now) != known.end())

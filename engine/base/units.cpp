@@ -220,7 +220,7 @@ double parse_quantity(std::string_view text, std::string_view unit, std::string_
   return value * product.factor;
 }
 
-/// By its own name where there is one, else as a product of kg, m and s.
+/// By its own name if it has one, otherwise as a product of kg, m and s.
 std::string si_unit(const Dimension& d) {
   for (const std::string_view named : {"N", "Pa", "J"})
     if (find_unit(named, named).dimension == d) return std::string(named);

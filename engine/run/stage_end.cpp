@@ -12,7 +12,7 @@
 namespace trilith {
 namespace {
 
-/// "pier is worst, with 3.1e-03 of the largest force unbalanced (1e-05 is asked for)"
+/// "pier is worst, with 3.1e-03 of the largest force unbalanced (1e-05 is required)"
 template <int D>
 std::string unbalanced_text(const Instant<D>& now, const WorstBodies& worst) {
   return fmt::format("{} is worst, with an out-of-balance ratio of {:.2g} ({:g} is required)",
@@ -73,7 +73,7 @@ void set_end(StageReport& report, const Instant<D>& now, const std::optional<Div
   }
 }
 
-/// "unstable: top moved by 0.21 m and turned by 0.6 rad, 0.4 of its size; ..."
+/// "unstable: top moved by 0.21 m and rotated by 0.6 rad, 0.4 of its size; ..."
 template <int D>
 void set_unstable(StageReport& report, const Model<D>& model, const Travel& travel, double within) {
   report.found = fmt::format("unstable: {} {}", model.bodies[travel.body].name, travel_text(travel));

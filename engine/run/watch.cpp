@@ -200,7 +200,7 @@ std::string Watch::ledger_text() const {
 template <int D>
 std::optional<Divergence> Watch::look_at_magnitudes(const Instant<D>& now) {
   const Energy e = energy_now(now.model, now.state, now.work, {now.dt, {now.stage.rest_share}});
-  // Freed or removed bodies took their motion along; the check restarts here.
+  // Freed or removed bodies change the kinetic energy; the check restarts here.
   if (!counts_ || now.model.free_dofs() != free_dofs_) count_from(now, e);
   most_put_in_ = std::max(most_put_in_, put_in(e) - put_in(from_));
   const double start = held(from_), given = most_put_in_;

@@ -38,7 +38,7 @@ local function between(a, b, force)
   return a[1] + (b[1] - a[1])*(force - a[2])/(b[2] - a[2])
 end
 
---- Displacement at which the force has fallen to `share` of the peak; else the last one, and false.
+--- Displacement at which the force has fallen to `share` of the peak, or the last one, and false.
 local function drop_at(points, peak, share)
   local level = share*points[peak][2]
   for i = peak + 1, #points do

@@ -68,7 +68,7 @@ local function pattern_of(name) return "^" .. name:gsub("[%^%$%(%)%%%.%[%]%+%-%?
 
 local function file_name(file) return file.subject .. "/" .. file.name end
 
--- The subject, file and case name of a case, as far as `pattern` fits them.
+-- The subject, file and case name of a case that match `pattern`.
 local function matches_of(case, pattern)
   local found = {}
   if case.file.subject:find(pattern) then found[#found + 1] = "the subject " .. case.file.subject end

@@ -28,7 +28,7 @@ void part_row(const FacePass& pass, int row) {
   keep_law_memory<K>(K::parted(law_memory<K>(pass.law_before + first)), pass.law_after + first);
 }
 
-/// Dissipated energies of rows [J], summed one after the other. A row without dissipation changes no bit of the sum. So
+/// Dissipated energies of rows [J], summed one after the other. A row without dissipation does not change the sum. So
 /// the sum does not depend on pairs that are near but do not touch, nor on when they were found.
 struct GivenOff {
   double damping = 0, friction = 0, fracture = 0;

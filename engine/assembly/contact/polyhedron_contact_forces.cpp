@@ -286,7 +286,7 @@ void SolidPass::ask_early(int row) const {
 }
 
 /// Evaluates rows one by one, except flat faces: these are evaluated four of a kind at a time, separately for faces
-/// with few and with many corners. The grouping changes no bit.
+/// with few and with many corners. The grouping does not change the results.
 void SolidPass::respond(int first, int last, SolidRoom& room, SolidAnswer* answers) const {
   RowsByKind flat;
   const Contacts<3>& before = contacts_before(state, work);

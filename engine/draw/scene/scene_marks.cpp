@@ -120,7 +120,7 @@ void draw_force(Canvas& canvas, const PagePoint& start, const PagePoint& end, bo
 }
 
 void draw_crack(Canvas& canvas, const PagePoint& a, const PagePoint& b, CrackMark mark) {
-  // Width by class, but for a short joint limited to a part of its length.
+  // Width by class; for a short joint limited to a part of its length.
   constexpr double widths[] = {0.5, 1.1, 2.2, 0.9};  // fine, opened, wide, slid
   const double most = std::max(0.3, 0.25 * (b - a).norm());
   canvas.line(a, b,

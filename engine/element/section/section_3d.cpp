@@ -161,7 +161,7 @@ Section3 polygon_section_in_space(std::span<const Vec2> outline) {
         fmt::format("polygon_section: up and across are not its principal axes, which a beam in space bends about; "
                     "rotate its outline by {:.4g} rad, and the orientation of its members by the opposite angle",
                     0.5 * portable::atan2(2 * mixed, plane.second_moment - across)));
-  // Saint-Venant's estimate for a solid section, J = A^4 / (40 Ip). Exact for an ellipse, within some percent for
+  // Saint-Venant's estimate for a solid section, J = A^4 / (40 Ip). Exact for an ellipse, within a few per cent for
   // similar shapes.
   const double polar = across + plane.second_moment;
   Section3 out =

@@ -40,7 +40,7 @@ void require_loop(const Polyhedron& solid, int face, std::string_view owner) {
   }
 }
 
-/// A corner without a face would count in sizes and boxes, and nowhere else.
+/// A corner without a face would only count in sizes and boxes.
 void refuse_unused(const Polyhedron& solid, std::string_view owner) {
   std::vector<std::uint8_t> used(solid.corners.size(), 0);
   for (const int i : solid.faces.corner) used[static_cast<std::size_t>(i)] = 1;

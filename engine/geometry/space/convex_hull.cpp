@@ -51,7 +51,7 @@ class HullBuilder {
   }
 
   void run() {
-    // each round adds one point for good, so there are no more rounds than points
+    // each round adds one permanent point, so there are no more rounds than points
     for (std::size_t round = 0; round < points_.size(); ++round) {
       const auto [point, triangle] = farthest();
       if (point < 0) return;

@@ -13,7 +13,7 @@
 namespace trilith::results {
 namespace {
 
-constexpr unsigned open_seconds = 20;  // a file that takes longer to open hangs
+constexpr unsigned open_seconds = 20;  // a file that takes longer to open is treated as hanging
 
 h5::Handle open_here(const std::filesystem::path& path) {
   const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

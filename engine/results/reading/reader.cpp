@@ -38,7 +38,7 @@ void require_ours(hid_t file) {
                                   format_version));
 }
 
-/// Why the part of a run cannot be read. The model and the tables are in it once its first rows are to come.
+/// Why the part of a run cannot be read. The file contains the model and the tables before its first rows are written.
 std::string unfinished_text(const std::filesystem::path& path, const std::string& why) {
   if (is_being_written(path))
     return fmt::format("cannot be read yet, as its run has just begun; try again in a moment ({})", why);

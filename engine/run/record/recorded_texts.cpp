@@ -127,7 +127,7 @@ std::string directions_text(const Bearing<3>& b) {
   return out;
 }
 
-/// Lists the directions in which the displacement of the successor counts from where it takes over.
+/// Lists the directions in which the displacement of the successor counts from the point of the change.
 template <int D>
 std::string from_here_text(const Bearing<D>& b) {
   std::string out;

@@ -149,7 +149,7 @@ int draw_plot(lua_State* L) {
   return 0;
 }
 
-/// status(text), a line that is redrawn; without a text it goes
+/// status(text), a line that is redrawn; without a text it is cleared
 int show_status(lua_State* L) {
   auto& screen = *static_cast<Screen*>(lua_touserdata(L, lua_upvalueindex(1)));
   if (lua_isnoneornil(L, 1))
@@ -217,7 +217,7 @@ int run_library(lua_State* L) {
   return 1;
 }
 
-/// A folder for the output of the processes, gone at the end.
+/// A folder for the output of the processes, removed at the end.
 class OutputFolder {
  public:
   OutputFolder() : path_((fs::temp_directory_path() / "trilith-verify-XXXXXX").string()) {
