@@ -25,8 +25,8 @@ void list_closing(const State<D>& state, Work<D>& work) {
 
 }  // namespace
 
-/// Removes the contacts that close in this step (some hundreds) from the list of opened contacts (some ten thousand in
-/// a large wall). One pass: a flag excludes nearly all opened contacts, and only the others are searched for.
+/// Removes the contacts that close in this step (several hundred) from the list of opened contacts (about ten thousand
+/// in a large wall). One pass: a flag excludes nearly all opened contacts, and only the others are searched for.
 template <int D>
 void take_back(State<D>& state, Work<D>& work) {
   work.closing.clear(), work.closed_again.clear();

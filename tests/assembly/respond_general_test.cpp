@@ -1,4 +1,5 @@
-// Caches of the general contact between evaluations change no bit, and neither does the assignment of rows to threads.
+// Caches of the general contact between evaluations do not change the results, and neither does the assignment of rows
+// to threads.
 #include <doctest/doctest.h>
 
 #include "assembly/evaluate.hpp"
@@ -74,7 +75,7 @@ Trace follow(const Model<2>& model, Change&& change) {
 
 }  // namespace
 
-TEST_CASE("the cached separating edge or corner of two pieces changes no bit") {
+TEST_CASE("the cached separating edge or corner of two pieces does not change the results") {
   const Model<2> model = falling_stones();
   const Trace kept = follow(model, [](Work<2>&, int) {});
   REQUIRE(kept.hints > 1000);

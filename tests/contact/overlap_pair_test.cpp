@@ -99,7 +99,7 @@ Polygon random_concave(std::mt19937_64& bits) {
   return outline;
 }
 
-/// A pose of B with an overlap with A of up to some tenths of their size.
+/// A pose of B with an overlap with A of up to a few tenths of their size.
 Pose random_pose(std::mt19937_64& bits, const Shape& a, const Shape& b, double nearness) {
   Pose pose;
   pose.place = random_between(bits, 0.4, nearness) * (a.radius + b.radius) * random_direction(bits);

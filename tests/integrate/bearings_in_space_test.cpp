@@ -292,7 +292,8 @@ TEST_CASE("bearings in space: an intact bearing replaces flat contact, and the b
   CHECK(near_zero(run.energy().balance() - begin, 5e-3 * 500));
 }
 
-TEST_CASE("bearings in space: saved states are restored completely, and freeing scratch memory changes no bit") {
+TEST_CASE(
+    "bearings in space: saved states are restored completely, and freeing scratch memory does not change the results") {
   const Model<3> model = linked_pair(many_space_links()[2]);
   SolidRun run(model, 1e-3), dropped(model, 1e-3);
   run.run(0.5);

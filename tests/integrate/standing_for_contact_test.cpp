@@ -198,7 +198,9 @@ void check_kept(Steps<D> run) {
   CHECK(state_hash(on.state) == state_hash(dropped.state));
 }
 
-TEST_CASE("a bearing replaces contact: the replaced contact is saved, and freeing scratch memory changes no bit") {
+TEST_CASE(
+    "a bearing replaces contact: the replaced contact is saved, and freeing scratch memory does not change the "
+    "results") {
   check_kept(Steps<2>(block_on_springs(sinking_springs, 1.0), 2e-5));
   check_kept(Steps<3>(stone_on_springs(sinking_springs, {0.7, 0.4, 0.2}), 2e-5));
 }

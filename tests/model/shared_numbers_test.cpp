@@ -49,7 +49,7 @@ TEST_CASE("equal elements share their data at any place") {
   CHECK(far.builder.build().element_number.size() == 4 * quad_numbers);
 }
 
-/// All nodes displaced by some thousandths, with velocities of some hundredths.
+/// All nodes displaced by a few thousandths, with velocities of a few hundredths.
 template <int D>
 State<D> disturbed(const Model<D>& model) {
   State<D> state = initial_state(model);

@@ -94,7 +94,7 @@ TEST_CASE("two runs of a model give the same bits, and so do the events") {
   }
 }
 
-TEST_CASE("freeing scratch memory between steps changes no bit of the state and no event") {
+TEST_CASE("freeing scratch memory between steps changes neither the state nor the events") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     const Trace kept = follow(model, start_state(model), c.duration, 0);
@@ -107,7 +107,7 @@ TEST_CASE("freeing scratch memory between steps changes no bit of the state and 
   }
 }
 
-TEST_CASE("repeated and trial evaluations change no bit of a run") {
+TEST_CASE("repeated and trial evaluations do not change a run") {
   for (const Collapse& c : collapses()) {
     const Model<2> model = c.model();
     const Trace once = follow(model, start_state(model), 0.5 * c.duration, 0);

@@ -101,7 +101,7 @@ TEST_CASE("a report has verdict, model, parameters, stages, energy, seal and com
   const std::string page = page_of(sample_header(), 4);
   CHECK(wrong_with(page) == "");
   CHECK(has(page, "at rest"));
-  CHECK(has(page, "4 of 2 bearings failed"));  // the sample's events say so
+  CHECK(has(page, "4 of 2 bearings failed"));  // the sample's events show this
   CHECK(has(page, "The first failure occurred at 0.000 s"));
   CHECK(has(page, "<td class=\"n\">303 kg</td>"));
   CHECK(has(page, "density 2400 kg/m^3"));

@@ -1,4 +1,5 @@
-// Models that change: bodies are removed, reactivated and added; the others keep their bits, and the ledger closes.
+// Models that change: bodies are removed, reactivated and added; the others do not change, and the energy balance
+// closes.
 #include <fmt/format.h>
 
 #include "integrate/explicit/central_difference.hpp"

@@ -85,7 +85,7 @@ TEST_CASE("handlers of steps and events read the values of histories at the same
   }
 }
 
-TEST_CASE("a handler that requests no real change changes no bit") {
+TEST_CASE("a handler that requests no real change does not change the results") {
   StageOptions options;
   options.duration = 0.5;
   const Readings plain = readings_of(tumbling(), options), changed = readings_of(tumbling(), options, true);

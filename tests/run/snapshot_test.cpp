@@ -123,7 +123,7 @@ TEST_CASE("a stage ends exactly at its given time, to the bit, from any start") 
   CHECK(std::abs(s.state().time - 0.7) < 1e-12);
 }
 
-TEST_CASE("profiling a run changes no bit, and the parts of the step sum to at most the whole") {
+TEST_CASE("profiling a run does not change the results, and the parts of the step sum to at most the whole") {
   Simulation<2> s(dropped_block(0.1));
   StepTimes times;
   s.measure(&times);

@@ -18,7 +18,7 @@ template <int D>
 class Search {
  public:
   /// `share`: allowed depth over the thickness of the thinner piece. `more`: the depth is measured relative to the
-  /// begin of the step.
+  /// start of the step.
   Search(const Model<D>& model, const State<D>& state, const Work<D>& work, const StepBegin<D>& begin, double share,
          bool more)
       : model_(model),

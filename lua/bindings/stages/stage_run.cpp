@@ -174,7 +174,7 @@ class Handlers {
   }
 
   /// Calls the function that begin() and the arguments have put on the stack. False if an interrupt ended it, which is
-  /// no failure.
+  /// not a failure.
   bool run(int arguments, int results = 0) {
     try {
       call(L_, arguments, results);

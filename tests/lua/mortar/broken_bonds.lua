@@ -65,7 +65,7 @@ local function check(dim, law, load, mode, unit, expected, tolerance, turn)
 end
 
 -- A couple shears off the outermost points of the patches, at 3/8 + 1/8/sqrt(3) m along both axes: c J/r [kN m]. Forces
--- and couples grow by some percent per step; the event reports the last carried value.
+-- and couples grow by a few per cent per step; the event reports the last carried value.
 local twist <const> = 1e-3*cohesion/6/(math.sqrt(2)*(3/8 + 1/8/math.sqrt(3)))
 for _, law in ipairs { "bonded", "cohesive" } do
   for _, turn in ipairs { false, { axis = { 1, -2, 3 }, angle = 0.7 }, { axis = { -3, 1, 0.4 }, angle = 2.1 } } do

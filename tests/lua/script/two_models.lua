@@ -18,7 +18,7 @@ for _ = 1, 5 do b:run { duration = 0.2 } end
 assert(a.hash == b.hash and a.hash ~= c.hash)
 assert(a:body "block" ~= b:body "block" and a:body "block" == a:body "block")
 
--- reading between stages changes no bit
+-- reading between stages does not change the results
 local d = block(0.2)
 for _ = 1, 5 do
   d:run { duration = 0.2 }

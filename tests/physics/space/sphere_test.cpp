@@ -197,7 +197,7 @@ TEST_CASE("the energy balance of a ball that falls, slides and rolls closes") {
   CHECK(after[EnergyTerm::contact_friction] > 0.05);
 }
 
-TEST_CASE("freeing scratch memory changes no bit of spheres that fall on each other") {
+TEST_CASE("freeing scratch memory does not change spheres that fall on each other") {
   const auto heap = [] {
     SpaceBuilder space;
     space.gravity(Vec3(0, 0, -standard_gravity));

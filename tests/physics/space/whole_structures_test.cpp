@@ -28,7 +28,7 @@ TEST_CASE("undamped average acceleration keeps the energy of an elastic frame ov
   spec.frame = frame;
   Model<2> model = of_frames(elastic_material("steel", 7850, 2.1e11), {spec});
   const double period = 1 / modes(model, initial_state(model), 1)[0].frequency();
-  // A sway of some hundredths of a millimetre: the scheme conserves the energy of linear motion.
+  // A sway of a few hundredths of a millimetre: the scheme conserves the energy of linear motion.
   for (int n = 0; n < model.nodes(); ++n)
     if (model.moves(n)) model.start_velocity[n] = {1e-4, 0};
   Simulation<2> sim(model);
