@@ -56,7 +56,7 @@ def run(script, program="trilith", results=None, quiet=True, **parameters):
     """Runs a script with the given parameters and returns its results.
 
     `results` is the file of m:results{}, relative to the current folder; without it, the file that the run names.
-    Raises TrilithError with the program's message if the run fails. Exit code 3, a run that is not reliable, is no
+    Raises TrilithError with the program's message if the run fails. Exit code 3, a run that is not reliable, is not a
     failure: see Results.verdict.
     """
     words = [program, "run", str(script)] + [f"{name}={value}" for name, value in parameters.items()]
@@ -77,7 +77,7 @@ def run(script, program="trilith", results=None, quiet=True, **parameters):
 
 
 def study(path):
-    """The table of `trilith study`: a row for each case, NaN where a case gave no number."""
+    """The table of `trilith study`: a row for each case, NaN where a case has no value."""
     with h5py.File(path, "r") as file:
         if _text(file.attrs.get("format", b"")) != "trilith study":
             raise TrilithError(f"{path} is not the table of a study")
@@ -85,7 +85,7 @@ def study(path):
 
 
 class Results:
-    """A results file. Tables are read when they are first used; `refresh` reads a running run on."""
+    """A results file. Tables are read at their first use; `refresh` reads the new rows of a running run."""
 
     def __init__(self, path):
         path = Path(path)
@@ -112,7 +112,7 @@ class Results:
         self.close()
 
     def refresh(self):
-        """Opens the file anew, for the rows that a running run has added."""
+        """Opens the file again, to read the rows that a running run has added."""
         self.file.close()
         self.__init__(self.path)
         return self
@@ -148,7 +148,7 @@ class Results:
     # --- about the run
     @property
     def finished(self):
-        """True if the run came to its end."""
+        """True if the run is complete."""
         return bool(self.file.attrs["finished"])
 
     @property

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Rows of the bridge's table of variants: runs scripts/bridge.lua with the parameters of each line of bridge_variants.txt
-and prints what failed and lost its seat when (seconds from the record's start), when all was at rest, and the residual.
+"""Rows of the bridge's table of variants. Runs scripts/bridge.lua with the parameters of each line of bridge_variants.txt
+and prints failed bearings, lost seats, the time of rest and the residual. Times are seconds from the start of the record.
 
-usage: docs/gallery/bridge_rows.py PROGRAM [LINE...]   LINE: 'gap=1 mu=0.1'; without lines, those of the file."""
+usage: docs/gallery/bridge_rows.py PROGRAM [LINE...]   LINE: 'gap=1 mu=0.1'; without lines, all lines of the file."""
 import pathlib
 import subprocess
 import sys

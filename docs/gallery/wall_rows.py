@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Rows of the wall's tables, from results of scripts/wall.lua: share of bonds lost and of joints apart by storey over time,
-when bonds were lost, and what the run gave off.
+times at which bonds were lost, and dissipated energies.
 
 usage: docs/gallery/wall_rows.py RESULT..."""
 import sys

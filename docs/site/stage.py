@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Copies the Markdown of the tree for the site: stage.py SOURCE TARGET
 
-Paths stay, so that links hold. Added are: the menu, pages for the scripts, lists of the gallery and the decisions, entries of the
-index."""
+Paths stay, so that links remain valid. It adds the menu, pages for the scripts, lists of the gallery and the decisions,
+and entries of the index."""
 import fnmatch
 import os
 import re
@@ -85,7 +85,7 @@ def first_sentence(text):
 
 
 def moved(target, here, source):
-    """Where a link of a page leads on the site."""
+    """The target of a page's link on the site."""
     if re.match(r"\w+:", target):
         return target
     path = os.path.normpath(os.path.join(os.path.dirname(here), target))
@@ -103,7 +103,7 @@ def moved(target, here, source):
 
 
 def titled(line, here, source):
-    """Links whose text is the name of a page get its title."""
+    """Replaces link texts that are names of pages by their titles."""
     def title(found):
         path = os.path.normpath(os.path.join(os.path.dirname(here), found[2]))
         if not os.path.basename(path).endswith(os.path.basename(found[1])) or not os.path.isfile(os.path.join(source, path)):

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Runs the cases of the benchmarks and prints the cost of a step of each, by part; docs/benchmarks.md has how to read it.
+"""Runs the cases of the benchmarks and prints the cost of a step of each, by part; docs/benchmarks.md explains the output.
 
 bench.py PROGRAM [--against OTHER] [--cases REGEX] [--long] [--threads N[,N...]] [--times N] [--instructions] [--parts]
 
-One line for each case and number of threads: the median of `--times` runs, its spread, and what one thread takes over
-what several do. With --against, runs of both programs come in turn, and the ratio of each two is printed with its spread:
+One line for each case and number of threads: the median of `--times` runs, its spread, and the speed-up by
+several threads. With --against, runs of both programs alternate, and the ratio of each two is printed with its spread:
 below 1 PROGRAM is faster. The load by other processes meanwhile is printed too; such figures are less reliable.
 """
 import argparse
@@ -24,9 +24,9 @@ SPACE_PILE, TOWER, SPHERES = "tests/bench/pile3d.lua", "tests/bench/tower3d.lua"
 
 
 class Case:
-    """A script and its parameters. `before`: those of a shorter run that is taken off, where only what follows is
-    asked for. `motion`: how long that is in the model, where steps are of different lengths [s]. `whole`: how long a
-    run is asked for of which this is a part [s]. `prints_figures`: its figures are the lines that it prints."""
+    """A script and its parameters. `before`: parameters of a shorter run, which is subtracted if only the later part
+    counts. `motion`: duration of the model's motion, where steps differ in length [s]. `whole`: duration of the run
+    of which this is a part [s]. `prints_figures`: its figures are the lines that it prints."""
 
     def __init__(self, name, script, words, long=False, before=None, brief="", motion=None, prints_figures=False, whole=None):
         self.name, self.script, self.words, self.long, self.before = name, script, words, long, before
@@ -82,8 +82,8 @@ CASES = [
 
 
 class Cost:
-    """What a run took: steps, seconds by part, memory at its peak [kB]; pairs that touch at its end and bodies, where
-    the script prints them."""
+    """Cost of a run: steps, seconds by part, peak memory [kB]; touching pairs at its end and bodies, if the script
+    prints them."""
 
     def __init__(self, text="", peak=0):
         self.steps, self.seconds, self.parts, self.pairs, self.hash = 0, 0.0, {}, None, None
@@ -111,7 +111,7 @@ class Cost:
 
 
 def busy():
-    """Seconds that all processors together have worked since the machine began."""
+    """Processor time of the machine since its start, all processors together [s]."""
     with open("/proc/stat", encoding="ascii") as f:
         numbers = [int(n) for n in f.readline().split()[1:]]
     return (sum(numbers) - numbers[3] - numbers[4]) / os.sysconf("SC_CLK_TCK")
@@ -137,7 +137,7 @@ def watched(command):
 
 
 def run(program, case, threads):
-    """One run, and the share of the machine that others took during it."""
+    """One run, and the share of the machine that other processes used during it."""
     begun, worked, ours = time.monotonic(), busy(), own()
     costs = []
     for words in filter(None, (case.words, case.before)):
@@ -151,7 +151,7 @@ def run(program, case, threads):
 
 
 def run_calmly(program, case, threads, calm, tries=5):
-    """As run(), and again where others took more than `calm` of the machine."""
+    """As run(), repeated while other processes use more than `calm` of the machine."""
     found = min((run(program, case, threads) for _ in range(1)), key=lambda r: r[1])
     while found[1] > calm and tries > 1:
         time.sleep(2)
@@ -201,7 +201,7 @@ def print_parts(costs):
 
 
 def counted(program, case, words):
-    """Instructions of a whole run, by perf where the machine counts them, else by callgrind; and its steps."""
+    """Instructions of a whole run, by perf where the machine counts them, otherwise by callgrind; and its steps."""
     what = order(program, case, words, 1)
     if shutil.which("perf"):
         done = subprocess.run(["perf", "stat", "-x", ",", "-e", "instructions:u", *what], capture_output=True, text=True,
@@ -217,7 +217,7 @@ def counted(program, case, words):
 
 
 def print_instructions(program, case):
-    """Of a step: what a run of twice the length takes more, over the steps that it takes more."""
+    """Instructions of a step: the difference to a run of twice the length, divided by the additional steps."""
     longer = re.sub(r"(seconds|duration)=([\d.]+)", lambda m: f"{m[1]}={2 * float(m[2]):g}", case.brief)
     (few, steps), (many, more) = counted(program, case, case.brief), counted(program, case, longer)
     if few is None or many is None or more <= steps:

@@ -1,4 +1,4 @@
-"""Scripts and runs: what stays after a script, Ctrl-C, pauses, errors."""
+"""Scripts and runs: names that remain after a script, Ctrl-C, pauses, errors."""
 import subprocess
 
 from sessions import FALL, check, run_all

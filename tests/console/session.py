@@ -1,4 +1,4 @@
-"""A console session under a pseudo-terminal: what a person types, and what the screen then says."""
+"""A console session under a pseudo-terminal: typed input, and the text on the screen."""
 import fcntl
 import os
 import pty
@@ -19,7 +19,7 @@ class Failed(Exception):
 
 
 class Session:
-    """`text` is all that came, without escapes; `expect` looks at what came since the last match."""
+    """`text` is the whole output without escapes; `expect` searches the output after the last match."""
 
     def __init__(self, program, *words, folder=".", environment=None, columns=100):
         self.text, self.seen, self.typed = "", 0, []
@@ -55,7 +55,7 @@ class Session:
         return bool(data)
 
     def expect(self, pattern, seconds=60):
-        """Waits for a regular expression; gives the match."""
+        """Waits for a regular expression; returns the match."""
         end = time.monotonic() + seconds
         while True:
             match = re.compile(pattern, re.S | re.M).search(self.text, self.seen)
@@ -74,8 +74,8 @@ class Session:
         return match
 
     def prompted(self, seconds=3):
-        """Waits until the screen ends with a prompt; lines after which something runs on show none, and that is fine.
-        A key such as Ctrl-D that comes before the prompt meets a terminal that is not ready for it."""
+        """Waits until the screen ends with a prompt. Lines after which a run continues show none, which is accepted.
+        The terminal is not ready for a key such as Ctrl-D before the prompt."""
         end = time.monotonic() + seconds
         while not self.text.endswith("> ") and self.process.poll() is None and time.monotonic() < end:
             self._take(0.05)

@@ -17,7 +17,7 @@ local block = m:block { name = "block", width = 0.5, height = 0.3, at = { -0.25,
 
 
 class Place:
-    """A folder for one session, and what it needs."""
+    """A folder for one session, with the files that it needs."""
 
     def __init__(self, program, folder):
         self.program, self.folder, self.sessions = program, folder, []

@@ -20,7 +20,7 @@ LINES = ["help", "m", "a.model", "a.body", "a", "help(a.body)", "m:step()", "m:s
 
 
 def text(draw, made, dim):
-    """A session with a model of `dim` dimensions; `made` makes programs, and knows sound calls."""
+    """A session with a model of `dim` dimensions; `made` makes programs from calls that succeed."""
     lines = []
     for _ in range(draw.randint(3, 25)):
         dice, call = draw.random(), draw.choice(made.calls_in(dim))

@@ -115,7 +115,7 @@ def restructure(draw, path):
 
 
 def resize(draw, old):
-    """What a data set may be instead: its shape and type."""
+    """Another shape and type for a data set."""
     ways = {"empty": lambda n: 0, "short": lambda n: max(0, n - 1), "long": lambda n: n + 1}
     way = ways[draw.choice(sorted(ways))]
     at = draw.randrange(len(old.shape)) if old.shape else 0
@@ -123,7 +123,7 @@ def resize(draw, old):
 
 
 def one_set(draw, file, name):
-    """One thing of one data set: no width, gone, one row less or more, another type, huge, a group or a link instead."""
+    """Damages one data set: no width, removed, one row less or more, another type, huge, a group or a link instead."""
     old, way = file[name], draw.choice(["width", "width", "gone", "type", "huge", "group", "scalar", "loop"])
     shape, dtype = resize(draw, old)
     attributes = dict(old.attrs)

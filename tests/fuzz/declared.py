@@ -1,4 +1,4 @@
-"""The Lua interface as the program itself declares it (trilith manual), and values for what it takes."""
+"""The Lua interface as the program declares it (trilith manual), and values for its arguments."""
 import re
 import subprocess
 
@@ -144,7 +144,7 @@ def declarations(program):
 
 
 def weight(row):
-    """How often it is made odd: most has been wrong with what stands for something else, and with what is counted."""
+    """Frequency with which the argument is made invalid. Handles, names and counts have had the most errors."""
     return 4 if any(word in row[1] for word in ("bod", "bearing", "seat", "storey", "list", "motion", "integer", "law")) else 1
 
 
@@ -153,7 +153,7 @@ def kinds_of(kind):
 
 
 def sane(draw, row, dim=2):
-    """A value that the row of a declaration asks for in a model of `dim` dimensions, as far as that can be told."""
+    """A probably valid value for the row of a declaration in a model of `dim` dimensions."""
     name, kind, _, words = row
     kinds = [k for k in kinds_of(kind) if k in SANE]
     if dim == 3 and name in BY_NAME_IN_SPACE and draw.random() < 0.7:
@@ -171,6 +171,6 @@ def sane(draw, row, dim=2):
 
 
 def odd(draw, row):
-    """A value that is wrong, or that nobody would think of."""
+    """A wrong or unusual value."""
     close = [k for k in kinds_of(row[1]) if k in CLOSE]
     return draw.choice(CLOSE[draw.choice(close)] if close and draw.random() < 0.7 else WILD)

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """usage: fuzz.py PROGRAM LIBRARY SECONDS FOLDER [SEED [PART...]]
 
-Inputs nobody would think of, of all parts or of those named: texts, programs, scripts, results, restarts, words,
-console. LIBRARY is the engine's archive, for what the readers of text stand on, which are compiled while the rest runs.
-Findings are kept in FOLDER, each in a folder of its own with the command that repeats it; code 1 where there are any.
+Random inputs for all parts or for the named ones: texts, programs, scripts, results, restarts, words, console. LIBRARY
+is the engine's archive. The readers of text are linked with it; they are compiled while the other parts run.
+Findings are kept in FOLDER, each in its own folder with the command that repeats it; the exit code is then 1.
 One seed gives the same inputs every time.
 """
 import concurrent.futures

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Power cuts: the writes of a run are recorded, and the files that a cut leaves are made again for cuts between them.
+"""Power cuts: records the writes of a run, and restores the files that a power cut between two writes would leave.
 
 usage: power_cut.py PROGRAM FOLDER [CUTS [SEED]]
 
-CUTS: how many cuts are tried, or "all" for one after each write and three more with lost writes. A disk keeps what was
-forced to it (fsync) and the order of names; any other write before the cut may be lost. Every file must open or be
-refused in one line, and a run that can be resumed must come to the rows of the unbroken one. Needs strace.
+CUTS: number of cuts, or "all" for one after each write and three more with lost writes. A disk keeps the data that
+were forced to it (fsync) and the order of names; any other write before the cut may be lost. Every file must open or be
+refused in one line, and a run that can be resumed must have the rows of a run without a cut. Needs strace.
 """
 import importlib.machinery
 import importlib.util
@@ -36,7 +36,7 @@ def text_of(escaped):
 
 
 def whole_lines(path):
-    """Lines of strace, those of a call that another thread interrupted joined."""
+    """Lines of strace; the two lines of an interrupted call are joined."""
     begun = {}
     with open(path, encoding="ascii") as log:
         for line in log:
@@ -127,7 +127,7 @@ class Recorded:
         self.count += 1
 
     def content(self, inode, cut, lost):
-        """Bytes of a file at a cut; `lost(index)` is asked for each write that was not forced."""
+        """Bytes of a file at a cut; `lost(index)` decides for each write that was not forced."""
         operations = [o for o in self.data[inode] if o[0] < cut or (o[1] is None and o[0] <= cut)]
         safe = max((i for i, o in enumerate(operations) if o[1] is None), default=-1)
         bytes_now = bytearray()

@@ -1,7 +1,7 @@
-"""Random Lua programs over the whole interface, from a seed: sound calls, of which one to three are made odd.
+"""Random Lua programs over the whole interface, from a seed: valid calls, of which one to three are made invalid.
 
-What a sound call is nobody tells: the first programs make every declared call with whatever its rows ask for, and what
-went well is what the next ones are made of. So a call that is declared tomorrow is tried without a further word.
+No list of valid calls exists: the first programs make every declared call with values for its rows, and later programs
+consist of the calls that succeeded. So a new call is tried from the day of its declaration.
 """
 import os
 import random
@@ -60,7 +60,7 @@ class Step:
 
 
 def guess(draw, call, dim=2):
-    """The call as its declaration has it, for the first time, of a model of `dim` dimensions."""
+    """The first attempt of a call, as declared, of a model of `dim` dimensions."""
     subject = SUBJECTS.get(call.name.split(":")[0], "a.model")
     if call.arguments and (not call.keys or draw.random() < 0.4):
         least = sum(row[2] for row in call.arguments)
@@ -72,7 +72,7 @@ def guess(draw, call, dim=2):
 
 
 def vary(draw, step):
-    """A sound call with another sound value, or a key more or less."""
+    """A valid call with another valid value, or a key more or less."""
     step = step.copy()
     for pair in step.values:
         if draw.random() < 0.15:
@@ -105,7 +105,7 @@ def mend(draw, step, message):
 
 
 def spoil(draw, step, nested):
-    """Makes one thing of the step odd; `nested` is the text of another call, which a function may make."""
+    """Makes one part of the step invalid; `nested` is the text of another call, which a function may make."""
     dice = draw.random()
     if dice < 0.1 and ":" in step.call.name:
         step.subject = step.subject.replace("a.", "b.") if draw.random() < 0.6 else f"a.{draw.choice(HANDLES)}"
@@ -125,8 +125,8 @@ def spoil(draw, step, nested):
 
 
 class Programs:
-    """Makes programs and learns from what they say. `known`: name of a call and dimensions of its model to the steps that went well;
-    `building`: names of those after which nothing can be added to the model."""
+    """Makes programs and learns from their output. `known`: name of a call and dimensions of its model to the steps that
+    succeeded; `building`: names of the calls after which nothing can be added to the model."""
 
     def __init__(self, program, seed):
         self.seed, self.known, self.building = seed, {}, set()
@@ -147,7 +147,7 @@ class Programs:
                           {"models.lua": self.models, "model.lua": self.head(dim, other) + text})
 
     def learn(self, until, findings):
-        """Each call for itself with a new model, in the plane and in space. How many went well, and of how many."""
+        """Each call separately with a new model, in the plane and in space. Number of calls that succeeded, and of all calls."""
         for dim in DIMENSIONS:
             self.learn_in(dim, until, findings)
         return len({name for name, _ in self.known}), len(self.calls)
@@ -195,7 +195,7 @@ class Programs:
         return self.singles(draw, dim) if number % 2 else self.story(draw, dim)
 
     def singles(self, draw, dim):
-        """One odd call for each of many models, which go on when what they were given of others is gone."""
+        """One invalid call for each of many models; the models continue after objects of other models are deleted."""
         lines, weights = ["local all = {}"], [sum(map(declared.weight, c.keys + c.arguments)) + 3 for c in self.calls_in(dim)]
         for at, call in enumerate(draw.choices(self.calls_in(dim), weights, k=EACH)):
             step = self.sound(draw, call, dim)
@@ -208,7 +208,7 @@ class Programs:
         return "\n".join(lines) + "\n"
 
     def story(self, draw, dim):
-        """Several calls one after the other and within each other, of which one to three are odd."""
+        """Several calls one after the other and within each other, of which one to three are invalid."""
         calls = [draw.choice(self.calls_in(dim)) for _ in range(draw.randint(2, 9))]
         if draw.random() < 0.8:
             calls.sort(key=lambda call: 2 * (call.name == "model:close") + (call.name in self.building))

@@ -1,4 +1,4 @@
-"""Damaged results files of several kinds, shown to repair and to the other verbs that take one."""
+"""Damaged results files of several kinds, read by `repair` and by the other verbs."""
 import glob
 import os
 import random

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: self_test.py PROGRAM: what counts as a finding, how one is kept, and that no declared call is left out."""
+"""usage: self_test.py PROGRAM: kinds of findings, their storage, and a check that no declared call is left out."""
 import os
 import random
 import sys
@@ -70,7 +70,7 @@ def check_cover(program):
 
 
 def check_space(made):
-    """Programs in space have models and calls of their own, and those that are sound go well."""
+    """Programs in space have models and calls of their own, and valid calls succeed."""
     check("dim = 3" not in made.head(2, 2) and 'fuzz.make("a", 3)' in made.head(3, 3), "there are models in space")
     dims = [made.dimensions(number) for number in range(24)]
     check({2, 3} == {dim for dim, _ in dims} and any(a != b for a, b in dims), "programs are of the plane, of space, and mixed")

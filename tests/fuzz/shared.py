@@ -1,4 +1,4 @@
-"""A job is a command with the files it needs. Runs it with limits, tells findings from refusals, and keeps them."""
+"""A job is a command with the files it needs. Runs it with limits, separates findings from error messages, and keeps findings."""
 import concurrent.futures
 import glob
 import os
@@ -26,7 +26,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 
 
 def locals_of(folders):
-    """Names of the variables that the Lua files in `folders` have for themselves."""
+    """Names of the local variables of the Lua files in `folders`."""
     names = set()
     for folder in folders:
         for path in sorted(glob.glob(os.path.join(ROOT, folder, "*.lua"))):
@@ -87,7 +87,7 @@ def run(job, folder):
 
 
 def judge(code, seconds, text):
-    """What is wrong with how a command ended, or None. The shell gives 128 + n for a signal n."""
+    """The kind of finding for the end of a command, or None. The shell gives 128 + n for a signal n."""
     if code is None:
         return f"did not end within {WALL} s"
     number = -code if code < 0 else code - 128
@@ -104,7 +104,7 @@ def judge(code, seconds, text):
 
 
 def frame(job, folder):
-    """Where the program died: its first function on the stack, as far as a debugger is there and sees it die again."""
+    """Place of a crash: the first function on the stack, if a debugger is installed and the crash repeats."""
     if not shutil.which("gdb") or SANITIZED:
         return ""
     debugged = re.sub(r"(?<=\s)(/\S+/trilith) (.*)", r"gdb -q -batch -ex 'run \2' -ex bt \1", job.command)
@@ -115,7 +115,7 @@ def frame(job, folder):
 
 
 class Findings:
-    """One of each kind is kept, in a folder of its own with what repeats it; the others are counted."""
+    """One finding of each kind is kept, in its own folder with the files that repeat it; others are counted."""
 
     def __init__(self, folder):
         self.folder, self.known = folder, {}
@@ -136,7 +136,7 @@ class Findings:
 
 
 def attempt(job, findings):
-    """Runs the job in a folder that goes away, keeps its findings; returns the output of the job."""
+    """Runs the job in a temporary folder, keeps its findings; returns the output of the job."""
     with tempfile.TemporaryDirectory(prefix="fuzz") as folder:
         job.lay_out(folder)
         code, seconds, text = run(job, folder)
@@ -149,7 +149,7 @@ def attempt(job, findings):
 
 
 def in_parallel(until, work, limit=None):
-    """work(0), work(1), ... until the time `until` of the monotonic clock, or `limit` are done; what they gave."""
+    """work(0), work(1), ... until the time `until` of the monotonic clock, or until `limit` are done; their results."""
     given, number, running = {}, 0, {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         while True:

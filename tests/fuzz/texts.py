@@ -96,7 +96,7 @@ TEXTS = {"record": [RECORD, PEER, ESM, KNET], "columns": COLUMNS, "space_mesh": 
 
 
 def build(library, folder):
-    """The readers as one program; only what has changed is compiled."""
+    """The readers as one program; only changed files are compiled."""
     flags = ["-std=c++20", "-O1", "-g1", "-DFMT_SHARED", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno",
              "-fsanitize=fuzzer,address,undefined", "-fno-sanitize-recover=undefined", "-Iengine"]
     flags += subprocess.run(["pkg-config", "--cflags", "eigen3", "hdf5-serial"], capture_output=True, text=True,

@@ -1,4 +1,4 @@
-"""Random command lines: verbs and options as the program's help has them, and standard streams that are not there."""
+"""Random command lines: verbs and options from the program's help, and closed standard streams."""
 import os
 import random
 import re
@@ -51,7 +51,7 @@ STUDY = {"file": ['"study.h5"'], "script": ['"case.lua"', '"missing.lua"', '"stu
 
 
 class Verb:
-    """A verb with its options (flag, what it takes or "") and positionals, as its help has them."""
+    """A verb with its options (flag, type of its value or "") and positionals, from its help."""
 
     def __init__(self, program, name):
         output = subprocess.run([program, name, "--help"], capture_output=True, text=True, check=True).stdout
@@ -72,7 +72,7 @@ def quoted(word):
 
 
 def line(draw, verb, file=None, odd=0.15):
-    """The words of a command; `file` stands where the verb wants its first positional."""
+    """The words of a command; `file` is the first positional."""
     words = [verb.name]
     for place, wanted in enumerate(verb.positionals):
         if place == 0 and file:

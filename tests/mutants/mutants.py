@@ -80,7 +80,7 @@ def doctest_failure(text):
 
 
 class Command:
-    """One test of a module: what to run, and the name of what failed."""
+    """One test of a module: the command to run, and the name of the failed case."""
 
     def __init__(self, folder, kind, words):
         tests = folder / "build" / "tests"
@@ -97,7 +97,7 @@ class Command:
             self.folder, self.name = folder, "ctest " + words[0].strip("^").replace(".", " ")
 
     def run(self, fault):
-        """'' if it passes, otherwise what noticed the fault; and the seconds."""
+        """'' if it passes, otherwise the test that noticed the fault; and the seconds."""
         environment = {**os.environ, "TRILITH_FAULT": str(fault)}
         began = time.monotonic()
         try:
@@ -144,7 +144,7 @@ def catch(fault, commands):
 
 
 def report(fault, caught, seconds):
-    """Prints the row of a fault; true if it must be mended."""
+    """Prints the row of a fault; true if a test is missing."""
     head = f"{fault.number:4} {fault.module:12}"
     if caught:
         stale = " BUT the list says why no test can notice it; remove that" if fault.reason else ""

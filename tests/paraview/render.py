@@ -1,7 +1,7 @@
-"""Opens an export of `trilith export --to vtk` as ParaView does, and renders its last frame.
+"""Opens an export of `trilith export --to vtk` like ParaView, and renders its last frame.
 
-pvpython --force-offscreen-rendering render.py FOLDER NAME: series FOLDER/NAME_bodies.pvd, NAME_contacts.pvd and
-NAME_bearings.pvd; the picture goes to FOLDER/NAME.png.
+usage: pvpython --force-offscreen-rendering render.py FOLDER NAME
+It reads the series FOLDER/NAME_bodies.pvd, NAME_contacts.pvd and NAME_bearings.pvd, and writes FOLDER/NAME.png.
 """
 import sys
 
@@ -14,7 +14,7 @@ def check(holds, what):
 
 
 def opened(path, arrays):
-    """A series with its times and the arrays asked for, at its last time."""
+    """A series with its times and the requested arrays, at its last time."""
     reader = simple.PVDReader(FileName=path)
     times = list(reader.TimestepValues)
     check(len(times) > 1 and times == sorted(times), f"{path}: times {times}")

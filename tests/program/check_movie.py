@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""trilith movie: length, size and formats of films, posters, and what it refuses.
+"""trilith movie: length, size and formats of films, posters, and its error messages.
 usage: check_movie.py PROGRAM FOLDER. Without ffmpeg, only the messages are checked."""
 import json
 import os

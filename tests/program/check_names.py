@@ -58,7 +58,7 @@ def clean(what, done, code=0):
 
 
 class Page(html.parser.HTMLParser):
-    """Finds what a name has made of a page: elements with handlers or of an image `x`, and scripts that are a name's."""
+    """Finds elements that a name has added to a page: elements with handlers, an image `x`, and scripts."""
 
     def __init__(self):
         super().__init__()

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""An afternoon of office work by the README of the starting model `facade`: drawing in, design spectrum, records matched,
-pushover and time history, plot, report, tables and film out, in at most ten commands.
+"""The work flow of the README of the starting model `facade`, in at most ten commands. It reads a drawing, matches records
+to a design spectrum, runs pushover and time history, and writes a plot, a report, tables and a film.
 usage: check_office.py PROGRAM FOLDER"""
 import csv
 import os

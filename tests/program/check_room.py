@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Ways out of the sandbox of a script: each must be refused with a line that says why, and leave no trace.
+"""Ways out of the sandbox of a script: each must be refused with one line that gives the reason, and change no file.
 
 usage: check_room.py PROGRAM FOLDER
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Each starting model of `trilith new` runs, gives what its README lists, and overwrites nothing.
+"""Each starting model of `trilith new` runs, has the results that its README lists, and overwrites nothing.
 usage: check_templates.py PROGRAM FOLDER"""
 import re
 import shutil

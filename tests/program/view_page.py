@@ -1,7 +1,7 @@
 """Opens pages of `trilith view` in headless Chromium as a user would: clicks, keys, pictures.
 
 view_page.py FOLDER PAGE STEPS...: each step is a function of this file. Pictures go to FOLDER. Ends with 77 where
-Chromium, its driver or selenium are missing; any wrong answer or error on the page's console ends it with 1.
+Chromium, its driver or selenium are missing; any wrong result or error on the page's console ends it with 1.
 """
 import os
 import shutil
@@ -172,7 +172,7 @@ def shows_loops(page):
 
 
 def counts_from_a_stage(page):
-    """The menu of what times count from: clock, list of events and plots follow, and durations stay."""
+    """The menu of the time origin: clock, list of events and plots follow it, and durations do not change."""
     page.keys(Keys.END)
     end, begin = page.evaluate("trilith.run.end"), page.evaluate("trilith.run.stages.at(-1).begin")
     stage = page.text("#stage")
@@ -186,7 +186,7 @@ def counts_from_a_stage(page):
 
 
 def counts_from_the_start_it_was_given(page):
-    """A page made with --since begins with that."""
+    """A page made with --since begins with this origin."""
     page.keys(Keys.END)
     page.until("!trilith.waiting")
     passed = page.evaluate("trilith.run.end - trilith.run.stages.at(-1).begin")
@@ -207,7 +207,7 @@ def shows_stress(page):
 
 
 def plays_a_mode(page):
-    """The menu of modes: the first swings about where it stood, space stops it, the next key brings the next; back to the run."""
+    """The menu of modes: the first oscillates about its position, space stops it, a key selects the next; back to the run."""
     assert page.evaluate("trilith.run.modes.length") == 3
     page.keys("m")
     page.until("trilith.run.mode && trilith.run.mode.share < -0.5")
@@ -225,7 +225,7 @@ def plays_a_mode(page):
 
 
 def plays_a_mode_in_space(page):
-    """As in the plane; nodes move and turn as the mode has them, and what stood still is drawn as it stood."""
+    """As in the plane; nodes move and rotate as in the mode shape, and fixed bodies do not move."""
     assert page.evaluate("trilith.run.dim === 3 && trilith.run.modes.length === 3 && !document.getElementById('modes').hidden")
     for index in range(3):
         page.keys("m")
@@ -288,7 +288,7 @@ def shows_solids(page):
 
 
 def cuts_solids(page):
-    """A cut across x takes away what is before it, from whichever side one looks; sections are shown and can be clicked."""
+    """A cut across x removes the part in front of it from any view direction; sections are shown and can be clicked."""
     page.keys(Keys.HOME, "x")
     page.until("trilith.player.time === trilith.run.begin && !trilith.waiting")
     page.evaluate("(s => (s.value = '0', s.dispatchEvent(new Event('input'))))(document.getElementById('cut-place'))")

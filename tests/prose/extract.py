@@ -1,4 +1,6 @@
-"""Takes prose out of files: (line, text, kind) with kind "text" or "heading" for one sentence, "line" or "code" for a line."""
+"""Extracts prose from files: (line, text, kind) with kind "text" or "heading" for one sentence, "line" or "code" for a line."""
+import ast
+import inspect
 import re
 
 FENCE = re.compile(r"^\s*(```|~~~)")
@@ -82,6 +84,8 @@ def code(source, extension, strings):
     """Comments, neighbouring ones as one paragraph; with `strings` literals of three words and more instead.
 
     Each item of a list begins a paragraph, and each line of a formula or drawing, which a comment indents, is one of its own."""
+    if extension == "py" and not strings:
+        yield from docstrings(source)
     pieces, last = [], 0
     for hit in LANGUAGES[extension].finditer(source):
         is_comment, string = hit["comment"] is not None, hit["string"] or hit.groupdict().get("quoted")
@@ -107,6 +111,24 @@ def code(source, extension, strings):
                 yield from paragraph(pieces)
                 pieces = []
     yield from paragraph(pieces)
+
+
+def docstrings(source):
+    """Docstrings of a Python file. A blank line ends a paragraph, and an indented line is one of its own."""
+    for node in ast.walk(ast.parse(source)):
+        documented = isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef))
+        if not documented or ast.get_docstring(node) is None:
+            continue
+        pieces, first = [], node.body[0].lineno
+        for number, line in enumerate(inspect.cleandoc(node.body[0].value.value).split("\n") + [""], first):
+            if not line.strip() or line.startswith(DRAWN) or line.startswith("usage:"):
+                yield from paragraph(pieces)
+                pieces = []
+            if line.strip():
+                pieces.append((number, line.strip()))
+            if line.startswith(DRAWN):
+                yield from paragraph(pieces)
+                pieces = []
 
 
 def literal(text):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks how pages, comments and messages are written: prose.py [--list [AREA|PATH]...] [--rule NAME] [--lower]
 
-Without options: counts by area and rule against counts.txt beside this file. An area without a row there must have none; a count
-above its row fails; one below asks for a lower row, which --lower writes. --list prints each place. A justified exception is a line
+Without options: counts by area and rule against counts.txt in this folder. An area without a row there must have none. A count
+above its row fails; for a count below it, --lower writes a lower row. --list prints each place. A justified exception is a line
 of exceptions.txt."""
 import argparse
 import collections
@@ -62,7 +62,9 @@ def parts_of(path, area, source):
         return extract.markdown(source)
     if area.endswith("-names"):
         return extract.test_names(source)
-    return extract.code(source, language_of(path), area.endswith("-messages"))
+    language = language_of(path)
+    is_python = language == "script" and "python3" in source.split("\n", 1)[0]
+    return extract.code(source, "py" if is_python else language, area.endswith("-messages"))
 
 
 def texts_of(path, area, source):

@@ -39,6 +39,7 @@ FILES = [
     ("lua", "--[[ a body who\nstands ]]\n", {("who", 1)}),
     ("script", "#!/bin/sh\n# a body who stands\n", {("who", 2)}),
     ("py", "# a body who stands\nwho = '#'\n", {("who", 1)}),
+    ("py", 'def f():\n    """One line.\n\n    It holds what\n    stands."""\n    return """what stands here"""\n', {("what", 4)}),
 ]
 STRINGS = [("cpp", 'f("the body who", "x", "it " "surely holds .5 m"); // what stands here', {("who", 1), ("leading-zero", 1)}),
            ("html", '<p class="who">a body who stands</p>\n<b title="it surely holds .5 m"></b>', {("who", 1), ("leading-zero", 2)}),

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks links of the Markdown pages without the tools of the site: check_links.py [SOURCE]
 
-Files and anchors that links lead to exist, so do pages that code names, each page has a title and a section of the menu, and functions that the glossary names
-are in the reference."""
+Files and anchors that links lead to exist, and so do pages that code names. Each page has a title and a section of the menu.
+Functions that the glossary names are in the reference."""
 import os
 import re
 import sys
@@ -20,7 +20,7 @@ def without_code(text):
 
 
 def slug(heading):
-    """The anchor that GitHub and MyST make of a heading."""
+    """The anchor that GitHub and MyST give a heading."""
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading)
     text = re.sub(r"[^\w\- ]", "", text.strip().lower())
     return text.replace(" ", "-")

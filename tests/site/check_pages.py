@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Checks the form of the Markdown pages without the tools of the site: check_pages.py [SOURCE]
 
-Each page begins with a sentence on its use, guides have an example in their first section, pages on scripts are short, blocks of code
-have a language of the site, the reference lists each function once with an example and its keys in a table, and each searched term is
-in the title, a heading or the synonyms of its page."""
+Each page begins with a sentence on its use. Guides have an example in their first section, and pages on scripts are short.
+Blocks of code have a language of the site. The reference lists each function once with an example and its keys in a table.
+Each searched term is in the title, a heading or the synonyms of its page."""
 import os
 import re
 import sys
@@ -27,7 +27,7 @@ def paragraphs(text):
 
 
 def form_of(page, text):
-    """What is wrong with the beginning and the length of a page."""
+    """Errors in the beginning and the length of a page."""
     first = paragraphs(text)[0] if paragraphs(text) else ""
     if not re.match(r"docs/(decisions/.*\d{4}-|reference/)", page) and not BEGINS.match(first):
         yield f"{page}: begins with '{first[:50]}'; begin with what the reader can do after it: 'After this page you can ...'"

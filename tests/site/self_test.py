@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The checks of links and pages pass a right tree and report each kind of error; the staged pages have links, menu and index."""
+"""The checks of links and pages accept a correct tree and report each kind of error; the staged pages have links, menu and index."""
 import contextlib
 import io
 import os
@@ -74,7 +74,7 @@ def check_of_pages(folder):
 
 
 def compared(right, wrong, check):
-    """The check passes the right tree, and reports each wrong one with its line."""
+    """The check accepts the correct tree, and reports each wrong one with its line."""
     code, out = lines_of(right, check)
     yield from [f"a right tree gives {code}: {out}"] if code or out else []
     for path, text, line in wrong:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The way in: docs/README.md lists every page of the tour and every guide, links exist, and the first minutes of README.md run.
+"""The landing page: docs/README.md lists every page of the tour and every guide, links exist, and the first minutes of README.md run.
 
 usage: check_index.py SOURCE
 """
@@ -20,7 +20,7 @@ def dead_links(page):
 
 
 def first_minutes_errors(source):
-    """At most five commands; the one that changes a number changes one line of its script."""
+    """At most five commands; the command that changes a number changes one line of its script."""
     with open(os.path.join(source, "README.md"), encoding="utf8") as f:
         found = re.search(r"^## The first five minutes\n.*?^```sh\n(.*?)^```$", f.read(), re.M | re.S)
     if not found:

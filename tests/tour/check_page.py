@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Does what a page of docs/tour says and compares.
+"""Runs the commands of a page of docs/tour and compares their output and pictures with the page.
 
 usage: check_page.py PROGRAM SOURCE WORK PAGE [--keep]
 
-The page's ```sh blocks are run line by line in the folder WORK, where `trilith` is PROGRAM and scripts/ that of SOURCE. Every
+The page's ```sh blocks are run line by line in the folder WORK, where `trilith` is PROGRAM and scripts/ is the folder of SOURCE. Every
 line of its ```text blocks must be printed, in this order. Its ```lua block must be the script that the commands name. Each
-picture it makes is made again into WORK and must have the lines of the one in SOURCE. --keep takes the new pictures over.
+picture is drawn again into WORK and must have the lines of the picture in SOURCE. --keep copies the new pictures to SOURCE.
 """
 import os
 import re
