@@ -51,7 +51,7 @@ GroundMotion parse_motion(std::string_view text, const std::string& name) {
   if (text[first] == '#') return parse_csv_motion(text, name);
   lines.fail_whole(
       "is neither a CSV record (first line '# title: ...') nor a PEER AT2 file (fourth line 'NPTS= ..., DT= ...') nor "
-      "an ESM or K-NET file; for plain columns, give unit");
+      "an ESM or K-NET file; for plain columns, give unit, as in { file = \"...\", unit = \"cm/s2\" }");
 }
 
 }  // namespace trilith

@@ -61,7 +61,7 @@ void read_pushed(Keys& keys, const ScriptModel& m, PushOrder<D>& o) {
   } else {
     try {
       o.bodies = bodies_at(L, -1, m, "body");
-      if (o.bodies.empty()) keys.problem("no body is given");
+      if (o.bodies.empty()) keys.problem("'body' is an empty set; check the filters of its m:bodies{...}");
     } catch (const InputError& e) {
       keys.problem(e.what());
     }

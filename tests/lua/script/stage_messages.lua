@@ -56,7 +56,8 @@ given.check {
   { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } } end,
     "shake: 'x': motion 'samples of the script' drifts: 1 m in 2 s, end velocity 100 cm/s (1e+02 % of "
       .. "PGV), mean of the last quarter 83.3 cm/s (83 %). Start it from the velocity that its source gives (zero "
-      .. "mean velocity needs -50 cm/s), use a version of the record that begins and ends at rest, or allow drift" },
+      .. "mean velocity needs -50 cm/s), correct its baseline, as by motion:baseline(1), use a version of the record that "
+      .. "begins and ends at rest, or allow drift" },
   { function() b:fix("block", "xz") end,
     "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
   { function() b:shake { body = "base", motions = { { body = "base", x = trilith.ramp { by = 1, duration = 1 } } } }
@@ -142,9 +143,9 @@ given.check {
   { function() built():pushover { body = built():bodies { name = "none" }, at = "top", rate = 1, displacement = 1 } end,
     "pushover: body: set of 0 bodies belongs to another model" },
   { function() b:pushover { body = b:bodies { name = "none" }, at = "top", rate = 1, displacement = 1 } end,
-    "pushover: no body is given" },
+    "pushover: 'body' is an empty set; check the filters of its m:bodies{...}" },
   { function() b:pushover { body = b:bodies { name = "none" }, rate = 1, displacement = 1 } end,
-    "pushover: no body is given" },
+    "pushover: 'body' is an empty set; check the filters of its m:bodies{...}" },
   { function() b:history { name = "h", storey = 2^31, what = "drift" } end,
     "history 'h': 'storey' is 2147483648, must be within -1e9 and 1e9" },
   { function() b:history { name = "h", storey = math.mininteger, what = "drift" } end,
