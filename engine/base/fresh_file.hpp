@@ -20,7 +20,7 @@ int above_standard(int descriptor);
 class FreshFile {
  public:
   /// Creates the file in the folder of `target`; symbolic links of `target` are followed. Throws InputError where the
-  /// target exists and is no regular file, such as a device or a pipe, because the rename would remove it.
+  /// target exists and is not a regular file, such as a device or a pipe, because the rename would remove it.
   explicit FreshFile(const std::filesystem::path& target);
   FreshFile(const FreshFile&) = delete;
   FreshFile& operator=(const FreshFile&) = delete;

@@ -15,7 +15,7 @@ int edit_distance(std::string_view a, std::string_view b);
 /// only element that begins with `given`, if `given` has three letters or more. Otherwise "".
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
-/// "; since version 1.0 it is 'rest'" for a former name; else "; did you mean 'height'?", or without a near name
+/// "; since version 1.0 it is 'rest'" for a former name; otherwise "; did you mean 'height'?", or without a near name
 /// "; known: a, b, c", or "; there are none".
 std::string name_hint(std::string_view given, const std::vector<std::string>& known);
 

@@ -1,4 +1,4 @@
-// A search that has no solution: neither a mistake of the user nor one of ours, but an answer of the model.
+// A search that has no solution: neither a mistake of the user nor an error of the program, but a result of the model.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 namespace trilith {
 
 /// No equilibrium, path or step was found, mostly as the model is unstable. Scripts catch it as they catch any error;
-/// the program ends with the exit code of runs that are not to be trusted where none does.
+/// the program ends with the exit code of unreliable runs where no script does.
 class NoSolution : public std::runtime_error {
  public:
   /// `message`: one line, no trailing full stop: which stage, which body is worst, what to try.

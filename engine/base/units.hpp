@@ -37,7 +37,7 @@ struct UnitProduct {
 UnitProduct parse_unit(std::string_view expression);
 
 /// SI value of "0.6", "0.6g" or "0.6 m/s2"; a plain number is in `unit`. Messages begin with `what`. Throws InputError
-/// where the text is no finite number, or its unit differs from `unit` in dimension.
+/// where the text is not a finite number, or its unit differs from `unit` in dimension.
 double parse_quantity(std::string_view text, std::string_view unit, std::string_view what);
 
 /// The SI unit of a dimension: "m/s2", "N", "1".

@@ -46,7 +46,7 @@ struct Range {
 inline constexpr int any_count = 1'000'000'000;
 inline constexpr Range any_number{}, above_zero{0, unbounded, false}, not_below_zero{0, unbounded, true};
 
-/// Default of a key as the reference says it; empty: the member's own default.
+/// Default of a key as printed in the reference; empty: the member's own default.
 struct Preset {
   std::string_view text = {};
   bool is_required = false;

@@ -26,7 +26,7 @@ template <int D>
 class Tangent;
 
 /// Instant to which velocities refer. Staggered: half a step before the positions (leapfrog). Collocated: the instant
-/// of the positions; State then also keeps the accelerations and the begin of the last step, and State::implicit() is
+/// of the positions; State then also keeps the accelerations and the start of the last step, and State::implicit() is
 /// true.
 enum class VelocityTimes { staggered, collocated };
 template <int D>

@@ -55,7 +55,7 @@ class GroundMotion {
   double velocity(double t) const noexcept { return at(t).velocity; }
   double displacement(double t) const noexcept { return at(t).displacement; }
 
-  /// The samples, with the integrals at the sample times. Sample i stands at start_time() + i * step().
+  /// The samples, with the integrals at the sample times. Sample i is at the time start_time() + i * step().
   std::span<const MotionAt> samples() const noexcept { return samples_; }
   double step() const noexcept { return step_; }                        ///< sample step [s]
   double start_time() const noexcept { return start_time_; }            ///< time of the first sample [s]

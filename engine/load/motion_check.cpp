@@ -38,9 +38,11 @@ std::string drift_of(const GroundMotion& motion) {
   const double offset = motion.samples().back().displacement - motion.start().displacement;
   return fmt::format(
       "motion '{}' drifts: {:.3g} m in {:.4g} s, end velocity {:.3g} cm/s ({:.2g} % of PGV), mean of the last quarter "
-      "{:.3g} cm/s ({:.2g} %). Start it from the velocity that its source gives (zero mean velocity needs {:.4g} "
-      "cm/s), correct its baseline, as by motion:baseline(1), use a version of the record that begins and ends at "
-      "rest, or allow drift",
+      "{:.3g} cm/s ({:.2g} %). Correct its baseline, as by motion:baseline(1), start it from the velocity of its "
+      "source "
+      "(zero mean velocity needs {:.4g} cm/s), or use a version of the record that begins and ends at rest. To allow "
+      "the "
+      "drift, give allow_drift = true",
       motion.description(), offset, motion.duration(), end * 100, 100 * std::abs(end) / pgv, late * 100,
       100 * std::abs(late) / pgv, 100 * balanced_start_velocity(motion));
 }

@@ -16,7 +16,7 @@ enum class Drift { refuse, allow };
 ///   - a motion that drifts, unless `drift` permits it: the ground does not come to rest. Either |v_end| > 10 % of PGV,
 ///   or
 ///     |v_end| > 1 % of PGV and the mean velocity over the last quarter of the record is above 5 % of PGV.
-/// A permanent offset alone is no drift: faults cause one. The limits were derived from the processed records of 36
+/// A permanent offset alone is not a drift: faults cause one. The limits were derived from the processed records of 36
 /// stations, whose end velocity reaches 6.1 % of PGV with 0.2 % mean velocity. Records integrated from a wrong start
 /// velocity end at 7 % with 12 % mean velocity, or worse.
 std::string why_not_usable(const GroundMotion& motion, Drift drift = Drift::refuse);

@@ -250,10 +250,10 @@ constexpr Severity severity_of(std::string_view name) {
   return row == nullptr ? Severity::notice : row->severity;
 }
 
-/// Impacts slower than this are omitted where only events of note are shown [m/s].
+/// Impacts slower than this are omitted where only important events are shown [m/s].
 inline constexpr double slow_impact = 2;
 
-/// Whether an event belongs where only events of note are shown. `value`: Event::value, the speed of an impact.
+/// Whether an event is important and is shown in short lists. `value`: Event::value, the speed of an impact.
 constexpr bool is_of_note(std::string_view name, double value) {
   const bool is_slow = name == info_of(EventType::impact).name && value < slow_impact;
   return severity_of(name) != Severity::routine && !is_slow;

@@ -10,8 +10,8 @@ namespace trilith {
 
 /// How much an event means for the structure, in rising order.
 enum class Severity : int {
-  routine,  ///< omitted where only events of note are shown
-  notice,   ///< of note, without damage
+  routine,  ///< omitted where only important events are shown
+  notice,   ///< important, without damage
   change,   ///< the model has changed
   damage,   ///< yielding, cracking, crushing: the part still carries
   failure,  ///< a bond is lost
@@ -38,7 +38,7 @@ enum EventTrait : unsigned {
 /// Event::value; the name is empty where the type has none.
 struct EventValue {
   std::string_view name = {}, unit = {};
-  std::string_view doc = {};  ///< empty where the name says it
+  std::string_view doc = {};  ///< empty where the name is sufficient
 };
 
 struct EventTypeInfo {
@@ -48,7 +48,7 @@ struct EventTypeInfo {
   Severity severity;
   unsigned traits = 0;
   EventValue value = {};
-  std::string_view text_doc = {};  ///< meaning of Event::text; empty where a type has none, or its sentence says it
+  std::string_view text_doc = {};  ///< meaning of Event::text; empty where a type has none, or its sentence states it
   std::string_view doc;            ///< for the reference
   std::string_view sentence;       ///< pattern of event_text; words in braces are among `event_words`
 };

@@ -38,7 +38,7 @@ class Verdict {
   [[nodiscard]] bool sound() const;
   /// Time until which the run is reliable [s]; 0 if it is reliable throughout.
   [[nodiscard]] double sound_until() const;
-  /// "not to be trusted after 3.2 s: element 1 of q was squeezed by 51 %"; "" if it is reliable. `zero`: origin of time
+  /// "not reliable after 3.2 s: element 1 of q was squeezed by 51 %"; "" if it is reliable. `zero`: origin of time
   /// [s].
   [[nodiscard]] std::string text(double zero = 0) const;
   /// Number of bodies that left the bounds.

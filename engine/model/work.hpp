@@ -1,4 +1,4 @@
-// Everything computed from Model and State. Dropping it between two steps changes no bit of the result.
+// Everything computed from Model and State. Discarding it between two steps does not change the results.
 #pragma once
 
 #include <array>

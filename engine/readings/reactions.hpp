@@ -20,7 +20,7 @@ struct Reaction {
 
 /// Reactions of all fixed or driven nodes of a body, in their order: m a - F, with the sum F of all other forces,
 /// weight included, and the acceleration a of the support. `work` must be evaluated at the present instant. Bearings
-/// and contacts are no supports and give no reaction.
+/// and contacts are not supports and give no reaction.
 template <int D>
 std::vector<Reaction<D>> reactions(const Model<D>& model, const State<D>& state, const Work<D>& work, int body);
 

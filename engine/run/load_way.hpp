@@ -30,7 +30,7 @@ struct LoadWay {
 
   /// Duration of the stage [s]; 0 for a path without length.
   [[nodiscard]] double duration() const { return points.back().length > 0 ? path_duration : 0; }
-  /// Time of a point after the begin of the stage [s], increasing from point to point. The last point lies before the
+  /// Time of a point after the start of the stage [s], increasing from point to point. The last point lies before the
   /// end of the stage by the mean interval of the points. At the end, rest is found once more.
   [[nodiscard]] double time_of(std::size_t point) const {
     if (!(points.back().length > 0)) return 0;

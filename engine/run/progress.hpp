@@ -19,7 +19,7 @@ class Pace {
  public:
   /// Simulated time and wall clock, both rising [s].
   void add(double time, double wall);
-  /// Clears the samples at the begin of a stage.
+  /// Clears the samples at the start of a stage.
   void reset() { samples_.clear(); }
   /// Simulated seconds per second of wall clock; 0 where not yet known.
   [[nodiscard]] double speed() const;
@@ -55,7 +55,7 @@ enum class EventShow { none, important, all };
 /// omitted, and groups of impacts and broken bonds are counted.
 class EventLines {
  public:
-  /// `least_impact`: slower impacts are omitted [m/s]. `since`: times count from the begin of the stage of this name,
+  /// `least_impact`: slower impacts are omitted [m/s]. `since`: times count from the start of the stage of this name,
   /// or from the first event of this type; "": from the start of the run.
   explicit EventLines(EventShow show = EventShow::important, double least_impact = slow_impact, std::string since = "")
       : show_(show), least_impact_(least_impact), since_(std::move(since)) {}

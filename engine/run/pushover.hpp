@@ -18,9 +18,9 @@ struct PushLimits {
 /// Samples, each the mean over an interval of time.
 struct PushCurve {
   std::vector<double> time;          ///< [s]
-  std::vector<double> displacement;  ///< mean displacement of the pushed points along the push, from its begin [m]
+  std::vector<double> displacement;  ///< mean displacement of the pushed points along the push, from its start [m]
   std::vector<double> force;         ///< force of the push, along it [N]
-  std::vector<double> drift;         ///< from the begin of the push [m]
+  std::vector<double> drift;         ///< from the start of the push [m]
 
   /// Sample with the largest force; 0 if there are no samples.
   [[nodiscard]] std::size_t peak() const;

@@ -1,5 +1,5 @@
 // Seal of a run: checks against physics that are made while it runs, from samples some steps apart and at the end of
-// each stage. A check that fails makes the run invalid from the begin of that stage (model/verdict.hpp).
+// each stage. A check that fails makes the run invalid from the start of that stage (model/verdict.hpp).
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct SealLimit {
 };
 
 /// Steps between two samples: a sample costs about as much as one explicit step. The depth of contacts alone costs a
-/// tenth of it and is sampled more often, because an impact lasts some ten steps.
+/// tenth of it and is sampled more often, because an impact lasts about ten steps.
 inline constexpr std::int64_t seal_interval = 256, seal_interval_implicit = 16, depth_interval = 16;
 
 /// Largest overlap of any contact as a share of the thickness of the thinner piece.

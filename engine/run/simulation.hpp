@@ -119,8 +119,8 @@ class Simulation {
   [[nodiscard]] const StageProgress* stage() const { return stage_ ? &*stage_ : nullptr; }
 
   [[nodiscard]] Snapshot<D> snapshot();
-  /// Goes back to a snapshot of this simulation. Within at_border: to one of the running stage, which then goes on from
-  /// there. Between stages: its stage waits for resume().
+  /// Goes back to a snapshot of this simulation. Within at_border: to a snapshot of the running stage, which then
+  /// continues from there. Between stages: its stage waits for resume().
   void restore(const Snapshot<D>& snapshot);
 
   // For restart files (run/restart/simulation_bytes.cpp).
@@ -135,7 +135,7 @@ class Simulation {
   void keep_places(const StageOptions& options);
   /// Applies a change as RunListener::change_model does at a step border.
   void apply(const std::function<bool(Model<D>&)>& change);
-  /// True if a stage was asked to end at the next step border.
+  /// True if a stage was requested to end at the next step border.
   [[nodiscard]] bool stopping() const { return stop_.load(std::memory_order_relaxed); }
 
   /// Removes the bonds of all joints, or creates bonds where faces meet now: see assembly/start.hpp. Not while a stage
@@ -150,10 +150,10 @@ class Simulation {
   void use_threads(int threads) { choose_threads(ThreadChoice::always(threads)); }
   /// As above, optionally with a number chosen by timing. Timings are kept while the request stays the same.
   void choose_threads(const ThreadChoice& choice);
-  /// Asks a running stage to end at the next step border. May be called from a signal handler or another thread.
+  /// Requests that a running stage ends at the next step border. May be called from a signal handler or another thread.
   void stop() { stop_.store(true, std::memory_order_relaxed); }
   /// Evaluates the present state and the forces of the next step, so that all readable data refer to one instant. It
-  /// changes no bit of State, and costs nothing if already done. Handlers and histories see the same data.
+  /// does not change State, and costs nothing if already done. Handlers and histories see the same data.
   void refresh();
   /// Energy ledger at the present instant, as in the energy history. Call it after refresh().
   [[nodiscard]] Energy energy() const;

@@ -22,12 +22,12 @@ constexpr const char* name_of(StageEnd e) {
 
 struct StageOptions {
   std::string name = "run";
-  double duration = 0;    ///< longest time the stage may last [s], above 0
-  double end_time = 0;    ///< the stage ends at this time if it is later than the present one; otherwise after
-                          ///< `duration` [s]
-  double dt = 0;          ///< fixed step [s]; 0: chosen automatically and kept stable
-  double safety = 0.5;    ///< share of the longest stable step, above 0 to 0.9. At 0.5 a bounce keeps its energy within
-                          ///< some percent, at 0.1 within 0.1 percent
+  double duration = 0;  ///< longest time the stage may last [s], above 0
+  double end_time = 0;  ///< the stage ends at this time if it is later than the present one; otherwise after
+                        ///< `duration` [s]
+  double dt = 0;        ///< fixed step [s]; 0: chosen automatically and kept stable
+  double safety = 0.5;  ///< share of the longest stable step, above 0 to 0.9. At 0.5 the energy error of a bounce is a
+                        ///< few per cent, at 0.1 it is 0.1 per cent
   double rest_share = 0;  ///< damping of consolidation (RestDamping), from 0 to below 1
 
   std::optional<MassScaling> mass_scaling;  ///< longer explicit steps of meshed bodies
@@ -48,7 +48,7 @@ struct StageOptions {
 
   bool must_rest = false;  ///< with until_rest: the verdict of the run reports a stage without rest in place
   bool watched = true;     ///< unphysical speeds and energies end the stage as diverged.
-  /// With until_rest: a body that rests farther than this share of its size from its position at the begin has
+  /// With until_rest: a body that rests farther than this share of its size from its position at the start has
   /// left its place, and the stage is unstable (statics/travel.hpp). 0: no limit.
   float within = 0;
 

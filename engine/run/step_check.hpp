@@ -19,7 +19,7 @@ class StepCheck {
   /// For a stage with these options, which begins at this instant of the simulation.
   StepCheck(const StepWindow& asked, const StageOptions& options, const Simulation<D>& at);
 
-  /// Call it at every step border, and at the begin of the stage. Keeps the instants at the ends of the window.
+  /// Call it at every step border, and at the start of the stage. Keeps the instants at the ends of the window.
   void look(Simulation<D>& now);
   /// After the stage: repeats the window. Handlers of the script are not called. No row if the stage did not reach it.
   [[nodiscard]] std::optional<SealRow> repeat(Simulation<D>& ended);

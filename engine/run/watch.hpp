@@ -48,14 +48,14 @@ class Watch {
   template <int D>
   std::vector<int> leaving(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
-  /// Stores the positions of all nodes at the begin of a stage that ends at rest in place. The positions of earlier
+  /// Stores the positions of all nodes at the start of a stage that ends at rest in place. The positions of earlier
   /// stages are kept, because a run may be restored to them.
   template <int D>
   void keep_places(const State<D>& state);
   /// At the end of such a stage: the body that has moved farther than StageOptions::within.
   template <int D>
   const Travel& look_at_places(const Instant<D>& now);
-  /// The largest displacement since the begin of this stage, if its places were kept.
+  /// The largest displacement since the start of this stage, if its places were kept.
   template <int D>
   [[nodiscard]] Travel farthest(const Instant<D>& now) const;
   /// Result for the last stage checked this way.
@@ -87,15 +87,15 @@ class Watch {
   double sound_until_ = 0;   // [s]
   BondRoom bonds_;
   bool counts_ = false;
-  Energy from_;                 // ledger at the begin of the energy check
+  Energy from_;                 // ledger at the start of the energy check
   int free_dofs_ = 0;           // at that instant
   double given_speed_ = 0;      // from the bodies at that instant, and from motions [m/s]
   double most_energy_ = 0;      // largest energy present or supplied at any check [J]
   double off_ = 0;              // energy error at the check with its largest magnitude [J]
-  double most_put_in_ = 0;      // from the begin of the energy check, at any instant [J]
+  double most_put_in_ = 0;      // from the start of the energy check, at any instant [J]
   double looked_speed_ = 0;     // speed of the fastest point at the last check of magnitudes [m/s]
   std::int64_t next_look_ = 0;  // step number
-  std::vector<std::pair<double, std::variant<Placement<2>, Placement<3>>>> places_;  // by the begin of stages [s]
+  std::vector<std::pair<double, std::variant<Placement<2>, Placement<3>>>> places_;  // by the start of stages [s]
   Travel displaced_;
 };
 

@@ -11,7 +11,7 @@ namespace trilith {
 ///     lambda = (velocity wanted - velocity without) / (span * sum of (w_i^2 / m_i + l_j . J_j^-1 l_j)),
 /// where l_j is the moment about node j per unit of force on the points that rotate with it, and J_j its inertia.
 /// Dampings that depend on forces (RestDamping) use the force without residual; their effect is then compensated by
-/// Work::correction, which is no part of the reported force.
+/// Work::correction, which is not part of the reported force.
 template <int D>
 void control_displacement(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options);
 

@@ -41,7 +41,7 @@ struct FollowedFreedom {
 /// An equilibrium on the path.
 struct PathPoint {
   double factor = 0;
-  double displacement = 0;  ///< weighted sum of the followed displacements from the begin of the path [m] or [rad]
+  double displacement = 0;  ///< weighted sum of the followed displacements from the start of the path [m] or [rad]
   double length = 0;        ///< arc length of the path up to here [m]
   int iterations = 0;       ///< iterations of the step to this point
   std::size_t events = 0;   ///< number of entries of LoadPath::events up to here
@@ -58,7 +58,7 @@ struct LoadPathOptions {
   PathControl control = PathControl::arc;
   std::string loads;  ///< name of the scaled loads; empty: all point and face loads. Steady loads remain constant
   std::vector<FollowedFreedom> followed;
-  double begin = 0;     ///< factor at the begin of the path, at rest
+  double begin = 0;     ///< factor at the start of the path, at rest
   double first = 0;     ///< first step of factor, displacement or arc; negative in the opposite sense
   double longest = 0;   ///< longest step; 0: ten times the first
   double shortest = 0;  ///< shortest step; 0: 1e-5 of the first
@@ -72,7 +72,7 @@ struct LoadPathOptions {
 };
 
 /// End of a path: at the requested value; after the largest number of points; no step converges, however short; no rest
-/// at its begin; no resistance to the loads any more.
+/// at its start; no resistance to the loads any more.
 enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance };
 
 struct LoadPath {
@@ -88,7 +88,7 @@ struct LoadPath {
 };
 
 /// Follows the path from rest at options.begin. `state` becomes the state of the last point, as after find_equilibrium;
-/// it belongs to loads scaled by that point's factor (scale_loads). Without rest at the begin it remains unchanged.
+/// it belongs to loads scaled by that point's factor (scale_loads). Without rest at the start it remains unchanged.
 /// Throws InputError for options out of range, for an unknown load name, and as find_equilibrium does.
 template <int D>
 LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOptions<D>& options);

@@ -22,7 +22,7 @@ class StaticTrial {
 
   /// Evaluates the forces at the present position.
   void evaluate_here();
-  /// Residual F - inertia M d at the last evaluated position, with the displacement d from the begin of the step.
+  /// Residual F - inertia M d at the last evaluated position, with the displacement d from the start of the step.
   /// Returns the sum of its squares, each over its mass. `inertia` [1/s2].
   double measure(double inertia);
   /// Finds and factorises A = inertia M - dF/dx at the present position. False if it is singular. `closes`: faces that
@@ -30,14 +30,14 @@ class StaticTrial {
   bool find_tangent(double inertia, bool closes = false);
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return tangent_.solve(right); }
   void move(const Eigen::VectorXd& by, double share);
-  /// Displacement from the begin of the step, by unknown [m] or [rad].
+  /// Displacement from the start of the step, by unknown [m] or [rad].
   [[nodiscard]] Eigen::VectorXd way() const;
-  /// Returns to the begin of the step, and evaluates it.
+  /// Returns to the start of the step, and evaluates it.
   void go_back();
-  /// Makes the last evaluated position the begin of the next step. Commits it, books the work of weight, loads and
+  /// Makes the last evaluated position the start of the next step. Commits it, books the work of weight, loads and
   /// supports along the path with the mean of their forces at both ends, and evaluates it again.
   void accept();
-  /// The begin of a step, to return to after further steps.
+  /// The start of a step, to return to after further steps.
   struct Begin {
     State<D> state;
     std::size_t events;
@@ -46,7 +46,7 @@ class StaticTrial {
   [[nodiscard]] Begin begin() const { return {state_, events_.size()}; }
   /// Undoes the steps accepted after `begin`.
   void return_to(Begin begin);
-  /// The state at rest at the begin of the step, from which explicit or implicit steps can continue. Dissipation along
+  /// The state at rest at the start of the step, from which explicit or implicit steps can continue. Dissipation along
   /// the path beyond the laws is booked as `rest_damping`. Must be the last call.
   State<D> finish();
 
@@ -90,7 +90,7 @@ class StaticTrial {
   Work<D> work_;
   Tangent<D> tangent_;
   bool was_implicit_;
-  double balance_ = 0;                  // of the ledger at the begin [J]
+  double balance_ = 0;                  // of the ledger at the start [J]
   std::vector<Vec<D>> begin_position_;  // of the step
   std::vector<Rotation<D>> begin_rotation_;
   std::vector<NodeForces<D>> begin_force_;

@@ -1,4 +1,4 @@
-// Displacements of bodies from the begin of a search for rest, and bodies that have left their places.
+// Displacements of bodies from the start of a search for rest, and bodies that have left their places.
 //
 // An equilibrium is valid for the drawn structure only near that configuration. A toppled block, a fallen voussoir and
 // a plank that slid down come to rest too, in another place.
@@ -46,7 +46,7 @@ Travel farthest_travel(const Model<D>& model, const State<D>& state, const Place
 template <int D>
 Travel displaced_body(const Model<D>& model, const State<D>& state, const Placement<D>& from, double within);
 
-/// "moved by 0.21 m and turned by 1 rad, 0.3 of its size"
+/// "moved by 0.21 m and rotated by 1 rad, 0.3 of its size"
 std::string travel_text(const Travel& travel);
 
 }  // namespace trilith

@@ -13,7 +13,7 @@ std::filesystem::path history_path();
 
 class LineHistory {
  public:
-  /// Reads the file, at most its last 2000 lines. A missing file is no error.
+  /// Reads the file, at most its last 2000 lines. A missing file is not an error.
   explicit LineHistory(std::filesystem::path path);
 
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }

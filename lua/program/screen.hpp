@@ -8,7 +8,7 @@ namespace trilith::program {
 
 class Screen {
  public:
-  /// `out` is a terminal unless the environment says TERM=dumb; colours unless NO_COLOR is set.
+  /// `out` is a terminal unless the environment variable TERM is dumb; colours unless NO_COLOR is set.
   explicit Screen(std::FILE* out);
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;

@@ -63,7 +63,7 @@ enum class Fate { rests, comes_down, neither };
 ///
 /// The structure rests if, within 0.5 s, all velocities are below 1e-5 m/s and the unbalanced ratio is below 1e-4 for
 /// 0.1 s. It collapses if a displacement reaches 10 mm before. If joints are at their friction limit, the equilibrium
-/// can be unstable: the least motion grows (flutter) until, after some tenths of a millimetre, other joints stick. In
+/// can be unstable: the least motion grows (flutter) until, after a few tenths of a millimetre, other joints stick. In
 /// this case a structure that neither rests nor collapses is settled in its current position and released again, up to
 /// `times` releases. In all other cases this would hide joints with too little damping.
 inline Fate let_go(Simulation<2>& sim, const LettingGo& how = {}) {

@@ -33,9 +33,16 @@ PHRASES = [
     phrase("persons", r"\b(?:tells(?! apart)|speaks?|doubts|wants|hears?|reckons?)\b", "programs report, print, warn, reject, require"),
     phrase("since", r"\b(?:of|ever|long) since\b", "name the time, or say 'because'"),
     phrase("beside", r"\bbeside\b", "say 'next to', 'in addition to', 'compared with', 'together with'"),
+    phrase("begin", r"\b(?:the|its|their|a|of|at) begin\b", "the noun is 'start' or 'beginning'"),
+    phrase("is-no", r"(?<!there )(?<!here )\b(?:is|are|was|were) no (?!longer|more|less|fewer|better|deeper|larger|closer|higher|"
+           r"smaller|farther|further|shorter|greater)[a-z]", "say 'is not a ...'"),
+    phrase("says-so", r"\b(?:says?|said) so\b", "say 'reports this', 'prints a note'"),
+    phrase("some", r"\bsome (?:per ?cent|tenths|hundredths|thousandths|hundreds?|thousands?|tens?|parts (?:in|per))\b",
+           "say 'a few per cent', 'about ten'"),
     phrase("dialect", r"\b(?:to and fro|anew|as preset|by preset|given? off|give off|giving off|gives off|giv(?:en|es?) back|taken for|stands? for|"
            r"as long as they may|no more than once|whence|thereof|therein|lest|aught|at one(?:s|ce) with|is at home|looked up again|"
-           r"lets? be|let go|turned? down|put down|laid down|in the way of|at its own|by and by|of its own accord)\b",
+           r"lets? be|let go|turned? down|put down|laid down|in the way of|at its own|by and by|of its own accord|"
+           r"as (?:it|they) stands?|closed rooms?|not to be trusted|chang(?:es?|ed|ing) no bits?|other bits|(?:keeps?|kept) (?:its|their) bits)\b",
            "say it with the field's verb: 'cyclic', 'restart', 'default', 'dissipate', 'return', 'mistaken for', 'represent'"),
 ]
 

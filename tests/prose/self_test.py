@@ -18,12 +18,16 @@ WRONG = {
     "persons": ["the page tells more", "the solver wants a step"],
     "since": ["as of since"],
     "beside": ["one file beside another"],
-    "dialect": ["led to and fro", "0.5 as preset", "energy given off", "the run begins anew"],
+    "dialect": ["led to and fro", "0.5 as preset", "energy given off", "the run begins anew", "the joint as it stands", "it changes no bit", "runs in a closed room"],
+    "begin": ["at the begin of a step", "from its begin"],
+    "is-no": ["the text is no number", "faces that are no pair"],
+    "says-so": ["then the program says so"],
+    "some": ["some percent of the time", "some ten steps", "some hundred joints"],
     "sentence": ["word " * 36 + "end."],
 }
 RIGHT = ["A ratio of 0.5 at v1.2 in file.5a of {:.3g} and %.2f, section 3.1.", "People who read it know what to do.", "What is a gap?",
          "The block comes to rest.", "The step has been limited since version 1.0.", "It tells apart two cases.", "word " * 34 + "end.",
-         "Install it with `what .5`."]
+         "Install it with `what .5`.", "There is no number, and it is no longer than 2 m.", "Lines that begin with a blank.", "Some bodies move."]
 FILES = [
     ("md", "# What it does\n\nIt is .5 m.\n", {("leading-zero", 3)}),
     ("md", "| a | b |\n|---|---|\n| of .5 | fine |\n", {("leading-zero", 3)}),

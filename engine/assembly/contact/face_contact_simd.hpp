@@ -22,9 +22,9 @@ namespace trilith {
 //     row 2   x2 y2  ------------>                    -------->    and memories        -------->   to be written
 //     row 3   x3 y3
 //
-// Some lanes are computed and ignored when results are written: lanes without a row (`valid`), rows that are no pair of
-// faces now, and rows that do not touch. Each row writes its own memory. Forces are added to skin points row by row, in
-// the order of the list, so that the bits do not depend on the lanes.
+// Some lanes are computed and ignored when results are written: lanes without a row (`valid`), rows that are not a pair
+// of faces now, and rows that do not touch. Each row writes its own memory. Forces are added to skin points row by row,
+// in the order of the list, so that the bits do not depend on the lanes.
 
 static_assert(offsetof(ContactMemory, bonds) == offsetof(ContactMemory, slip) + sizeof(double) &&
                   offsetof(ContactMemory, state) == offsetof(ContactMemory, bonds) + sizeof(std::uint32_t),
@@ -91,7 +91,7 @@ struct FourRows {
   }
 };
 
-/// Extends rows that are no pairs of faces by themselves, but are flat with their neighbours in line, or open without
+/// Extends rows that are not pairs of faces by themselves, but are flat with their neighbours in line, or open without
 /// shared length. Bonded rows are not extended. `p`, `a`, `b`: their pairs, and the ends of the faces.
 TRILITH_INLINE void join_lines(const FacePass& pass, const FourRows& rows, const NearPair* const* p,
                                const FaceEnds<Lanes>& a, const FaceEnds<Lanes>& b, LeapfrogMotion<Lanes>& motion) {

@@ -14,7 +14,7 @@ inline double way_of(const Work<3>& work, const NearPair& pair) {
          work.solids.way[static_cast<std::size_t>(pair.piece_b)];
 }
 
-/// True while a pair that was found apart cannot have come together.
+/// True while a separated pair cannot have come into contact.
 inline bool sleeps(const Work<3>& work, std::size_t row) {
   return way_of(work, work.pairs[row]) < work.asleep_until[row];
 }

@@ -13,7 +13,7 @@
 namespace trilith {
 
 /// Positions of rows in their chunk, sorted by kind. A counting sort, because comparisons of kinds mispredict and would
-/// cost more than half of the gain. Two kinds may share a bucket; the grouping changes no bit.
+/// cost more than half of the gain. Two kinds may share a bucket; the grouping does not change the results.
 class RowsByKind {
  public:
   static constexpr std::size_t most = 256;  ///< a position is a byte

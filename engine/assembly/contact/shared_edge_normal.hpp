@@ -49,7 +49,7 @@ Vec2 spring_force(const PlacedPiece& a, const PlacedPiece& b, const Remembered& 
 /// Spring force of a row in space.
 Vec3 spring_force(const Model<3>& model, const State<3>& state, Work<3>& work, int row, double dt, SolidRoom& room);
 
-/// Sets `along` to n; false if nothing else presses at the shared edges of the row.
+/// Sets `along` to n; false if no other row presses at the shared edges of the row.
 template <int D>
 bool direction_at_shared_edges(const Work<D>& work, int row, Vec<D>& along);
 extern template bool direction_at_shared_edges(const Work<2>& work, int row, Vec2& along);

@@ -52,7 +52,7 @@ class Tangent {
   /// Assembles at a trial state at which `work` is evaluated. Both are restored afterwards.
   void assemble(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
   /// As above by differences of `evaluate`, many nodes at a time: nodes that act on no common node move together
-  /// (Curtis, Powell and Reid 1974). It serves as a check of the other. `work` is evaluated elsewhere afterwards.
+  /// (Curtis, Powell and Reid 1974). It is used to check the other tangent. `work` is evaluated elsewhere afterwards.
   void assemble_by_differences(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options);
   /// Assembles and factorises the tangent, and stores it in the state. False if it is singular.
   bool find(const Model<D>& model, State<D>& state, Work<D>& work, const TangentOptions& options,

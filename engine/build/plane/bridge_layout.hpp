@@ -43,7 +43,7 @@ SupportTop top_of(const Abutment& abutment);
 /// point of the outline is on no level face.
 SupportTop top_of(const std::string& name, const Polygon& outline);
 
-/// A type of bearing, as far as it determines the position of a deck.
+/// The properties of a bearing type that determine the position of a deck.
 struct BearingType {
   std::string name;
   double height = 0;  ///< from the seat to the deck's underside [m], not below 0

@@ -152,9 +152,9 @@ struct Wall {
 ///
 /// Parts that meet share their corner coordinates to the bit, without overlap or gap. Units are cut at the edges of
 /// openings, lintels and sills and at the right end of the wall. Throws InputError, with place, value and allowed
-/// range, for sizes out of range and heights that are no whole number of courses. It also throws for openings outside
-/// the storey, overlapping, or off the course lines, for lintels without masonry below their ends, and for pieces that
-/// remain too short.
+/// range, for sizes out of range and heights that are not a whole number of courses. It also throws for openings
+/// outside the storey, overlapping, or off the course lines, for lintels without masonry below their ends, and for
+/// pieces that remain too short.
 BuiltParts build_wall(const Wall& wall);
 
 }  // namespace trilith

@@ -23,7 +23,7 @@ struct BarrelVault {
   int stones = 1;           ///< whole stones in a course, 1 to 10000
   bool bond = true;         ///< false: continuous joints, so that the rings are independent
   bool half_first = false;  ///< the first course, not the second, begins with half a stone
-  double from = 0;          ///< y of its begin [m]
+  double from = 0;          ///< y of its start [m]
   SolidTurn turn = {};      ///< about the origin, before translation
   Vec3 at = Vec3::Zero();   ///< translation [m]
 };

@@ -120,7 +120,7 @@ struct Building {
 ///
 /// Throws InputError, with place, value and allowed range, for:
 ///   - lines that are not along x or y, and parallel walls that overlap.
-///   - sizes out of range, and heights that are no whole number of courses.
+///   - sizes out of range, and heights that are not a whole number of courses.
 ///   - openings off the course lines, outside of their wall, in a junction, overlapping, or next to less masonry than
 ///     the least length.
 ///   - beams without two walls at their ends, within a wall along them, in a junction, overlapping, on openings or

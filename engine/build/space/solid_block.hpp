@@ -33,7 +33,7 @@ struct Extrusion {
   std::string name = {};
   Polygon outline = {};  ///< simple, in either orientation, convex or not [m]
   OutlinePlane plane = OutlinePlane::upright;
-  double from = 0;         ///< its begin along y (upright) or z (level) [m]
+  double from = 0;         ///< its start along y (upright) or z (level) [m]
   double depth = 0;        ///< along that axis [m], above 0
   bool centred = false;    ///< `from` is its middle
   Vec3 at = Vec3::Zero();  ///< the outline's origin [m]
@@ -54,7 +54,7 @@ NotedSolid build_extrusion(const Extrusion& extrusion);
 /// Depth of a plane part.
 struct PartDepth {
   double depth = 0;      ///< along y [m], above 0
-  double from = 0;       ///< its begin [m]
+  double from = 0;       ///< its start [m]
   bool centred = false;  ///< `from` is its middle
 };
 

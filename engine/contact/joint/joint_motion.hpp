@@ -10,7 +10,7 @@
 // the overlap gained from setting, linear over the plane, its rate, and the slip of b. With O midway, n . (v_b -
 // v_a)(O) is exactly the rate of n . (O_b - O_a), so a stress that depends on the overlap conserves energy.
 //
-// For relative rotations up to some hundredths, beyond which no bond remains.
+// For relative rotations up to a few hundredths, beyond which no bond remains.
 #pragma once
 
 #include "contact/joint/joint_plan.hpp"

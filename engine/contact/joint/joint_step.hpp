@@ -193,7 +193,7 @@ class JointStep {
 
   /// Energy dissipated by a weakened bond or crushed mortar [J]: its energy before minus after the step, plus the work
   /// of the mean stresses of both instants, which is the work of a leapfrog step. Pressure of the faces alone is
-  /// excluded, because the integration error as they separate is no fracture. `now`: the present stress; `crushes`:
+  /// excluded, because the integration error as they separate is not a fracture. `now`: the present stress; `crushes`:
   /// crushing dissipates part of that pressure.
   [[nodiscard]] double dissipated(std::size_t k, PatchStress now, bool crushes) const {
     const JointPatch& p = plan_.patch[k];

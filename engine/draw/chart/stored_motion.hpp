@@ -12,7 +12,7 @@ namespace trilith::draw {
 GroundMotion stored_motion(const results::MotionRow& row);
 
 /// The largest deviation [m], [rad] of a body's node in the frames from its prescribed motion. Frames count from the
-/// begin of the motion to its end, or to the begin of the next motion of that node and direction. NaN if there is no
+/// start of the motion to its end, or to the start of the next motion of that node and direction. NaN if there is no
 /// frame.
 std::vector<double> motion_misses(const results::ResultsReader& reader, const std::vector<results::MotionRow>& rows);
 

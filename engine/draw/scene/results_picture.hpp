@@ -64,7 +64,7 @@ struct NamedResults {
 };
 
 /// The part of a run to plot [s]: from `from` to `to`. Times count from the stage or event called `since`, otherwise
-/// from the begin of `stage` if given, otherwise from the start of the run. Within a stage its end is the last moment.
+/// from the start of `stage` if given, otherwise from the start of the run. Within a stage its end is the last moment.
 struct PlotWindow {
   std::string stage = {}, since = {};
   std::optional<double> from = std::nullopt, to = std::nullopt;

@@ -6,7 +6,7 @@
 //
 // Beyond |p| = `capping` X and Hi r stay constant, and D falls linearly from 1 to `residual` over `softening`. D is
 // further reduced linearly with the dissipated energy, down to `residual` once that is `wear` times the sagging moment.
-// Beyond `ultimate` the hinge has lost its moment for good; if it `removes`, its beam is then removed. The backbone
+// Beyond `ultimate` the hinge has lost its moment permanently; if it `removes`, its beam is then removed. The backbone
 // with a cap and the reduction by energy follow Ibarra, Medina and Krawinkler, Earthquake Eng. Struct. Dyn. 34, 2005,
 // without their pinching and loss of stiffness.
 //

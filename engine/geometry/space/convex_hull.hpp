@@ -15,7 +15,7 @@ namespace trilith {
 ///
 /// Starts with a tetrahedron and adds the point farthest outside until none is left: the triangles visible from it are
 /// replaced by triangles between it and their rim. Time grows as points times faces times points, so use it for up to
-/// some hundreds of points.
+/// several hundred points.
 Polyhedron convex_hull(std::span<const Vec3> points, std::string_view owner, double flat = kFlatFace);
 
 }  // namespace trilith

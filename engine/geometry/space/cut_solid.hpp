@@ -6,7 +6,7 @@
 //       | /    | /
 //       |/_____|/
 //
-// Corners below the plane keep their bits; corners within `same` of it count as on it. Where an edge passes through it
+// Corners below the plane do not change; corners within `same` of it count as on it. Where an edge passes through it
 // a new corner is made, once for both faces of the edge. A new face, the lid, closes the opening.
 #pragma once
 

@@ -8,8 +8,8 @@
 namespace trilith {
 
 /// Overlap of the bodies of pieces `p` and `q` where the two pieces overlap: distances from the middle of the shared
-/// area to the surfaces of both bodies, together [m]. 0 where they share no area. `most`: a lower answer than this is
-/// good enough where the pieces' own surfaces show that the overlap is no larger. For work that is placed.
+/// area to the surfaces of both bodies, together [m]. 0 where they share no area. `most`: any result below this is
+/// accurate enough where the pieces' own surfaces show that the overlap is no larger. For work that is placed.
 double body_depth(const Model<2>& model, const Work<2>& work, int p, int q, double most);
 
 /// Depth of the surface of one piece in the body of the other after the surfaces have passed each other [m]. Inner

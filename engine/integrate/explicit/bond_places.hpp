@@ -38,8 +38,8 @@ double mass_of_both(const Work<D>& work, const PlacedBond& bond) {
   return a == 0 ? b : b == 0 ? a : a * b / (a + b);
 }
 
-/// Calls f(PlacedBond) for each point of each bond at the evaluated instant. With `after`, the curves are those at the
-/// begin of the next step; otherwise those at the begin of the last step, of length dt [s].
+/// Calls f(PlacedBond) for each point of each bond at the evaluated instant. With `after`, the curves are taken at the
+/// start of the next step; otherwise those at the start of the last step, of length dt [s].
 template <class F>
 void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work, bool after, double dt, F&& f);
 template <class F>

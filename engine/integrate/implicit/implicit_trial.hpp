@@ -19,7 +19,7 @@ inline double kinetic_and_stored(const Energy& e) {
 
 /// One implicit step: trial state, initial state, and residual of the equation of motion. Sequence: predict the path,
 /// evaluate, compute the residual, correct the path by A^-1 times the residual, repeat; then check the energies of the
-/// whole step. `state_` is the trial state; `start_`, `forces_` and `energy_` refer to the begin of the step.
+/// whole step. `state_` is the trial state; `start_`, `forces_` and `energy_` refer to the start of the step.
 template <int D>
 class ImplicitTrial {
  public:
@@ -37,7 +37,7 @@ class ImplicitTrial {
   [[nodiscard]] double missed(const Energy& booked);
   /// True if the step moved two pieces through each other; forces at its end do not show this.
   [[nodiscard]] bool tunnels(ImplicitStep& out) const;
-  /// Largest kinetic plus stored energy up to the begin of the step, in the frame of the step [J].
+  /// Largest kinetic plus stored energy up to the start of the step, in the frame of the step [J].
   [[nodiscard]] double most_before() const {
     return in_frame() ? kinetic_and_stored(energy_) + kinetic_beside_ - energy_[EnergyTerm::kinetic]
                       : kinetic_and_stored(energy_);
@@ -68,18 +68,18 @@ class ImplicitTrial {
   const AlphaScheme scheme_;
   const ImplicitOptions& options_;
   const StepStart<D> start_;
-  const Energy energy_;  // at the begin of the step
+  const Energy energy_;  // at the start of the step
   const double time_;
-  const std::shared_ptr<const KeptTangent> kept_;  // at the begin of the step
+  const std::shared_ptr<const KeptTangent> kept_;  // at the start of the step
   std::vector<Vec<D>> position_before_;
   std::vector<Rotation<D>> rotation_before_;
-  std::vector<NodeForces<D>> forces_;          // at the begin of the step
+  std::vector<NodeForces<D>> forces_;          // at the start of the step
   std::vector<Dofs<D>> path_;                  // [node] along the step
-  std::vector<Dofs<D>> added_before_, added_;  // [node] inertia forces of consistent mass at the begin of the step, and
+  std::vector<Dofs<D>> added_before_, added_;  // [node] inertia forces of consistent mass at the start of the step, and
                                                // now; usually empty
   std::vector<Dofs<D>> damped_;                // [node] damping of the consistent mass, now; usually empty
   Vec<D> frame_;                               // frame in which errors are measured [m/s]
-  double kinetic_beside_ = 0;                  // kinetic energy in this frame at the begin of the step [J]
+  double kinetic_beside_ = 0;                  // kinetic energy in this frame at the start of the step [J]
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;

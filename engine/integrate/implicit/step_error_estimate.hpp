@@ -9,7 +9,7 @@
 
 namespace trilith {
 
-/// Motion of the nodes at the begin of the step.
+/// Motion of the nodes at the start of the step.
 template <int D>
 struct StepStart {
   std::vector<Vec<D>> position, velocity, acceleration;
@@ -29,7 +29,7 @@ struct StepStart {
   [[nodiscard]] Dofs<D> acceleration_of(int n) const { return dofs_of(acceleration[n], spin_rate[n]); }
 };
 
-/// Coordinate of a node along dof k at the begin of the step.
+/// Coordinate of a node along dof k at the start of the step.
 inline double place_along(const StepStart<2>& start, int n, int k) {
   return k == 2 ? start.rotation[n] : start.position[n][k];
 }
@@ -45,7 +45,7 @@ inline double digits_along(const State<3>& state, int n, int k) {
   return k >= 3 ? 1 : std::abs(state.position[n][k]);
 }
 
-/// Half of the increment from the begin of the step to now, and half of the increment of the last step and this one.
+/// Half of the increment from the start of the step to now, and half of the increment of the last step and this one.
 template <int D>
 Dofs<D> half_way(const StepStart<D>& start, const State<D>& now, int n) {
   return dofs_of(Vec<D>(0.5 * (now.position[n] - start.position[n])),

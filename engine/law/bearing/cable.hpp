@@ -2,8 +2,8 @@
 // and it may break.
 //
 // f = max(0, k e + c e') with the stretch e = d - slack + pretension / k, where e > 0. Once k e exceeds `strength` the
-// cable is broken for good, and its stored energy is dissipated. Memory: `travelled` is the stretch at which it broke,
-// 0 before.
+// cable is broken permanently, and its stored energy is dissipated. Memory: `travelled` is the stretch at which it
+// broke, 0 before.
 #pragma once
 
 #include <algorithm>

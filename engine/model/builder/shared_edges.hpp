@@ -8,9 +8,9 @@
 //        /  /   \  \ .
 //
 // Contact at the top of a chevron or the corner of a mesh presses two or more pieces at one position. It is a single
-// contact: its damping and friction use one direction (assembly/contact/shared_edge_normal.hpp). The hollow below is no
-// shared edge: a wedge in it has a contact with each flank. Where the surface continues straight from piece to piece, a
-// shared edge is flat.
+// contact: its damping and friction use one direction (assembly/contact/shared_edge_normal.hpp). The hollow below is
+// not a shared edge: a wedge in it has a contact with each flank. Where the surface continues straight from piece to
+// piece, a shared edge is flat.
 //
 // Pieces share points at the same position at the start. A corner of one on the side of another is not shared.
 #pragma once

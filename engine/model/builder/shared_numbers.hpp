@@ -1,5 +1,5 @@
 // Elements of one shape share their rows of Model::element_number, such as equal units of a wall. A step then reads
-// some hundreds of bytes for each shape, not for each element.
+// several hundred bytes for each shape, not for each element.
 #pragma once
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace trilith {
 ///
 /// The thickness of a single-piece body is the piece's least width. In a body of several pieces the thickness of a
 /// piece is the least thickness of the body behind the middle of its surface edges. It is at least the piece's own
-/// least width, because an inner cut is no end of the body.
+/// least width, because an inner cut is not an end of the body.
 void find_thickness(Model<2>& model);
 
 }  // namespace trilith

@@ -16,7 +16,7 @@ namespace trilith {
 template <int D>
 std::vector<std::uint64_t> state_words(const State<D>& state);
 
-/// Throws InputError, which begins with `owner`, if `words` are no state of `model`.
+/// Throws InputError, which begins with `owner`, if `words` are not a state of `model`.
 template <int D>
 State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner);
 

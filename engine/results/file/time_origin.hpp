@@ -1,4 +1,4 @@
-// Origin of displayed times: the start of the run, the begin of a stage, or an event. One rule for plots, pictures,
+// Origin of displayed times: the start of the run, the start of a stage, or an event. One rule for plots, pictures,
 // tables, reports and the page; all state an origin other than the start.
 #pragma once
 
@@ -18,7 +18,7 @@ struct TimeOrigin {
   [[nodiscard]] std::string text() const { return since.empty() ? "" : " since " + since; }
 };
 
-/// Origin at the begin of the first stage called `name`, otherwise at the first event of that type; the start if `name`
+/// Origin at the start of the first stage called `name`, otherwise at the first event of that type; the start if `name`
 /// is empty. Throws InputError with the nearest name if the run has neither.
 TimeOrigin time_origin(const ResultsReader& reader, std::string_view name);
 

@@ -128,16 +128,16 @@ void describe(A& a, typename A::template Of<StageRow>& row) {
   a.text("name", row.name, 64, "name");
   a.text("kind", row.kind, 32, "kind");
   a.number("begin", row.begin, "s", "time of its beginning");
-  a.number("end", row.end, "s", "time of its end; its begin while it runs");
+  a.number("end", row.end, "s", "time of its end; its start while it runs");
   a.code("ended", row.ended, "1 if it has ended");
-  a.text("why", row.why, 160, "why it ended");
+  a.text("why", row.why, 160, "reason for its end");
 }
 
 template <class A>
 void describe(A& a, typename A::template Of<ModeRow>& row) {
-  a.number("analysis", row.analysis, "1", "modes found at once have the same");
+  a.number("analysis", row.analysis, "1", "equal for modes of one analysis");
   a.number("number", row.number, "1", "by rising frequency, from 1");
-  a.number("time", row.time, "s", "time at which it was found");
+  a.number("time", row.time, "s", "time of the analysis");
   a.number("frequency", row.frequency, "Hz", "natural frequency; 0 where it does not oscillate");
   a.number("damping", row.damping, "1", "ratio to critical damping");
   a.vector("mass_", row.mass, "kg", "effective mass along each axis");
@@ -182,7 +182,7 @@ template <class A>
 void describe(A& a, typename A::template Of<ContactRow>& row) {
   a.number("frame", row.frame, "1", "row of /frames/time");
   a.vector("", row.contact.point, "m", "point of the resultant, world axes");
-  a.vector("f", row.contact.force, "N", "force on body a, world axes; body b feels the opposite");
+  a.vector("f", row.contact.force, "N", "force on body a, world axes; the force on body b is opposite");
   a.number("body_a", row.contact.body_a, "1", "row of /model/bodies");
   a.number("body_b", row.contact.body_b, "1", "row of /model/bodies");
   a.code("state", row.contact.state, "0 bonded, 1 sticking, 2 sliding");

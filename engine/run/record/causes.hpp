@@ -11,7 +11,7 @@ namespace trilith {
 
 /// Numbers events and sets their causes. A cause is the latest event that loaded or loosened one of the bodies: failure
 /// or change of a bearing, lost seat, impact, broken bond. Without such an event it is the stage. Contacts made and
-/// lost, and rest, are no causes.
+/// lost, and rest, are not causes.
 class Causes {
  public:
   explicit Causes(int bodies) : last_(static_cast<std::size_t>(bodies), -1) {}

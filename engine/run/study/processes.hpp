@@ -31,9 +31,9 @@ enum class OrderTurn { now, later, never };
 struct ProcessWatch {
   std::function<void(std::size_t)> begun;                    ///< order number
   std::function<void(std::size_t, const ProcessEnd&)> ended; /**< order number; not called for stopped ones */
-  std::function<bool()> goes_on;                             ///< called some hundred times a second; false: stop all
-  /// Called for waiting orders, in order, whenever one has ended; empty: always now. An order that answers later while
-  /// nothing runs is skipped.
+  std::function<bool()> goes_on;                             ///< called several hundred times a second; false: stop all
+  /// Called for waiting orders, in order, whenever one has ended; empty: always now. An order that returns `later`
+  /// while nothing runs is skipped.
   std::function<OrderTurn(std::size_t)> turn = nullptr;
 };
 

@@ -60,7 +60,7 @@ void open_lint(lua_State* L);    ///< for the library: faults, plausibility note
 /// Pushes an event as the table for handlers. `model_index`: index of the model's userdata.
 void push_event(lua_State* L, int model_index, const Event& event);
 
-/// Adds a note on a change of `model`: reported at once while a stage runs, otherwise with the others at the begin of a
+/// Adds a note on a change of `model`: reported at once while a stage runs, otherwise with the others at the start of a
 /// stage.
 void tell_note(lua_State* L, ScriptModel& model, const std::string& text);
 

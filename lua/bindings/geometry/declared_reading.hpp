@@ -133,7 +133,7 @@ std::string preset_text(const B& usual, const Key& key) {
   return "";
 }
 
-/// The kind of a key as the manual says it.
+/// The kind of a key as printed in the manual.
 template <class B, class Key>
 std::string_view kind_text(const Key& key) {
   using Kinds = KeysOf<B>;

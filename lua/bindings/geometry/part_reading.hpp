@@ -24,7 +24,7 @@ inline void require_plain_list(Keys& keys, std::string_view key, std::string_vie
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) >= 1 && lua_tointeger(L, -2) <= count) continue;
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? fmt::format("the key '{}'", one_line(text_at(L, -2)))
-                                                            : std::string("a key that is no place");
+                                                            : std::string("a key that is not a place");
     found = found.empty() ? name : std::min(found, name);
   }
   if (!found.empty()) keys.problem(fmt::format("'{}' has {} in it, must be {}", key, found, wanted));

@@ -152,7 +152,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   [[nodiscard]] virtual StepNumbers step_numbers() = 0;
   /// Present energy ledger; builds the model.
   [[nodiscard]] virtual Energy energy() = 0;
-  /// Energy error of the ledger from the begin of the first stage [J].
+  /// Energy error of the ledger from the start of the first stage [J].
   [[nodiscard]] virtual double residual() = 0;
   [[nodiscard]] virtual std::uint64_t hash() = 0;
   [[nodiscard]] virtual std::string step_text() = 0;  ///< the governing part of the step

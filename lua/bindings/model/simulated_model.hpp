@@ -31,7 +31,7 @@ auto built_unjudged(Builder& builder) {
 template <int D>
 struct LoadPush {
   Push<D> push;            ///< its name, points and direction
-  double first_place = 0;  ///< coordinate of its points along it at the begin of the path [m]
+  double first_place = 0;  ///< coordinate of its points along it at the start of the path [m]
 };
 
 template <int D>
@@ -111,7 +111,7 @@ class SimulatedModel : public ScriptModel {
   void save_instant(const std::filesystem::path& file, const ScriptListener& listener) override;
 
  protected:
-  /// The model of the builder. Unsupported parts are checked at the begin of the first stage, because a bearing may
+  /// The model of the builder. Unsupported parts are checked at the start of the first stage, because a bearing may
   /// still be added.
   [[nodiscard]] virtual Model<D> built_model() = 0;
   /// Unsupported parts of a built model, one line each; none after that check.
@@ -169,7 +169,7 @@ class SimulatedModel : public ScriptModel {
   std::vector<std::function<void(Model<D>&)>> changes_;     // to be made at the step border
   std::size_t caught_up_ = 0;                               // number of additions already in the model
   std::optional<StepCheck<D>> step_check_;                  // of the stage that runs
-  std::optional<std::pair<SealRow, double>> checked_step_;  // of the last stage that had one, and its begin [s]
+  std::optional<std::pair<SealRow, double>> checked_step_;  // of the last stage that had one, and its start [s]
 };
 
 }  // namespace trilith::script

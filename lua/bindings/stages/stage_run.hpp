@@ -10,7 +10,7 @@ namespace trilith::script {
 struct StageUntil {
   int function = 0;        ///< stack index of a function of the model, called after each step: true ends the stage; 0:
                            ///< none
-  double drop = 0;         ///< ends when bodies that were free at its begin have fallen by more than this [m]; 0: not
+  double drop = 0;         ///< ends when bodies that were free at its start have fallen by more than this [m]; 0: not
                            ///< used
   int bodies = 1;          ///< ... and their number
   std::int64_t steps = 0;  ///< stopped after this number of steps; 0: not used

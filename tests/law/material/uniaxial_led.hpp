@@ -8,7 +8,7 @@
 
 namespace trilith::testing {
 
-/// Numbers for which strains of some thousandths pass yield, peak and crack.
+/// Numbers for which strains of a few thousandths pass yield, peak and crack.
 inline const UsualNumbers usual_in_fibres{{"Pa", 2e11}, {"1", 0.3}};
 inline constexpr double usual_yield = 3e8;
 
