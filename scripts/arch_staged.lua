@@ -4,12 +4,12 @@
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {
-  radius = { 4, unit = "m", "of the middle of the ring" },
-  thickness = { 0.5, unit = "m", "of the ring" },
-  voussoirs = { 15, "stones, an odd number" },
+  radius = { 4, unit = "m", "radius of the centre line of the ring" },
+  thickness = { 0.5, unit = "m", "thickness of the ring" },
+  voussoirs = { 15, "number of stones, odd" },
   mu = { 0.6, "friction of the joints" }, kn = { 5e9, unit = "Pa/m", "stiffness of a joint" },
-  every = { 0.05, unit = "s", "between two pieces of falsework taken away" },
-  key = { true, "false: the falsework is struck before the key is in" },
+  every = { 0.05, unit = "s", "time between the removals of two pieces of falsework" },
+  key = { true, "false: the falsework is removed without the keystone" },
   out = { "out/arch_staged.h5", "results" } }
 local R, t, n = p.radius, p.thickness, math.tointeger(p.voussoirs)
 local half = 0.39*math.pi
@@ -47,7 +47,7 @@ if p.key then
   ring = ring + m:add({ stone(middle) }, { material = "stone" })
   rest "the key"
 end
-print(("%.2f s: %d stones stand on falsework, %.1f t"):format(m.time, #ring, 1e-3*ring.mass))
+print(("%.2f s: %d stones on falsework, %.1f t"):format(m.time, #ring, 1e-3*ring.mass))
 
 local crown = p.key and m:body("arch.v" .. middle) or m:body("arch.v" .. middle - 1)
 local before, struck = crown.y, 0
@@ -61,10 +61,11 @@ local last = m:run { name = "struck", duration = 6*s, until_collapse = true,
   rest = { from = p.every*middle, ratio = 1e-3, speed = 1e-4 } }
 if last.ending == "rest" then
   local joint = m:contacts { between = { crown, m:body("arch.v" .. middle - 1) } }[1]
-  print(("%.2f s: it stands by itself; the crown came down by %.3f mm, the thrust is %.3f of the weight"):format(m.time,
-    1e3*(before - crown.y), math.abs(joint.force[1])/(ring.mass*9.80665)))
+  local thrust = math.abs(joint.force[1])/(ring.mass*9.80665)
+  print(("%.2f s: the arch stands without falsework; the crown has settled by %.3f mm, thrust %.3f of the weight")
+    :format(m.time, 1e3*(before - crown.y), thrust))
 else
-  print(("%.2f s: it has come down (%s)"):format(m.time, last.reason))
+  print(("%.2f s: the arch has collapsed (%s)"):format(m.time, last.reason))
 end
 local e = m.energy
-print(("the falsework took %.3g J along; new stones brought %.3g J"):format(e.removed, e.added))
+print(("energy removed with the falsework %.3g J, added with the stones %.3g J"):format(e.removed, e.added))

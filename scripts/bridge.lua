@@ -15,11 +15,11 @@ local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak horizontal acceleration" },
-  sign = { 1, "1: as the agency gives it, or -1" },
-  gap = { 4, unit = "inch", "joints" },
-  mu = { 0.1, "friction of seats" },
-  zeta = { 0.15, "damping of contact" },
-  base = { "bonded", choices = { "rocking", "bonded" }, "how footings sit" },
+  sign = { 1, "sign of the record: 1 or -1" },
+  gap = { 4, unit = "inch", "width of the joints" },
+  mu = { 0.1, "friction coefficient of the seats" },
+  zeta = { 0.15, "damping ratio of contact" },
+  base = { "bonded", choices = { "rocking", "bonded" }, "contact of the footings with the ground" },
   out = { "out/bridge.h5", "results" },
 }
 local width, seat = 32*ft, 15*inch -- of the deck; length of a seat

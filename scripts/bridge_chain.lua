@@ -12,21 +12,21 @@ local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak horizontal acceleration" },
-  side = { 1, "above 0: the record as the agency gives it; below: turned round" },
-  version = { 0.5, "of the record: below 1 at rest before and after, below 2 high-passed, else begun from rest" },
+  side = { 1, "sign of the record: above 0 as recorded, below 0 reversed" },
+  version = { 0.5, "record: below 1 at rest before and after, below 2 high-passed, otherwise started from rest" },
   deck = { 5.6, unit = "kip/ft", "dead load of the decks" },
   stem = { 9.6, unit = "kip/ft", "weight of a pier's stem" },
   stem_stiffness = { 1, "Young's modulus of the stems over 30 GPa" },
-  soil = { 3e10, unit = "N m/rad", "stiffness of a footing in turning; its others go with it" },
-  gap = { 4, unit = "inch", "joints" },
-  mu = { 0.1, "friction of seats" },
+  soil = { 3e10, unit = "N m/rad", "rotational stiffness of a footing; the other stiffnesses follow from it" },
+  gap = { 4, unit = "inch", "width of the joints" },
+  mu = { 0.1, "friction coefficient of the seats" },
   shear = { 60, unit = "kip/inch", "stiffness of a fixed bearing of 80 ft along the deck" },
   core = { 0, "load at which fixed bearings yield, over a span's weight; 0 or below: they stay elastic" },
-  zeta = { 0.15, "damping of contact" },
-  damping = { 0.1, unit = "1/s", "of mass" },
-  duration = { 30, unit = "s", "from the record's start" },
-  rest = { 0, "1: to the last rest instead" },
-  out = { "", "results, if any" },
+  zeta = { 0.15, "damping ratio of contact" },
+  damping = { 0.1, unit = "1/s", "mass-proportional damping" },
+  duration = { 30, unit = "s", "duration from the start of the record" },
+  rest = { 0, "1: run until final rest instead" },
+  out = { "", "results file; empty: none" },
 }
 local width, seat, height, wall, lead_in = 32*ft, 15*inch, 2*inch, 2.5*ft, 1.02*s
 local still = 1e-5*inch/s

@@ -14,14 +14,14 @@ local trilith = require "trilith"
 local ft, inch, kip, g, s = trilith.units "ft inch kip g s"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak horizontal acceleration" },
-  sign = { 1, "1: as the agency gives it, or -1" },
-  columns = { "hinges", choices = { "elastic", "hinges", "fibres" }, "how piers yield" },
-  integrator = { "explicit", choices = { "explicit", "implicit", "auto" }, "how time is stepped" },
+  sign = { 1, "sign of the record: 1 or -1" },
+  columns = { "hinges", choices = { "elastic", "hinges", "fibres" }, "model of yielding in the piers" },
+  integrator = { "explicit", choices = { "explicit", "implicit", "auto" }, "time integration" },
   dt = { 0.01, unit = "s", "longest step of the implicit integrator" },
-  accuracy = { 1e-3, "share of energies and velocities that an implicit step may miss" },
-  duration = { 30, unit = "s", "of the shaking" },
-  gap = { 4, unit = "inch", "joints" },
-  mu = { 0.1, "friction of seats" },
+  accuracy = { 1e-3, "allowed error of an implicit step, as a share of energies and velocities" },
+  duration = { 30, unit = "s", "duration of the shaking" },
+  gap = { 4, unit = "inch", "width of the joints" },
+  mu = { 0.1, "friction coefficient of the seats" },
   out = { "out/bridge_frames.h5", "results" },
 }
 local width, seat, height = 32*ft, 15*inch, 2*inch -- of the deck; of a seat; of a fixed bearing
@@ -137,6 +137,6 @@ print(("piers: largest drift %.1f mm"):format(1000*drift))
 if p.columns == "hinges" then
   for _, pier in ipairs(piers) do
     local at = pier:hinges()[1]
-    print(("%s: %s, turned by %.2g rad for good"):format(pier.name, at.state, at.rotation))
+    print(("%s: %s, residual rotation %.2g rad"):format(pier.name, at.state, at.rotation))
   end
 end

@@ -4,8 +4,8 @@
 -- scores and the best runs. `trilith study scripts/bridge_search.lua -j 1` takes about three quarters of an hour on
 -- one core; a stopped study continues.
 local trilith = require "trilith"
-local p = trilith.params { out = { "out/bridge_search.h5", "the table" }, count = { 500, "runs" },
-                           seed = { 1, "of the sample" } }
+local p = trilith.params { out = { "out/bridge_search.h5", "table of the study" }, count = { 500, "number of runs" },
+                           seed = { 1, "seed of the samples" } }
 local study = trilith.study {
   file = p.out, script = "bridge_chain.lua", count = p.count, seed = p.seed,
   samples = {

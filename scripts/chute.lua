@@ -3,12 +3,13 @@
 local trilith = require "trilith"
 local deg, s = trilith.units "deg", trilith.units "s"
 local p = trilith.params {
-  count = { 1200, "grains" }, least = { 0.011, unit = "m", "smallest radius" }, most = { 0.016, unit = "m", "largest" },
-  clumps = { 0.3, "share of clumps of three spheres among them" },
-  angle = { 30*deg, unit = "rad", "slope of the chute" }, length = { 2, unit = "m", "of the chute, along it" },
-  width = { 0.4, unit = "m", "of chute and bin" }, mu = { 0.4, "friction" },
-  kn = { 1.5e9, unit = "Pa/m", "stiffness of contacts" }, beta = { 1.5e-4, unit = "s", "their damping" },
-  settle = { 0.6, unit = "s", "before the gate is lifted" }, flow = { 2.5, unit = "s", "after it" },
+  count = { 1200, "number of grains" }, least = { 0.011, unit = "m", "smallest radius" },
+  most = { 0.016, unit = "m", "largest radius" },
+  clumps = { 0.3, "share of clumps of three spheres" },
+  angle = { 30*deg, unit = "rad", "slope of the chute" }, length = { 2, unit = "m", "length of the chute" },
+  width = { 0.4, unit = "m", "width of chute and bin" }, mu = { 0.4, "friction coefficient" },
+  kn = { 1.5e9, unit = "Pa/m", "contact stiffness" }, beta = { 1.5e-4, unit = "s", "contact damping" },
+  settle = { 0.6, unit = "s", "time before the gate opens" }, flow = { 2.5, unit = "s", "time after that" },
   out = { "out/chute.h5", "results" } }
 local w, t, wall = p.width, 0.04, 0.35
 local slope, run = trilith.math.tan(p.angle), p.length*trilith.math.cos(p.angle)

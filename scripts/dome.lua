@@ -4,12 +4,12 @@
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {
-  radius = { 5, unit = "m", "of the middle of the shell" },
-  t = { 0.08, "thickness over radius; on a ring that holds .042 is enough" },
-  rings = { 8, "stones from springing to key" }, sectors = { 16, "stones around" },
+  radius = { 5, unit = "m", "radius of the middle surface" },
+  t = { 0.08, "thickness over radius; 0.042 is enough on a fixed ring" },
+  rings = { 8, "number of rings from springing to key" }, sectors = { 16, "number of stones in a ring" },
   mu = { 0.6, "friction of the joints" }, kn = { 2e9, unit = "Pa/m", "stiffness of a joint" },
-  spread = { 0.2, "by which the springing moves out, over radius; 0: it holds" },
-  over = { 12, unit = "s", "in which it does" },
+  spread = { 0.2, "outward displacement of the springing over radius; 0: fixed" },
+  over = { 12, unit = "s", "duration of this displacement" },
   out = { "out/dome.h5", "results" } }
 local R, t, n = p.radius, p.t*p.radius, p.sectors
 local m = trilith.model { name = "dome", dim = 3 }
@@ -38,7 +38,7 @@ print(("%d stones, %.1f t, t/R = %g"):format(#dome, 1e-3*dome.mass, p.t))
 m:results { file = p.out, frames = 0.1*s, energy = 0.1*s }
 m:consolidate { rest = { ratio = 1e-4 }, duration = 30*s }
 local key = m:body "dome.key"
-print(("stands: the key has sunk by %.2f mm"):format(-1e3*key.uz))
+print(("stands: the key has settled by %.2f mm"):format(-1e3*key.uz))
 
 local begun, z0, came, fallen = m.time, key.z, nil, nil
 local function spread() return math.sqrt(ring[1].ux^2 + ring[1].uy^2)/R end

@@ -6,12 +6,12 @@ local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {
   pga = { 0.8, unit = "g", "peak acceleration across the façade; the other two components have the same factor" },
-  vertical = { false, "with the vertical component too; see the page" },
-  sign = { 1, "1: NS as the agency gives it, or -1" },
-  duration = { 5.6, unit = "s", "of the shaking" },
+  vertical = { false, "true: with the vertical component" },
+  sign = { 1, "sign of the NS component: 1 or -1" },
+  duration = { 5.6, unit = "s", "duration of the shaking" },
   mortar = { 10, unit = "kPa", "tensile strength of the joints; 0: dry" },
   cohesion = { 1.5, "shear strength at no pressure, as a share of the tensile strength" },
-  mu = { 0.6, "friction of the joints" },
+  mu = { 0.6, "friction coefficient of the joints" },
   kn = { 5e8, unit = "Pa/m", "stiffness of a joint" },
   returns = { 2.1, unit = "m", "length of the return walls" },
   safety = { 0.5, "share of the longest stable step" },

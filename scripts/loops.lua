@@ -3,7 +3,7 @@
 -- A deck on two lead-rubber bearings in an earthquake; a small wall in a pushover; the same wall in an earthquake.
 -- docs/guide/plots.md plots the results with `trilith plot RESULT HISTORY --against HISTORY`.
 local trilith = require "trilith"
-local p = trilith.params { pga = { 0.35, unit = "g", "of the shaking" } }
+local p = trilith.params { pga = { 0.35, unit = "g", "peak ground acceleration" } }
 local quake = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 
 local function deck_on_bearings()

@@ -3,10 +3,10 @@
 local trilith = require "trilith"
 local s = trilith.units "s"
 local p = trilith.params {
-  traffic = { 20e3, unit = "N/m", "on the spans, per length; on a strip of 1 m width" },
-  every = { 0.5, unit = "s", "between two pieces of ground that go" },
-  pieces = { 10, "of ground under the footing" },
-  stop = { 10, "so many go at most" },
+  traffic = { 20e3, unit = "N/m", "traffic load per length of a strip of 1 m width" },
+  every = { 0.5, unit = "s", "time between two removals of ground" },
+  pieces = { 10, "number of pieces of ground under the footing" },
+  stop = { 10, "largest number of removed pieces" },
   out = { "out/scour.h5", "results" } }
 local m = trilith.model { name = "scour", thickness = 1 }
 m:material { name = "concrete", density = 2400 }
@@ -39,18 +39,18 @@ for i, span in ipairs { left, right } do
   m:point_load { body = span, force = force, load_curve = { smooth = 1 }, name = "traffic " .. i }
 end
 m:run { name = "traffic", duration = 10*s, local_damping = 0.8, rest = { from = 1, ratio = 1e-4 } }
-print(("%.2f s: under traffic; the footing has sunk by %.2f mm"):format(m.time, -1e3*m:body("footing").uy))
+print(("%.2f s: under traffic; the footing has settled by %.2f mm"):format(m.time, -1e3*m:body("footing").uy))
 
 local gone = 0
 m:every(p.every, function()
   if gone == p.stop or gone == p.pieces then return end
   gone = gone + 1
   m:remove(ground[gone])
-  print(("%.2f s: %2d of %d pieces gone, the pier leans by %6.2f mrad"):format(m.time, gone, p.pieces,
+  print(("%.2f s: %2d of %d pieces removed, rotation of the pier %6.2f mrad"):format(m.time, gone, p.pieces,
     1e3*pier.rotation))
 end)
 m:on("impact", function(e) if e.value > 2 then print(tostring(e)) end end)
 local last = m:run { name = "scour", duration = p.every*(p.pieces + 1) + 4*s, until_collapse = { drop = 2 } }
-print(("%.2f s: %s; %d of %d pieces of ground are gone"):format(m.time,
+print(("%.2f s: %s; %d of %d pieces of ground are removed"):format(m.time,
   last.ending == "stopped" and last.reason or "it stands", gone, p.pieces))
-print(("the ground took %.3g J along"):format(m.energy.removed))
+print(("energy removed with the ground %.3g J"):format(m.energy.removed))

@@ -7,14 +7,14 @@
 local trilith = require "trilith"
 local ft, inch, kip, g, s, pcf, psi = trilith.units "ft inch kip g s pcf psi"
 local p = trilith.params {
-  body = { "quad", "what a unit is: quad (one finite element), rigid, or mesh (2 by 2)" },
+  body = { "quad", "model of a unit: quad (one finite element), rigid, or mesh (2 by 2)" },
   tension = { 400, unit = "psf", "tensile strength of the mortar" },
   cohesion = { 0.51, "shear strength at no pressure, as a share of the tensile strength" },
   friction = { 35, unit = "deg", "friction angle" }, kn = { 1e5, unit = "psi", "stiffness of a joint, per inch" },
-  pga = { 1.0, unit = "g", "peak horizontal acceleration" }, sign = { 1, "1: as the agency gives it, or -1" },
-  jitter = { 0, unit = "m", "by which head joints are moved at random" }, seed = { 1, "of the jitter" },
-  stand = { 0, unit = "s", "how long it stands by itself before the shaking" },
-  duration = { 30, unit = "s", "of the shaking" }, out = { "out/wall.h5", "results" } }
+  pga = { 1.0, unit = "g", "peak horizontal acceleration" }, sign = { 1, "sign of the record: 1 or -1" },
+  jitter = { 0, unit = "m", "largest random shift of the head joints" }, seed = { 1, "seed of the jitter" },
+  stand = { 0, unit = "s", "time at rest before the shaking" },
+  duration = { 30, unit = "s", "duration of the shaking" }, out = { "out/wall.h5", "results file" } }
 local m = trilith.model { name = "masonry wall", thickness = 8*inch }
 local brick = m:material { name = "brick", unit_weight = 120*pcf, E = 1.5e6*psi, nu = 0.2 }
 local concrete = m:material { name = "concrete", unit_weight = 150*pcf }

@@ -8,9 +8,9 @@
 --   trilith plot out/wall_fragility.h5 --ida drift --over pga --fragility collapsed -o ida.svg
 local trilith = require "trilith"
 local p = trilith.params {
-  out = { "out/wall_fragility.h5", "the table" }, motions = { 20, "turned components" },
-  levels = { 8, "of acceleration" }, step = { 0.2, "between the levels, in g" },
-  duration = { 8, unit = "s", "of the shaking" }, tension = { 2e4, unit = "Pa", "strength of the mortar" } }
+  out = { "out/wall_fragility.h5", "table of the study" }, motions = { 20, "number of rotated components" },
+  levels = { 8, "number of levels of acceleration" }, step = { 0.2, "difference between levels, in g" },
+  duration = { 8, unit = "s", "duration of the shaking" }, tension = { 2e4, unit = "Pa", "strength of the mortar" } }
 local motions, levels = {}, {}
 for k = 1, p.motions do motions[k] = k end
 for k = 1, p.levels do levels[k] = tonumber(("%.6g"):format(k*p.step)) end

@@ -4,8 +4,8 @@
 -- `trilith plot TABLE --over tension` plots the table.
 local trilith = require "trilith"
 local p = trilith.params {
-  out = { "out/wall_study.h5", "the table" }, copies = { 8, "copies of each strength" },
-  duration = { 12, unit = "s", "of the shaking" }, body = { "quad", "what a unit is" } }
+  out = { "out/wall_study.h5", "table of the study" }, copies = { 8, "copies of each strength" },
+  duration = { 12, unit = "s", "duration of the shaking" }, body = { "quad", "model of a unit" } }
 local copies = {}
 for k = 1, p.copies do copies[k] = k end
 
@@ -25,7 +25,7 @@ end
 for _, tension in ipairs { 0, 100, 400, 1600 } do
   local sum = by[tension]
   if sum then
-    print(("tension %4d psf: %d of %d came down; joints apart %2.0f, %2.0f, %2.0f %% in storeys 1, 2, 3"):format(
+    print(("tension %4d psf: %d of %d collapsed; joints apart %2.0f, %2.0f, %2.0f %% in storeys 1, 2, 3"):format(
       tension, sum.down, sum.n, 100*sum.apart[1]/sum.n, 100*sum.apart[2]/sum.n, 100*sum.apart[3]/sum.n))
   end
 end

@@ -2,7 +2,7 @@
 local trilith = require "trilith"
 local p = trilith.params {
   count = { 4, "blocks" },
-  factor = { 0.98, "of the largest overhang" } }
+  factor = { 0.98, "factor on the largest overhang" } }
 local m = trilith.model { name = "stack", thickness = 1 }
 
 m:material { name = "stone", density = 2400 }

@@ -2,7 +2,7 @@
 local trilith = require "trilith"
 local g = trilith.units "g"
 local p = trilith.params {
-  thickness = { 0.15, unit = "m", "of the ring; its mean radius is 1 m" },
+  thickness = { 0.15, unit = "m", "thickness of the ring; its mean radius is 1 m" },
   voussoirs = { 30, "number of voussoirs" },
   mu = { 10, "friction of the joints" } }
 local m = trilith.model { name = "arch", thickness = 1 }

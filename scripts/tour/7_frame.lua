@@ -1,7 +1,7 @@
 -- A steel portal under a share of its plastic limit load: it stands or collapses.
 local trilith = require "trilith"
 local p = trilith.params {
-  factor = { 0.98, "of the collapse load" },
+  factor = { 0.98, "factor on the collapse load" },
   integrator = { "implicit", "or explicit" } }
 local m = trilith.model { name = "portal", mass_damping = 1 }
 m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }

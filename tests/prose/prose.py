@@ -41,7 +41,7 @@ def area_of(path):
         return ["tests-comments"] + (["tests-names"] if named else [])
     if top in ("engine", "lua"):
         return [f"{top}-comments"] + ([f"{top}-messages"] if extension in ("cpp", "hpp", "js", "html", "lua") else [])
-    return ["scripts-comments"]
+    return ["scripts-comments"] + (["scripts-messages"] if extension == "lua" else [])
 
 
 def read_exceptions():

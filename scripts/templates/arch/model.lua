@@ -6,7 +6,7 @@ local trilith = require "trilith"
 local p = trilith.params {
   span = { 6, unit = "m", "clear span" },
   rise = { 2, unit = "m", "clear rise" },
-  thickness = { 0.5, unit = "m", "of the ring" },
+  thickness = { 0.5, unit = "m", "thickness of the ring" },
   voussoirs = { 24, "number of voussoirs" } }
 
 -- 2. Materials and contact: dry joints with friction. `thickness` of the model is the width of the arch [m].

@@ -7,7 +7,7 @@ local p = trilith.params {
   pga = { 0.5, unit = "g", "peak acceleration of the ground" },
   seat = { 0.5, unit = "m", "length of the seats" },
   dowel = { 0.01, unit = "m", "displacement at which a dowel fails" },
-  duration = { 10, unit = "s", "of the shaking" } }
+  duration = { 10, unit = "s", "duration of the shaking" } }
 
 -- 2. Materials and contact. `thickness` is the width of the bridge across the plane [m].
 local m = trilith.model { name = "three spans", thickness = 10 }

@@ -7,7 +7,7 @@ local g = trilith.units "g"
 local p = trilith.params {
   record = { 0, "0: pushover; 1, 2 or 3: shaking by this record" },
   ag = { 0.25, unit = "g", "peak acceleration on rock" },
-  duration = { 8, unit = "s", "of the shaking" } }
+  duration = { 8, unit = "s", "duration of the shaking" } }
 
 -- 2. Materials and contact: dry joints. `thickness` is the thickness of the wall [m].
 local m = trilith.model { name = "facade", thickness = 0.4 }

@@ -4,9 +4,9 @@ local trilith = require "trilith"
 
 -- 1. Parameters.
 local p = trilith.params {
-  span = { 6, unit = "m", "of the beam" }, height = { 4, unit = "m", "of the columns" },
+  span = { 6, unit = "m", "span of the beam" }, height = { 4, unit = "m", "height of the columns" },
   Mp = { 100e3, unit = "N m", "plastic moment of every member" },
-  drift = { 0.12, unit = "m", "of the top at the end of the push" } }
+  drift = { 0.12, unit = "m", "displacement of the top at the end of the push" } }
 
 -- 2. Material and section. `mass_damping` damps the motion as a whole [1/s].
 local m = trilith.model { name = "portal", mass_damping = 1 }

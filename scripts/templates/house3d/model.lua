@@ -6,7 +6,7 @@ local trilith = require "trilith"
 local p = trilith.params {
   pga = { 0.5, unit = "g", "peak acceleration of the ground" },
   tension = { 1e4, unit = "Pa", "tensile strength of the mortar" },
-  duration = { 2, unit = "s", "of the shaking" } }
+  duration = { 2, unit = "s", "duration of the shaking" } }
 
 -- 2. Materials and contact, in space: x and y are horizontal, z is upwards.
 local m = trilith.model { name = "house", dim = 3 }

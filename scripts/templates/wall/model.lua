@@ -6,7 +6,7 @@ local trilith = require "trilith"
 local p = trilith.params {
   pga = { 0.6, unit = "g", "peak acceleration of the base" },
   tension = { 5e4, unit = "Pa", "tensile strength of the mortar" },
-  duration = { 5, unit = "s", "of the shaking" } }
+  duration = { 5, unit = "s", "duration of the shaking" } }
 
 -- 2. Materials and contact. `thickness` is the length of the wall across the plane [m].
 local m = trilith.model { name = "wall", thickness = 0.25 }
