@@ -47,7 +47,7 @@ void read_esm_line(std::string_view line, EsmHeader& header, const TextLines& li
   if (const auto v = take("stream:")) header.source.component = *v;
   if (const auto v = take("units:")) {
     if (lower_case(*v) != "cm/s^2" && lower_case(*v) != "cm/s2")
-      lines.fail(fmt::format("UNITS is '{}', must be cm/s^2: a file of accelerations", shown(*v)));
+      lines.fail(fmt::format("UNITS is '{}', must be cm/s^2; give a file of accelerations", shown(*v)));
     header.unit_is_cm = true;
   }
 }

@@ -99,7 +99,7 @@ TEST_CASE("C7: where one end exceeds its strength, the whole face or half of it 
   CHECK(near_zero((on_b0(half) + on_b1(half)).y(), 1e-5));
 }
 
-TEST_CASE("C7: a lost bond does not come back, and slides by friction alone") {
+TEST_CASE("C7: a lost bond does not recover, and slides with friction only") {
   FaceMemory<double> memory = opened(2.01e-4, 0, 0, false, no_memory(true)).memory;
   memory = opened(-1e-4, 0, 0, false, memory).memory;
   CHECK_FALSE(memory.bonds[0]);

@@ -170,7 +170,7 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
     const NearPair& pair = work.pairs[row];
     place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
   }
-  std::array<CornerRows, 2> kinds;  // one corner; one corner of each piece
+  std::array<CornerRows, 2> kinds;  // one corner under a face; one corner of each piece in the other
   const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
     const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));

@@ -75,7 +75,7 @@ std::vector<Part> build_running_bond(const RunningBond& bond);
 
 /// The panel of the benchmarks: units of 0.4 m x 0.2 m, odd courses of whole units, three columns to four courses, on a
 /// base of equal length. 24 courses: 444 units and 1266 pairs of touching faces, including the base. 48 courses: 1752
-/// units and 5124 pairs. The base is a further part. Throws InputError unless 1 <= courses <= 1000.
+/// units and 5124 pairs. The base is an additional part. Throws InputError unless 1 <= courses <= 1000.
 std::vector<Part> build_bench_wall(int courses);
 
 /// build_bench_wall as a builder of scripts.

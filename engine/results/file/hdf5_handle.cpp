@@ -178,7 +178,7 @@ void require_plain(hid_t type, std::string_view owner) {
     const Handle one(H5Tget_super(type), H5Tclose, fmt::format("unreadable type of {}", owner));
     return require_plain(one.get(), owner);
   }
-  if (!is_usual_number(type)) throw Failure(fmt::format("{} is damaged: its numbers are of no usual type", owner));
+  if (!is_usual_number(type)) throw Failure(fmt::format("{} is damaged: its numbers have an unknown type", owner));
 }
 
 std::vector<std::string> read_texts(hid_t object, const char* name) {
