@@ -1,5 +1,5 @@
 // Content of a results file as plain values, without HDF5 and model. The schema is described in docs/results.md. SI
-// throughout: m [kg] [s] [N] [J] [rad]. Indices count from 0; -1 means none.
+// throughout: m, kg, s, N, J, rad. Indices count from 0; -1 means none.
 #pragma once
 
 #include <cstdint>
