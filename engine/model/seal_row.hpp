@@ -16,7 +16,7 @@ struct SealRow {
   double limit = 0;   ///< it may be at most this; 0: no limit
   std::string unit;
   std::string text;        ///< in a few words
-  double valid_until = 0;  ///< of a failed check: begin of the stage at whose end it failed [s]
+  double valid_until = 0;  ///< of a failed check: start of the stage at whose end it failed [s]
 
   [[nodiscard]] bool failed() const { return state == "failed"; }
 };

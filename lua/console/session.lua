@@ -263,8 +263,8 @@ local function loop(session)
   console.failed = console.failed or not all_good
 end
 
---- The console at the top, until it is left. True where no chunk has failed, and whether a search of one had no
---- solution.
+--- The console at the top, until it is left. Returns whether no chunk failed, and whether a search in a chunk
+--- had no solution.
 function console.top()
   loop(new_session("> ", {}, coroutine.running()))
   return not console.failed, console.no_solution

@@ -45,7 +45,7 @@ Pressed press(double at_left, double at_right, const FaceMemory<double>& memory,
 
 }  // namespace
 
-TEST_CASE("mortar pressed beyond its strength carries its strength, and crushing dissipates the remaining work") {
+TEST_CASE("the stress of mortar stays at its strength beyond it, and crushing dissipates the remaining work") {
   MortarJoint joint = crushing_joint();
   joint.lead(-0.999 * first, 0, 100);
   CHECK(joint.fracture == 0.0);
@@ -169,7 +169,7 @@ TEST_CASE("the force of a crushed contact of any shape is the gradient of its en
     }
 }
 
-TEST_CASE("a contact of any shape crushes until it carries its strength over the pressed length") {
+TEST_CASE("a contact of any shape crushes until its stress equals its strength over the pressed length") {
   const Vec2 at(0, -5e-3);
   const General general(at, 0, 0, crushing_mortar());
   const OverlapResponse& last = general.response;

@@ -38,7 +38,7 @@ double crushed_mean(double c0, double c1, double strength) {
 
 }  // namespace
 
-TEST_CASE("a joint pressed beyond its strength carries its strength, and unloads by its stiffness") {
+TEST_CASE("the stress of a joint stays at its strength beyond it, and unloads with its stiffness") {
   const double strength = 2e6, x = 0.6, y = 0.4, elastic = strength / bed_stiffness, area = x * y;
   for (const double beta : {0.0, 1e-4}) {
     HeldJoint joint(crushing_mortar(strength, 5e-3, beta), x, y);

@@ -108,7 +108,7 @@ std::vector<std::vector<const SolidCrack*>> by_body(const std::vector<SolidCrack
   return out;
 }
 
-/// `cracks`: of the piece's body. Cracks between bodies with a small gap count as on their faces.
+/// `cracks`: of the piece's body. Cracks between bodies with a small gap are drawn on their faces.
 void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cracks, const ViewAxes& view,
                Scene& scene) {
   const double slack = 2e-3 * piece_size(piece);

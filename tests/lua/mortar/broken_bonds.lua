@@ -81,7 +81,7 @@ for _, law in ipairs { "bonded", "cohesive" } do
   check(2, law, { couple = 6e4 }, "tension", "kPa", 200, 1e-3)
 end
 
--- Without a given step the bond carries its strength before an impact breaks it. Within a given step the impact breaks
+-- Without a given step the bond reaches its strength before an impact breaks it. Within a given step the impact breaks
 -- it before it carried load: the event then reports the strength if the tension limit was exceeded.
 for _, dim in ipairs { 2, 3 } do
   check(dim, "undamped", { velocity = { 0, 0, 3 } }, "tension", "kN", 200, 0.02)
