@@ -121,7 +121,7 @@ TEST_CASE("faces of a mesh in line: both sides of the limits of tilt and depth")
   CHECK(general(0.5e-3, 1.1 * face_pair_max_tilt) > 0);
 }
 
-TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit is not a line any more") {
+TEST_CASE("faces of a mesh in line: a side that is bent by more than the limit is not a line") {
   const Model<2> model = two_meshes(2, 2);
   const auto bent = [&](double by) {
     State<2> state = pressed_meshes(model, 2e-5, 1e-7, 0, 0);

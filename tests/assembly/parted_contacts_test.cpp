@@ -41,7 +41,7 @@ struct ChanceStep {
 
 }  // namespace
 
-TEST_CASE("contacts that parted a moment ago and close are found, and no others, one by one or all at once") {
+TEST_CASE("contacts that opened recently and close are found, and no others, one by one or all at once") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     ChanceStep step(500, static_cast<int>(25 * seed) - 25, seed);
     // One after the other, in the order of the queries.

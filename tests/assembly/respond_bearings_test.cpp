@@ -148,7 +148,8 @@ struct Pulled {
   }
 };
 
-TEST_CASE("the last force of a bearing acts for another half step, and the energy balance has it to rounding") {
+TEST_CASE(
+    "the last force of a bearing acts for another half step, and the energy balance contains its work to rounding") {
   // Without contact and weight a block of 2,000 kg pulls a spring with a dashpot until it breaks. Without the half step
   // of the last force the residual would be F v dt / 2: about 2 % at steps of 4 ms.
   for (const bool implicitly : {false, true})
@@ -198,7 +199,7 @@ TEST_CASE("a bearing fails at its limit and dissipates its stored energy") {
   CHECK(near(sim.state().given[EnergyTerm::bearing_failure], stored, 2e-3));
 }
 
-TEST_CASE("a bearing becomes another one: a slider begins where it stands and then carries mu N") {
+TEST_CASE("a bearing becomes another one: a slider starts at the present position and then carries mu N") {
   Pulled p;
   p.scene.builder.set_contact("*", "*", "none");
   BearingSpec first = p.link(), second = p.link();

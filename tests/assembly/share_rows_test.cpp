@@ -60,7 +60,7 @@ TEST_CASE("every row belongs to one run and a side is at a border where its body
   }
 }
 
-TEST_CASE("rows have no shares where one thread works, nor before their pairs have stood for a while") {
+TEST_CASE("rows have no shares with one thread, nor before their pairs are unchanged for a while") {
   const Model<2> model = wall();
   const State<2> state = initial_state(model);
   Work<2> alone, found;

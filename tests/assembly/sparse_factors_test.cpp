@@ -55,7 +55,7 @@ TEST_CASE("a matrix of symmetric pattern is solved with symmetric and unsymmetri
     }
 }
 
-TEST_CASE("a matrix without a diagonal is factored with pivots and one that is singular not at all") {
+TEST_CASE("a matrix without a diagonal is factored with pivots, and a singular one is rejected") {
   SparseFactors factors;
   Matrix pair(2, 2);
   pair.insert(0, 1) = 2, pair.insert(1, 0) = 3, pair.insert(0, 0) = 0, pair.insert(1, 1) = 0;

@@ -38,7 +38,7 @@ TEST_CASE("a pipe or a device is not replaced by a file") {
   CHECK(files_in(folder) == 1);
 }
 
-TEST_CASE("a fresh file takes its place when it is whole and leaves nothing where it is given up") {
+TEST_CASE("a new file replaces its target when it is complete, and leaves nothing if it is abandoned") {
   const Folder folder;
   write_text(folder / "page", "old");
   {
@@ -56,7 +56,7 @@ TEST_CASE("a fresh file takes its place when it is whole and leaves nothing wher
   CHECK(bytes_of(folder / "page") == "new");
 }
 
-TEST_CASE("fresh files have names nobody can foresee and the rights of any new file") {
+TEST_CASE("new files have random names and the access rights of any new file") {
   const Folder folder;
   std::set<fs::path> names;
   for (int i = 0; i < 50; ++i) {

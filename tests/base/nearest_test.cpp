@@ -10,7 +10,7 @@ TEST_CASE("edit distance counts a swap of neighbours as one change") {
   CHECK(edit_distance("height", "height") == 0);
 }
 
-TEST_CASE("the nearest name is offered only when it is near") {
+TEST_CASE("the nearest name is suggested only within a limit") {
   CHECK(nearest_name("heigth", {"width", "height", "depth"}) == "height");
   CHECK(nearest_name("zzzz", {"width", "height"}).empty());
 }

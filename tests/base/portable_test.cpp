@@ -77,7 +77,7 @@ TEST_CASE("sines and cosines of several angles equal single ones to the bit") {
   }
 }
 
-TEST_CASE("sine and cosine and tangent of any angle are right to less than 1 ulp and symmetric to the bit") {
+TEST_CASE("sine, cosine and tangent of any angle have errors below 1 ulp and are symmetric to the bit") {
   std::mt19937_64 bits(1);
   for (const Arguments& a : angles(bits)) {
     CAPTURE(a.name);
@@ -100,7 +100,7 @@ TEST_CASE("sine and cosine and tangent of any angle are right to less than 1 ulp
   }
 }
 
-TEST_CASE("sine and cosine are exact at zero and not numbers where the angle is none") {
+TEST_CASE("sine and cosine are exact at zero, and NaN for an infinite angle or NaN") {
   for (const double zero : {0.0, -0.0}) {
     CHECK(same(portable::sin(zero), zero));
     CHECK(same(portable::tan(zero), zero));
@@ -114,7 +114,7 @@ TEST_CASE("sine and cosine are exact at zero and not numbers where the angle is 
   }
 }
 
-TEST_CASE("arc functions are right to less than 1 ulp and odd to the bit") {
+TEST_CASE("arc functions have errors below 1 ulp and are odd to the bit") {
   std::mt19937_64 bits(2);
   double of_point = 0, of_sine = 0, of_cosine = 0;
   int unlike = 0;
@@ -191,7 +191,7 @@ TEST_CASE("special values of exponentials, logarithms, powers and lengths match 
   CHECK(portable::pow(-2, -1) == -0.5);
 }
 
-TEST_CASE("lengths are right to 1 part in 2^52 for any size") {
+TEST_CASE("lengths are accurate to 1 part in 2^52 for any magnitude") {
   std::mt19937_64 bits(4);
   double most = 0;
   for (int i = 0; i < 30000; ++i) {
@@ -205,7 +205,7 @@ TEST_CASE("lengths are right to 1 part in 2^52 for any size") {
   CHECK(most < 0x1p-52);
 }
 
-TEST_CASE("a sine never falls on the way up nor a tangent nor an exponential nor a logarithm") {
+TEST_CASE("sine, tangent, exponential and logarithm never decrease where the function increases") {
   std::mt19937_64 bits(5);
   const auto falls = [&](double low, double high, double (*f)(double)) {
     int found = 0;

@@ -27,7 +27,7 @@ Eigen::Matrix3d matrix_of(const UnitQuaternion& q) {
 
 }  // namespace
 
-TEST_CASE("a rotation vector gives the rotation about it by its length") {
+TEST_CASE("a rotation vector gives the rotation about its axis by its length") {
   for (const Vec3& angle : some_angles) {
     const UnitQuaternion q = rotation_by(angle);
     CHECK(near(length_of(q), 1, 1e-15));
@@ -37,12 +37,12 @@ TEST_CASE("a rotation vector gives the rotation about it by its length") {
   }
 }
 
-TEST_CASE("a rotation up to half a turn gives its vector back") {
+TEST_CASE("the rotation vector of a rotation up to half a turn is recovered") {
   for (const Vec3& angle : some_angles) CHECK((angle_of(rotation_by(angle)) - angle).norm() < 1e-14);
   CHECK((angle_of(rotation_by({0, 0, 4})) - Vec3(0, 0, 4 - 2 * M_PI)).norm() < 1e-14);
 }
 
-TEST_CASE("a product of rotations turns by the second and then by the first") {
+TEST_CASE("a product of rotations rotates by the second and then by the first") {
   const UnitQuaternion a = rotation_by(some_angles[2]), b = rotation_by(some_angles[4]);
   const Vec3 v(1, -2, 0.5);
   CHECK((Turn3(a * b).apply(v) - Turn3(a).apply(Turn3(b).apply(v))).norm() < 1e-15 * 10);
@@ -57,7 +57,7 @@ TEST_CASE("a rotation is recovered from its axes") {
   }
 }
 
-TEST_CASE("a quaternion that rounding has left a little long or short is of length 1 again") {
+TEST_CASE("the unit length of a quaternion is restored after rounding") {
   const UnitQuaternion q = rotation_by(some_angles[2]);
   for (const double by : {1 + 1e-8, 1 - 1e-8}) {
     const UnitQuaternion off{by * q.w, by * q.x, by * q.y, by * q.z};
@@ -65,7 +65,7 @@ TEST_CASE("a quaternion that rounding has left a little long or short is of leng
   }
 }
 
-TEST_CASE("about the z axis space turns as the plane does") {
+TEST_CASE("rotation about the z axis in space equals rotation in the plane") {
   const Vec2 flat = Turn(0.7).apply({1.5, -0.25});
   CHECK((turn_by(Vec3(0, 0, 0.7)).apply({1.5, -0.25, 3}) - Vec3(flat.x(), flat.y(), 3)).norm() < 1e-15 * 4);
 }

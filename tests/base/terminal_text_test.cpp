@@ -6,7 +6,7 @@
 
 using namespace trilith;
 
-TEST_CASE("control characters are written as numbers and everything else stays") {
+TEST_CASE("control characters are written as numbers, and all others are unchanged") {
   CHECK(terminal_text("\033]0;title\a") == "\\27]0;title\\7");
   CHECK(terminal_text(std::string_view("a\0b", 3)) == "a\\0b");
   CHECK(terminal_text("\x7F\r\b") == "\\127\\13\\8");
@@ -15,7 +15,7 @@ TEST_CASE("control characters are written as numbers and everything else stays")
   CHECK(terminal_text("") == "");
 }
 
-TEST_CASE("the controls of eight bits count and other letters of UTF-8 do not") {
+TEST_CASE("control characters of eight bits are replaced, and other letters of UTF-8 are not") {
   CHECK(terminal_text("\xC2\x9B"
                       "31m") == "\\194\\15531m");
   CHECK(terminal_text("\xC2\x80\xC2\x9F") == "\\194\\128\\194\\159");

@@ -34,7 +34,7 @@ TEST_CASE("units multiply and divide") {
   CHECK(si_unit({}) == "1");
 }
 
-TEST_CASE("no unit stands twice in the table, and every one parses to itself") {
+TEST_CASE("no unit is twice in the table, and each one parses to itself") {
   for (const Unit& a : unit_table()) {
     int count = 0;
     for (const Unit& b : unit_table()) count += a.name == b.name ? 1 : 0;
@@ -61,7 +61,7 @@ TEST_CASE("a wrong unit is rejected with the nearest name") {
   CHECK_THROWS_AS(parse_unit("m+s"), InputError);
 }
 
-TEST_CASE("a quantity is read in its declared unit or in one of its own") {
+TEST_CASE("a quantity is read in its declared unit or in the unit given with it") {
   CHECK(near(parse_quantity("0.6", "g", "pga"), 0.6 * 9.80665, 1e-12));
   CHECK(near(parse_quantity("0.6g", "g", "pga"), 0.6 * 9.80665, 1e-12));
   CHECK(parse_quantity(" 5.9 m/s2 ", "g", "pga") == 5.9);

@@ -13,7 +13,7 @@
 using namespace trilith;
 using testing::Folder;
 
-TEST_CASE("a text file is read as it is, whatever its bytes") {
+TEST_CASE("a text file is read unchanged, for any bytes") {
   const Folder folder;
   std::string bytes(200000, 'x');
   bytes[7] = '\0', bytes[9] = '\r', bytes.back() = '\n';
@@ -23,7 +23,7 @@ TEST_CASE("a text file is read as it is, whatever its bytes") {
   }
 }
 
-TEST_CASE("a folder, a device, a file too large and one that is not there are no text") {
+TEST_CASE("a folder, a device, a file too large and a missing file are rejected as texts") {
   const Folder folder;
   const auto why = [](const std::filesystem::path& path) -> std::string {
     try {

@@ -22,7 +22,7 @@ TEST_CASE("boxes that are huge or not finite form no pairs and leave other pairs
   }
 }
 
-TEST_CASE("boxes far out are still found where they are within measure") {
+TEST_CASE("boxes far from the origin are found within the allowed range") {
   std::vector<Box> boxes{{0, 0, 1, 1}, {1e60, 0, 1.1e60, 1}, {1.05e60, 0, 1.2e60, 1}, {0.5, 0, 1.5, 1}};
   const auto pairs = meeting_boxes(boxes);
   REQUIRE(pairs.size() == 2);

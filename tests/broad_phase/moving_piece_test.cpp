@@ -64,7 +64,7 @@ TEST_CASE("a body that slides along a plate is not slowed at any speed") {
   CHECK(two.time(0.1, 1e-3) == 0.1);
 }
 
-TEST_CASE("within the time to a depth no two pieces get deeper whatever they are and however they fly and turn") {
+TEST_CASE("within the computed time to a depth, no two pieces get deeper, for any shape, velocity and spin") {
   std::mt19937_64 bits(7);
   int held = 0;
   for (int i = 0; i < 400; ++i) {

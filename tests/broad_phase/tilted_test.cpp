@@ -93,7 +93,7 @@ TEST_CASE("a pair stays in the cache of tilted pairs only while none of its face
   CHECK(remembered > asked / 4);  // the cache is effective
 }
 
-TEST_CASE("a tilted pair is remembered up to where its next faces oppose each other, and not beyond") {
+TEST_CASE("a tilted pair is cached up to the angle at which its next faces oppose each other, and not beyond") {
   std::mt19937_64 bits(12);
   int ends = 0;
   for (int k = 0; k < 200; ++k) {

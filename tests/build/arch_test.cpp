@@ -154,7 +154,7 @@ TEST_CASE("a pointed arch is its own mirror image to the bit, its crown a vertic
     }
 }
 
-TEST_CASE("a key is as much wider than the others as requested") {
+TEST_CASE("a key is wider than the other voussoirs by the requested factor") {
   for (const double key : {0.5, 1.0, 2.0}) {
     const std::vector<Part> parts = build_arch({.voussoirs = 9, .radius = 2, .thickness = 0.3, .key = key});
     check_sound(parts);

@@ -91,7 +91,7 @@ TEST_CASE("beams end in pockets of two walls and nothing overlaps: volumes add u
   CHECK(volume_in(made, "B") == volume_in(made, "storey 1"));
 }
 
-TEST_CASE("beams go through walls that stand between those they end in") {
+TEST_CASE("beams pass through walls that stand between their end walls") {
   const SolidParts made = build_building(beamed_house({{.count = 4, .width = 0.2, .height = 0.4}}));
   check_sound(made.parts);
   // even spacing over 2.8 m: 0.7 m from centre to centre
@@ -102,7 +102,7 @@ TEST_CASE("beams go through walls that stand between those they end in") {
   CHECK(near(volume_in(made, "units"), plan_area * 1.6 - 4 * 3 * 0.2 * 0.4 * 0.4, 1e-12));
 }
 
-TEST_CASE("count and spacing together lay a row in the middle of its room") {
+TEST_CASE("count and spacing together place a row in the middle of its room") {
   const SolidParts made = build_building(beamed_house({{.count = 3, .spacing = 0.5, .width = 0.2}}));
   for (int i = 0; i < 3; ++i)
     CHECK(near(box_named(made, fmt::format("B.s1.beam{}", i + 1)).first.y(), 1.5 + 0.5 * (i - 1), 1e-12));
@@ -126,7 +126,7 @@ TEST_CASE("the wall behind the end of a beam is filled with one unit per course"
   CHECK(fillings == 4);
 }
 
-TEST_CASE("rooms have beams of their own which share pockets of the wall between them") {
+TEST_CASE("rooms have separate beams, which share pockets of the wall between them") {
   const auto rooms = [](double left, double right) {
     return beamed_house({{.count = 3, .width = 0.2, .bearing = left, .to = Vec2(2.8, 3.2)},
                          {.count = 3, .width = 0.2, .bearing = right, .from = Vec2(2.8, 0)}});

@@ -74,7 +74,7 @@ TEST_CASE("a span ends half a joint from the axes of its supports, its bearings 
   CHECK(span.length() == 19.9 - 0.05);
 }
 
-TEST_CASE("between two decks, and between a deck and the back wall, the joint is as wide as the support says") {
+TEST_CASE("between two decks, and between a deck and the back wall, the joint has the width given for the support") {
   BridgeLayout bridge = layout();
   const LaidSpan one = bridge.lay(first());
   bridge.add(one);
@@ -149,7 +149,7 @@ TEST_CASE("a deck lies on its bearings, and both must have it at one level") {
   CHECK(mentions(why_not(plan), "on 'A0'"));
 }
 
-TEST_CASE("a span on supports or bearings that are not there is rejected with the nearest name") {
+TEST_CASE("a span on unknown supports or bearings is rejected with the nearest name") {
   SpanPlan plan = first();
   plan.to = "p1";
   CHECK(mentions(why_not(plan), "span 'S1': to: there is no support 'p1'; did you mean 'P1'?"));
@@ -165,7 +165,7 @@ TEST_CASE("a span on supports or bearings that are not there is rejected with th
   CHECK(mentions(refusal_of([&] { static_cast<void>(empty.lay(first())); }), "bearing types come before spans"));
 }
 
-TEST_CASE("a span that runs backwards, has no length or reaches from a support to itself is rejected") {
+TEST_CASE("a span that runs backwards, has no length or has the same support at both ends is rejected") {
   SpanPlan plan = first();
   plan.from = "A2", plan.to = "P1";
   CHECK(mentions(why_not(plan), "from is 'A2', an abutment at the right end of a bridge; give it as to"));

@@ -97,7 +97,7 @@ TEST_CASE("walls take turns at corners and junctions from course to course") {
   }
 }
 
-TEST_CASE("a house of two storeys is whole: no overlap, flat joints, the volume of its walls") {
+TEST_CASE("a house of two storeys has no overlap, flat joints and the volume of its walls") {
   const SolidParts made = build_building(house());
   check_sound(made.parts);
   const double x = 6.2, y = 4.2, t = 0.2, area = 2 * x * t + 3 * (y - 2 * t) * t;

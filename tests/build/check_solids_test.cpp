@@ -75,7 +75,7 @@ TEST_CASE("open, hollow, degenerate and thin solids are reported") {
   CHECK(found[4].text == "solid 'nan' has a corner that is not finite or beyond 1e12 m");
 }
 
-TEST_CASE("overlaps are reported with their volume, touching faces, edges and corners are none") {
+TEST_CASE("overlaps are reported with their volume; touching faces, edges and corners are not overlaps") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {1, 0, 0}), brick("c", {0, 1, 1}),
                                brick("d", {1, 1, 2})};
   CHECK(check_solids(parts).empty());
@@ -104,7 +104,7 @@ TEST_CASE("a part without contact is reported, one at the edge of the search dis
   CHECK(std::string(name_of(check_solids(turned)[0].fault)) == "touching nothing");
 }
 
-TEST_CASE("pieces of one part are looked at too") {
+TEST_CASE("pieces of one part are checked too") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0})};
   parts[0].pieces.push_back(box_solid({0.5, 0, 0}, {1.5, 1, 1}));
   const SolidFinding found = only(check_solids(parts));
@@ -126,7 +126,7 @@ TEST_CASE("100,000 faces are checked within seconds") {
   MESSAGE("checked ", parts.size(), " bricks in ", seconds, " s");
 }
 
-TEST_CASE("one solid of a hundred thousand faces is looked at too") {
+TEST_CASE("one solid of a hundred thousand faces is checked too") {
   SolidPart ball{"ball", {{}}, {}};
   Polyhedron& solid = ball.pieces[0];
   const int rings = 224, sectors = 224;

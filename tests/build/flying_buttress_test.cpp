@@ -93,7 +93,7 @@ TEST_CASE("a steep flyer has the given radius and a vertical last joint") {
   for (const Part& part : parts) CHECK(area_of(part) > 0);
 }
 
-TEST_CASE("impossible flying buttresses are rejected with what to give instead") {
+TEST_CASE("impossible flying buttresses are rejected with a remedy") {
   FlyingButtress f;
   f.name = "A", f.rise = 5;
   CHECK(refusal(f).find("flying buttress 'A': rise is 5 m, above the span of 4 m") == 0);

@@ -114,7 +114,7 @@ TEST_CASE("a joint sets stones back from each other by its width, not from the o
     CHECK(signed_area(rounded[i].outline) <= signed_area(parts[i].outline) + 1e-12);
 }
 
-TEST_CASE("rubble is named from the bottom up and stretched as asked") {
+TEST_CASE("rubble is named from the bottom up and stretched by the given factor") {
   const std::vector<Part> parts = build_rubble({.name = "w", .outline = panel, .stones = 200, .aspect = 3});
   CHECK(parts[0].name == "w.r1");
   CHECK(parts[0].groups == std::vector<std::string>{"stones", "w"});

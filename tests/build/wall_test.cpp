@@ -112,7 +112,7 @@ TEST_CASE("the paper's wall leaves its openings empty and stands 24 ft high") {
   CHECK(near(bounding_box(named(parts, "wall.s3.slab").outline).high.y(), 24 * foot, 1e-14));
 }
 
-TEST_CASE("units know their storey, course, pier and spandrel") {
+TEST_CASE("units are grouped by storey, course, pier and spandrel") {
   const std::vector<Part> parts = build_wall(paper_wall()).parts;
   using Groups = std::vector<std::string>;
   CHECK(named(parts, "wall.s1.c1.u1").groups == Groups{"units", "storey 1", "course 1", "piers", "pier 1", "wall"});

@@ -35,7 +35,9 @@ TEST_CASE("a softening joint pulled apart peaks at its strength, falls in a line
   CHECK(near(joint.work, gi, 0.005));
 }
 
-TEST_CASE("an open joint unloads to the origin, closes with its full stiffness, and goes on where it left the line") {
+TEST_CASE(
+    "an open joint unloads to the origin, closes with full stiffness, and on reloading continues on the softening "
+    "line") {
   Joint joint;
   const double first = tension / kn, last = 2 * gi / tension, half = 0.5 * (first + last);
   joint.lead(half, 0, 5000);

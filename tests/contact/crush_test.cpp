@@ -78,7 +78,7 @@ TEST_CASE("crushed mortar stays crushed while the faces are apart") {
   CHECK(joint.fracture == given);
 }
 
-TEST_CASE("mortar crushes by its greatest depth and is then as stiff as ever") {
+TEST_CASE("mortar crushes by its largest depth and keeps its stiffness") {
   MortarJoint joint = crushing_joint();
   joint.law.crushing_depth = 3 * first;
   joint.lead(-6 * first, 0, 600);
@@ -87,7 +87,7 @@ TEST_CASE("mortar crushes by its greatest depth and is then as stiff as ever") {
   CHECK(near(joint.work, joint.fracture + joint.stored(), 1e-9));
 }
 
-TEST_CASE("faces carry no more than the strength over the length they press on, whatever their gaps have been") {
+TEST_CASE("faces carry at most the strength times the pressed length, for any previous gaps") {
   std::mt19937_64 bits(11);  // gaps of up to 4 mm, a depth of up to 20 mm
   const Cohesive::Kernel law = crushing_joint().law;
   for (int trial = 0; trial < 200; ++trial) {

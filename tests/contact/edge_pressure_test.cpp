@@ -102,7 +102,7 @@ TEST_CASE("contact of boxes from edges equals contact from cutting") {
   CHECK(check_pairs({22, 5000, 1e-2}, 1e-10, a_box) < 10);
 }
 
-TEST_CASE("... other solids with few faces") {
+TEST_CASE("... for other solids with few faces") {
   CHECK(check_pairs({23, 5000, 1e-4}, 1e-9, of_few_faces) < 50);
   CHECK(check_pairs({24, 5000, 1e-2}, 1e-10, of_few_faces) < 100);
 }

@@ -58,7 +58,7 @@ TEST_CASE("the stress of a joint stays at its strength beyond it, and unloads wi
   }
 }
 
-TEST_CASE("mortar that is crushed by all of its depth is as stiff as ever") {
+TEST_CASE("mortar that is crushed over its whole depth keeps its stiffness") {
   const double strength = 1e6, elastic = strength / bed_stiffness, depth = 5 * elastic;
   HeldJoint joint(crushing_mortar(strength, depth));
   joint.glide(Vec3(0, 0, -9 * elastic), Vec3::Zero(), 400);

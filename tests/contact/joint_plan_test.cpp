@@ -71,7 +71,7 @@ TEST_CASE("patches and their places have the area and the moments of the polygon
   CHECK(cut > 150);
 }
 
-TEST_CASE("both seats of a joint stand in one place as it is laid, and its overlap grows at the rate it says") {
+TEST_CASE("both frames of a joint coincide at its start, and its overlap grows at the stated rate") {
   std::mt19937_64 bits(42);
   const ConvexSolid one = slab(1, 0.6), other = slab(0.7, 0.5);
   for (int i = 0; i < 50; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("both seats of a joint stand in one place as it is laid, and its overl
   }
 }
 
-TEST_CASE("mortar that fills a gap in part leaves every force and moment as it was") {
+TEST_CASE("mortar that fills a gap in part changes no force and no moment") {
   JointPlan plan;
   plan.outline = {Vec2(-0.5, -0.3), Vec2(0.5, -0.3), Vec2(0.4, 0.3), Vec2(-0.5, 0.3)};
   plan.standing = {1e-6, Vec2(5e-6, -3e-6)};

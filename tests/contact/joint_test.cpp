@@ -21,7 +21,7 @@ TEST_CASE("a bonded rectangle has the stiffness of its area: to pull, to bend ab
   CHECK(near(twisted.to(Vec3::Zero(), Vec3(0, 0, d)).moment.z(), -ks * x * y * (x * x + y * y) / 12 * d, 1e-9));
 }
 
-TEST_CASE("a joint set under pressure, open in part or twisted keeps its stress as it sets") {
+TEST_CASE("the stress of a joint that is pressed, partly open or twisted does not change as its mortar sets") {
   HeldJoint pressed(brittle_mortar(1e9, 1e9, 0.7, 1e6, 1e6), 1, 1, 1e-5);
   CHECK(near(pressed.to(Vec3::Zero()).force.z(), 1e4, 1e-9));
   CHECK(near(pressed.stored(), 0.5 * 1e9 * 1e-10, 1e-9));
@@ -30,7 +30,7 @@ TEST_CASE("a joint set under pressure, open in part or twisted keeps its stress 
   CHECK(near(open.to(Vec3(0, 0, 1e-6)).force.z(), -1e3, 1e-9));
 }
 
-TEST_CASE("mortar that sets where faces are open in part holds until it is pulled by its strength") {
+TEST_CASE("mortar that sets between partly open faces holds until the tension reaches its strength") {
   // Half of the second patch from the open side is closed: its linear pressure becomes a tension of 3.1 kPa at this
   // side.
   const double kn = 1e10, strength = 2e3, x = 0.5, slope = 2e-5;
@@ -51,7 +51,7 @@ TEST_CASE("mortar that sets where faces are open in part holds until it is pulle
     }
 }
 
-TEST_CASE("shear that friction carries stays with the pressure as mortar sets where faces are open in part") {
+TEST_CASE("shear carried by friction stays with the pressure as mortar sets between partly open faces") {
   // Closed over five eighths of its length, with nine tenths of the friction there. Averaged over the joint this
   // exceeds the cohesion, which alone acts on the open part.
   const double kn = 1e10, slope = 2e-5, x = 0.5, closed = x / 2 + x / 8, cohesion = 5e3, mu = 0.7;

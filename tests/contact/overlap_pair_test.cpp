@@ -133,11 +133,11 @@ void check_slope(Make&& make, int count) {
 
 }  // namespace
 
-TEST_CASE("the general contact's force is the falling slope of its energy, for convex bodies") {
+TEST_CASE("the general contact's force is the negative gradient of its energy, for convex bodies") {
   check_slope([](std::mt19937_64& bits) { return random_convex(bits); }, 400);
 }
 
-TEST_CASE("the general contact's force is the falling slope of its energy, for bodies cut into pieces") {
+TEST_CASE("the general contact's force is the negative gradient of its energy, for bodies cut into pieces") {
   check_slope([](std::mt19937_64& bits) { return random_concave(bits); }, 300);
 }
 

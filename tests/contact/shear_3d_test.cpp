@@ -48,7 +48,7 @@ LimitDraw draw_limit(std::mt19937& random, double far) {
 
 }  // namespace
 
-TEST_CASE("shear below its limit is elastic, in any direction") {
+TEST_CASE("shear below its limit is elastic in any direction") {
   const SlidingLaw law{1e8, 0, 1e-3};
   SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
   const Vec3 path(3e-6, -4e-6, 0);
@@ -59,7 +59,7 @@ TEST_CASE("shear below its limit is elastic, in any direction") {
   CHECK(near(sliding_energy(law.ks, r.force), 0.5 * 5e7 * path.squaredNorm(), 1e-12));
 }
 
-TEST_CASE("beyond its limit shear slides against the motion with just the limit") {
+TEST_CASE("beyond its limit shear slides with the limit force, against the motion") {
   const SlidingLaw law{1e8, 0, 1e-3};
   SlidingForce force{Vec3::Zero(), Vec3::Zero(), 0.5};
   const Vec3 way = Vec3(1, 2, 0).normalized() * 1e-5;
@@ -93,7 +93,7 @@ TEST_CASE("work of shear is stored or dissipated, with damping and changing area
   CHECK(near(put_in, lost + sliding_energy(law.ks, force), 1e-9));
 }
 
-TEST_CASE("the nearest point of the limit is nearest, wherever the pressure is") {
+TEST_CASE("the computed nearest point of the limit is the nearest one, for any pressure distribution") {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   for (const double far : {1e-6, 1e-2, 3.0})
@@ -158,7 +158,7 @@ TEST_CASE("a body that slides straight under eccentric pressure has no couple ab
   }
 }
 
-TEST_CASE("the limit is a convex curve: its normal turns one way only") {
+TEST_CASE("the limit is a convex curve: its normal rotates in one sense") {
   double before = -1;
   for (int i = 0; i <= 1000; ++i) {
     const double angle = i / 1000.0 * std::acos(-1.0) / 2;

@@ -95,7 +95,7 @@ TEST_CASE("on a plane a sphere of radius R is pressed by kn pi e^2 (3R - 2e) / 3
   CHECK(near(r.depth, 0.005, 1e-9));
 }
 
-TEST_CASE("over faces, edges and corners the force of a polyhedron on a sphere is the slope of their energy") {
+TEST_CASE("over faces, edges and corners the force of a polyhedron on a sphere is the gradient of their energy") {
   std::mt19937_64 bits(5);
   int touched = 0;
   for (int i = 0; i < 600; ++i) {
@@ -140,7 +140,7 @@ TEST_CASE("a sphere over the joint of two flush blocks is pressed as by one bloc
   }
 }
 
-TEST_CASE("damping presses more as spheres close and never pulls as they part") {
+TEST_CASE("damping increases the pressure of closing spheres and never pulls separating ones") {
   const ContactLaw law = sphere_law(0, 1e-3);
   const Placed a(convex_sphere({Vec3::Zero(), 0.3}));
   Placed b(convex_sphere({Vec3::Zero(), 0.3}), {}, Vec3(0, 0, 0.59));
@@ -156,7 +156,7 @@ TEST_CASE("damping presses more as spheres close and never pulls as they part") 
   CHECK(response(a, b, law).force.z() == 0);
 }
 
-TEST_CASE("friction of spheres ends at its limit exactly and turns with the pair") {
+TEST_CASE("friction of spheres ends exactly at its limit and rotates with the pair") {
   const ContactLaw law = sphere_law(0.4);
   const Placed floor(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(1, 1, 0)), "floor"));
   Placed ball(convex_sphere({Vec3::Zero(), 0.1}), {}, Vec3(0, 0, 0.098));
@@ -179,7 +179,7 @@ TEST_CASE("friction of spheres ends at its limit exactly and turns with the pair
   CHECK(near(r.moment.z(), -0.4 * r.force.z() * 8.0 / 15 * rim, 1e-9));
 }
 
-TEST_CASE("how far a sphere is from a block") {
+TEST_CASE("distance of a sphere from a block") {
   const Placed floor(convex_solid(box_solid(Vec3(-1, -1, -1), Vec3(1, 1, 0)), "floor"));
   const auto distance = [&](const Vec3& at) {
     const Placed ball(convex_sphere({Vec3::Zero(), 0.1}), {}, at);

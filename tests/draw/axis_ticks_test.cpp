@@ -19,7 +19,7 @@ TEST_CASE("a tick on the axis' end survives rounding") {
   CHECK(linear_ticks(0, 0.3 - 1e-17, 4).back() == 0.3);
 }
 
-TEST_CASE("an axis always has at least two ticks, and three where that takes no more than twice the number asked") {
+TEST_CASE("an axis has at least two ticks, and three where that needs at most twice the requested number") {
   for (int most = 2; most <= 10; ++most)
     for (double low = -7.3; low < 8; low += 0.37)
       for (double span = 1e-6; span < 1e7; span *= 3.1) {

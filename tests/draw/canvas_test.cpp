@@ -74,7 +74,7 @@ TEST_CASE("a picture that cannot be written is rejected and nothing is left") {
   CHECK(files_in(folder) == 1);
 }
 
-TEST_CASE("a full disk leaves the picture that was there before") {
+TEST_CASE("a full disk leaves the previous picture unchanged") {
   const std::filesystem::path folder = testing::picture_path("full");
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -123,7 +123,7 @@ TEST_CASE("wrapped lines fit the width and lose no word") {
   CHECK(cut[0].ends_with("…"));
 }
 
-TEST_CASE("the ink of a text lies where its alignment says") {
+TEST_CASE("a text is drawn at the place that its alignment defines") {
   Canvas canvas(200, 100);
   canvas.text({100, 50}, "span", {8, false, {}, Align::left});
   canvas.text({100, 50}, "span", {8, false, {}, Align::right});

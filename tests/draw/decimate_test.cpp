@@ -44,7 +44,7 @@ TEST_CASE("a decimated series keeps the extremes of every column") {
   }
 }
 
-TEST_CASE("a short series is left as it is") {
+TEST_CASE("a short series is unchanged") {
   const std::vector<PagePoint> line = noise(50, 400);
   CHECK(decimate(line, 0.5) == line);
 }

@@ -65,7 +65,7 @@ TEST_CASE("a mode that is mostly a rotation is drawn with half a radian") {
   CHECK(testing::near(mode_scale(far, small) * 20, 0.5, 1e-12));
 }
 
-TEST_CASE("of several sets of modes the last before a time is taken, and there must be one") {
+TEST_CASE("of several sets of modes the last before the given time is drawn, and without one it is an error") {
   const testing::Folder folder;
   const Header header = testing::sample_header();
   results::ResultsWriter writer(folder / "run.h5", header);

@@ -126,7 +126,7 @@ TEST_CASE("the same scene gives the same bytes in every format") {
     CHECK(scene_canvas({scene}, 1).bytes(format) == scene_canvas({scene}, 1).bytes(format));
 }
 
-TEST_CASE("a picture is as good for a very small, very large, very wide and very tall structure") {
+TEST_CASE("pictures of very small, large, wide and tall structures fit the page") {
   for (const double size : {1e-4, 1.0, 1e6})
     for (const double aspect : {1e-3, 1.0, 1e3}) {
       Scene scene;
@@ -223,7 +223,7 @@ TEST_CASE("a label keeps its position relative to its body in all panels") {
   CHECK(std::abs(place_of(3, {{400, 0, 420, 240}}) - at_start) < 1e-9);
 }
 
-TEST_CASE("a scale of colours ends where its values do, with 0 in the middle colour where they have both signs") {
+TEST_CASE("a scale of colours covers its values, with 0 in the middle colour where they have both signs") {
   Scene scene = block_on_ground();
   scene.bodies.push_back({"tile", box(3, 0, 4, 1)});
   scene.bodies[1].value = -100, scene.bodies[2].value = 2;

@@ -100,7 +100,7 @@ TEST_CASE("supports near free bodies are drawn completely unless they extend far
   CHECK(near(drawn(2.1 * size), 1 + 0.08 * size, 1e-9));
 }
 
-TEST_CASE("axes of the world stand in a corner where there is nothing, and ground has one colour in the legend") {
+TEST_CASE("axes of the world are drawn in an empty corner, and ground has one colour in the legend") {
   const testing::Folder folder;
   const std::vector<FlyingBox> boxes{
       {{5, 1, 0.5}, {0, 0, 0}, Vec3::Zero(), Vec3::Zero(), "", "fixed"},

@@ -225,7 +225,7 @@ Sections sections_of(const StrainedBody& body, const char* from, const CutPlane&
 
 }  // namespace
 
-TEST_CASE("each edge of elements on the skin of a strained mesh in space is drawn over all of it that is seen") {
+TEST_CASE("each edge of elements on the skin of a strained mesh in space is drawn over its whole visible part") {
   for (const ElementShape shape : all_shapes)
     for (const Map& moved : {Map(rolled), Map(twisted), Map(hardly)}) {
       CAPTURE(std::string(info_of(shape).name));
@@ -234,7 +234,7 @@ TEST_CASE("each edge of elements on the skin of a strained mesh in space is draw
     }
 }
 
-TEST_CASE("edges of plates of elements in space are drawn as far as they are seen: strained and not") {
+TEST_CASE("visible parts of edges of plates of elements in space are drawn, strained or not") {
   for (const ElementShape shape : all_shapes)
     for (const Map& moved : {Map(waved), Map(hardly), Map([](const Vec3& x) { return x; })}) {
       CAPTURE(std::string(info_of(shape).name));

@@ -40,7 +40,7 @@ struct TableFile {
 
 }  // namespace
 
-TEST_CASE("the numbers of a study's table come back as they were written, with units") {
+TEST_CASE("the numbers of a study's table are read back as written, with units") {
   const TableFile file;
   CHECK(results::is_study_table(file.path));
   const std::vector<StudyColumn> read = results::read_study_table(file.path);

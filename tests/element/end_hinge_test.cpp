@@ -241,7 +241,7 @@ TEST_CASE("work on a beam with hinges is stored or dissipated, by every kind of 
   }
 }
 
-TEST_CASE("an end whose hinge stretches as it turns leaves a stronger one at the other end elastic") {
+TEST_CASE("a hinge that stretches as it rotates leaves a stronger hinge at the other end elastic") {
   HingeLaw strong = pressed_hinge();
   strong.sagging *= 100, strong.hogging *= 100, strong.tension *= 100;
   for (const int weak : {0, 1}) {

@@ -112,7 +112,7 @@ TEST_CASE("fibres in space have the area and both second moments of any shape by
   }
 }
 
-TEST_CASE("core and cover share a section out between them, and bars stand where they are put") {
+TEST_CASE("core and cover together are the section, and bars are at their given positions") {
   for (const FibreShape& shape : {FibreShape(RectangleSection{0.6, 0.9}), FibreShape(CircleSection{0.9, 0})}) {
     FibreSpec spec{shape, UniaxialElastic{3}};
     spec.cover = 0.05, spec.cover_law = UniaxialElastic{1};
@@ -218,7 +218,7 @@ TEST_CASE("bent about z alone a beam of fibres in space equals the beam in the p
   }
 }
 
-TEST_CASE("the tangent of a beam of fibres in space is how its stress changes") {
+TEST_CASE("the tangent of a beam of fibres in space is the derivative of its stress") {
   std::mt19937_64 bits(8);
   BilinearSteel hard = ideal_steel();
   hard.hardening = 0.05;

@@ -157,7 +157,7 @@ TEST_CASE("F9: with a normal force of 0.3 Np") {
   CHECK(near(led.now.moment / first_moment, 1.5 * (1 - 0.09), 0.005));
 }
 
-TEST_CASE("F9: the curvature that rests after unloading from 3 phi_y") {
+TEST_CASE("F9: the residual curvature after unloading from 3 phi_y") {
   const double phi_y = 0.08 / 7;
   LedSection led{f9_section(20)};
   led.along(3 * phi_y, 0);

@@ -39,7 +39,7 @@ std::vector<Vec3> grid_points(int n) {
 
 }  // namespace
 
-TEST_CASE("the hull of a grid of points is the box around it, whichever way it is turned") {
+TEST_CASE("the hull of a grid of points is the box around it, for any rotation") {
   std::mt19937_64 bits(1);
   for (int trial = 0; trial < 20; ++trial) {
     const Turn3 turn(trial == 0 ? UnitQuaternion{} : random_rotation(bits));
@@ -127,7 +127,7 @@ TEST_CASE("points that form no solid are rejected") {
         "few hundred");
 }
 
-TEST_CASE("random solids are convex, sit on their centroid and come again with the same seed") {
+TEST_CASE("random solids are convex, have their centroid at the origin and are the same for the same seed") {
   std::mt19937_64 bits(7), again(7);
   for (int trial = 0; trial < 100; ++trial) {
     const Polyhedron solid = random_convex_solid(bits, {.slenderest = 4}), prism = random_prism(bits, 0.3, 1);
@@ -141,7 +141,7 @@ TEST_CASE("random solids are convex, sit on their centroid and come again with t
   }
 }
 
-TEST_CASE("random rotations have no direction of their own") {
+TEST_CASE("random rotations have no preferred direction") {
   std::mt19937_64 bits(9);
   Vec3 mean = Vec3::Zero();
   for (int i = 0; i < 10000; ++i) mean += Turn3(random_rotation(bits)).apply(Vec3(1, 0, 0)) / 10000;

@@ -173,7 +173,7 @@ TEST_CASE("L, T, U, plus and notched outlines are divided into the least number 
       3);
 }
 
-TEST_CASE("collinear corners on the sides of a concave outline break nothing") {
+TEST_CASE("collinear corners on the sides of a concave outline do not change its pieces") {
   Polygon ell;
   const Polygon turns{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}};
   for (std::size_t i = 0; i < turns.size(); ++i)
@@ -221,7 +221,7 @@ TEST_CASE("random star-shaped outlines are divided exactly, the same way in any 
   MESSAGE("random stars: ", turns, " right turns, ", pieces, " pieces");
 }
 
-TEST_CASE("random outlines of up to 14 corners come out in hardly more than the least number of pieces") {
+TEST_CASE("random outlines of up to 14 corners are divided into little more than the least number of pieces") {
   std::mt19937_64 bits(20);
   int outlines = 0, at_least = 0, ours = 0, least = 0;
   for (int trial = 0; trial < 1500; ++trial) {

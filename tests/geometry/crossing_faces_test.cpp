@@ -57,7 +57,7 @@ Polyhedron star_shaped(int around, int levels, Reach&& reach) {
 
 }  // namespace
 
-TEST_CASE("no face of a convex solid or of a hollow one that is sound crosses another") {
+TEST_CASE("no face of a convex solid or of a valid hollow solid crosses another") {
   std::mt19937_64 bits(21);
   for (int i = 0; i < 100; ++i) CHECK(!crossing_faces(random_convex_solid(bits), 1e-9));
   CHECK(!crossing_faces(raised({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), 1e-9));
@@ -80,7 +80,7 @@ TEST_CASE("the outline of a bow tie and of a five-pointed star cross themselves"
   CHECK(near(std::hypot(points->at.x(), points->at.y()), (3 - std::sqrt(5.0)) / 2, 1e-9));
 }
 
-TEST_CASE("two boxes of one surface cross where they stand in each other and not where they are apart") {
+TEST_CASE("two boxes of one surface cross where they overlap and not where they are apart") {
   const auto pair_at = [](double x) {
     Polyhedron both = box_solid({0, 0, 0}, {1, 1, 1});
     const Polyhedron other = box_solid({x, 0.3, 0.4}, {x + 1, 1.3, 1.4});

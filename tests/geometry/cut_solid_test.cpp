@@ -20,7 +20,7 @@ TEST_CASE("a cube cut through four corners keeps them to the bit") {
   check_convex(*half, "half");
 }
 
-TEST_CASE("a plane that leaves a solid alone changes nothing and one that leaves nothing gives nothing") {
+TEST_CASE("a plane outside a solid does not change it, and one that cuts off all of it leaves an empty solid") {
   const Polyhedron cube = box_solid({0, 0, 0}, {1, 1, 1});
   CHECK(cut_solid(cube, {Vec3(0, 0, 1), 1}, 1e-12)->corners == cube.corners);
   CHECK(cut_solid(cube, {Vec3(0, 0, 1), 2}, 1e-12)->corners == cube.corners);

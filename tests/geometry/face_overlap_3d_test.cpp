@@ -324,7 +324,7 @@ TEST_CASE("the force between faces is the change of their energy, along the norm
   CHECK(tried > 300);
 }
 
-TEST_CASE("the moment between faces is the change of their energy with turning, the better the less they overlap") {
+TEST_CASE("the moment between faces is the derivative of their energy, with an error that falls with the overlap") {
   const OwnFace a = face_up(centred_face(1, 1), 0), b = face_down(centred_face(1.3, 0.7), 0);
   double off[2];
   for (const int round : {0, 1}) {

@@ -39,7 +39,7 @@ ConvexSolid stone_of(double x, double y, double z) {
 
 }  // namespace
 
-TEST_CASE("stones laid upon each other face each other over their joint, at any turn of the whole") {
+TEST_CASE("faces of stones laid on each other oppose each other over their joint, at any rotation of the whole") {
   const ConvexSolid stone = stone_of(0.4, 0.2, 0.2);
   std::mt19937_64 bits(1);
   SolidOverlapBuffer buffer;

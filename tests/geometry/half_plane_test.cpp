@@ -22,7 +22,7 @@ const Polygon comb{{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3
 
 }  // namespace
 
-TEST_CASE("a line parts a comb into its teeth and its back") {
+TEST_CASE("a line divides a comb into its teeth and its back") {
   const std::vector<Polygon> teeth = cut_by(comb, {{0, -1}, -2}, 1e-12), back = cut_by(comb, {{0, 1}, 2}, 1e-12);
   CHECK(teeth.size() == 3);
   for (const Polygon& tooth : teeth) CHECK(near(signed_area(tooth), 1, 1e-12));
@@ -39,7 +39,7 @@ TEST_CASE("a line through corners or along sides cuts cleanly") {
   CHECK(cut_by(comb, {{0, -1}, -4}, 1e-12).empty());
 }
 
-TEST_CASE("both sides of any line together have the area of the polygon") {
+TEST_CASE("the parts on both sides of any line have the area of the polygon") {
   std::mt19937_64 bits(7);
   for (int i = 0; i < 3000; ++i) {
     const Polygon outline = i % 2 == 0 ? random_convex(bits) : comb;

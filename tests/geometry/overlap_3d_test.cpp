@@ -234,7 +234,8 @@ TEST_CASE("a solid is the sum of its overlaps with the parts of a box around it"
   }
 }
 
-TEST_CASE("the push between solids is the change of the shared volume, moving and turning in all directions") {
+TEST_CASE(
+    "the push between solids is the derivative of the shared volume, for translation and rotation in all directions") {
   std::mt19937_64 bits(10);
   SolidOverlapBuffer buffer;
   int meeting = 0;
@@ -282,7 +283,7 @@ TEST_CASE("bricks that are flush within rounding have the exact overlap") {
   }
 }
 
-TEST_CASE("repeated overlaps need no more room than the first ones") {
+TEST_CASE("repeated overlaps need no more memory than the first ones") {
   std::mt19937_64 bits(12);
   SolidOverlapBuffer buffer;
   const SolidPair pair(bits);

@@ -112,7 +112,7 @@ TEST_CASE("the overlaps with the two halves of a polygon add up to the overlap w
   }
 }
 
-TEST_CASE("penetration of boxes is the least translation that parts them") {
+TEST_CASE("penetration of boxes is the least translation that separates them") {
   const Penetration deep = penetration(box(0, 0, 2, 1), box(0.5, 0.9, 3, 2));
   CHECK(near(deep.separation, -0.1, 1e-14));
   CHECK(deep.axis == Vec2(0, 1));

@@ -68,7 +68,7 @@ TEST_CASE("moments of an L add up from its two rectangles") {
   CHECK_FALSE(is_convex(ell));
 }
 
-TEST_CASE("moments follow a turn and a shift, and change sign with the order") {
+TEST_CASE("moments follow a rotation and a translation, and change sign with the order of the points") {
   std::mt19937_64 bits(11);
   for (int trial = 0; trial < 500; ++trial) {
     const Polygon shape = random_convex(bits, {.slenderest = 20});

@@ -97,7 +97,7 @@ TEST_CASE("the moments of a non-convex solid are the sum of its parts") {
   CHECK(near(m.inertia(0, 0), across + up, 1e-14));
 }
 
-TEST_CASE("moments turn and move with the solid") {
+TEST_CASE("moments rotate and move with the solid") {
   std::mt19937_64 bits(3);
   const Polyhedron solid = angle_block();
   const SolidMoments m = solid_moments(solid);
@@ -112,7 +112,7 @@ TEST_CASE("moments turn and move with the solid") {
   }
 }
 
-TEST_CASE("a prism over a circle of many sides comes near to a cylinder by the square of their number") {
+TEST_CASE("a prism over a polygon of n sides approaches a cylinder with 1/n^2") {
   double off[2];
   for (const int round : {0, 1}) {
     const int n = 32 << round;
@@ -141,7 +141,7 @@ TEST_CASE("principal axes diagonalise the tensor, are right-handed and rotate le
   }
 }
 
-TEST_CASE("a box along the axes and a cube keep theirs") {
+TEST_CASE("principal axes of a box along the axes and of a cube are the axes") {
   const PrincipalInertia box = principal_inertia(solid_moments(box_solid(Vec3(0.1, 7, 3), Vec3(0.4, 7.7, 9))).inertia);
   CHECK(box.axes.w == 1);
   CHECK(box.moments.x() > box.moments.y());
@@ -158,7 +158,7 @@ TEST_CASE("the pose of a slightly rotated box is recovered") {
   CHECK(near_zero((angle_of(principal_inertia(solid_moments(box).inertia).axes) - angle).norm(), 1e-13));
 }
 
-TEST_CASE("an extrusion bounds a solid whichever way its polygon runs and it moves") {
+TEST_CASE("an extrusion bounds a solid for either order of its polygon and either direction") {
   std::vector<Vec3> polygon{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 2), Vec3(0, 0.5, 3), Vec3(0, 0, 2)};
   for (const bool backwards : {false, true})
     for (const Vec3& along : {Vec3(2, 0.3, 0.1), Vec3(-2, 0.3, 0.1)}) {

@@ -128,7 +128,7 @@ TEST_CASE("pairs of edges that cannot touch are left out without changing the be
   CHECK(apart < 2500);
 }
 
-TEST_CASE("solids share a volume where no axis parts them, and the least way out parts them") {
+TEST_CASE("solids share a volume where no axis separates them, and the least translation separates them") {
   std::mt19937_64 bits(4);
   SolidOverlapBuffer buffer;
   int within = 0;
@@ -168,7 +168,7 @@ TEST_CASE("a warm start from the last axis gives the same result, or a lower bou
   CHECK(kept > 100);
 }
 
-TEST_CASE("the search stops at the first axis that gives enough") {
+TEST_CASE("the search stops at the first axis with a sufficient distance") {
   const ConvexSolid box = brick_of(1, 1, 1);
   const PlacedSolid a = solid_at(box, {}, Vec3(0, 0, 0)), b = solid_at(box, {}, Vec3(2, 3, 4));
   CHECK(separation(a, b).distance == 3);

@@ -83,7 +83,7 @@ TEST_CASE("masses of disjoint spheres add up, and a sphere inside another adds n
   CHECK(near(sphere_moments(within).volume, ball(1), 1e-9));
 }
 
-TEST_CASE("moments of clumps turn with them to a millionth") {
+TEST_CASE("moments of clumps rotate with them, to 1e-6") {
   std::mt19937_64 bits(11);
   for (int i = 0; i < 5; ++i) {
     std::vector<Sphere> clump{{Vec3::Zero(), 1}};

@@ -29,7 +29,7 @@ Polyhedron shattered(const Polyhedron& solid, std::mt19937_64& bits, double nois
 
 }  // namespace
 
-TEST_CASE("a shattered solid comes together again: as many corners, edges and faces as before") {
+TEST_CASE("a solid divided into triangles is joined again to the same numbers of corners, edges and faces") {
   std::mt19937_64 bits(11);
   for (int i = 0; i < 100; ++i) {
     const Polyhedron solid = random_prism(bits, 0.5, 1);
@@ -48,7 +48,7 @@ TEST_CASE("a shattered solid comes together again: as many corners, edges and fa
   }
 }
 
-TEST_CASE("faces turned at random are brought to agree, outwards") {
+TEST_CASE("faces with random order of corners are oriented outwards") {
   std::mt19937_64 bits(12);
   for (int i = 0; i < 100; ++i) {
     const Polyhedron solid = random_convex_solid(bits);
@@ -82,7 +82,7 @@ TEST_CASE("two boxes that share corners and an edge are two shells") {
   for (const Polyhedron& solid : solids_of(joined, shells)) CHECK(solid_moments(solid).volume == 1);
 }
 
-TEST_CASE("an open surface is not whole, a dent is a hollow edge of its depth") {
+TEST_CASE("an open surface is reported as open, a dent as a hollow edge with its depth") {
   Polyhedron box = box_solid({0, 0, 0}, {1, 1, 1});
   Polyhedron open{box.corners, {}};
   for (int f = 0; f < 5; ++f) open.faces.add(box.faces[f]);

@@ -59,7 +59,7 @@ std::map<std::string, std::string> known_hashes() {
 
 }  // namespace
 
-TEST_CASE("golden: collapses end with the bits that are known of them") {
+TEST_CASE("golden: collapses end with the known bits") {
   std::vector<Collapse> runs = collapses();
   runs.push_back({"mortar, crushed", crushed_mortar, 0.3});
   if (std::getenv("TRILITH_GOLDEN") != nullptr) {

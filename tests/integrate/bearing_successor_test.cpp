@@ -124,7 +124,9 @@ TEST_CASE("a successor acts the same in both directions and in a rotated frame")
   for (const double turn : {0.4, 2.1}) CHECK(near(farthest(1, turn), there, 1e-9));
 }
 
-TEST_CASE("the limit of a successor counts from its start, its events name it, and the next one counts as set") {
+TEST_CASE(
+    "the limit of a successor counts from its start, its events name it, and the next one counts from its given "
+    "origin") {
   HandedOn scene;
   BearingSpec third = scene.second;
   third.name = "third", third.law[along] = Linear{1, 0};

@@ -100,7 +100,7 @@ TEST_CASE("bearings in space: forces and couples on both bodies cancel, about an
   }
 }
 
-TEST_CASE("bearings in space: momentum and angular momentum are kept, of any length and with any laws") {
+TEST_CASE("bearings in space: momentum and angular momentum are conserved, for any length and any laws") {
   for (const BearingSpecOf<3>& spec : many_space_links()) {
     SolidRun run(linked_pair(spec), 1e-3);
     run.step();
@@ -111,7 +111,9 @@ TEST_CASE("bearings in space: momentum and angular momentum are kept, of any len
   }
 }
 
-TEST_CASE("bearings in space: an elastic link keeps energy through large turns, to the square of the step") {
+TEST_CASE(
+    "bearings in space: an elastic link conserves energy in large rotations, with an error of second order in the "
+    "step") {
   BearingSpecOf<3> spec = link({0.5, 0.1, 0}, {1.6, 0, 0}, rotation_by({0.3, -0.5, 1.1}));
   spec.law = {Linear{4e3, 0}, Linear{3e3, 0}, Linear{5e3, 0}, Linear{30, 0}, Linear{20, 0}, Linear{40, 0}};
   const auto drift = [&](double dt) {
@@ -131,7 +133,7 @@ TEST_CASE("bearings in space: an elastic link keeps energy through large turns, 
   MESSAGE("energy drifts by " << coarse << " and, at half the step, by " << fine);
 }
 
-TEST_CASE("bearings in space: a piece turned as one gives no force") {
+TEST_CASE("bearings in space: a common rotation of both bodies causes no force") {
   for (const BearingSpecOf<3>& spec : many_space_links()) {
     const Model<3> model = linked_pair(spec);
     State<3> state = initial_state(model);
@@ -150,7 +152,7 @@ TEST_CASE("bearings in space: a piece turned as one gives no force") {
   }
 }
 
-TEST_CASE("bearings in space: a spring of turning goes on through whole turns, about any axis") {
+TEST_CASE("bearings in space: a rotational spring counts full turns, about any axis") {
   for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0.6, 0, 0.8)}) {
     SolidModelBuilder builder;
     builder.gravity = Vec3::Zero();

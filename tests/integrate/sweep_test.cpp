@@ -166,7 +166,7 @@ TEST_CASE("no projectile passes a plate without a report, for any shape, angle, 
   CHECK(held > 20);
 }
 
-TEST_CASE("plates and shots that deform are held and told like rigid ones") {
+TEST_CASE("penetrations of deformable and of rigid plates and projectiles are limited and reported alike") {
   enum class Soft { plate, shot };
   const auto fly = [](Soft soft, double share) {
     const double kn = 1e10, plate = 0.01, speed = Shot::speed_for(kn, share * plate);

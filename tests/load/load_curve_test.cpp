@@ -62,7 +62,7 @@ TEST_CASE("a load curve whose times do not rise or whose numbers are not finite 
   CHECK(message_of({{0}, {}}).find("1 times and 0 shares") != std::string::npos);
 }
 
-TEST_CASE("a ramp lands at its distance with no velocity, and its velocity and acceleration have no jump") {
+TEST_CASE("a ramp ends at its distance without velocity, and its velocity and acceleration have no jump") {
   for (const auto& [by, duration] : {std::pair{0.3, 2.0}, std::pair{-1e-6, 1000.0}, std::pair{17.0, 0.013}}) {
     const GroundMotion m = ramp_motion(by, duration);
     CHECK(m.displacement(0) == 0);
@@ -104,7 +104,7 @@ TEST_CASE("a uniform motion has its speed except at its smooth ends, and ends at
   CHECK_THROWS_AS(even_motion(0.1, 0), InputError);
 }
 
-TEST_CASE("a stopping motion takes over place and velocity and comes to rest") {
+TEST_CASE("a stopping motion starts with the given position and velocity and comes to rest") {
   const GroundMotion m = stopping_motion(0.2, -0.03, 0.4);
   CHECK(m.velocity(0) == -0.03);
   CHECK(m.displacement(0) == 0.2);

@@ -111,7 +111,7 @@ std::string at2_file(const std::string& fourth, const std::string& first = "PEER
 
 }  // namespace
 
-TEST_CASE("records of plain columns are read as they are meant") {
+TEST_CASE("records of plain columns are read correctly") {
   const std::vector<Form> forms{
       {"time and acceleration", written("", two), {"g", {}}},
       {"with names", written("t,a\n", [](int i) { return fmt::format("{:.2f},{:.6f}", i * dt, wave(i)); }), {"g", {}}},

@@ -118,7 +118,7 @@ TEST_CASE("resampling to a divided step keeps the motion, and resampling back gi
   CHECK_THROWS_AS(resampled(motion, 10), InputError);
 }
 
-TEST_CASE("a step or a pad that asks for billions of samples is rejected, one just within the bound is not") {
+TEST_CASE("a step or a pad with billions of samples is rejected, one just within the bound is not") {
   const GroundMotion motion = noise(9, 101);  // 1 s
   CHECK_THROWS_AS(resampled(motion, 1e-9), InputError);
   CHECK(resampled(motion, 1.25e-7).samples().size() == 8'000'001);

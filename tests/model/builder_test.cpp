@@ -47,7 +47,7 @@ TEST_CASE("a bearing without a law is rejected") {
   }
 }
 
-TEST_CASE("a bearing that becomes something needs a limit") {
+TEST_CASE("a bearing with a successor needs a limit") {
   BearingSpec endless = spring(1);
   endless.contact_after = "joint";
   CHECK(refusal(endless).find("becomes 'joint' at its limit, but has none") != std::string::npos);
@@ -77,7 +77,7 @@ TEST_CASE("a contact with a name of no body is an error, even if a body of that 
   CHECK(scene.builder.build().bodies.size() == 2);
 }
 
-TEST_CASE("every pair of bodies that overlaps is a fault and the deepest comes first") {
+TEST_CASE("every pair of bodies that overlaps is a fault, the deepest first") {
   Scene scene(Frictional{1e9, 5e8, 0.6, 0});
   scene.fixed("a", box(0, 0, 1, 1));
   scene.fixed("b", box(0.9, 0, 2, 1));

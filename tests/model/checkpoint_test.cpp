@@ -237,7 +237,7 @@ TEST_CASE("foreign files and checkpoints of another version or byte order are re
   CHECK(message_of(model, path).find("other byte order") != std::string::npos);
 }
 
-TEST_CASE("a checkpoint that cannot be written is an input error, and the one before it stays whole") {
+TEST_CASE("a checkpoint that cannot be written is an input error, and the previous one is unchanged") {
   const Folder folder;
   const Model<2> model = small_model();
   const State<2> state = moved_state(model);
@@ -248,7 +248,7 @@ TEST_CASE("a checkpoint that cannot be written is an input error, and the one be
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("a full disk leaves no part of a checkpoint and the one before it whole") {
+TEST_CASE("a full disk leaves no part of a checkpoint, and the previous one is unchanged") {
   const Folder folder;
   const Model<2> model = small_model();
   const State<2> state = moved_state(model);

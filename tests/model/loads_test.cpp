@@ -169,7 +169,7 @@ TEST_CASE("invalid loads are rejected with the load, the body and the allowed va
         }).find("are the same point") != std::string::npos);
 }
 
-TEST_CASE("the fingerprint knows every number of a load and of a push") {
+TEST_CASE("the fingerprint depends on every number of a load and of a push") {
   Model<2> model = lone(rectangle({0, 0}, {2, 1}), 0);
   const Fingerprint bare = model_fingerprint(model);
   PointLoadSpec point;

@@ -19,7 +19,7 @@ std::string overlap_of(const std::vector<Polyhedron>& pieces, double allowed) {
 
 }  // namespace
 
-TEST_CASE("pieces of a body may share faces and nothing else") {
+TEST_CASE("pieces of a body may share faces only") {
   const auto box_at = [](double x) { return box_solid({x, 0, 0}, {x + 1, 1, 1}); };
   CHECK(overlap_of({box_at(0), box_at(1), box_at(2)}, 1e-6).empty());
   CHECK(overlap_of({box_at(0), box_at(3)}, 1e-6).empty());

@@ -61,7 +61,7 @@ State<D> disturbed(const Model<D>& model) {
   return state;
 }
 
-TEST_CASE("elements that go four at a time have the bits of one by itself") {
+TEST_CASE("elements computed four at a time have the bits of elements computed singly") {
   Far far;
   far.add("rows of five", "soft", {0.5, 0.3}, 5, 3);
   far.add("four", "hard", {0.4, 0.2}, 2, 2);
@@ -80,7 +80,7 @@ TEST_CASE("elements that go four at a time have the bits of one by itself") {
   CHECK(work.element_damping[0].norm() > 0);
 }
 
-TEST_CASE("elements of one shape resist as those do that have numbers of their own, except for rounding") {
+TEST_CASE("elements that share the data of their shape have the forces of elements with separate data, to rounding") {
   // Between two elements of a shape there are more others than the search checks.
   Far far;
   for (int i = 0; i < 30; ++i) far.add("unit " + std::to_string(i), "soft", {0.4 + 0.01 * i, 0.3}, 2, 1);

@@ -52,7 +52,7 @@ TEST_CASE("a convex stone has no ridge, a chevron has one at its top and none in
   CHECK(at[0].norm() < 1e-12);
 }
 
-TEST_CASE("a hollow of 8 degrees is flat, one of 14 is none") {
+TEST_CASE("a hollow of 8 degrees is a flat shared edge, one of 14 is not") {
   // Two pieces, divided from the hollow at the top to the middle of the bottom or its corners.
   const auto hollow = [](double angle) {
     const double deep = std::tan(0.5 * angle * degree);

@@ -41,13 +41,13 @@ TEST_CASE("an inner cut is not an end of a body - a low step on a thick base is 
   CHECK(model.least_thickness >= 0.8 - 1e-12);
 }
 
-TEST_CASE("the thin leg of an angle is as thin as it is") {
+TEST_CASE("the thin leg of an angle has its own thickness, not the thickness of the whole angle") {
   const Model<2> model = one_body({{0, 0}, {2, 0}, {2, 0.5}, {0.02, 0.5}, {0.02, 3}, {0, 3}});
   REQUIRE(model.pieces() > 1);
   CHECK(near(model.least_thickness, 0.02, 1e-9));
 }
 
-TEST_CASE("a body that nothing touches makes no model thin") {
+TEST_CASE("a body without contacts does not reduce the least thickness of the model") {
   ModelBuilder builder;
   builder.add_material({"stone", 2000});
   builder.add_material({"paper", 1000});

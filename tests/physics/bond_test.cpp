@@ -102,7 +102,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("C7: closed again after its loss the joint holds by friction alone") {
+TEST_CASE("C7: closed again after its loss, the joint resists by friction only") {
   const double kn = 1e8, mu = 0.7, pressure = 5e4;
   Bonded law{kn, 0.5 * kn, mu, 1e-4, 1e5, 19150, 0};
   JointTest joint(law, 1, pressure, 0);

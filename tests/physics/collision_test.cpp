@@ -247,7 +247,7 @@ TEST_CASE("wedge into notch: a wedge that flies into a notch leaves with its ene
   }).check(200 / slower);
 }
 
-TEST_CASE("face on face: nearly parallel faces that slap together keep their energy") {
+TEST_CASE("face on face: nearly parallel faces that collide conserve their energy") {
   for (const double kn : {1e8, 1e10})
     run_series("face on face", 150, kn, [](std::mt19937_64& bits) {
       Pair pair;

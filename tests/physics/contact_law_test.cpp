@@ -170,7 +170,7 @@ TEST_CASE("C5: faces that overlap in part carry W/(1 - s) where they overlap") {
   }
 }
 
-TEST_CASE("C6: three blocks on one pass a uniform pressure on, with no rotation") {
+TEST_CASE("C6: three blocks on one transfer a uniform pressure, without rotation") {
   const double kn = 1e10, pressure = 1e6;
   for (const double turn : {0.0, 17 * degree, 90 * degree, 203 * degree}) {
     Scene scene(Frictional{kn, 0.5 * kn, 0.6, 1e-4}, turn);

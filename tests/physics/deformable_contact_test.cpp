@@ -36,7 +36,7 @@ Scene soft_scene(const ContactLaw& law, double young = 1e9, double poisson = 0, 
   return scene;
 }
 
-TEST_CASE("C6: uniform pressure goes through faces that do not match whatever kinds of body meet" *
+TEST_CASE("C6: uniform pressure is transferred through faces that do not match, for all kinds of bodies" *
           doctest::test_suite("long")) {
   for (const auto& top : kinds)
     for (const auto& low : kinds) {

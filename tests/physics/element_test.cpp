@@ -19,7 +19,7 @@ double largest(const std::vector<Vec2>& forces) {
   return most;
 }
 
-TEST_CASE("B1: a rigid turn of an unstressed element by any angle makes no stress, no force and no energy") {
+TEST_CASE("B1: a rigid rotation of an unstressed element by any angle causes no stress, no force and no energy") {
   const double young = 1e7;
   for (const ElementForm form : {ElementForm::assumed, ElementForm::plain})
     for (const bool triangles : {false, true}) {

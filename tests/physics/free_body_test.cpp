@@ -55,7 +55,7 @@ TEST_CASE("T4: a body spun about its middle axis turns over at 4.058 and 11.035 
   CHECK(near(times[2], 18.011, 5e-3));
 }
 
-TEST_CASE("T4: energy and angular momentum last for 40 s") {
+TEST_CASE("T4: energy and angular momentum are conserved for 40 s") {
   FreeRun run = t4_run(askew, 0.01);
   const Vec3 momentum = run.momentum();
   for (int i = 0; i < 4000; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("half the step gives a quarter of the error of a tumbling body") {
   CHECK(coarse / fine < 4.1);
 }
 
-TEST_CASE("the axis of a symmetric body goes round at (J3 - J1) / J1 of its spin") {
+TEST_CASE("the axis of a symmetric body precesses at (J3 - J1) / J1 of its spin") {
   const Vec3 inertia(2, 2, 3), spin(0.2, 0, 4);
   FreeRun run(free_body(1, inertia, {}, spin), 0.002);
   const double rate = (3.0 - 2) / 2 * 4;

@@ -88,7 +88,7 @@ Swing swing_of(const Vec3& velocity, double twist, const std::function<double(co
   return {(last - first) / (rises - 1), widest};
 }
 
-TEST_CASE("T34: a plate on four cables sways the same way both ways and twists by its radius of gyration") {
+TEST_CASE("T34: a plate on four cables sways equally in both directions and twists by its radius of gyration") {
   const double g = standard_gravity, sway = 2 * M_PI * std::sqrt(drop / g), angle = radians(1);
   const double gyration = std::hypot(plate_length, width) / std::sqrt(12), arm = 0.5 * std::hypot(plate_length, width);
   REQUIRE(near(sway, 2.83749, 1e-5));

@@ -70,7 +70,9 @@ TEST_CASE("mortar sets without a jolt: forces, moments and energy balance are un
     }
 }
 
-TEST_CASE("a joint that set half open holds moments of the other sign and stands where a dry one falls") {
+TEST_CASE(
+    "mortar that set in a half open joint carries moments of the other sign, and the column stands where a dry one "
+    "falls") {
   // The mortar sets at 0.35 m off the middle, then the push moves the resultant to 0.6 m: a dry block topples beyond
   // 0.5 m, a bond opens by ft / kn at the far edge.
   for (const bool sets : {true, false}) {
@@ -84,7 +86,7 @@ TEST_CASE("a joint that set half open holds moments of the other sign and stands
   }
 }
 
-TEST_CASE("a bond made across a gap is free of stress there, carries its tension, and leaves the gap when it is lost") {
+TEST_CASE("a bond made across a gap starts without stress, carries tension, and leaves the gap when it is lost") {
   for (const ContactLaw& law : {brittle, softening})
     for (const double gap : {0.0, 4e-6, 8e-6}) {
       CAPTURE(gap);

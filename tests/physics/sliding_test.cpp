@@ -9,7 +9,7 @@
 using namespace trilith;
 using namespace trilith::testing;
 
-TEST_CASE("C9: a Coulomb-damped oscillator loses 2F/k at each turn and stops within F/k") {
+TEST_CASE("C9: the amplitude of a Coulomb-damped oscillator falls by 2F/k per half cycle, and it stops within F/k") {
   struct Case {
     double mass, k, friction, from, turn;
   };
@@ -112,7 +112,7 @@ TEST_CASE("S1: below the friction angle a block stays, and creeps less than 1e-6
     }
 }
 
-TEST_CASE("S1: the world turned by 17, 90 and 203 degrees gives the same motion") {
+TEST_CASE("S1: in a frame rotated by 17, 90 and 203 degrees the motion is the same") {
   const auto end_of = [](double turn) {
     Incline block(35 * degree, 0.4, turn);
     run_for(block.sim, 0.5, 1e-4);

@@ -174,7 +174,7 @@ TEST_CASE("the page of a model in space shows, turns and cuts solids and describ
   browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
 }
 
-TEST_CASE("the page of a wall in space shows its cracks once they are there") {
+TEST_CASE("the page of a wall in space shows its cracks after they open") {
   if (program_is_missing()) return;
   const testing::Folder here;
   std::ofstream(here / "stones.lua") << R"lua(

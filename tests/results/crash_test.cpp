@@ -194,7 +194,7 @@ TEST_CASE("an abandoned writer leaves a readable unfinished file and none of the
   CHECK(has_all_rows(reader, 20));
 }
 
-TEST_CASE("two runs cannot write one file, and the second leaves the first undisturbed") {
+TEST_CASE("two runs cannot write one file, and the second does not affect the first") {
   const Folder folder;
   const Header header = sample_header();
   ResultsWriter writer(folder / "run.h5", header);

@@ -19,7 +19,7 @@ EventRow row(std::int64_t id, double time, std::int64_t cause, const char* type,
 
 }  // namespace
 
-TEST_CASE("the table of events stands each below its cause, in order of time") {
+TEST_CASE("the table of events lists each event below its cause, in order of time") {
   const std::string table = event_table(
       {row(0, 0, -1, "stage.begun", "shaking began"), row(1, 1, 0, "bearing.failed", "bearing A failed"),
        row(2, 1.5, 0, "bearing.failed", "bearing B failed"), row(3, 2, 1, "seat.lost", "span lost its seat"),
@@ -33,7 +33,7 @@ TEST_CASE("the table of events stands each below its cause, in order of time") {
         "    3.0000 s  impact          of a cause that is not listed\n");
 }
 
-TEST_CASE("causes that go in circles are not followed") {
+TEST_CASE("causes in a cycle are not followed") {
   const std::string table = event_table({row(0, 0, 1, "impact", "a"), row(1, 1, 0, "impact", "b")});
   CHECK(table.find("a\n") != std::string::npos);
   CHECK(table.find("b\n") != std::string::npos);

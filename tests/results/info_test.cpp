@@ -81,7 +81,7 @@ TEST_CASE("a part file older than the finished file next to it is not a later ru
   CHECK_FALSE(newer_run_text(ResultsReader(folder / "run.h5")).empty());
 }
 
-TEST_CASE("the program knows its compiler, its platform and the time") {
+TEST_CASE("provenance contains compiler, platform and time") {
   const Provenance here = provenance_here();
   CHECK(!here.compiler.empty());
   CHECK(mentions(here.platform, "Linux"));

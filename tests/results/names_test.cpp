@@ -55,7 +55,7 @@ TEST_CASE("finished results touch no file of a like name next to them and follow
   }
 }
 
-TEST_CASE("results whose name is a link go where it leads and the link stays") {
+TEST_CASE("results whose name is a link are written to its target, and the link stays") {
   const Folder folder;
   fs::create_directory(folder / "far");
   fs::create_symlink("far/real.h5", folder / "run.h5");

@@ -189,7 +189,7 @@ TEST_CASE("text is kept as valid UTF-8: bad bytes become question marks, long te
   CHECK(reader.events().at(0).text == kept + "…");
 }
 
-TEST_CASE("an unknown history is answered with the nearest name") {
+TEST_CASE("an unknown history is rejected with the nearest name") {
   const Folder folder;
   write_sample(folder / "run.h5", sample_header(), 3, 1);
   const ResultsReader reader(folder / "run.h5");

@@ -167,7 +167,7 @@ TEST_CASE("a model in the plane becomes polygons at z = 0") {
   CHECK(array_of<float>(bytes_of(folder / "out" / "run_contacts" / "000002.vtp"), "PointData", "force").size() == 6);
 }
 
-TEST_CASE("frames that are not there are rejected, a last frame alone is one") {
+TEST_CASE("missing frames are rejected, and a single last frame is accepted") {
   const Folder folder;
   record_boxes(folder / "run.h5", tumbling_boxes(), 3, 0.1);
   const ResultsReader reader(folder / "run.h5");

@@ -68,7 +68,7 @@ TEST_CASE("a body removed and returned before any step leaves the bits of an unc
   CHECK(changed.state().given[EnergyTerm::added] == 0);
 }
 
-TEST_CASE("a body that leaned on a removed body falls freely from the next step on, without an impulse") {
+TEST_CASE("a body supported by a removed body falls freely from the next step on, without an impulse") {
   Simulation<2> sim(tower().builder.build());
   StageOptions rest = short_stage(2);
   rest.rest_share = 0.8;
@@ -135,7 +135,7 @@ TEST_CASE("added and removed bodies are restored from a checkpoint") {
   CHECK(state_hash(sim.state()) == state_hash(again.state()));
 }
 
-TEST_CASE("a run taken back over a removal and an addition has the bits of one that went through") {
+TEST_CASE("a run restored to before a removal and an addition has the bits of an uninterrupted run") {
   Scene scene = tower();
   Simulation<2> sim(scene.builder.build());
   sim.run(short_stage(0.1));

@@ -87,7 +87,7 @@ TEST_CASE("faces apart at the start are not a joint, and a joint of dry stones h
   CHECK(joint_damage(joints[0], initial_state(model)) == 0);
 }
 
-TEST_CASE("a lifted, shifted and turned body opens its joint and slips along it as geometry says, in any direction") {
+TEST_CASE("a lifted, shifted and rotated body has the opening and slip of geometry, in any direction") {
   for (const double turn : {0.0, 1.0, 2.5}) {
     Scene scene = tower(mortar, turn);
     const Model<2> model = scene.builder.build();

@@ -45,7 +45,7 @@ TEST_CASE("the speed of progress is averaged over the last seconds and gives the
   CHECK(pace.speed() == 0);
 }
 
-TEST_CASE("durations of wall clock read as on a clock") {
+TEST_CASE("durations of wall clock are written as m:ss or h:mm:ss") {
   CHECK(duration_text(0) == "0:00");
   CHECK(duration_text(44.2) == "0:45");
   CHECK(duration_text(125) == "2:05");
@@ -96,7 +96,7 @@ TEST_CASE("contacts made and lost and slow impacts are listed only if all events
   CHECK(EventLines(EventShow::important, 0.5).tell(touch, model).size() == 1);
 }
 
-TEST_CASE("a crowd of impacts is counted, not listed") {
+TEST_CASE("many impacts at once are counted, not listed") {
   const Model<2> model = testing::falling_span();
   EventLines lines;
   std::size_t told = 0;

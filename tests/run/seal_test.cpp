@@ -112,7 +112,7 @@ TEST_CASE("a force without its reaction fails the base shear of the seal") {
   CHECK(near(row_of(out.rows, "base shear against inertia").value, 0.5e-3, 0.5));
 }
 
-TEST_CASE("ground that is not where its record puts it fails the seal") {
+TEST_CASE("ground that deviates from its record fails the seal") {
   Simulation<2> sim = shaken_block();
   sim.refresh();
   const Sampled good = sampled(sim.model(), sim.state(), sim.work());

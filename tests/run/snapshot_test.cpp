@@ -20,7 +20,7 @@ std::uint64_t plain_hash() {
 
 }  // namespace
 
-TEST_CASE("a run returned to a snapshot between stages and resumed has the bits of one that went through") {
+TEST_CASE("a run restored to a snapshot between stages and resumed has the bits of an uninterrupted run") {
   Simulation<2> s(dropped_block(0.1));
   std::optional<Snapshot<2>> kept;
   RunListener<2> listener;
@@ -38,7 +38,7 @@ TEST_CASE("a run returned to a snapshot between stages and resumed has the bits 
   CHECK(s.stage() == nullptr);
 }
 
-TEST_CASE("a running stage taken back at a border has the bits of one that went through") {
+TEST_CASE("a running stage restored at a step border has the bits of an uninterrupted one") {
   Simulation<2> s(dropped_block(0.1));
   std::optional<Snapshot<2>> kept;
   bool back = false;

@@ -162,7 +162,7 @@ TEST_CASE("joints in space are the faces that lie on each other, with their area
     }
 }
 
-TEST_CASE("a lifted, shifted and turned stone opens its joint in space and slips along it as geometry says") {
+TEST_CASE("a lifted, shifted and rotated stone in space has the opening and slip of geometry") {
   for (const Vec3& about : {Vec3(0, 0, 0), Vec3(0.3, -0.7, 1.1)}) {
     const UnitQuaternion turn = rotation_by(about);
     const Model<3> model = small_house(found_mortar, turn);

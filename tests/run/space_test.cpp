@@ -172,7 +172,7 @@ TEST_CASE("overlapping and unsupported solids are rejected by name") {
   CHECK_THROWS_WITH_AS(unknown.build(), doctest::Contains("no material, group or body 'brick'"), InputError);
 }
 
-TEST_CASE("a recording of a run in space is read back as it was") {
+TEST_CASE("a recording of a run in space is read back unchanged") {
   const std::filesystem::path path = std::filesystem::temp_directory_path() / "trilith_space_test.h5";
   Simulation<3> sim(small_wall().build());
   {

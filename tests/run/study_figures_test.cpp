@@ -7,7 +7,7 @@
 
 using namespace trilith;
 
-TEST_CASE("figures written to text read back as they were") {
+TEST_CASE("figures written to text are read back unchanged") {
   const std::vector<StudyFigure> figures{{"drift", "m", 0.1},        {"mode", "", std::string("rocking, then sliding")},
                                          {"tiny", "1", 1.0 / 3e200}, {"empty", "", std::string()},
                                          {"collapsed", "", true},    {"stands", "", false}};

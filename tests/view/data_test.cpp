@@ -147,7 +147,7 @@ TEST_CASE("a run too long for a page keeps every n-th frame and the last, with a
   CHECK(Read(data, "contact_pair").rows <= 16);
 }
 
-TEST_CASE("a wall of 400 units over 30 s stays under 15 MB, however it shakes") {
+TEST_CASE("the page of a wall of 400 units over 30 s is below 15 MB for any motion") {
   constexpr int units = 400, frames = 600, contacts = 560;
   const Folder folder;
   std::mt19937 random(7);
@@ -203,7 +203,7 @@ TEST_CASE("unusual files give data: no frame, no event, an unfinished run") {
   CHECK_THROWS(view_data(ResultsReader(folder / "deep.h5")));
 }
 
-TEST_CASE("text of any kind breaks neither the data nor the page") {
+TEST_CASE("text of any kind leaves data and page valid") {
   const Folder folder;
   Header header = sample_header();
   header.bodies[0].name = "a \"b\" \\ </script> \n\t\x01 θ";
@@ -237,7 +237,7 @@ TEST_CASE("a crack lies on the initial joint of two bodies") {
   CHECK(joint_of(header, 0, 4).empty());
 }
 
-TEST_CASE("a crack is drawn on both of its bodies, as each carries its side away") {
+TEST_CASE("a crack is drawn on both of its bodies, and each half moves with its body") {
   const Folder folder;
   const auto joints_of = [&](const char* name, const Header& header) {
     {

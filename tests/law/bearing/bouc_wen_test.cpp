@@ -37,7 +37,7 @@ struct BoucWenLead {
 
 }  // namespace
 
-TEST_CASE("with the exponent 1 the force goes to its yield_force as 1 - exp(-d/Y)") {
+TEST_CASE("with the exponent 1 the force approaches its yield_force as 1 - exp(-d/Y)") {
   for (const double shape : {0.5, 0.8, 1.0}) {
     BoucWenLead lead{{stiffness, yield_force, 0, 1, shape, 0}};
     for (const double d : {0.3, 1.0, 2.5}) {
@@ -47,7 +47,7 @@ TEST_CASE("with the exponent 1 the force goes to its yield_force as 1 - exp(-d/Y
   }
 }
 
-TEST_CASE("with the exponent 2 it goes as the hyperbolic tangent") {
+TEST_CASE("with the exponent 2 it is the hyperbolic tangent") {
   BoucWenLead lead{{stiffness, yield_force, 0, 2, 0.5, 0}};
   for (const double d : {0.3, 1.0, 2.5}) {
     lead.to(d * yield_reach);
@@ -55,7 +55,7 @@ TEST_CASE("with the exponent 2 it goes as the hyperbolic tangent") {
   }
 }
 
-TEST_CASE("a high exponent comes near the corner of the bilinear spring, from below") {
+TEST_CASE("a high exponent approaches the corner of the bilinear spring, from below") {
   BoucWenLead lead{{stiffness, yield_force, 0.1, 30, 0.5, 0}};
   lead.to(0.8 * yield_reach);
   CHECK(near(lead.now.force(), 0.8 * yield_force, 1e-3));
@@ -65,7 +65,7 @@ TEST_CASE("a high exponent comes near the corner of the bilinear spring, from be
   CHECK(near(lead.now.force(), bilinear, 1e-3));
 }
 
-TEST_CASE("unloading is as stiff as at first with shape 0.5, twice as stiff from yield with shape 1") {
+TEST_CASE("unloading has the initial stiffness with shape 0.5, and twice that from yield with shape 1") {
   for (const auto& [shape, times] : {std::pair(0.5, 1.0), std::pair(0.75, 1.5), std::pair(1.0, 2.0)}) {
     BoucWenLead lead{{stiffness, yield_force, 0, 2, shape, 0}};
     lead.to(10 * yield_reach);
@@ -76,7 +76,7 @@ TEST_CASE("unloading is as stiff as at first with shape 0.5, twice as stiff from
   }
 }
 
-TEST_CASE("closed loops dissipate their area, and a coarse step no other force") {
+TEST_CASE("closed loops dissipate their area, and a coarse step gives the same force") {
   BoucWenLead fine{{stiffness, yield_force, 0.05, 2, 0.6, 0}}, coarse = fine;
   for (BoucWenLead* lead : {&fine, &coarse})
     for (const double d : {3.0, -3.0, 3.0}) lead->to(d * yield_reach, lead == &fine ? 2000 : 20);

@@ -127,7 +127,7 @@ TEST_CASE("a damped cable never pushes, and carries nothing while slack") {
   CHECK(led.now.force() == 0);
 }
 
-TEST_CASE("a cable that would break as it is placed is rejected") {
+TEST_CASE("a cable that would break at its start is rejected") {
   CHECK_NOTHROW((Cable{1e6, 0, 5e3, 5e3, 0, 1}.check()));
   CHECK_NOTHROW((Cable{1e6, 0, 5e3, 0, 0, 1}.check()));
   CHECK_THROWS_AS((Cable{1e6, 0, 5e3, 4e3, 0, 1}.check()), InputError);

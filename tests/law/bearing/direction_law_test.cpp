@@ -218,7 +218,7 @@ TEST_CASE("a bilinear spring yields at its force, hardens with its share and yie
   }
 }
 
-TEST_CASE("a gap gives no force inside its opening, a spring beyond, and on one side only if asked") {
+TEST_CASE("a gap has no force inside its opening and a spring beyond it, on both sides or on the given one") {
   for (const double side : {0.0, 1.0, -1.0}) {
     Led led{Gap{1e5, 0.02, 0, side}};
     led.along(0.019);

@@ -37,7 +37,7 @@ TEST_CASE("friction of a power of the load is mu N at its reference and less tha
   CHECK(lifted.now.force() == 0);
 }
 
-TEST_CASE("without fast friction and load exponent no bit depends on speed or reference load") {
+TEST_CASE("without fast friction and load exponent the bits do not depend on speed or reference load") {
   LedLaw<Friction> plain{{0.3, 1e7, 20}, 1e-3, 5e4}, set{{0.3, 1e7, 20, 0, 80, 1, 3e5}, 1e-3, 5e4};
   LedLaw<Pendulum> dish{{2, 0.3, 1e7, 20}, 1e-3, 5e4}, set_dish{{2, 0.3, 1e7, 20, 0, 80, 1, 3e5}, 1e-3, 5e4};
   CHECK(plain.law.dashpot() == 20);

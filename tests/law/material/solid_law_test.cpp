@@ -89,7 +89,7 @@ TEST_CASE("J2 in pure shear yields at yield/sqrt(3) in plane stress and in plane
   }
 }
 
-TEST_CASE("Mohr-Coulomb in uniaxial compression and tension stands at its closed forms") {
+TEST_CASE("Mohr-Coulomb in uniaxial compression and tension yields at its closed forms") {
   const double friction = 35 * M_PI / 180, c = 5e6, squeeze = 2 * c * std::cos(friction) / (1 - std::sin(friction)),
                pull = 2 * c * std::cos(friction) / (1 + std::sin(friction));
   MohrCoulomb law{young, poisson, c, friction, 0.1};
@@ -115,7 +115,7 @@ TEST_CASE("Mohr-Coulomb in uniaxial compression and tension stands at its closed
   CHECK(near(along(1, law), 1e6, 1e-6));
 }
 
-TEST_CASE("Mohr-Coulomb and Drucker-Prager in plane strain shear stand at c cos(phi) without mean stress") {
+TEST_CASE("Mohr-Coulomb and Drucker-Prager in plane strain shear yield at c cos(phi) without mean stress") {
   const double friction = 30 * M_PI / 180, c = 5e6;
   const MohrCoulomb mc{young, poisson, c, friction, 0};
   const auto shear = [](double s) { return PlaneVector(0, 0, 5e-3 * s); };

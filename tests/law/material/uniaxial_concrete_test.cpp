@@ -130,7 +130,7 @@ TEST_CASE("crushed concrete has lost its tension too") {
   CHECK(led.now.stress() == 0);
 }
 
-TEST_CASE("concrete that does not fit is rejected") {
+TEST_CASE("inconsistent parameters of concrete are rejected") {
   CHECK_THROWS_AS((KentPark{fc, 0.002, 0.0021, 0.2, 1.1, 0, 0}.check()), InputError);
   CHECK_THROWS_AS((KentPark{fc, 0.002, 0.006, 0.2, 1, 2 * fc, 0}.check()), InputError);
   CHECK_THROWS_AS((Mander{fc, 10e9, 0.002, 0.006, 0, 1, 0, 0}.check()), InputError);

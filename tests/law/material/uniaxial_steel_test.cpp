@@ -100,7 +100,7 @@ TEST_CASE("Menegotto and Pinto with a sharp corner is near bilinear steel, howev
   }
 }
 
-TEST_CASE("steel that does not fit is rejected") {
+TEST_CASE("inconsistent parameters of steel are rejected") {
   CHECK_THROWS_AS((MenegottoPinto{modulus, yield_stress, 0.01, 10, 0.95, 0.15, 0, 1}.check()), InputError);
   CHECK_NOTHROW((MenegottoPinto{modulus, yield_stress, 0.01, 20, 0.925, 0.15, 0, 1}.check()));
   CHECK_THROWS_AS(check_parameters(BilinearSteel{modulus, 0, 0, 0}), InputError);

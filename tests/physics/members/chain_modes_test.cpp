@@ -76,7 +76,7 @@ TEST_CASE("M7: a grid of masses on springs has the frequencies of its sines") {
   check_lowest("M7, 7 by 5", modes(flat, initial_state(flat), 35), grid_frequencies({7, 5, 1}, {1e6, 2e6, 0}), 1e-4);
 }
 
-TEST_CASE("M8: a slab on four unlike columns, seen in plan, sways and twists") {
+TEST_CASE("M8: a slab on four different columns, in plan, sways and twists") {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.set_gravity({0, 0});
   scene.builder.set_contact("*", "*", "none");

@@ -37,7 +37,7 @@ std::vector<double> numbers_of_cantilever(int divisions, bool consistent, int co
   return out;
 }
 
-TEST_CASE("a cantilever of 1, 2 and 4 beams with consistent mass has the frequencies known of them, from above") {
+TEST_CASE("a cantilever of 1, 2 and 4 beams with consistent mass has the known frequencies, from above") {
   const std::vector<std::vector<double>> known{{3.53273, 34.8069}, {3.51772, 22.2215}, {3.51613, 22.0602}};
   const std::array exact{3.5160153, 22.0344916};
   std::array<std::vector<double>, 3> high, low;
@@ -123,7 +123,7 @@ Vec2 middle_of(const State<2>& s) {
   return 0.5 * (s.position[0] + s.position[1]);
 }
 
-TEST_CASE("a free bar with consistent mass turns on and keeps energy, and its momentum by the square of the step") {
+TEST_CASE("a free rotating bar with consistent mass conserves energy, and momentum to the square of the step") {
   for (const int beams : {1, 2, 4}) {
     const Model<2> model = flying_bar(beams, 0.5, 3);
     std::array<double, 4> astray{};

@@ -71,7 +71,7 @@ TEST_CASE("beam forces are the gradient of the stored energy, with no resultant 
   }
 }
 
-TEST_CASE("B1: a rigid turn of a frame by any angle, over several full turns, makes no force and no energy") {
+TEST_CASE("B1: a rigid rotation of a frame by any angle, over several full turns, causes no force and no energy") {
   const Model<2> model = of_frames(elastic_material("m", 2400, frame_young, 0.2), {odd_frame()});
   for (int degrees = -900; degrees <= 900; degrees += 7) {
     State<2> state = initial_state(model);

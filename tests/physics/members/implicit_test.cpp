@@ -227,7 +227,7 @@ TEST_CASE("a step that does not converge changes no state and reports the place"
   CHECK(near(sim.energy().balance(), 0.5 * 1e-3 * 0.01, 1e-9));
 }
 
-TEST_CASE("a body that leaves the bounds in an implicit stage stands still from then on") {
+TEST_CASE("a body that leaves the bounds in an implicit stage does not move afterwards") {
   Scene scene(Frictional{1e9, 5e8, 0.6, 1e-4});
   scene.set_gravity({0, 0});
   scene.block("stays", box(-1, 0, -0.5, 0.5), 100, {0, 0.1});

@@ -131,7 +131,7 @@ TEST_CASE("modes computed one by one equal modes computed at once") {
   for (std::size_t i = 0; i < few.size(); ++i) CHECK(near(few[i].frequency(), all[i].frequency(), 1e-6));
 }
 
-TEST_CASE("modes are rejected where nothing can move and for none") {
+TEST_CASE("modes are rejected where nothing can move and for a count of 0") {
   Scene scene(Frictional{1e6, 1e6, 0.5, 0});
   scene.fixed("base", box(-1, -1, 1, 0));
   const Model<2> model = scene.builder.build();

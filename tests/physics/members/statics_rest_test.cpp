@@ -153,7 +153,7 @@ TEST_CASE("statics gives each joint of a stack the weight above, from closed or 
   }
 }
 
-TEST_CASE("a stack brought to rest by statics stands as consolidation leaves it, and stays at rest") {
+TEST_CASE("a stack brought to rest by statics has the positions of consolidation, and stays at rest") {
   const Model<2> model = leaning_stack(0);
   State<2> state = initial_state(model);
   REQUIRE(rest_of("stack", model, state).converged);
@@ -313,7 +313,7 @@ TEST_CASE("A6: an arch is at rest below its limit tilt, and beyond it statics fi
   check_no_rest("arch at 1.2 of its limit", tilted_arch(.15, 1.2 * limit).builder.build(), "");
 }
 
-TEST_CASE("statics that is stopped ends at its next iteration, and leaves the state as it was") {
+TEST_CASE("statics that is stopped ends at its next iteration and does not change the state") {
   const Model<2> model = leaning_stack(1e-3);
   State<2> state = initial_state(model);
   const std::uint64_t hash = state_hash(state);

@@ -261,7 +261,7 @@ TEST_CASE("a post with a hinge that bends in one plane is the plane's, with wear
   CHECK(std::abs(in_space.rotation[0]) < 1e-9);
 }
 
-TEST_CASE("a hinge in space that loses its moment takes its beam with it, or leaves a pin") {
+TEST_CASE("a hinge in space that loses its moment removes its beam, or becomes a pin") {
   for (const bool removes : {true, false}) {
     HingeLaw law = post_hinge();
     law.ultimate = 0.01, law.removes = removes;

@@ -84,7 +84,7 @@ double fly_apart(SolidRun& run) {
 
 }  // namespace
 
-TEST_CASE("corners of a solid are where its node takes them, and the fastest of them is known") {
+TEST_CASE("corners of a solid move with its node, and the largest speed is the speed of the fastest corner") {
   SpaceBuilder builder;
   SolidBody body = stone("box", box_at({0.4, 0.6, 1}, {1, 2, 3}));
   body.velocity = {-1, 0, 2}, body.spin = {0.5, -2, 1};
@@ -118,7 +118,7 @@ TEST_CASE("2,000 random pairs of solids conserve energy and momenta and do not p
   MESSAGE("deepest overlap " << deepest << " m");
 }
 
-TEST_CASE("T27: two bars meet edge on edge") {
+TEST_CASE("T27: two bars collide edge on edge") {
   for (const UnitQuaternion& world : {UnitQuaternion{}, rotation_by({1.1, 0.4, -0.7})}) {
     const Turn3 turn(world);
     const double diagonal = 0.1 / std::sqrt(2.0);

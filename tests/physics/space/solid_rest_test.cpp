@@ -67,7 +67,7 @@ TEST_CASE("T3: a cube dropped flat from 1 m lands at the exact time and rests at
   CHECK(near_zero(energy.balance(), 5e-3 * 1000 * standard_gravity));
 }
 
-TEST_CASE("a cube at rest stays at rest: no rattle, no lean, no turn") {
+TEST_CASE("a cube at rest stays at rest, without vibration, tilt or rotation") {
   SpaceBuilder builder;
   builder.gravity(Vec3(0, 0, -standard_gravity));
   builder.add(fixed_stone("floor", floor_slab()));

@@ -40,7 +40,7 @@ void shake(SolidRun& run, double dt, double seconds, const std::function<Vec3(do
 
 }  // namespace
 
-TEST_CASE("T23: a block kicked across a slope turns down it") {
+TEST_CASE("T23: the path of a block kicked across a slope turns downwards") {
   const Vec3 gravity = tilted_gravity(radians(30), 0);
   struct Row {
     double mu, time, across, downhill;

@@ -166,7 +166,7 @@ TEST_CASE("C5 in space: faces that overlap in part carry W/(1 - s) where they ov
   });
 }
 
-TEST_CASE("C6 in space: three blocks on one pass a uniform pressure on and do not turn") {
+TEST_CASE("C6 in space: three blocks on one transfer a uniform pressure and do not rotate") {
   const auto figures = [](const UnitQuaternion& world) {
     const double kn = 1e10, pressure = 1e6;
     SolidScene scene(world);

@@ -102,7 +102,7 @@ TEST_CASE("patch test: a stretch of distorted elements is uniform to rounding") 
   }
 }
 
-TEST_CASE("a rigid turn of elements in space by any angle makes no stress, no force and no energy") {
+TEST_CASE("a rigid rotation of elements in space by any angle causes no stress, no force and no energy") {
   const double young = 1e7;
   std::mt19937_64 bits(5);
   for (const ElementShape shape : all_shapes)
@@ -184,7 +184,7 @@ TEST_CASE("a cantilever with one brick through its depth bends as in beam theory
   CHECK(near(tip_ratio(0.3, ElementForm::assumed, ElementShape::quadratic_tetrahedron, {5, 1, 1}), 1, 0.05));
 }
 
-TEST_CASE("a cantilever of wedges is too stiff and less so the finer it is") {
+TEST_CASE("a cantilever of wedges is too stiff, with an error that falls with the element size") {
   const double coarse = tip_ratio(0.3, ElementForm::assumed, ElementShape::wedge, {10, 1, 1}),
                fine = tip_ratio(0.3, ElementForm::assumed, ElementShape::wedge, {40, 2, 2}),
                plain = tip_ratio(0.3, ElementForm::plain, ElementShape::wedge, {10, 1, 1});

@@ -64,7 +64,7 @@ double step_of(const Model<3>& model, double share = 0.5) {
 
 }  // namespace
 
-TEST_CASE("a cantilever in space bends about both axes and twists as the closed forms say") {
+TEST_CASE("a cantilever in space bends about both axes and twists by the closed forms") {
   std::mt19937_64 bits(1);
   const double length = 2, e = steel_young, g = steel_young / (2 * (1 + steel_poisson)), load = 0.1;
   for (int i = 0; i < 4; ++i) {
@@ -217,7 +217,7 @@ TEST_CASE("a soft frame that tumbles freely keeps its energy, momentum and angul
   CHECK((run.angular_momentum() - angular).norm() < 1e-6 * angular.norm());
 }
 
-TEST_CASE("a frame in a rotated frame moves as in one that is not") {
+TEST_CASE("a frame structure moves the same way in rotated axes") {
   std::mt19937_64 bits(9);
   const UnitQuaternion turn = random_turn(bits);
   const Model<3> straight = tumbling(UnitQuaternion{}), turned = tumbling(turn);

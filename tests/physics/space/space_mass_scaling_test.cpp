@@ -141,7 +141,7 @@ TEST_CASE("mass scaling in space: a held rod swings slower by the root of its ma
   }
 }
 
-TEST_CASE("mass scaling in space: the step requested is stable, and without it the same step blows up") {
+TEST_CASE("mass scaling in space: the requested step is stable, and without scaling it is unstable") {
   for (const ElementShape shape : all_shapes) {
     CAPTURE(std::string(info_of(shape).name));
     const Model<3> model = alone_in_space(
@@ -248,7 +248,7 @@ TEST_CASE("mass scaling in space: a body held in a plane keeps its motion along 
   CHECK(std::abs(angular) > 1);
 }
 
-TEST_CASE("mass scaling in space: the energy of a body that tumbles and rings stays") {
+TEST_CASE("mass scaling in space: the energy of a tumbling and vibrating body is conserved") {
   Model<3> model = tumbling_box(ElementShape::brick);
   std::mt19937_64 bits(7);
   for (Vec3& v : model.start_velocity) v += 0.2 * random_in_ball(bits);
@@ -302,7 +302,7 @@ TEST_CASE("mass scaling in space: a nearly rigid body on a spring keeps its peri
   CHECK(report.scaled->most > 10);
 }
 
-TEST_CASE("mass scaling in space: a cantilever of bricks bends by its weight as it does without") {
+TEST_CASE("mass scaling in space: the deflection of a cantilever of bricks under its weight does not change") {
   std::array<double, 2> bent{};
   for (const bool scaled : {false, true}) {
     SolidSpec spec = box_of("c", box_solid(Vec3::Zero(), Vec3(1, 0.2, 0.2)), "m", {6, 1, 2});

@@ -31,7 +31,7 @@ Model<3> thin_cantilever(int divisions, bool consistent, double width, const Uni
   return of_space_frames(member_material(7850, 2e11, 0.3), {spec});
 }
 
-TEST_CASE("a cantilever in space of 1, 2 and 4 beams with consistent mass has the frequencies known of them") {
+TEST_CASE("a cantilever in space of 1, 2 and 4 beams with consistent mass has the known frequencies") {
   const std::vector<std::vector<double>> known{{3.53273, 34.8069}, {3.51772, 22.2215}, {3.51613, 22.0602}};
   const std::array exact{3.5160153, 22.0344916};
   const UnitQuaternion world = rotation_by({0.4, -1.1, 0.7});

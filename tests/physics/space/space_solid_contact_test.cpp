@@ -96,7 +96,7 @@ void press_stack(const std::array<int, 3>& lower, ElementShape lower_shape, cons
   }
 }
 
-TEST_CASE("uniform pressure goes through a stack of rigid and deformable blocks whose faces do not match" *
+TEST_CASE("uniform pressure is transferred through a stack of rigid and deformable blocks whose faces do not match" *
           doctest::test_suite("long")) {
   press_stack({1, 1, 1}, ElementShape::brick, {1, 1, 1}, ElementShape::brick);
   press_stack({2, 2, 1}, ElementShape::brick, {0, 0, 0}, ElementShape::brick);
@@ -181,7 +181,7 @@ TEST_CASE("a cantilever of bricks has the frequency of beam theory with shear" *
   CHECK(near(frequency, slender, 0.02));
 }
 
-TEST_CASE("mortar between bricks that deform carries tension and bending, and holds still at no load") {
+TEST_CASE("mortar between bricks that deform carries tension and bending, and is at rest without load") {
   Bonded law;
   law.kn = law.ks = 1e10, law.mu = 0.6, law.tension = 1e6, law.cohesion = 1e6, law.beta = 1e-4;
   SolidModelBuilder builder = soft_world(law, 1e9, 0.2, 1e-4);

@@ -135,7 +135,7 @@ TEST_CASE("a ball bounces to its drop height without damping and by its equation
   }
 }
 
-TEST_CASE("a ball rolls over the joint of two flush blocks without a bump") {
+TEST_CASE("a ball rolls over the joint of two flush blocks at a constant height") {
   SpaceBuilder space;
   space.gravity(Vec3(0, 0, -standard_gravity));
   space.add(fixed_stone("left", box_at(Vec3(1, 1, 1), Vec3(-0.5, 0, -0.5))));

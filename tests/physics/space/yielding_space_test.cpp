@@ -110,7 +110,7 @@ StageOptions explicit_swing() {
 
 }  // namespace
 
-TEST_CASE("a column of fibres stands below its plastic load and goes beyond it along either axis and obliquely") {
+TEST_CASE("a column of fibres stands below its plastic load and collapses above it, along either axis and obliquely") {
   // A force along x bends the section about z. Under an oblique force at 45 degrees the neutral axis of a rectangle is
   // its diagonal.
   const double about_z = steel_yield * 0.2 * 0.09 / 4, about_y = steel_yield * 0.3 * 0.04 / 4;
