@@ -39,10 +39,8 @@ std::string drift_of(const GroundMotion& motion) {
   return fmt::format(
       "motion '{}' drifts: {:.3g} m in {:.4g} s, end velocity {:.3g} cm/s ({:.2g} % of PGV), mean of the last quarter "
       "{:.3g} cm/s ({:.2g} %). Correct its baseline, as by motion:baseline(1), start it from the velocity of its "
-      "source "
-      "(zero mean velocity needs {:.4g} cm/s), or use a version of the record that begins and ends at rest. To allow "
-      "the "
-      "drift, give allow_drift = true",
+      "source (zero mean velocity needs {:.4g} cm/s), or use a version of the record that begins and ends at rest. To "
+      "allow the drift, give allow_drift = true",
       motion.description(), offset, motion.duration(), end * 100, 100 * std::abs(end) / pgv, late * 100,
       100 * std::abs(late) / pgv, 100 * balanced_start_velocity(motion));
 }

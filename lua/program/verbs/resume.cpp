@@ -91,8 +91,7 @@ void require_same(const script::RestartCall& call) {
   if (call.build != script::this_build())
     throw InputError(
         fmt::format("resume: the checkpoints were written by Trilith {}, and this is Trilith {}, whose results may "
-                    "differ in the last bits; "
-                    "resume with the program that wrote them, or give --accept-changes",
+                    "differ in the last bits; resume with the program that wrote them, or give --accept-changes",
                     call.build, script::this_build()));
   const std::string now = text_of_file(call.script, "script", script::largest_script);
   if (now != call.text)
