@@ -2,7 +2,7 @@
 -- both, and the difference of their joint forces. `trilith run tests/bench/statics.lua`.
 local trilith = require "trilith"
 local ft, inch, kip, g, pcf, psi, psf = trilith.units "ft inch kip g pcf psi psf"
-local p = trilith.params { body = { "quad", "what a unit is: quad or rigid" },
+local p = trilith.params { body = { "quad", "type of a unit: quad or rigid" },
                            ratio = { 1e-5, "unbalanced force at which steps of time end" } }
 local sill, side = 2*ft + 8*inch, 4*ft
 local function window(storey, x) return { storey = storey, x = x, sill = sill, width = side, height = side } end

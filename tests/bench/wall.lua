@@ -5,7 +5,7 @@
 local trilith = require "trilith"
 local p = trilith.params {
   courses = { 24, "courses" }, columns = { 18, "whole units in a course" }, seconds = { 0.5, "of shaking" },
-  body = { "rigid", "what a unit is: rigid, quad (one finite element), or mesh (2 by 2)" },
+  body = { "rigid", "type of a unit: rigid, quad (one finite element), or mesh (2 by 2)" },
   step = { 0, "length of a step; 0: as long as is stable", "s" },
   safety = { 0.5, "share of the longest stable step" },
   scaled = { 0, "length of a step that masses are scaled for; 0: they are not", "s" },

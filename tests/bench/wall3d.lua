@@ -5,7 +5,7 @@
 local trilith = require "trilith"
 local p = trilith.params {
   courses = { 24, "courses" }, columns = { 18, "whole units in a course" }, seconds = { 0.2, "of shaking" },
-  body = { "rigid", "what a unit is: rigid, brick (one finite element), or mesh (2 by 2 by 2)" },
+  body = { "rigid", "type of a unit: rigid, brick (one finite element), or mesh (2 by 2 by 2)" },
   step = { 1e-4, "length of a step; 0: as long as is stable", "s" },
   scaled = { 0, "length of a step by mass scaling; 0: none", "s" },
 }

@@ -93,7 +93,7 @@ TEST_CASE("invalid bodies in space are rejected with their name and the reason")
   CHECK(refusal(light) == "body 'stone' has a density of 0 kg/m3; it must be above 0");
   SolidBody wild = body_of({box});
   wild.velocity.x() = std::numeric_limits<double>::quiet_NaN();
-  CHECK(refusal(wild) == "body 'stone' begins with a velocity or spin that is not finite");
+  CHECK(refusal(wild) == "body 'stone' has an initial velocity or spin that is not finite");
   Polyhedron open = box;
   open.faces = {};
   for (int f = 0; f < 5; ++f) open.faces.add(box.faces[f]);
