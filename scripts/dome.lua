@@ -47,7 +47,7 @@ m:on("impact", function(e)
   for _, b in ipairs(e.bodies) do
     if b.name == "ground" then
       fallen = e.time - begun
-      print(("%.2f s: first stone on the ground, springing out by %.4f R"):format(fallen, spread()))
+      print(("%.2f s: first stone on the ground, springing spread by %.4f R"):format(fallen, spread()))
     end
   end
 end)
@@ -61,7 +61,7 @@ if p.spread > 0 then m:drive { motions = motions } end
 m:every(0.02, function()
   if not came and key.vz < -1 then
     came = m.time
-    print(("%.2f s: comes down, springing out by %.4f R, key sunk by %.4f R"):format(came - begun, spread(),
+    print(("%.2f s: collapse, springing spread by %.4f R, key lowered by %.4f R"):format(came - begun, spread(),
       (z0 - key.z)/R))
   end
   if came and m.time > came + 2 then m:stop() end

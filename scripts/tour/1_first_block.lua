@@ -23,5 +23,5 @@ m:run { duration = 5, rest = true, dt = 5e-6 }
 
 local z, s = p.zeta, math.sqrt(1 - p.zeta^2)           -- restitution of a spring and a damper that only push
 local formula = math.exp(-z/s*(math.pi - math.atan(2*z*s, 1 - 2*z^2)))
-print(("strikes at %.3f m/s; bounces with %.3f of it, formula %.3f"):format(speeds[1], speeds[2]/speeds[1], formula))
+print(("impact at %.3f m/s; restitution %.3f, formula %.3f"):format(speeds[1], speeds[2]/speeds[1], formula))
 return { restitution = speeds[2]/speeds[1], formula = formula }

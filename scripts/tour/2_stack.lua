@@ -13,10 +13,10 @@ local blocks = m:harmonic_stack {
 
 m:results { file = "out/stack.h5", frames = 0.05 }
 m:consolidate { duration = 2, rest = { speed = 1e-6 }, or_go_on = true } -- an unstable stack does not settle
-m:run { name = "let go", duration = 1 }
+m:run { name = "undamped", duration = 1 }
 
 local largest = 0
 for k = 1, p.count do largest = largest + 1/(2*k) end
 local top = blocks[#blocks]
-print(("reaches out %.4f m, limit %.4f m"):format(p.factor*largest, largest))
+print(("overhang %.4f m, limit %.4f m"):format(p.factor*largest, largest))
 print(math.abs(top.uy) < 0.01 and "stands" or "falls")

@@ -17,7 +17,7 @@ m:results { file = "out/arch.h5", frames = 0.05 }
 m:consolidate { duration = 2, rest = { speed = 1e-6 } }
 local middle = m:thrust_line(ring)[p.voussoirs // 2]
 print(("thrust at the crown: %.3f of the weight"):format(math.abs(middle.fx) / (ring.mass*g)))
-m:run { name = "let go", duration = 1 }
+m:run { name = "undamped", duration = 1 }
 local moved = 0
 for stone in ring do moved = math.max(moved, math.abs(stone.ux), math.abs(stone.uy)) end
 print(moved < 0.01 and "stands" or "falls")

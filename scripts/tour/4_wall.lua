@@ -24,5 +24,5 @@ slowly = true
 local slow = m:run { name = "tilting slowly", duration = 24 }
 slowly = false
 local angle = p.fast + 0.5*deg*(slow.ended - slow.begun)
-print(("comes down at %.1f degrees, a factor of %.3f"):format(angle/deg, math.tan(angle)))
+print(("collapses at %.1f degrees, tangent %.3f"):format(angle/deg, math.tan(angle)))
 m:run { name = "falling", duration = 0.8 }

@@ -7,5 +7,5 @@ local study = trilith.study {
   parameters = { zeta = { 0.02, 0.05, 0.1, 0.2, 0.3, 0.5 } } }
 
 for _, row in ipairs(study.rows) do
-  print(("damping %.2f: bounces with %.3f, formula %.3f"):format(row.zeta, row.restitution, row.formula))
+  print(("damping %.2f: restitution %.3f, formula %.3f"):format(row.zeta, row.restitution, row.formula))
 end

@@ -32,5 +32,5 @@ m:on("member.yielded", function() hinges = hinges + 1 end)
 m:results { file = "out/portal.h5", frames = 0.05 }
 m:run { name = "loaded", duration = 3, integrator = p.integrator }
 
-print(("limit %.4f of 100 and 50 kN; sways with %.2f Hz; %d ends have yielded"):format(limit, sway, hinges))
-print(math.abs(portal.ux) < 0.3 and "stands" or "comes down")
+print(("limit load factor %.4f; sway frequency %.2f Hz; %d member ends have yielded"):format(limit, sway, hinges))
+print(math.abs(portal.ux) < 0.3 and "stands" or "collapses")
