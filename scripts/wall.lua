@@ -54,7 +54,7 @@ local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }:scal
 local report = m:shake { body = "wall.base", x = ns, duration = p.duration, safety = 0.8 }
 
 -- Joints are apart that opened or slipped by more than half an inch; units are out of place that moved against the
--- floor under their storey, or came down, by more than an inch.
+-- floor under their storey, or fell, by more than an inch.
 local figures, storeys = {}, wall:damage_by_storey { apart = 0.5*inch, out_of_place = 1*inch }
 for k = #storeys, 1, -1 do
   local storey = storeys[k]

@@ -103,7 +103,7 @@ TEST_CASE("A5: the thrust of a standing arch lies between its least and its grea
   }
 }
 
-TEST_CASE("A6: a tilted semicircular arch comes down at its limit" * doctest::test_suite("long")) {
+TEST_CASE("A6: a tilted semicircular arch collapses at its limit" * doctest::test_suite("long")) {
   struct Case {
     double thickness, factor;
   };
@@ -114,7 +114,7 @@ TEST_CASE("A6: a tilted semicircular arch comes down at its limit" * doctest::te
     const double near_limit = 0.9 * std::atan(c.factor);
     REQUIRE(tilt_on(*sim, 0, near_limit, 4 * degree) == near_limit);
     const double factor = std::tan(tilt_on(*sim, near_limit, 40 * degree, 0.5 * degree));
-    MESSAGE(fmt::format("A6, t/R {}: comes down at a factor of {:.4f}, limit {}", c.thickness, factor, c.factor));
+    MESSAGE(fmt::format("A6, t/R {}: collapses at a factor of {:.4f}, limit {}", c.thickness, factor, c.factor));
     CHECK(factor <= c.factor);
     CHECK(factor >= 0.96 * c.factor);
   }

@@ -42,7 +42,8 @@ PHRASES = [
     phrase("dialect", r"\b(?:to and fro|anew|as preset|by preset|given? off|give off|giving off|gives off|giv(?:en|es?) back|taken for|stands? for|"
            r"as long as they may|no more than once|whence|thereof|therein|lest|aught|at one(?:s|ce) with|is at home|looked up again|"
            r"lets? be|let go|turned? down|put down|laid down|in the way of|at its own|by and by|of its own accord|"
-           r"as (?:it|they) stands?|closed rooms?|not to be trusted|chang(?:es?|ed|ing) no bits?|other bits|(?:keeps?|kept) (?:its|their) bits)\b",
+           r"as (?:it|they) stands?|closed rooms?|not to be trusted|chang(?:es?|ed|ing) no bits?|other bits|"
+           r"(?:keeps?|kept) (?:its|their) bits|comes? down|came down)\b",
            "say it with the field's verb: 'cyclic', 'restart', 'default', 'dissipate', 'return', 'mistaken for', 'represent'"),
 ]
 

@@ -18,7 +18,7 @@ WRONG = {
     "persons": ["the page tells more", "the solver wants a step"],
     "since": ["as of since"],
     "beside": ["one file beside another"],
-    "dialect": ["led to and fro", "0.5 as preset", "energy given off", "the run begins anew", "the joint as it stands", "it changes no bit", "runs in a closed room"],
+    "dialect": ["led to and fro", "0.5 as preset", "energy given off", "the run begins anew", "the joint as it stands", "it changes no bit", "runs in a closed room", "the wall comes down"],
     "begin": ["at the begin of a step", "from its begin"],
     "is-no": ["the text is no number", "faces that are no pair"],
     "says-so": ["then the program says so"],

@@ -73,7 +73,7 @@ TEST_CASE("a joint is apart and a unit out of place beyond half an inch and an i
   CHECK(after({{high_right, {0.0128, 0}}}, {.out_of_place = 0.01})[1].units_out_of_place == 1);
 }
 
-TEST_CASE("a unit that comes down is out of place, one that is lifted is not") {
+TEST_CASE("a unit that falls is out of place, one that is lifted is not") {
   CHECK(after({{high_left, {0, -0.0255}}})[1].units_out_of_place == 1);
   CHECK(after({{high_left, {0, -0.0253}}})[1].units_out_of_place == 0);
   const auto lifted = after({{high_left, {0, 0.1}}});

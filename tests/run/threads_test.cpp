@@ -123,7 +123,7 @@ TEST_CASE(
   double farthest = 0;
   for (std::size_t n = 0; n < model.start_position.size(); ++n)
     farthest = std::max(farthest, (seen.state().position[n] - model.start_position[n]).norm());
-  CHECK(farthest > 0.3);  // it does come down
+  CHECK(farthest > 0.3);  // the wall collapses
   expect_same_bits(model, 0.8, 0.4);
 }
 

@@ -37,7 +37,7 @@ for _, integrator in ipairs { "implicit", "explicit" } do
   }
 end
 
--- A span that hangs by one end: time in which its other end has come down by a height.
+-- A span that hangs by one end: time in which its other end has fallen by a height.
 local ft = 0.3048
 for _, row in ipairs { { 20, .914 }, { 40, 1.322 }, { 50, 1.506 }, { 60, 1.696 } } do
   cases[#cases + 1] = {

@@ -66,13 +66,13 @@ local function farthest(stones, from)
   return most
 end
 
-local function tell(text, ...) if p.tell then print(text:format(...)) end end
+local function report(text, ...) if p.tell then print(text:format(...)) end end
 
 --- `found` lies between the shares `low` and `high` of the expected limit.
 local function within(what, found, expected, low, high)
-  tell("%s: %.4f for %.4f, %+.1f %%", what, found, expected, 100*(found/expected - 1))
+  report("%s: %.4f for %.4f, %+.1f %%", what, found, expected, 100*(found/expected - 1))
   assert(found >= low*expected and found <= high*expected,
-    ("%s: comes down at %.4f, expected %.4f"):format(what, found, expected))
+    ("%s: collapses at %.4f, expected %.4f"):format(what, found, expected))
 end
 
 --- Brackets a tilt limit. The model and stones of `make(tilt, azimuth)` settle under damping at the tilt `low` [rad]
@@ -86,13 +86,13 @@ local function between(what, make, low, high, azimuth)
   local laid = farthest(stones, start)
   m:run { duration = 1, until_true = down }
   local moved = farthest(stones, start)
-  tell("%s: at %.3f deg moved by %.2g m, %.2g m", what, low/deg, laid, moved)
+  report("%s: at %.3f deg moved by %.2g m, %.2g m", what, low/deg, laid, moved)
   assert(moved < 0.005, what .. " does not stand where it must")
   m:tilt { rate = 0.5*deg, by = high - low, towards = azimuth }
   local fall = m:run { duration = (high - low)/(0.5*deg) + 4, until_true = down }
-  tell("%s: to %.3f deg, moved by %.2g m after %.2f s", what, high/deg, farthest(stones, start),
+  report("%s: to %.3f deg, moved by %.2g m after %.2f s", what, high/deg, farthest(stones, start),
     fall.ended - fall.begun)
-  assert(down(), what .. " does not come down where it must")
+  assert(down(), what .. " does not collapse where it must")
 end
 
 --- Tangent of the tilt at which stones have moved by 2 cm. Settled level, tilted to `from` of `expected` under damping
@@ -104,7 +104,7 @@ local function limit(m, stones, azimuth, expected, from, hurry)
   local fast = (hurry or 1)*5*deg
   m:tilt { rate = fast, by = begin, towards = azimuth }
   m:run { duration = begin/fast + 0.3, local_damping = 0.5 }
-  assert(farthest(stones, level) < 0.02, "comes down before it is tilted slowly")
+  assert(farthest(stones, level) < 0.02, "collapses before it is tilted slowly")
   m:tilt { rate = rate, by = most - begin, towards = azimuth }
   local begun, found = m.time, nil
   m:every(0.005, function()
@@ -189,7 +189,7 @@ cases.T20_thin = function()
     local vault = m:vault { name = "vault", voussoirs = 15, radius = 1, thickness = share*0.1060, stone_length = 0.5,
       stones = 3, material = "stone", abutments = false }
     local fell = falls(m, vault)
-    tell("T20, %.2f of the least thickness: %s", share, fell and "falls" or "stands")
+    report("T20, %.2f of the least thickness: %s", share, fell and "falls" or "stands")
     assert(fell == (share < 1))
   end
 end
@@ -217,7 +217,7 @@ local function both_sides(mu, least, low, high, hole)
   for _, share in ipairs { low, high } do
     local m = ground(mu, 1e10)
     local fell = falls(m, dome(m, share*least, hole))
-    tell("T21 of mu %g%s, %.2f of the least thickness: %s", mu, hole and " with a hole" or "", share,
+    report("T21 of mu %g%s, %.2f of the least thickness: %s", mu, hole and " with a hole" or "", share,
       fell and "falls" or "stands")
     assert(fell == (share == low))
   end

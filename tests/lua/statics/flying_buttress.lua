@@ -52,7 +52,7 @@ local function sinks(dim, factor, seconds)
 end
 
 for _, dim in ipairs { 2, 3 } do
-  assert(sinks(dim, 0.95, 2) > 0.1, "it comes down under less than the least thrust")
+  assert(sinks(dim, 0.95, 2) > 0.1, "it collapses under less than the least thrust")
   assert(sinks(dim, 1.05, 1) < 2e-3, "it stands under more")
 end
 

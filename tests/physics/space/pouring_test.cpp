@@ -69,7 +69,7 @@ TEST_CASE("200 random polygons poured into a box come to rest in it") {
   const double left = std::abs(last.balance() - first.balance());
   const double passed = first[EnergyTerm::kinetic] - last[EnergyTerm::gravity];
   MESSAGE("at rest after ", report.ended, " s: ", std::string(name_of(report.end)), ", speed ", report.speed,
-          " m/s, ratio ", report.ratio, "; ", passed, " J came down, residual ", left, " J (", left / passed,
+          " m/s, ratio ", report.ratio, "; ", passed, " J supplied, residual ", left, " J (", left / passed,
           "), at worst ", worst, " J");
   CHECK(report.end == StageEnd::rest);
   CHECK(report.speed < 1e-5);
