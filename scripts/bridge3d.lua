@@ -123,7 +123,7 @@ local report = m:shake {
 
 local base = m:body "right ground"
 for _, b in ipairs(bridge.spans) do
-  print(("%s has moved by %6.2f m along, %6.2f m across, %6.2f m up, and turned by %4.1f deg about z"):format(b.name,
+  print(("%s has moved by %6.2f m along, %6.2f m across, %6.2f m up, and rotated by %4.1f deg about z"):format(b.name,
     b.ux - base.ux, b.uy - base.uy, b.uz - base.uz, b.rotation_z/deg))
 end
 print(("%s after %.2f s; the error of the energy balance is %.2g %% of the input"):format(report.ending,

@@ -158,7 +158,7 @@ else
   m:shake { motions = shaken, duration = before + p.duration }
 end
 
--- The links of the chain, stated before the search was run; each is worth one.
+-- The links of the chain, stated before the search was run; each counts one point.
 local function near(name, time, within) return when[name] ~= nil and math.abs(when[name] - time) <= within end
 local function order(a, b) return when[a] ~= nil and when[b] ~= nil and when[a] < when[b] end
 local others = 0 -- ends of spans 4 to 7 and bearings that fail there
@@ -177,20 +177,20 @@ local links = {
   span_1_when = near("S1.right unseats", 17.7, 1),
   others_stand = fails[1] ~= nil and others == 0,
 }
-local score, told = 0, {}
+local score, met = 0, {}
 for name, holds in pairs(links) do
   score = score + (holds and 1 or 0)
-  if holds then told[#told + 1] = name end
+  if holds then met[#met + 1] = name end
 end
-table.sort(told)
--- And how far off its times are: a mean over the events of the paper, ten seconds for one that is missing.
+table.sort(met)
+-- Mean error of the times over the events of the paper; a missing event counts as ten seconds.
 local off, count = 0, 0
 for name, time in pairs { ["S3.left fails"] = 11.0, ["S3.right unseats"] = 14.4, ["S3 hits right ground"] = 15.9,
                           ["S3 hits P3"] = 16.3, ["S1.right unseats"] = 17.7 } do
   off, count = off + math.min(10, math.abs((when[name] or 1e9) - time)), count + 1
 end
 local text = #events > 0 and table.concat(events, "; ") or "nothing"
-print(("%d of 9 links (%s), times %.1f s off: %s"):format(score, table.concat(told, " "), off/count, text))
+print(("%d of 9 links (%s), time error %.1f s: %s"):format(score, table.concat(met, " "), off/count, text))
 local figures = { score = score, off = { off/count, unit = "s" }, others = others, fails = #fails,
                   failed_first = fails[1] or "none", first_at = { fails[1] and when[fails[1] .. " fails"] or -1,
                   unit = "s" },

@@ -29,7 +29,7 @@ for _, row in ipairs(study.rows) do
   end
 end
 print(("%d of %d runs finished"):format(#rows, #study.rows))
-print "runs by links of the chain that hold:"
+print "runs by number of links of the chain that hold:"
 for score = 0, 9 do print(("  %d links: %d"):format(score, scores[score] or 0)) end
 print "runs in which each link holds:"
 for _, name in ipairs(names) do print(("  %-12s %d"):format(name, holds[name] or 0)) end
@@ -45,7 +45,7 @@ end)
 print "the nearest runs:"
 for k = 1, math.min(8, #rows) do
   local row = rows[k]
-  print(("  %d links, %.1f s off: %s"):format(row.score, row.off, row.chain))
+  print(("  %d links, time error %.1f s: %s"):format(row.score, row.off, row.chain))
   print(("    side=%.3g version=%.3g deck=%.3g stem=%.3g stem_stiffness=%.3g soil=%.3g gap=%.3g mu=%.3g shear=%.3g "
     .. "core=%.3g zeta=%.3g damping=%.3g"):format(row.side, row.version, row.deck, row.stem, row.stem_stiffness,
       row.soil, row.gap, row.mu, row.shear, row.core, row.zeta, row.damping))

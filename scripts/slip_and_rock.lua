@@ -41,12 +41,12 @@ local function slid(give)
 end
 
 local exact, path = coulomb(1e-5)
-print(("slides %.1f mm, %.0f mm in all, by Coulomb's law alone"):format(1e3*exact, 1e3*path))
+print(("Coulomb's law alone: residual slip %.1f mm, path %.0f mm"):format(1e3*exact, 1e3*path))
 local errors = {}
 for i, give in ipairs { 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6 } do
   local u = slid(give)
   errors[i] = (u - exact)/exact
-  print(("gives %6.3f mm first: slides %.1f mm, %+.1f %%"):format(1e3*give, 1e3*u, 100*errors[i]))
+  print(("elastic displacement %6.3f mm: residual slip %.1f mm, error %+.1f %%"):format(1e3*give, 1e3*u, 100*errors[i]))
 end
 
 --- Share of its speed that a rocking block keeps at its first impacts, from the angles it swings to; `zeta` is the
@@ -83,7 +83,7 @@ for _, slenderness in ipairs { 0.25, 0.33 } do
   for _, case in ipairs { { false, 0.3 }, { false, 1 }, { false, 4 }, { true, 0.3 }, { true, 1 }, { true, 4 } } do
     local e, housner = kept(slenderness, case[1], case[2])
     rocking[#rocking + 1] = { feet = case[1], zeta = case[2], kept = e, housner = housner }
-    print(("width/height %.2f on %s, zeta = %g: keeps %.3f, Housner %.3f"):format(slenderness,
+    print(("width/height %.2f on %s, zeta = %g: restitution %.3f, Housner %.3f"):format(slenderness,
       case[1] and "feet" or "its whole base", case[2], e, housner))
   end
 end

@@ -36,7 +36,7 @@ m:consolidate { duration = 5 }
 local push = m:pushover { body = portal, at = "b", direction = "x", control = "arc", displacement = p.drift }
 
 -- 6. Figures. Four hinges of Mp make the sway mechanism: H = 4 Mp / height.
-print(("sways with %.2f Hz; %d member ends have yielded"):format(frequency, hinges))
+print(("sway frequency %.2f Hz; %d member ends have yielded"):format(frequency, hinges))
 print(("peak force %.1f kN; the plastic limit is 4 Mp / height = %.1f kN"):format(1e-3*push.peak_force,
   4e-3*p.Mp/p.height))
 return { peak = push.peak_force, hinges = hinges }
