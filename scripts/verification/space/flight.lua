@@ -86,7 +86,7 @@ cases[#cases + 1] = {
 }
 
 cases[#cases + 1] = {
-  name = "dropped_bar", title = "bar of 1 m x 0.3 m x 0.2 m, turned by 20 deg, dropped on its edge without damping",
+  name = "dropped_bar", title = "bar of 1 m x 0.3 m x 0.2 m, rotated by 20 deg, dropped on its edge without damping",
   checks = { { "first touch", unit = "s", exact = 0.50187, tolerance = 0.001 },
     { "vz after it", unit = "m/s", exact = -1.83583, tolerance = 0.01 },
     { "spin after it", unit = "rad/s", exact = 15.5115, tolerance = 0.01 } },

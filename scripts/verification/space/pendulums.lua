@@ -71,7 +71,7 @@ cases[#cases + 1] = {
 cases[#cases + 1] = {
   name = "spherical_pendulum", title = "mass on a link of 1 m, released at 40 deg with 1 m/s across",
   checks = { { "time to the far point and back", unit = "s", exact = 1.03891, tolerance = 0.002 },
-    { "turned by", unit = "deg", exact = 360 - 164.842, tolerance = 0.002 },
+    { "rotation", unit = "deg", exact = 360 - 164.842, tolerance = 0.002 },
     { "radius there", unit = "m", exact = .64279, tolerance = 0.002 } },
   run = function()
     local m = space "link"
@@ -99,7 +99,7 @@ cases[#cases + 1] = {
       r2, r1, t1, a1 = r1, r, m.time, angle
       return #times == 2
     end }
-    return { ["time to the far point and back"] = times[2]/2, ["turned by"] = angles[2]/2/deg,
+    return { ["time to the far point and back"] = times[2]/2, ["rotation"] = angles[2]/2/deg,
       ["radius there"] = radii[2] }
   end,
 }

@@ -112,7 +112,7 @@ for _, row in ipairs { { 0, 10, nil, .59228, 0, 2.9614 }, { 1, 5, nil, .4808, .2
     checks = { { "stops after", unit = "s", exact = row[4], tolerance = 0.02 },
       row[5] > 0 and { "distance", unit = "m", exact = row[5], tolerance = 0.02 }
         or { "distance", unit = "m", exact = 0, within = 0.001 },
-      { "turned by", unit = "rad", exact = row[6], tolerance = 0.02 } },
+      { "rotation", unit = "rad", exact = row[6], tolerance = 0.02 } },
     run = function(p)
       local m, block = slab({ 0.4, 0.4, 0.01 }, p.mu, g, { velocity = { p.speed, 0, 0 }, spin = { 0, 0, p.spin } })
       local stops = 0
@@ -120,7 +120,7 @@ for _, row in ipairs { { 0, 10, nil, .59228, 0, 2.9614 }, { 1, 5, nil, .4808, .2
         if math.abs(block.spin_z) > 0.01 or block.speed > 0.002 then stops = m.time end
         return false
       end }
-      return { ["stops after"] = stops, distance = block.ux, ["turned by"] = block.rotation_z }
+      return { ["stops after"] = stops, distance = block.ux, ["rotation"] = block.rotation_z }
     end,
   }
 end
