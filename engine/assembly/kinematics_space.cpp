@@ -168,7 +168,7 @@ SolidReach place_fitted(const Model<3>& model, const State<3>& state, int piece,
   return reach;
 }
 
-/// Corners and normals of a piece that moves with one node, also in a frame, see model/space_builder/space_frame.hpp.
+/// Corners and normals of a piece that moves with one node, also in a frame, see model/space_builder/frame_skin.hpp.
 SolidReach place_piece(const Model<3>& model, const State<3>& state, int piece, SolidWork<3>& solids) {
   const auto p = static_cast<std::size_t>(piece);
   if (model.is_fitted(piece)) return place_fitted(model, state, piece, solids);

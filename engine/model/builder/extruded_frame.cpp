@@ -19,7 +19,7 @@ SpaceJoint extruded_joint(const FrameJoint& flat, const FrameExtrusion& extrusio
   SpaceJoint joint;
   joint.name = flat.name, joint.mass = flat.mass, joint.inertia = flat.inertia;
   joint.place = upright(flat.place);
-  if (!flat.block.empty()) joint.block = extruded_block(flat, extrusion.thickness), joint.density = flat.density;
+  if (flat.has_block()) joint.block = extruded_block(flat, extrusion.thickness), joint.density = flat.density;
   const auto& s = flat.support;
   const auto also = [&](bool fixed) { return fixed || extrusion.held ? Support::fixed : Support::free; };
   const bool stays = s[0] == Support::fixed && s[1] == Support::fixed, straight = s[2] == Support::fixed;
@@ -49,9 +49,8 @@ MemberFibres extruded_fibres(MemberFibres fibres, bool held) {
   return fibres;
 }
 
-std::array<std::optional<HingeLaw>, 2> extruded_hinges(const MemberHinges& flat, bool held) {
-  auto hinges = flat.end;
-  for (auto& hinge : hinges)
+MemberHinges extruded_hinges(MemberHinges hinges, bool held) {
+  for (auto& hinge : hinges.end)
     if (hinge && held && !(hinge->across > 0)) hinge->across = hinge->sagging;
   return hinges;
 }
@@ -60,19 +59,16 @@ SpaceMember extruded_member(const FrameSpec& spec, const FrameMember& flat, cons
   SpaceMember member;
   member.name = flat.name, member.from = flat.from, member.to = flat.to;
   member.section = extruded_section(flat, extrusion);
-  const auto end = [&](std::size_t side) {
-    return flat.ends[side].value_or(spec.joints[static_cast<std::size_t>(side == 0 ? flat.from : flat.to)].place);
-  };
-  const Vec2 along = end(1) - end(0);
+  const Vec2 along = end_of(spec, flat, 1) - end_of(spec, flat, 0);
   for (const std::size_t side : {0, 1})
     if (flat.ends[side]) member.ends[side] = upright(*flat.ends[side]);
   member.orientation = Vec3(-along.y(), 0, along.x());  // its top is to the left of its direction
   member.material = flat.material, member.divisions = flat.divisions;
   member.pinned = flat.pinned, member.shear = flat.shear;
   if (const auto* const fibres = std::get_if<MemberFibres>(&flat.yields))
-    member.fibres = extruded_fibres(*fibres, extrusion.held);
+    member.yields = extruded_fibres(*fibres, extrusion.held);
   if (const auto* const hinges = std::get_if<MemberHinges>(&flat.yields))
-    member.hinge = extruded_hinges(*hinges, extrusion.held);
+    member.yields = extruded_hinges(*hinges, extrusion.held);
   return member;
 }
 

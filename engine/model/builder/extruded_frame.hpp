@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model/builder/frame.hpp"
-#include "model/space_builder/space_frame.hpp"
 
 namespace trilith {
 

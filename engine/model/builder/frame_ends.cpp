@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "model/builder/frame_outline.hpp"
+
 namespace trilith {
 namespace {
 

@@ -50,9 +50,11 @@ class FrameNotes {
 
 }  // namespace
 
-void add_frame_plausibility_notes(const FrameSpec& frame, const std::string& owner, std::vector<std::string>& notes) {
+template <int D>
+void add_frame_plausibility_notes(const FrameSpecOf<D>& frame, const std::string& owner,
+                                  std::vector<std::string>& notes) {
   FrameNotes frame_notes(owner, notes);
-  for (const FrameMember& member : frame.members) {
+  for (const FrameMemberOf<D>& member : frame.members) {
     frame_notes.section(member.name, member.section.area);
     if (const auto* fibres = std::get_if<MemberFibres>(&member.yields)) frame_notes.fibres(member.name, *fibres);
     if (const auto* hinges = std::get_if<MemberHinges>(&member.yields))
@@ -60,14 +62,9 @@ void add_frame_plausibility_notes(const FrameSpec& frame, const std::string& own
   }
 }
 
-void add_frame_plausibility_notes(const SpaceFrameSpec& frame, const std::string& owner,
-                                  std::vector<std::string>& notes) {
-  FrameNotes frame_notes(owner, notes);
-  for (const SpaceMember& member : frame.members) {
-    frame_notes.section(member.name, member.section.area);
-    if (member.fibres) frame_notes.fibres(member.name, *member.fibres);
-    for (const auto& hinge : member.hinge) frame_notes.hinge(member.name, hinge);
-  }
-}
+template void add_frame_plausibility_notes(const FrameSpecOf<2>& frame, const std::string& owner,
+                                           std::vector<std::string>& notes);
+template void add_frame_plausibility_notes(const FrameSpecOf<3>& frame, const std::string& owner,
+                                           std::vector<std::string>& notes);
 
 }  // namespace trilith

@@ -1,55 +1,21 @@
-// Frames of the model builder in space: their checks, and the data of their members.
-#include <fmt/format.h>
-
+// Frames of the model builder in space: their check, and their rows in the model.
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "model/names.hpp"
+#include "base/rotation_3d.hpp"
+#include "model/space_builder/frame_skin.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
+#include "model/space_builder/space_builder.hpp"
 
 namespace trilith {
 namespace {
 
-const Material* material_called(const std::vector<Material>& materials, const std::string& name) {
-  const auto found =
-      std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-  return found == materials.end() ? nullptr : &*found;
-}
-
-const std::string& material_of(const SolidSpec& spec, const SpaceMember& member) {
-  return member.material.empty() ? spec.material : member.material;
-}
-
-/// Throws InputError if a hinge in space is incomplete, or softens faster than its beam of `length` [m] can follow.
-void check_hinge(const SpaceMember& member, int end, double young, double length, bool consistent) {
-  const HingeLaw& law = *member.hinge[static_cast<std::size_t>(end)];
-  check_parameters(law), law.check();
-  if (!(law.across > 0))
-    throw InputError(
-        "end_hinge: in space it bends about both axes, and across is 0; give it the yield moment of lateral bending, "
-        "such as across = " +
-        fmt::format("{:g}", law.sagging));
-  if (law.removes && consistent)
-    throw InputError("end_hinge: a removed member keeps its mass at its nodes; leave out mass_matrix = \"consistent\"");
-  if (member.pinned[static_cast<std::size_t>(end)])
-    throw InputError(fmt::format("end_hinge: its {} is pinned already", end == 0 ? "start" : "end"));
-  // About y the hinge has across/sagging times the strength and softening.
-  const double about_z = member.section.second_moment[1],
-               about_y = member.section.second_moment[0] * law.sagging / law.across;
-  check_softening(law, 2 * young * std::min(about_z, about_y) / length);
-}
-
-/// Throws InputError if a member cannot yield as specified. `length`: of its beams [m].
-void check_yields(const SpaceMember& member, double young, double length, bool consistent, const std::string& owner) {
-  try {
-    if (member.fibres)
-      make_fibre_beam_in_space(make_fibres_in_space(member.fibres->spec), 1, member.pinned, {}, 1, member.fibres->rule,
-                               member.fibres->stations);
-    for (const int end : {0, 1})
-      if (member.hinge[static_cast<std::size_t>(end)]) check_hinge(member, end, young, length, consistent);
-  } catch (const InputError& e) {
-    throw InputError(fmt::format("{}: {}", owner, e.what()));
-  }
+/// Centre of mass of the nodes [m].
+Vec3 centre_of_mass(const std::vector<NodeMass<3>>& nodes, const std::vector<Vec3>& place) {
+  double mass = 0;
+  Vec3 centre = Vec3::Zero();
+  for (std::size_t n = 0; n < nodes.size(); ++n) mass += nodes[n].mass, centre += nodes[n].mass * place[n];
+  return centre / mass;
 }
 
 }  // namespace
@@ -57,58 +23,61 @@ void check_yields(const SpaceMember& member, double young, double length, bool c
 /// The initial skin becomes the pieces of the body, for bearings that must be near it.
 void SolidModelBuilder::check_frame(SolidSpec& spec, const std::string& owner) const {
   begin_at_blocks(*spec.frame);
-  check_space_frame(*spec.frame, owner);
-  refuse_idle_holds(spec.supports, node_places(*spec.frame), owner);
+  const FramePlanOf<3> plan = plan_frame(*spec.frame, owner);
+  refuse_idle_holds(spec.supports, plan.node, owner);
   if (spec.density) require_positive(*spec.density, owner + ": density", "kg/m3");
   if (spec.mass) require_positive(*spec.mass, owner + ": mass", "kg");
   if (spec.density && spec.mass) throw InputError(owner + ": both density and mass are given; keep one");
-  for (const SpaceMember& m : spec.frame->members) {
-    const std::string& name = material_of(spec, m);
-    const Material* const material = material_called(materials_, name);
-    if (material == nullptr || !material->solid)
-      throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
-                                   name.empty() ? "it" : "'" + name + "'"));
-    if (!material->solid->is_elastic())
-      throw InputError(
-          fmt::format("{}: members need an elastic material, and '{}' is not elastic ({}); let members "
-                      "yield by a fibre_section or an end_hinge",
-                      owner, name, describe(*material->solid)));
-    const double young = std::visit([](const auto& l) { return l.young; }, material->solid->law);
-    check_yields(m, young, length_of(*spec.frame, m) / m.divisions, spec.frame->consistent,
-                 fmt::format("{}: member '{}'", owner, name_of(*spec.frame, m)));
-  }
-  spec.pieces.clear();
-  for (const SpaceJoint& joint : spec.frame->joints)
-    if (joint.has_block()) spec.pieces.push_back(joint.block);
-  for (std::size_t m = 0; m < spec.frame->members.size(); ++m)
-    for (const SkinStretch& stretch : skin_stretches(*spec.frame, m))
-      for (const Polyhedron& solid : skin_solids(*spec.frame, m, stretch)) spec.pieces.push_back(solid);
+  check_member_materials(*spec.frame, spec.material, materials_, owner);
+  spec.pieces = skin_solids(*spec.frame, plan);
 }
 
-/// If the body's mass is given, all masses of members are scaled to it.
 SpaceFrameBody SolidModelBuilder::frame_body(const SolidSpec& spec) const {
-  SpaceFrameBody out;
-  out.name = spec.name, out.frame = *spec.frame, out.velocity = spec.velocity, out.spin = spec.spin;
-  out.support = spec.support, out.supports = spec.supports;
-  const Material* const own = material_called(materials_, spec.material);
-  out.density = spec.density.value_or(own == nullptr ? 0 : own->density);
-  double sum = 0;
-  for (const SpaceMember& m : out.frame.members) {
-    const Material& material = *material_called(materials_, material_of(spec, m));
-    const auto [young, poisson] =
-        std::visit([](const auto& l) { return std::pair(l.young, l.poisson); }, material.solid->law);
-    out.material.push_back({spec.density.value_or(material.density) * m.section.area,
-                            {young, young / (2 * (1 + poisson)), m.shear},
-                            material.solid->damping(),
-                            material.band,
-                            material.solid->strain_limit});
-    sum += out.material.back().mass * length_of(out.frame, m);
+  const std::string owner = "body '" + spec.name + "'";
+  const FrameMass mass{spec.material, spec.density, spec.mass};
+  return {spec.name,
+          *spec.frame,
+          plan_frame(*spec.frame, owner),
+          member_materials(*spec.frame, mass, materials_, owner),
+          block_density(mass, materials_),
+          spec.velocity,
+          spec.spin,
+          spec.support,
+          spec.supports};
+}
+
+int SpaceBuilder::add(const SpaceFrameBody& body) {
+  require_new_body(body.name);
+  const auto index = static_cast<int>(model_.bodies.size());
+  Body row;
+  row.name = body.name, row.kind = BodyKind::frame;
+  row.first_node = model_.nodes(), row.nodes = static_cast<int>(body.plan.node.size());
+  row.first_skin = static_cast<int>(model_.skin_place.size()), row.first_piece = model_.pieces();
+  const std::vector<NodeMass<3>> nodes = node_masses(body, 0);
+  append_nodes(body, nodes, centre_of_mass(nodes, body.plan.node), model_);
+  std::array<int, Space<3>::dofs> no_drive;
+  no_drive.fill(-1);
+  model_.drive_of.resize(static_cast<std::size_t>(model_.nodes()), no_drive);
+  model_.element_bound.resize(static_cast<std::size_t>(index) + 1);
+  append_beams(body, index, row.first_node, model_);
+  if (model_.piece_first.empty()) model_.piece_first.push_back(0);
+  const std::vector<UnitQuaternion> rotation(model_.start_rotation.begin() + row.first_node,
+                                             model_.start_rotation.end());
+  Vec3 low = Vec3::Constant(unbounded), high = -low;
+  for (const auto& [node, piece] : skin_pieces(body, rotation)) {
+    add_piece(piece, row.first_node + node, index);
+    const Turn3 turn = turn_of(rotation[static_cast<std::size_t>(node)]);
+    for (const Vec3& x : piece.shape.corners) {
+      const Vec3 corner = body.plan.node[static_cast<std::size_t>(node)] + turn.apply(x);
+      low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+    }
   }
-  if (spec.mass)
-    for (SpaceMemberMaterial& made : out.material) made.mass *= *spec.mass / sum;
-  for (const SpaceMemberMaterial& made : out.material)
-    require_positive(made.mass, fmt::format("body '{}': mass of its members", spec.name), "kg/m");
-  return out;
+  model_.body_radius.push_back(0.5 * (high - low).norm());
+  row.pieces = model_.pieces() - row.first_piece;
+  row.skins = static_cast<int>(model_.skin_place.size()) - row.first_skin;
+  model_.surfaces = std::max(model_.surfaces, row.surface + 1);
+  model_.bodies.push_back(row);
+  return index;
 }
 
 }  // namespace trilith

@@ -9,11 +9,11 @@
 
 #include "geometry/space/polyhedron.hpp"
 #include "model/builder/bearing_spec.hpp"
+#include "model/builder/frame_rows.hpp"
 #include "model/contact/contact_rules.hpp"
 #include "model/material.hpp"
 #include "model/model.hpp"
 #include "model/names.hpp"
-#include "model/space_builder/space_frame.hpp"
 #include "model/space_builder/space_solid.hpp"
 #include "model/state.hpp"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/space/polyhedron.hpp"
+#include "model/builder/frame_rows.hpp"
 #include "model/model.hpp"
 #include "model/names.hpp"
-#include "model/space_builder/space_frame.hpp"
 #include "model/space_builder/space_solid.hpp"
 
 namespace trilith {

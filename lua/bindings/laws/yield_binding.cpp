@@ -2,7 +2,7 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/law_values.hpp"
 #include "bindings/geometry/part_reading.hpp"
-#include "bindings/model/space_frame_binding.hpp"
+#include "bindings/model/frame_binding.hpp"
 
 namespace trilith::script {
 namespace {

@@ -3,16 +3,18 @@
 #include <cmath>
 
 #include "assembly/element/element_stress.hpp"
+#include "assembly/whole_body.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/handles.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "bindings/geometry/bridge_book.hpp"
 #include "bindings/model/body_motion.hpp"
+#include "bindings/model/frame_binding.hpp"
 #include "bindings/model/model_binding.hpp"
-#include "bindings/model/space_frame_binding.hpp"
 #include "bindings/readings/body_reading.hpp"
 #include "bindings/readings/reaction_binding.hpp"
 #include "model/contact/skin_places.hpp"
+#include "model/element_place.hpp"
 #include "model/pose.hpp"
 
 namespace trilith::script {
@@ -225,6 +227,28 @@ const std::array body_properties{
     BodyProperty{"resting", "", "true after the still_time of the model at rest", nullptr,
                  [](lua_State* L, const BodyHandle& b) { lua_pushboolean(L, b.model().is_resting(b.index) ? 1 : 0); }},
 };
+
+void push_place(lua_State* L, const Vec3& at) {
+  for (int k = 0; k < 3; ++k) lua_pushnumber(L, at[k]);
+}
+
+/// body:point "joint" or body:point{x, y, z}: present x, y and z of the point that was there at the start.
+int push_space_point(lua_State* L, SpaceModel& m, int body) {
+  const auto at = vector_at(L, 2);
+  const bool named = lua_type(L, 2) == LUA_TSTRING;
+  if (!named && !at)
+    throw InputError(fmt::format("point: takes {{x, y, z}} or the name of a joint; this is {}", what_is(L, 2)));
+  const Vec3 start = named ? joint_start(m.spec(body), text_at(L, 2)) : *at;
+  const Simulation<3>* const run = m.if_built();
+  if (run == nullptr || !m.has_body(body)) return push_place(L, start), 3;
+  const Model<3>& model = run->model();
+  if (is_of_elements(model.bodies[static_cast<std::size_t>(body)]))
+    return push_place(L, element_place(model, run->state(), body, start)), 3;
+  const Attachment<3> attachment = tie_point(model, body, start);
+  const trilith::BodyMotion now = trilith::motion_of(model, run->state(), attachment.node[0]);
+  push_place(L, now.place + turn_of(now.rotation).apply(attachment.arm[0]));
+  return 3;
+}
 
 /// body:point{x, y} or body:point "joint": present position of the point that was there at the start.
 int body_point(lua_State* L) {

@@ -55,8 +55,10 @@ struct SpacePortal {
           frame.joints[static_cast<std::size_t>(to)].place - frame.joints[static_cast<std::size_t>(from)].place;
       const Vec3 out = turn.apply(Vec3(0, 1, 0));
       member.orientation = across ? out : cross(way, out);
-      if (begins) member.hinge[0] = law;
-      if (ends) member.hinge[1] = law;
+      MemberHinges hinges;
+      if (begins) hinges.end[0] = law;
+      if (ends) hinges.end[1] = law;
+      if (begins || ends) member.yields = hinges;
       if (!fixed && name[0] != 'b') member.pinned[0] = true;
       frame.members.push_back(member);
     };
@@ -104,7 +106,7 @@ Model<3> post_in(const UnitQuaternion& world, const HingeLaw& law, double dampin
   SolidSpec spec = chain_body("post", {Vec3::Zero(), turn.apply(Vec3(0, 0, post_height))}, plain_section(0.3, 0.4), 3);
   spec.frame->joints[0].support = clamped;
   spec.frame->joints[1].mass = 1e4, spec.frame->joints[1].inertia = 2e3;
-  spec.frame->members[0].orientation = turn.x(), spec.frame->members[0].hinge[0] = law;
+  spec.frame->members[0].orientation = turn.x(), spec.frame->members[0].yields = MemberHinges{{law, std::nullopt}};
   return of_space_frames(member_material(2400, 30e9, 0.2, damping), {spec});
 }
 

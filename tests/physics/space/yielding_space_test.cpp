@@ -43,7 +43,7 @@ Model<3> column_in(const UnitQuaternion& world, double damping, int divisions = 
   spec.frame->joints[0].support = clamped;
   spec.frame->joints[1].mass = 2e4, spec.frame->joints[1].inertia = 1e3;
   SpaceMember& member = spec.frame->members[0];
-  member.orientation = turn.x(), member.fibres = fibres_of(0.01, cells);
+  member.orientation = turn.x(), member.yields = fibres_of(0.01, cells);
   return of_space_frames(member_material(7850, steel_modulus, 0.3, damping), {spec});
 }
 constexpr std::size_t column_top = 1;
