@@ -64,29 +64,36 @@ local function read_entry(row, page, shared)
   return entry
 end
 
--- Builders of the page, then builders declared in engine/build. The declaration of a function of the model
--- (`model:span`) takes precedence over the declaration of a builder with the same name.
+local function sentence_of(builder) return builder.doc:gsub("^%l", string.upper) .. "." end
+
+-- Builders of the plane, declared in engine/build/plane. The declaration of a function of the model (`model:span`) takes
+-- precedence over the declaration of a builder with the same name.
 local function add_makers(manual, page, shared)
-  local makers = table.move(page.makers, 1, #page.makers, 1, {})
-  for _, builder in ipairs(core.builders()) do
-    makers[#makers + 1] = { builder.name, builder.doc:gsub("^%l", string.upper) .. ".", keys = builder.keys,
+  for _, builder in ipairs((core.builders())) do
+    local row = { builder.name, sentence_of(builder), keys = builder.keys,
       parts_only = manual.by_name["model:" .. builder.name] ~= nil }
-  end
-  for _, row in ipairs(makers) do
     for _, owner in ipairs { "model:", "trilith.build." } do
       local single = rawget(manual.module, row[1]) ~= nil
       local of_model = owner == "model:"
       if not (of_model and row.parts_only) then
-        manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, beside = row.beside, also = row.also,
-          example = of_model and row.example or nil, made = true,
+        manual.add(read_entry({ owner .. row[1], row[2], keys = row.keys, made = true,
           with = of_model and (single and "body" or "bodies") or nil,
           gives = not of_model and "part[]" or single and "body" or "set" }, page, shared))
       end
     end
     if rawget(manual.module, row[1]) then
       manual.add(read_entry({ "trilith." .. row[1], row[2] .. " Returns one part, for the shape of a body.",
-        keys = row.keys, beside = row.beside, made = true, gives = "part" }, page, shared))
+        keys = row.keys, made = true, gives = "part" }, page, shared))
     end
+  end
+end
+
+-- Builders of space, declared in engine/build/space.
+local function add_makers_in_space(manual, page, shared)
+  local _, builders = core.builders()
+  for _, builder in ipairs(builders) do
+    manual.add(read_entry({ "space:" .. builder.name, sentence_of(builder), keys = builder.keys,
+      with = builder.single and "solid" or "solids", gives = builder.single and "body" or "set" }, page, shared))
   end
 end
 
@@ -186,7 +193,8 @@ function console.manual()
   for _, page in ipairs(pages) do
     manual.pages[#manual.pages + 1] = page
     for _, row in ipairs(page) do manual.add(read_entry(row, page, shared)) end
-    if page.makers then add_makers(manual, page, shared) end
+    if page.has_makers then add_makers(manual, page, shared) end
+    if page.has_makers_in_space then add_makers_in_space(manual, page, shared) end
     if page.tables then add_tables(manual, page) end
     if page.has_events then add_events(manual, page) end
     if page.has_laws then add_laws(manual) end

@@ -1,37 +1,6 @@
 return {
   name = "geometry", title = "Builders: parts of masonry and bridges",
-  makers = {
-    { "ground", "Ground under a surface line.", keys = [[
-name        text?      name
-surface     points?    top of the ground, from left to right; or steps
-steps       list?      { { from = , level = }, ... }
-to          number m?  end of the last step
-base_level  number m   bottom of the ground]], beside = { to = true } },
-    { "pier", "A pier of footing, stem and cap.", keys = [[
-name               text?         name
-station            number m      position of the axis along the bridge
-ground_level       number m = 0  top of the ground
-height             number m      height above the ground  <above 0>
-stem_width         number m = the top's  width of the stem; not needed with seat and gap
-top_width          number m = the stem's  width of the cap
-cap_thickness      number m = 0  thickness of the cap  <at least 0>
-footing_width      number m = 0  width of the footing  <at least 0>
-footing_thickness  number m = 0  thickness of the footing  <at least 0>
-seat               number m?     length of each of the two seats; the top is as wide as both and the joint  <at least 0>
-gap                number m?     joint between the two decks on the pier  <at least 0>]] },
-    { "abutment", "A stub abutment with a back wall.", keys = [[
-name              text?          name
-side              text = "left"  "left" or "right"
-x                 number m?      edge of the seat; or station
-station           number m?      middle of the joint between deck and back wall; needs seat and gap
-ground_level      number m = 0   bottom of the abutment
-height            number m       height of the seat above the bottom  <above 0>
-width             number m       total width
-back_wall_height  number m = 0  height of the back wall above the seat  <at least 0>
-back_wall_width   number m = from seat and gap  width of the back wall; or seat and gap
-seat              number m?      length of the seat under the deck  <at least 0>
-gap               number m?      joint between deck and back wall  <at least 0>]] },
-  },
+  has_makers = true,
   { "model:span", "A deck on two supports, which give its position, seats and bearings; or a deck alone, between "
     .. "x0 and x1. Seats, and bearings of types with a law, have names such as \"S1.left\": span.seats.left, "
     .. "span.bearings.right.", keys = [[

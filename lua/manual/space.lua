@@ -1,9 +1,5 @@
-local beams = 'beams of each floor, or a list of such rows: { along = "x" or "y", spacing = or count = , width = , '
-  .. "height = whole courses (1), bearing = length in the walls (default: through them), from = {x, y}, to = {x, y} }. "
-  .. "false in a storey: none"
-
 return {
-  name = "space", title = "Models in space: dim = 3",
+  name = "space", title = "Models in space: dim = 3", has_makers_in_space = true,
   shared = {
     solid = [[
 material     text?            material
@@ -51,141 +47,6 @@ joints   table  { A = {x, y, z}, B = { at = , support = , mass = , inertia = }, 
 members  list   { { from = , to = , section = , orientation = , from_at = , to_at = , hinge = , ... }, ... }
 mass_matrix  text = "lumped"  "lumped" or "consistent"; explicit steps always use lumped mass]],
     with = "solid", gives = "body" },
-  { "space:block", "A box in any pose.", keys = [[
-name    text                   name
-size    vector                 size along its own x, y and z [m]
-at      vector = {0, 0, 0}     position of the anchor
-anchor  text = "lower_corner"  "lower_corner" or "centre"
-turn    table?                 rotation about the anchor: { axis = {x, y, z}, angle = }]], with = "solid",
-    gives = "body" },
-  { "space:extrusion", "An outline extruded along an axis. A concave outline gives several pieces.", keys = [[
-name     text                name
-outline  points              corners in order
-plane    text = "upright"    "upright": outline in x and z, depth along y; "level": outline in x and y, depth along z
-from     number m = 0        begin along that axis
-depth    number m            depth along that axis  <above 0>
-centred  flag = false        `from` is the middle of the depth
-at       vector = {0, 0, 0}  origin of the outline
-turn     table?              rotation about `at`: { axis = , angle = }]], with = "solid", gives = "body" },
-  { "space:hull", "The convex hull of points.", keys = [[
-name    text       name
-points  vectors    at least four points, not in a plane
-flat    number = 1e-9  distance from a plane, as a share of the size, below which points are in it  <1e-12 to 0.01>]],
-    with = "solid",
-    gives = "body" },
-  { "space:prism", "An upright regular prism.", keys = [[
-name    text                name
-sides   integer = 6         number of sides  <3 to 1000>
-radius  number m            radius of the circle through the corners  <above 0>
-height  number m            height  <above 0>
-phase   number rad = 0      angle of the first corner, from x
-at      vector = {0, 0, 0}  middle of the foot
-turn    table?              rotation about `at`: { axis = , angle = }]], with = "solid", gives = "body" },
-  { "space:column", "A column of drums, with base and capital.", keys = [[
-name        text?               prefix of names
-drums       integer = 1         number of drums  <1 to 10000>
-height      number m            height of all drums  <above 0>
-sides       integer = 16        number of sides of a drum  <3 to 1000>
-radius      number m            radius at the foot  <above 0>
-top_radius  number m = as the foot  radius at the top  <at least 0>
-of          text = "area"       circle of the radii: equal "area", through the "corners", or within the "sides"
-phase       number rad = 0      angle of the first corners, from x
-base        table?              { width = , height = } under the drums
-capital     table?              { width = , height = } on the drums
-at          vector = {0, 0, 0}  middle of the foot]], with = "solids", gives = "set" },
-  { "space:wall", "A masonry wall with a thickness, along x.", keys = [[
-name            text?                prefix of names
-length          number m             length along x  <above 0>
-thickness       number m = half a unit's length  thickness along y; with headers the length of a unit  <at least 0>
-unit_length     number m = 0.4       length of a stretcher with its joint  <above 0>
-unit_height     number m = 0.2       height of a course  <above 0>
-header_length   number m = half a stretcher  length of a header along the wall  <at least 0>
-bond            text = "stretcher"   stretcher, header, english or flemish
-courses         integer = from storey_height  number of courses in a storey; or  <1 to 100000>
-storey_height   number m = from courses  height of a storey
-storeys         storeys = 1          number of storeys, or a list of { courses = , height = , slab_height = }
-slab_height     number m = 0         height of the floor slab on each storey  <at least 0>
-slab_overhang   number m = 0         length of slabs beyond the walls  <at least 0>
-base_height     number m = 0         height of the base  <at least 0>
-base_margin     number m = 0         length of the base beyond the walls  <at least 0>
-lintel_height   number m = one course  height of lintels  <at least 0>
-lintel_bearing  number m = half a unit  bearing length of lintels  <at least 0>
-least_length    number m = a fifth of a unit  length of the shortest cut piece  <at least 0>
-snap            flag = false         move openings to the nearest course lines
-openings        list?                { storey = , from = , sill = , width = , height = , lintel = }, ...
-at              vector = {0, 0, 0}   lower left corner of the front
-angle           number rad = 0       rotation about z through that corner]], with = "solids", gives = "set" },
-  { "space:building", "Walls of a plan in storeys, with interlocking corners and junctions. Floors are slabs, "
-    .. "beams in pockets of two walls, or slabs on beams.", keys = [[
-name            text?                prefix of names
-walls           list                 { name = , from = {x, y}, to = {x, y}, thickness = , bond = , openings = }, ...
-unit_length     number m = 0.4       length of a stretcher with its joint  <above 0>
-unit_height     number m = 0.2       height of a course  <above 0>
-header_length   number m = half a stretcher  length of a header along the wall  <at least 0>
-bond            text = "stretcher"   stretcher, header, english or flemish
-courses         integer = from storey_height  number of courses in a storey; or
-storey_height   number m = from courses  height of a storey
-storeys         storeys = 1          number of storeys, or a list of { courses = , height = , slab_height = , beams = }
-slab_height     number m = 0         height of the floor slab on each storey  <at least 0>
-beams           table?               ]] .. beams .. [[
-
-slab_overhang   number m = 0         length of slabs beyond the walls  <at least 0>
-slab_outline    points = around all walls  outline of the floors
-base_height     number m = 0         height of the base  <at least 0>
-base_margin     number m = 0         length of the base beyond the walls  <at least 0>
-lintel_height   number m = one course  height of lintels  <at least 0>
-lintel_bearing  number m = half a unit  bearing length of lintels  <at least 0>
-least_length    number m = a fifth of a unit  length of the shortest cut piece  <at least 0>
-snap            flag = false         move openings to the nearest course lines
-first_along_y   flag = false         walls along y run through in odd courses
-at              vector = {0, 0, 0}   position of the origin of the plan
-angle           number rad = 0       rotation about z through that point]], with = "solids", gives = "set" },
-  { "space:vault", "A barrel vault of stones in bond: the arch of model:arch, extended along y.", keys = [[
-name             text?               prefix of names
-voussoirs        integer = 15  number of voussoirs of the arch  <1 to 10000>
-radius           number m = 1  radius of the centre line  <above 0>
-thickness        number m = 0.15  thickness of the ring  <above 0>
-half_angle       number rad = pi/2  half of the opening angle  <above 0>
-offset           number m = 0  offset of the two centres of a pointed arch  <at least 0>
-span             number m?           instead of radius: clear span, with rise
-rise             number m?           clear rise, with span
-abutments        flag = true  make abutments
-abutment_depth   number m = the thickness  depth of the abutments  <above 0>
-abutment_margin  number m = half the thickness  width of the abutments beyond the ring
-stone_length     number m            length of a stone along y  <above 0>
-stones           integer = 1         number of whole stones in a course  <1 to 10000>
-bond             flag = true         joints shift from course to course
-half_first       flag = false        the first course begins with half a stone
-from             number m = 0        y of the start
-at               vector = {0, 0, 0}  translation]], with = "solids", gives = "set" },
-  { "space:cross_vault", "Two barrels that meet along the diagonals of a square bay.", keys = [[
-name             text?               prefix of names
-voussoirs        integer = 15  number of voussoirs of the arch  <1 to 10000>
-radius           number m = 1  radius of the centre line  <above 0>
-thickness        number m = 0.15  thickness of the ring  <above 0>
-half_angle       number rad = pi/2  half of the opening angle  <above 0>
-offset           number m = 0  offset of the two centres of a pointed arch  <at least 0>
-span             number m?           instead of radius: clear span, with rise
-rise             number m?           clear rise, with span
-abutments        flag = true  not used
-abutment_depth   number m = the thickness  not used
-abutment_margin  number m = half the thickness  not used
-half_bay         number m = to the arch's edge  distance from the middle to each end  <at least 0>
-stone_length     number m            length of a stone along each web  <above 0>
-bond             flag = true         joints shift from course to course
-at               vector = {0, 0, 0}  middle of the bay
-angle            number rad = 0      rotation about z]], with = "solids", gives = "set" },
-  { "space:dome", "A dome of rings and sectors of stones with plane faces.", keys = [[
-name       text?               prefix of names
-radius     number m = 1        radius of the middle surface  <above 0>
-thickness  number m = 0.1      thickness  <above 0>
-rings      integer = 8         number of rings  <1 to 1000>
-sectors    integer = 16        number of sectors  <3 to 1000>
-springing  number rad = pi/2  angle of the lowest bed from the vertical; default a hemisphere  <above 0>
-crown      number rad = pi/18  angle of the uppermost bed, 10 degrees by default  <above 0>
-top        text = "key"        "key" or "oculus"
-phase      number rad = 0      angle of the first joint, from x
-centre     vector = {0, 0, 0}  centre of the sphere]], with = "solids", gives = "set" },
   { "space:bearing_type", "A type of bearing for the ends of spans. Without a law the deck slides on its seat, as "
     .. "on an expansion bearing.", keys = [[
 name            text            name
@@ -218,46 +79,6 @@ ground        table or body?  { thickness = 1, margin = 1 }: a fixed block under
 abutment      table?         default keys of both abutments
 pier          table?         default keys of all piers
 span          table?         default keys of all spans]], gives = "table" },
-  { "space:rubble", "Irregular stones that fill a box.", keys = [[
-name         text?         prefix of names
-low          vector        corner of the box
-high         vector        opposite corner
-stones       integer = 50  number of stones  <1 to 10000>
-relaxations  integer = 3   number of relaxations; more give more even stones  <0 to 100>
-aspect       number = 1    width of stones over height  <0.1 to 10>
-joint        number m = 0  gap between stones  <at least 0>
-jitter       number m = 0  largest random shift of points  <at least 0>
-seed         integer = 1   seed of the random numbers]], with = "solids", gives = "set" },
-  { "space:sphere", "A sphere.", keys = [[
-name    text                name
-radius  number m            radius  <above 0>
-at      vector = {0, 0, 0}  centre]], with = "solid", gives = "body" },
-  { "space:clump", "Overlapping or touching spheres as one body. Its mass is the mass of their union. Each "
-    .. "sphere has its own contacts.", keys = [[
-name     text                name
-spheres  list                { { at = {x, y, z}, radius = }, ... }, relative to its own origin
-at       vector = {0, 0, 0}  position of that origin
-turn     table?              rotation about it: { axis = {x, y, z}, angle = }]], with = "solid", gives = "body" },
-  { "space:pour", "Spheres, or clumps of one shape, at random in a box without contact, ready to fall.",
-    keys = [[
-name     text?            prefix of names
-low      vector           corner of the box
-high     vector           opposite corner
-count    integer = 100    number of bodies  <1 to 200000>
-radius   number or list   radius of all, or { least, greatest } [m]  <above 0>
-grading  text = "number"  uniform distribution of the radii by "number" or by "mass"
-clump    list?            { { at = {x, y, z}, radius = }, ... }: a shape, scaled to the size of a sphere of the radius
-share    number = 1       share of clumps among the bodies, with a shape  <0 to 1>
-seed     integer = 1      seed of the random numbers]], with = "solids", gives = "set" },
-  { "space:solids", "Solids of an OBJ or STL file.", keys = [[
-name               text?           prefix of names
-file               text            path, relative to the folder of the script
-scale              number = 1      metres for each unit of the file  <above 0>
-y_up               flag = false    y is the vertical axis of the file
-shells_are_bodies  flag = false    each closed shell is a body, instead of a piece of one
-weld               number = 1e-7  distance below which corners are merged, as a share of the size  <0 to 0.01>
-flat               number = 1e-6  distance from a plane below which faces are in it, over the size  <1e-12 to 0.01>]],
-    with = "solids", gives = "set" },
   { "space:body", "Makes a body of hulls. With only a name, returns the body of that name.",
     args = "name  text?  name of a body; or the table",
     keys = [[

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <numbers>
 
-#include "build/plane/drum.hpp"
 #include "build/sound_parts.hpp"
 #include "build/sound_solids.hpp"
 #include "build/space/building.hpp"
 #include "build/space/dome.hpp"
+#include "build/space/drum.hpp"
 #include "build/space/solid_block.hpp"
 
 using namespace trilith;

@@ -1,4 +1,4 @@
-#include "build/plane/drum.hpp"
+#include "build/space/drum.hpp"
 
 #include <doctest/doctest.h>
 

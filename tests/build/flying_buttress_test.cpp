@@ -1,5 +1,5 @@
 // Half an arch between a pier and a wall: position of its joints, and rejected input.
-#include "build/space/flying_buttress.hpp"
+#include "build/plane/flying_buttress.hpp"
 
 #include <doctest/doctest.h>
 

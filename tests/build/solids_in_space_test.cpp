@@ -1,10 +1,10 @@
 // A model in space accepts the parts of every builder as bodies.
 #include <doctest/doctest.h>
 
-#include "build/plane/drum.hpp"
 #include "build/space/building.hpp"
 #include "build/space/cross_vault.hpp"
 #include "build/space/dome.hpp"
+#include "build/space/drum.hpp"
 #include "build/space/solid_block.hpp"
 #include "build/space/solid_rubble.hpp"
 #include "model/space_builder/space_builder.hpp"

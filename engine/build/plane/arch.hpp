@@ -68,6 +68,31 @@ struct Arch {
   [[nodiscard]] std::vector<Part> parts() const;
 };
 
+/// Keys of the arch that is the profile of a vault: the keys of an arch in the plane without its position and jitter.
+struct ProfileKeys {
+  static constexpr auto keys() {
+    using K = KeysOf<Arch>;
+    return std::tuple(
+        K::Count{&Arch::voussoirs, "voussoirs", "number of voussoirs of the arch", 1, 10000},
+        K::Number{&Arch::radius, "radius", "m", "radius of the centre line", above_zero},
+        K::Number{&Arch::thickness, "thickness", "m", "thickness of the ring", above_zero},
+        K::Number{&Arch::half_angle, "half_angle", "rad", "half of the opening angle", above_zero, {"pi/2"}},
+        K::Number{&Arch::offset, "offset", "m", "offset of the two centres of a pointed arch", not_below_zero},
+        K::MaybeNumber{&Arch::span, "span", "m", "instead of radius: clear span, with rise", above_zero},
+        K::MaybeNumber{&Arch::rise, "rise", "m", "clear rise, with span", above_zero}, Together{"span", "rise"},
+        Instead{"span", {"radius", "half_angle", "offset"}, "span and rise", "radius, half_angle and offset"},
+        K::Flag{&Arch::abutments, "abutments", "make abutments; not for cross vaults"},
+        K::Number{
+            &Arch::abutment_depth, "abutment_depth", "m", "depth of the abutments", any_number, {"the thickness"}},
+        K::Number{&Arch::abutment_margin,
+                  "abutment_margin",
+                  "m",
+                  "width of the abutments beyond the ring",
+                  any_number,
+                  {"half the thickness"}});
+  }
+};
+
 /// Sets radius, half angle and offset for a clear span and rise of the intrados [m]. The arch is segmental for a rise
 /// below half of the span, a semicircle for equality, and pointed with level springings above. The thickness must be
 /// set. Throws InputError for sizes that are not above 0.

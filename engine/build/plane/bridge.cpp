@@ -165,6 +165,14 @@ Part build_span(const Span& span) {
   return {span.name, rectangle({left, soffit}, {right, soffit + span.depth}), {"spans"}};
 }
 
+std::vector<Part> Pier::parts() const {
+  return {build_pier(*this)};
+}
+
+std::vector<Part> Abutment::parts() const {
+  return {build_abutment(*this)};
+}
+
 std::vector<Part> Span::parts() const {
   return {build_span(*this)};
 }

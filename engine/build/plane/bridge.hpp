@@ -26,6 +26,37 @@ struct Pier {
   double seat = 0;  ///< length of each of its two seats [m], with `gap`: the top contains both seats and the joint, and
                     ///< is the stem's width too if that is not given. 0: determined by the widths
   std::optional<double> gap = std::nullopt;  ///< joint between the decks on it [m]; none: the spans determine it
+
+  static constexpr std::string_view kind = "pier";
+  static constexpr std::string_view sentence = "a pier of footing, stem and cap";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<Pier>;
+    return std::tuple(
+        K::Number{&Pier::x, "station", "m", "position of the axis along the bridge", any_number, must_be_given},
+        K::Number{&Pier::ground_level, "ground_level", "m", "top of the ground"},
+        K::Number{&Pier::height, "height", "m", "height above the ground", above_zero, must_be_given},
+        K::Number{&Pier::stem_width,
+                  "stem_width",
+                  "m",
+                  "width of the stem; not needed with seat and gap",
+                  not_below_zero,
+                  {"the top's"}},
+        K::Number{&Pier::top_width, "top_width", "m", "width of the cap", not_below_zero, {"the stem's"}},
+        K::Number{&Pier::cap_thickness, "cap_thickness", "m", "thickness of the cap", not_below_zero},
+        K::Number{&Pier::footing_width, "footing_width", "m", "width of the footing", not_below_zero},
+        K::Number{&Pier::footing_thickness, "footing_thickness", "m", "thickness of the footing", not_below_zero},
+        K::Number{&Pier::seat,
+                  "seat",
+                  "m",
+                  "length of each of the two seats; the top is as wide as both and the joint",
+                  not_below_zero,
+                  {"from the widths"}},
+        K::MaybeNumber{&Pier::gap, "gap", "m", "joint between the two decks on the pier", not_below_zero},
+        OneOf{"stem_width", "seat", "a number in m, or seat and gap"});
+  }
+  /// build_pier.
+  [[nodiscard]] std::vector<Part> parts() const;
 };
 
 /// The pier with the widths that follow from `seat` and `gap`. Throws InputError if only one of them is usable, if the
@@ -54,6 +85,36 @@ struct Abutment {
   std::optional<double> axis = std::nullopt;  ///< middle of the joint between deck and back wall [m], instead of `x`
   double seat = 0;                            ///< length of the seat [m], with `gap`, instead of the back wall's width
   std::optional<double> gap = std::nullopt;   ///< joint between deck and back wall [m]; none: the span determines it
+
+  static constexpr std::string_view kind = "abutment";
+  static constexpr std::string_view sentence = "a stub abutment with a back wall";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<Abutment>;
+    return std::tuple(
+        K::Choice<AbutmentSide, 2>{&Abutment::side, "side", "end of the bridge", {"left", "right"}},
+        K::Number{&Abutment::x, "x", "m", "edge of the seat; or station", any_number, {"from station"}},
+        K::MaybeNumber{&Abutment::axis, "station", "m",
+                       "middle of the joint between deck and back wall; needs seat and gap"},
+        OneOf{"x", "station", "a number in m, the edge of the seat, or station",
+              ": the edge of the seat, or the position of the axis"},
+        K::Number{&Abutment::ground_level, "ground_level", "m", "bottom of the abutment"},
+        K::Number{&Abutment::height, "height", "m", "height of the seat above the bottom", above_zero, must_be_given},
+        K::Number{&Abutment::width, "width", "m", "total width", above_zero, must_be_given},
+        K::Number{&Abutment::back_wall_height, "back_wall_height", "m", "height of the back wall above the seat",
+                  not_below_zero},
+        K::Number{&Abutment::back_wall_width,
+                  "back_wall_width",
+                  "m",
+                  "width of the back wall; or seat and gap",
+                  not_below_zero,
+                  {"from seat and gap"}},
+        K::Number{
+            &Abutment::seat, "seat", "m", "length of the seat under the deck", not_below_zero, {"from the widths"}},
+        K::MaybeNumber{&Abutment::gap, "gap", "m", "joint between deck and back wall", not_below_zero});
+  }
+  /// build_abutment.
+  [[nodiscard]] std::vector<Part> parts() const;
 };
 
 /// The abutment with the front face and the back wall width that follow from `axis`, `seat` and `gap`. Throws

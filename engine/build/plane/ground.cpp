@@ -49,4 +49,11 @@ std::vector<Vec2> stepped_surface(const std::vector<GroundStep>& steps, double e
   return surface;
 }
 
+BuiltParts GroundProfile::parts() const {
+  GroundProfile ground = *this;
+  if (!steps.empty()) ground.surface = stepped_surface(steps, to.value_or(0));
+  PolygonPart made = build_ground_profile(ground);
+  return {{std::move(made.part)}, std::move(made.notes)};
+}
+
 }  // namespace trilith

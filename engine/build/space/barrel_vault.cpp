@@ -56,4 +56,11 @@ std::vector<SolidPart> build_barrel_vault(const BarrelVault& vault) {
   return parts;
 }
 
+SolidParts BarrelVault::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  BarrelVault vault = *this;
+  vault.arch = with_span_and_rise(arch);
+  return {build_barrel_vault(vault), {}};
+}
+
 }  // namespace trilith

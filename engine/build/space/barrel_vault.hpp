@@ -26,6 +26,24 @@ struct BarrelVault {
   double from = 0;          ///< y of its start [m]
   SolidTurn turn = {};      ///< about the origin, before translation
   Vec3 at = Vec3::Zero();   ///< translation [m]
+
+  static constexpr std::string_view kind = "vault";
+  static constexpr std::string_view sentence =
+      "a barrel vault of stones in bond: the arch of model:arch, extended along y";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<BarrelVault>;
+    return std::tuple(K::Within<Arch, ProfileKeys>{&BarrelVault::arch},
+                      K::Number{&BarrelVault::stone_length, "stone_length", "m", "length of a stone along y",
+                                above_zero, must_be_given},
+                      K::Count{&BarrelVault::stones, "stones", "number of whole stones in a course", 1, 10000},
+                      K::Flag{&BarrelVault::bond, "bond", "joints shift from course to course"},
+                      K::Flag{&BarrelVault::half_first, "half_first", "the first course begins with half a stone"},
+                      K::Number{&BarrelVault::from, "from", "m", "y of the begin"},
+                      K::Vector{&BarrelVault::at, "at", "translation"});
+  }
+  /// build_barrel_vault.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Parts course by course from the left, along y. Stone "c2.s1" (first of the second course) is in groups "voussoirs",

@@ -291,4 +291,14 @@ SolidParts build_solid_wall(const SolidWall& wall) {
   return BuildingCourses(building, std::move(plan)).run();
 }
 
+SolidParts Building::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return build_building(*this);
+}
+
+SolidParts SolidWall::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return build_solid_wall(*this);
+}
+
 }  // namespace trilith

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "build/plane/beam_plan.hpp"
+#include "build/space/beam_plan.hpp"
 #include "geometry/plane/half_plane.hpp"
 
 namespace trilith {
@@ -109,7 +109,9 @@ class Planner {
     require_count(static_cast<int>(b_.storeys.size()), 1, 1000, plan_.owner + ": number of storeys");
     double foot = 0, all = 0;
     for (std::size_t s = 0; s < b_.storeys.size(); ++s) {
-      const MasonryStorey& storey = b_.storeys[s];
+      MasonryStorey storey = b_.storeys[s];
+      if (storey.courses == 0 && storey.height == 0)
+        storey.courses = b_.masonry.courses, storey.height = b_.masonry.storey_height;
       const std::string owner = fmt::format("{}: storey {}", plan_.owner, s + 1);
       const double slab = storey.slab_height < 0
                               ? b_.masonry.slab_height

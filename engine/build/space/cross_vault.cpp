@@ -133,4 +133,11 @@ std::vector<SolidPart> build_cross_vault(const CrossVault& vault) {
   return CrossVaultLayout(vault).run();
 }
 
+SolidParts CrossVault::parts() const {
+  check_keys(*this, builder_title("cross vault", name));
+  CrossVault vault = *this;
+  vault.arch = with_span_and_rise(arch);
+  return {build_cross_vault(vault), {}};
+}
+
 }  // namespace trilith

@@ -29,6 +29,27 @@ struct CrossVault {
   bool bond = true;         ///< every second course begins with half a stone
   Vec3 at = Vec3::Zero();   ///< of the middle of the bay [m]
   double angle = 0;         ///< of the bay about z, counter-clockwise [rad]
+
+  static constexpr std::string_view kind = "cross_vault";
+  static constexpr std::string_view sentence = "two barrels that meet along the diagonals of a square bay";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<CrossVault>;
+    return std::tuple(K::Within<Arch, ProfileKeys>{&CrossVault::arch},
+                      K::Number{&CrossVault::half_bay,
+                                "half_bay",
+                                "m",
+                                "distance from the middle to each end",
+                                not_below_zero,
+                                {"to the arch's edge"}},
+                      K::Number{&CrossVault::stone_length, "stone_length", "m", "length of a stone along each web",
+                                above_zero, must_be_given},
+                      K::Flag{&CrossVault::bond, "bond", "joints shift from course to course"},
+                      K::Vector{&CrossVault::at, "at", "middle of the bay"},
+                      K::Number{&CrossVault::angle, "angle", "rad", "rotation about z"});
+  }
+  /// build_cross_vault.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Parts:

@@ -87,4 +87,9 @@ std::vector<SolidPart> build_dome(const Dome& dome) {
   return parts;
 }
 
+SolidParts Dome::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return {build_dome(*this), {}};
+}
+
 }  // namespace trilith

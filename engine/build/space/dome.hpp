@@ -35,6 +35,31 @@ struct Dome {
   DomeTop top = DomeTop::key;               ///< part within the uppermost bed
   double phase = 0;                         ///< angle of the first joint from x [rad]
   Vec3 centre = Vec3::Zero();               ///< of the spheres [m]
+
+  static constexpr std::string_view kind = "dome";
+  static constexpr std::string_view sentence = "a dome of rings and sectors of stones with plane faces";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<Dome>;
+    return std::tuple(
+        K::Number{&Dome::radius, "radius", "m", "radius of the middle surface", above_zero},
+        K::Number{&Dome::thickness, "thickness", "m", "thickness", above_zero},
+        K::Count{&Dome::rings, "rings", "number of rings", 1, 1000},
+        K::Count{&Dome::sectors, "sectors", "number of sectors", 3, 1000},
+        K::Number{&Dome::springing,
+                  "springing",
+                  "rad",
+                  "angle of the lowest bed from the vertical; default a hemisphere",
+                  above_zero,
+                  {"pi/2"}},
+        K::Number{
+            &Dome::crown, "crown", "rad", "angle of the uppermost bed, 10 degrees by default", above_zero, {"pi/18"}},
+        K::Choice<DomeTop, 2>{&Dome::top, "top", "closure", {"key", "oculus"}},
+        K::Number{&Dome::phase, "phase", "rad", "angle of the first joint, from x"},
+        K::Vector{&Dome::centre, "centre", "centre of the sphere"});
+  }
+  /// build_dome.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// "r2.s5" (second ring from below, fifth sector) in groups "voussoirs", "ring 2", "sector 5" and the dome's name, then

@@ -80,4 +80,29 @@ NotedSolid build_hull(const HullSolid& hull) {
   return out;
 }
 
+namespace {
+
+SolidParts noted_part(NotedSolid solid) {
+  SolidParts made = one_part(std::move(solid.part));
+  made.notes = std::move(solid.notes);
+  return made;
+}
+
+}  // namespace
+
+SolidParts SolidBox::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return one_part(build_box(*this));
+}
+
+SolidParts Extrusion::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return noted_part(build_extrusion(*this));
+}
+
+SolidParts HullSolid::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return noted_part(build_hull(*this));
+}
+
 }  // namespace trilith

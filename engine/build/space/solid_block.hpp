@@ -22,6 +22,23 @@ struct SolidBox {
   BoxAnchor anchor = BoxAnchor::lower_corner;
   SolidTurn turn = {};  ///< about the anchor
   std::vector<std::string> groups = {};
+
+  static constexpr std::string_view kind = "block";
+  static constexpr std::string_view sentence = "a box in any pose";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<SolidBox>;
+    return std::tuple(
+        Refused{"width", "'width' is for blocks in the plane; in space give size = {x, y, z}"},
+        Refused{"height", "'height' is for blocks in the plane; in space give size = {x, y, z}"},
+        K::Vector{&SolidBox::size, "size", "size along its own x, y and z [m]", must_be_given},
+        K::Vector{&SolidBox::at, "at", "position of the anchor"},
+        K::Choice<BoxAnchor, 2>{&SolidBox::anchor, "anchor", "corner or centre", {"lower_corner", "centre"}},
+        K::Table<SolidTurn, TurnKeys>{&SolidBox::turn, "turn", turn_wanted,
+                                      "rotation about the anchor: { axis = {x, y, z}, angle = }"});
+  }
+  /// build_box.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// One piece. Without rotation, and with the lower corner at the origin, its coordinates are 0 and the size to the bit.
@@ -39,6 +56,28 @@ struct Extrusion {
   Vec3 at = Vec3::Zero();  ///< the outline's origin [m]
   SolidTurn turn = {};     ///< about `at`
   std::vector<std::string> groups = {};
+
+  static constexpr std::string_view kind = "extrusion";
+  static constexpr std::string_view sentence =
+      "an outline extruded along an axis. A concave outline gives several pieces";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<Extrusion>;
+    return std::tuple(
+        K::Points{&Extrusion::outline, "outline", "corners in order"},
+        K::Choice<OutlinePlane, 2>{&Extrusion::plane,
+                                   "plane",
+                                   "outline in x and z with depth along y, or in x and y with depth along z",
+                                   {"upright", "level"}},
+        K::Number{&Extrusion::from, "from", "m", "begin along that axis"},
+        K::Number{&Extrusion::depth, "depth", "m", "depth along that axis", above_zero, must_be_given},
+        K::Flag{&Extrusion::centred, "centred", "`from` is the middle of the depth"},
+        K::Vector{&Extrusion::at, "at", "origin of the outline"},
+        K::Table<SolidTurn, TurnKeys>{&Extrusion::turn, "turn", turn_wanted,
+                                      "rotation about `at`: { axis = , angle = }"});
+  }
+  /// build_extrusion.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// A solid, and the repairs of its outline, one line each, see check_polygon.
@@ -71,6 +110,21 @@ struct HullSolid {
   std::vector<Vec3> points = {};  ///< [m], at least 4 that are not in a plane
   double flat = kFlatFace;        ///< see convex_hull; 1e-5 for coordinates rounded to 6 digits; 1e-12 to 0.01
   std::vector<std::string> groups = {};
+
+  static constexpr std::string_view kind = "hull";
+  static constexpr std::string_view sentence = "the convex hull of points";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<HullSolid>;
+    return std::tuple(K::Vectors{&HullSolid::points, "points", "at least four points, not in a plane"},
+                      K::Number{&HullSolid::flat,
+                                "flat",
+                                "1",
+                                "distance from a plane, as a share of the size, below which points are in it",
+                                {1e-12, 0.01}});
+  }
+  /// build_hull.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// One piece with exactly plane faces. If points deviate from the plane of their face by more than kFlatFace, the

@@ -352,4 +352,8 @@ SolidParts read_solids(const std::filesystem::path& path, const SolidFile& how) 
   return ending == ".obj" ? parse_obj(bytes, how, owner) : parse_stl(bytes, how, owner);
 }
 
+SolidParts SolidFile::parts() const {
+  return read_solids(file, *this);
+}
+
 }  // namespace trilith

@@ -21,6 +21,31 @@ struct SolidFile {
   double flat = 1e-6;  ///< faces within this times the solid's size of one plane are merged, 1e-12 to 0.01. Single
                        ///< precision, as in binary STL, has about 1e-7
   std::vector<std::string> groups = {};  ///< of all parts
+  std::filesystem::path file = {};       ///< for parts()
+
+  static constexpr std::string_view kind = "solids";
+  static constexpr std::string_view sentence = "solids of an OBJ or STL file";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<SolidFile>;
+    return std::tuple(K::Path{&SolidFile::file, "file", "path, relative to the folder of the script"},
+                      K::Number{&SolidFile::scale, "scale", "1", "metres for each unit of the file", above_zero},
+                      K::Flag{&SolidFile::y_up, "y_up", "y is the vertical axis of the file"},
+                      K::Flag{&SolidFile::shells_are_bodies, "shells_are_bodies",
+                              "each closed shell is a body, instead of a piece of one"},
+                      K::Number{&SolidFile::weld,
+                                "weld",
+                                "1",
+                                "distance below which corners are merged, as a share of the size",
+                                {0, 0.01}},
+                      K::Number{&SolidFile::flat,
+                                "flat",
+                                "1",
+                                "distance from a plane below which faces are in it, over the size",
+                                {1e-12, 0.01}});
+  }
+  /// read_solids.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Reads the solids of a Wavefront OBJ file, in its order. A body is an object ("o"). It is a group ("g") if the file

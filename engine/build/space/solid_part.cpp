@@ -14,6 +14,12 @@
 
 namespace trilith {
 
+SolidParts one_part(SolidPart part) {
+  SolidParts made;
+  made.parts.push_back(std::move(part));
+  return made;
+}
+
 void require_buildable(double parts, std::string_view what) {
   if (!(parts <= most_parts))
     throw InputError(

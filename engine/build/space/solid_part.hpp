@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "build/builder_keys.hpp"
 #include "build/plane/part.hpp"
 #include "geometry/space/polyhedron.hpp"
 #include "geometry/space/sphere.hpp"
@@ -31,6 +32,9 @@ struct SolidParts {
 /// Limit of the parts of one builder call; more need too much memory and minutes without output.
 inline constexpr double most_parts = 200'000;
 
+/// One part, as the parts of a builder.
+SolidParts one_part(SolidPart part);
+
 /// Throws InputError if a builder would make more than most_parts. `what` begins the message, such as "wall 'w'".
 void require_buildable(double parts, std::string_view what);
 
@@ -43,6 +47,16 @@ struct SolidTurn {
   double angle = 0;                ///< counter-clockwise seen from the axis' tip [rad]
   UnitQuaternion quaternion = {};  ///< of any length but 0
 };
+
+/// Keys of a turn in scripts: axis and angle.
+struct TurnKeys {
+  static constexpr auto keys() {
+    using K = KeysOf<SolidTurn>;
+    return std::tuple(K::Vector{&SolidTurn::axis, "axis", "axis of the rotation"},
+                      K::Number{&SolidTurn::angle, "angle", "rad", "about the axis", any_number, must_be_given});
+  }
+};
+inline constexpr std::string_view turn_wanted = "{ axis = {x, y, z}, angle = }";
 
 /// The rotation of `turn`. Throws InputError if axis or quaternion have no length, numbers are not finite, or both an
 /// angle and a quaternion are given. `owner` begins every message.

@@ -257,4 +257,9 @@ std::vector<SolidPart> build_solid_rubble(const SolidRubble& rubble) {
   return SolidFilling(rubble).run();
 }
 
+SolidParts SolidRubble::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return {build_solid_rubble(*this), {}};
+}
+
 }  // namespace trilith

@@ -20,6 +20,24 @@ struct SolidRubble {
   double joint = 0;     ///< free width between stones [m], at most half of a stone's mean size; 0: they touch
   double jitter = 0;    ///< after relaxation each point moves by up to this distance along x, y and z [m], same limit
   int seed = 1;         ///< the same number gives the same bits everywhere
+
+  static constexpr std::string_view kind = "rubble";
+  static constexpr std::string_view sentence = "irregular stones that fill a box";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<SolidRubble>;
+    return std::tuple(
+        K::Vector{&SolidRubble::low, "low", "corner of the box", must_be_given},
+        K::Vector{&SolidRubble::high, "high", "opposite corner", must_be_given},
+        K::Count{&SolidRubble::stones, "stones", "number of stones", 1, 10000},
+        K::Count{&SolidRubble::relaxations, "relaxations", "number of relaxations; more give more even stones", 0, 100},
+        K::Number{&SolidRubble::aspect, "aspect", "1", "width of stones over height", {0.1, 10}},
+        K::Number{&SolidRubble::joint, "joint", "m", "gap between stones", not_below_zero},
+        K::Number{&SolidRubble::jitter, "jitter", "m", "largest random shift of points", not_below_zero},
+        K::Count{&SolidRubble::seed, "seed", "seed of the random numbers"});
+  }
+  /// build_solid_rubble.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Stones "r1", "r2", ... from the bottom up by their centroids, in group "stones" and the rubble's name. Without

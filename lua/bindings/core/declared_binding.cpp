@@ -5,7 +5,7 @@
 #include "bindings/core/open.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "bindings/geometry/declared_reading.hpp"
-#include "build/plane/list.hpp"
+#include "build/list.hpp"
 #include "model/event_list.hpp"
 #include "model/plausible_ranges.hpp"
 
@@ -99,26 +99,37 @@ int laws(lua_State* L) {
 
 /// Keys of a builder in the format of the manual: one line each of name, kind and sentence.
 template <DeclaredBuilder B>
-std::string builder_keys() {
+std::string builder_keys(bool is_name_required) {
   const std::string name = B{}.name, doc = B::is_single ? "name" : "prefix of names";
-  const std::string first =
-      name.empty() ? fmt::format("name  text?  {}\n", doc) : fmt::format("name  text = \"{}\"  {}\n", name, doc);
+  const std::string first = !name.empty()      ? fmt::format("name  text = \"{}\"  {}\n", name, doc)
+                            : is_name_required ? fmt::format("name  text  {}\n", doc)
+                                               : fmt::format("name  text?  {}\n", doc);
   if constexpr (requires { B::is_named; }) return declared_key_lines<B>();
   return first + declared_key_lines<B>();
 }
 
-/// core.builders(): rows of the manual's `makers` for the builders whose keys are declared.
-int builders(lua_State* L) {
+/// Pushes a list of { name, doc, keys, single } for a list of builders. A single body needs a name, and a single part
+/// of the plane may be a shape without one.
+template <class Builders>
+void push_builders(lua_State* L, bool is_name_required) {
   lua_newtable(L);
   lua_Integer row = 0;
-  DeclaredBuilders::for_each([&]<class B>() {
+  Builders::for_each([&]<class B>() {
     lua_newtable(L);
     set_text(L, "name", B::kind);
     set_text(L, "doc", B::sentence);
-    set_text(L, "keys", builder_keys<B>());
+    set_text(L, "keys", builder_keys<B>(is_name_required && B::is_single));
+    lua_pushboolean(L, B::is_single ? 1 : 0);
+    lua_setfield(L, -2, "single");
     lua_rawseti(L, -2, ++row);
   });
-  return 1;
+}
+
+/// core.builders(): a list of the builders of the plane, and a list of the builders of space.
+int builders(lua_State* L) {
+  push_builders<PlaneBuilders>(L, false);
+  push_builders<SpaceBuilders>(L, true);
+  return 2;
 }
 
 /// core.manual_pages(): the pages of the manual, each a function that returns its table.

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/model/plane_model.hpp"
-#include "bindings/model/space_model.hpp"
+#include "bindings/model/built_model.hpp"
 #include "build/plane/bridge_layout.hpp"
 
 namespace trilith::script {

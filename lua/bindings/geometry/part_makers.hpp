@@ -1,4 +1,4 @@
-// The geometry builders of engine/build in scripts: one row each, read from one table.
+// The geometry builders of engine/build/plane in scripts.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bindings/core/handles.hpp"
+#include "build/list.hpp"
 #include "build/plane/bridge_layout.hpp"
-#include "build/plane/list.hpp"
 #include "build/plane/part.hpp"
 
 namespace trilith::script {
@@ -29,8 +29,8 @@ struct PartMaker {
   MakeParts (*read)(Keys&);
 };
 
-/// Those with a reader of their own come first, then the rows of build/plane/list.hpp.
-inline constexpr std::size_t part_maker_count = 3 + DeclaredBuilders::size;
+/// The rows of build/list.hpp.
+inline constexpr std::size_t part_maker_count = PlaneBuilders::size;
 std::span<const PartMaker, part_maker_count> part_makers();
 /// m:span takes more than the part; bridge_binding.cpp adds it.
 inline constexpr std::string_view span_maker = "span";

@@ -1,4 +1,4 @@
-// The geometry builders in space on a model of a script: one row each, read from one table.
+// The geometry builders of engine/build/space on a model of a script.
 #pragma once
 
 #include <functional>
@@ -20,25 +20,8 @@ struct SolidMaker {
   lua_CFunction add;   ///< m:NAME{...}
   bool falls = false;  ///< its parts may start without support
 };
+/// The rows of build/list.hpp.
 std::span<const SolidMaker> solid_makers();
-
-/// turn = { axis = {x, y, z}, angle = }; none if not given.
-SolidTurn read_turn(Keys& k);
-
-// Readers in solid_masonry_makers.cpp.
-MakeSolids read_solid_wall(Keys& k);
-MakeSolids read_building(Keys& k);
-MakeSolids read_vault(Keys& k);
-MakeSolids read_cross_vault(Keys& k);
-MakeSolids read_dome(Keys& k);
-MakeSolids read_solid_rubble(Keys& k);
-
-// Readers in sphere_makers.cpp.
-MakeSolids read_sphere(Keys& k);
-MakeSolids read_clump(Keys& k);
-MakeSolids read_pour(Keys& k);
-/// turn = { axis = {x, y, z}, angle = }.
-SolidTurn read_turn(Keys& k);
 
 /// `body`: "rigid", "brick" or { mesh = {nx, ny, nz}, element = }; `preset` if not given.
 SpaceForm read_space_form(Keys& keys, const SpaceForm& preset);

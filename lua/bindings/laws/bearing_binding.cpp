@@ -4,8 +4,9 @@
 
 #include "assembly/bearing_motion.hpp"
 #include "bindings/core/bindings.hpp"
-#include "bindings/geometry/solid_makers.hpp"
+#include "bindings/geometry/declared_reading.hpp"
 #include "bindings/laws/bearing_reading.hpp"
+#include "build/space/solid_part.hpp"
 #include "model/pose.hpp"
 
 namespace trilith::script {
@@ -41,7 +42,8 @@ void read_axes(Keys& keys, BearingSpecOf<2>& spec) {
 void read_axes(Keys& keys, BearingSpecOf<3>& spec) {
   const double azimuth = keys.number("angle", "rad", 0);
   const bool turned = keys.has("turn");
-  const SolidTurn turn = read_turn(keys);
+  SolidTurn turn;
+  read_table<TurnKeys>(keys, "turn", turn_wanted, turn);
   if (turned && azimuth != 0) keys.problem("both angle and turn are given; angle is for a turn about z");
   if (turned && !(turn.axis.norm() > 0)) return keys.problem("'turn': axis has no length");
   spec.angle = turned ? checked_turn(turn, keys.owner()) : rotation_by(Vec3(0, 0, azimuth));

@@ -24,6 +24,23 @@ struct RegularPrism {
   Vec3 at = Vec3::Zero();  ///< middle of its foot [m]
   SolidTurn turn = {};     ///< about `at`
   std::vector<std::string> groups = {};
+
+  static constexpr std::string_view kind = "prism";
+  static constexpr std::string_view sentence = "an upright regular prism";
+  static constexpr bool is_single = true;
+  static constexpr auto keys() {
+    using K = KeysOf<RegularPrism>;
+    return std::tuple(K::Count{&RegularPrism::sides, "sides", "number of sides", 3, 1000},
+                      K::Number{&RegularPrism::radius, "radius", "m", "radius of the circle through the corners",
+                                above_zero, must_be_given},
+                      K::Number{&RegularPrism::height, "height", "m", "height", above_zero, must_be_given},
+                      K::Number{&RegularPrism::phase, "phase", "rad", "angle of the first corner, from x"},
+                      K::Vector{&RegularPrism::at, "at", "middle of the foot"},
+                      K::Table<SolidTurn, TurnKeys>{&RegularPrism::turn, "turn", turn_wanted,
+                                                    "rotation about `at`: { axis = , angle = }"});
+  }
+  /// build_prism.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Volume: sides/2 sin(2 pi/sides) radius^2 height. Throws InputError for numbers out of range.
@@ -57,6 +74,12 @@ SolidPart build_cylinder_drum(const Drum& drum);
 struct ColumnBlock {
   double width = 0;   ///< [m]; 0: none
   double height = 0;  ///< [m], above 0 where there is one
+
+  static constexpr auto keys() {
+    using K = KeysOf<ColumnBlock>;
+    return std::tuple(K::Number{&ColumnBlock::width, "width", "m", "along both sides", not_below_zero, must_be_given},
+                      K::Number{&ColumnBlock::height, "height", "m", "height", not_below_zero, must_be_given});
+  }
 };
 
 /// A column of drums.
@@ -73,6 +96,30 @@ struct Column {
   ColumnBlock base = {};             ///< under the drums, sides along x and y
   ColumnBlock capital = {};          ///< on the drums
   Vec3 at = Vec3::Zero();            ///< middle of the foot of the column, base included [m]
+
+  static constexpr std::string_view kind = "column";
+  static constexpr std::string_view sentence = "a column of drums, with base and capital";
+  static constexpr bool is_single = false;
+  static constexpr auto keys() {
+    using K = KeysOf<Column>;
+    constexpr std::string_view block = "{ width =, height = }";
+    return std::tuple(
+        K::Count{&Column::drums, "drums", "number of drums", 1, 10000},
+        K::Number{&Column::height, "height", "m", "height of all drums", above_zero, must_be_given},
+        K::Count{&Column::sides, "sides", "number of sides of a drum", 3, 1000},
+        K::Number{&Column::radius, "radius", "m", "radius at the foot", above_zero, must_be_given},
+        K::Number{&Column::top_radius, "top_radius", "m", "radius at the top", not_below_zero, {"as the foot"}},
+        K::Choice<DrumRadius, 3>{&Column::of,
+                                 "of",
+                                 "circle of the radii: through the corners, within the sides, or of equal area",
+                                 {"corners", "sides", "area"}},
+        K::Number{&Column::phase, "phase", "rad", "angle of the first corners, from x"},
+        K::Table<ColumnBlock>{&Column::base, "base", block, "{ width = , height = } under the drums"},
+        K::Table<ColumnBlock>{&Column::capital, "capital", block, "{ width = , height = } on the drums"},
+        K::Vector{&Column::at, "at", "middle of the foot"});
+  }
+  /// build_column.
+  [[nodiscard]] SolidParts parts() const;
 };
 
 /// Parts from below: "base", "d1", "d2", ..., "capital", each in the column's group and "base", "drums" or "capital".

@@ -1,4 +1,4 @@
-#include "build/plane/drum.hpp"
+#include "build/space/drum.hpp"
 
 #include <fmt/format.h>
 
@@ -150,6 +150,16 @@ class ColumnLayers {
 
 std::vector<SolidPart> build_column(const Column& column) {
   return ColumnLayers(column).run();
+}
+
+SolidParts RegularPrism::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return one_part(build_prism(*this));
+}
+
+SolidParts Column::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return {build_column(*this), {}};
 }
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-#include "build/plane/grains.hpp"
+#include "build/space/grains.hpp"
 
 #include <fmt/format.h>
 
@@ -165,6 +165,22 @@ SolidPart build_clump(const Clump& clump) {
 
 std::vector<SolidPart> build_pour(const Pour& pour) {
   return Pouring(pour).run();
+}
+
+SolidParts Ball::parts() const {
+  const Sphere sphere{at, radius};
+  check_sphere(sphere, builder_title(kind, name));
+  return one_part({name, {}, {}, {sphere}});
+}
+
+SolidParts Clump::parts() const {
+  check_keys(*this, builder_title(kind, name));
+  return one_part(build_clump(*this));
+}
+
+/// build_pour checks the radii together.
+SolidParts Pour::parts() const {
+  return {build_pour(*this), {}};
 }
 
 }  // namespace trilith

@@ -1,4 +1,4 @@
-#include "build/plane/beam_plan.hpp"
+#include "build/space/beam_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -104,7 +104,7 @@ class BeamRowPlan {
           fmt::format("{}: spacing is {:g} m, must be at least the width of a beam, {:g} m: it is measured "
                       "from centre to centre",
                       owner_, row_.spacing, row_.width));
-    if (row_.count != 0) return require_count(row_.count, 1, 10'000, owner_ + ": count");
+    if (row_.count) return require_count(*row_.count, 1, 10'000, owner_ + ": count");
     if (row_.spacing == 0) throw InputError(owner_ + ": give their spacing in m from centre to centre, or their count");
     const double held = std::floor(room / row_.spacing + 1e-9);
     if (held < 1)

@@ -1,4 +1,4 @@
-#include "build/space/flying_buttress.hpp"
+#include "build/plane/flying_buttress.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 namespace trilith {
 namespace {
 
-constexpr double quarter = std::numbers::pi / 2;
+constexpr double quarter_turn = std::numbers::pi / 2;
 
 void check(const FlyingButtress& f, const std::string& owner) {
   check_keys(f, owner);
-  if (f.slope >= quarter)
+  if (f.slope >= quarter_turn)
     throw InputError(fmt::format(
         "{}: slope of the coping is {:g} rad, must be below pi/2; give the angle from the horizontal, in radians",
         owner, f.slope));
