@@ -12,8 +12,7 @@
 
 #include "bindings/core/keys.hpp"
 #include "bindings/core/kind.hpp"
-#include "bindings/model/plane_model.hpp"
-#include "bindings/model/space_model.hpp"
+#include "bindings/model/built_model.hpp"
 
 namespace trilith::script {
 

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "bindings/core/keys.hpp"
-#include "bindings/model/plane_model.hpp"
+#include "bindings/model/built_model.hpp"
 #include "bindings/model/script_model.hpp"
-#include "bindings/model/space_model.hpp"
 #include "load/load_curve.hpp"
 
 namespace trilith::script {

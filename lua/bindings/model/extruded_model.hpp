@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "bindings/model/plane_model.hpp"
-#include "bindings/model/space_model.hpp"
+#include "bindings/model/built_model.hpp"
 
 namespace trilith::script {
 

@@ -5,8 +5,7 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
-#include "bindings/model/plane_model.hpp"
-#include "bindings/model/space_model.hpp"
+#include "bindings/model/built_model.hpp"
 #include "readings/reactions.hpp"
 
 namespace trilith::script {

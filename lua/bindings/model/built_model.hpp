@@ -1,11 +1,14 @@
-// A model in space in scripts. No Lua here.
+// The models of scripts, in the plane and in space. No Lua here.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "bindings/model/simulated_model.hpp"
+#include "model/builder/builder.hpp"
 #include "model/builder/extend.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
 
@@ -14,14 +17,25 @@ namespace trilith::script {
 template <int D>
 struct BridgeBookOf;  // bridge_book.hpp
 
-class SpaceModel final : public SimulatedModel<3> {
- public:
-  using SimulatedModel::SimulatedModel;
+/// Default kind of bodies in the plane.
+struct BodyForm {
+  BodyKind kind = BodyKind::rigid;
+  std::array<int, 2> divisions{1, 1};
+};
 
-  SolidModelBuilder builder;
-  SpaceForm body_form;                      ///< default kind of bodies
+/// A model that a builder makes.
+template <int D>
+class BuiltModel : public SimulatedModel<D> {
+ public:
+  using Builder = std::conditional_t<D == 2, ModelBuilder, SolidModelBuilder>;
+  using Spec = std::conditional_t<D == 2, BodySpec, SolidSpec>;
+  using Form = std::conditional_t<D == 2, BodyForm, SpaceForm>;
+  using SimulatedModel<D>::SimulatedModel;
+
+  Builder builder;
+  Form body_form;                           ///< default kind of bodies
   bool says_body = false;                   ///< body_form was given, and is not the default
-  std::shared_ptr<BridgeBookOf<3>> bridge;  ///< types of bearings; empty before the first
+  std::shared_ptr<BridgeBookOf<D>> bridge;  ///< types of bearings, supports and spans; empty before the first
 
   void add_material(const Material& material) override { builder.add_material(material); }
   void add_law(const std::string& law_name, const ContactLaw& law) override { builder.add_law(law_name, law); }
@@ -36,25 +50,40 @@ class SpaceModel final : public SimulatedModel<3> {
   [[nodiscard]] const std::vector<std::string>& notes() const override { return builder.notes(); }
   void add_note(const std::string& line) override { builder.note(line); }
   [[nodiscard]] std::vector<std::string> faults() const override {
-    return built() ? standing_faults() : builder.faults();
+    return this->built() ? standing_faults() : builder.faults();
   }
-  [[nodiscard]] const SolidSpec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] const Spec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
 
  protected:
-  [[nodiscard]] Model<3> built_model() override { return built_unjudged(builder); }
+  [[nodiscard]] Model<D> built_model() override { return built_unjudged(builder); }
   [[nodiscard]] std::vector<std::string> standing_faults() const override {
     if (builder.judge_standing) return {};
-    return trilith::standing_faults(if_built()->model(), if_built()->state(), floating_bodies(builder.bodies()));
+    const auto* const run = this->if_built();
+    return trilith::standing_faults(run->model(), run->state(), floating_bodies(builder.bodies()));
   }
   void judge_standing() override { builder.judge_standing = true; }
   [[nodiscard]] double overlap_allowed() const override { return builder.overlap_allowed; }
-  [[nodiscard]] Model<3> extended_model(const Model<3>& model, const State<3>& state) override {
+  [[nodiscard]] Model<D> extended_model(const Model<D>& model, const State<D>& state) override {
     return builder.extended(model, state);
   }
-  void forget_beyond(const Model<3>& model) override {
+  void forget_beyond(const Model<D>& model) override {
     builder.shorten(model.bodies.size(), model.bearings.size(), model.seats.size());
   }
-  [[nodiscard]] Model<3> lone_body(int body) const override;
+  [[nodiscard]] Model<D> lone_body(int body) const override;
+};
+extern template class BuiltModel<2>;
+extern template class BuiltModel<3>;
+
+class PlaneModel final : public BuiltModel<2> {
+ public:
+  using BuiltModel::BuiltModel;
+  /// Moment of inertia of a body about its centroid [kg m2], before and after building.
+  [[nodiscard]] double inertia_of(int body);
+};
+
+class SpaceModel final : public BuiltModel<3> {
+ public:
+  using BuiltModel::BuiltModel;
 };
 
 }  // namespace trilith::script
