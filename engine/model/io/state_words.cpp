@@ -1,143 +1,15 @@
 #include "model/io/state_words.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <bit>
-#include <climits>
-#include <cmath>
 #include <span>
-#include <string_view>
+#include <type_traits>
 #include <utility>
 
-#include "base/error.hpp"
 #include "contact/joint/joint_plan.hpp"
 #include "model/check/check_state.hpp"
+#include "model/io/state_file.hpp"
 
 namespace trilith {
 namespace {
-
-constexpr std::uint64_t pack(std::uint32_t high, std::uint32_t low) {
-  return std::uint64_t{high} << 32 | low;
-}
-constexpr std::uint32_t high_of(std::uint64_t word) {
-  return static_cast<std::uint32_t>(word >> 32);
-}
-constexpr std::uint32_t low_of(std::uint64_t word) {
-  return static_cast<std::uint32_t>(word);
-}
-
-/// Converts the parts of a state to words.
-class Writer {
- public:
-  std::vector<std::uint64_t> words;
-
-  void number(const double& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
-  void whole(const std::int64_t& v) { words.push_back(std::bit_cast<std::uint64_t>(v)); }
-  void key(const ContactKey& v) { words.push_back(v); }
-  void flag(const std::uint8_t& v) { words.push_back(v); }
-  void index(const int& v) { words.push_back(static_cast<std::uint64_t>(v)); }
-  template <class T, class U>
-  void pair(const T& high, const U& low) {
-    words.push_back(pack(static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(low)));
-  }
-  template <class Rows>
-  std::size_t count(const Rows& rows) {
-    words.push_back(rows.size());
-    return rows.size();
-  }
-  template <class Rows>
-  std::size_t open_count(const Rows& rows, std::size_t /*least*/) {
-    return count(rows);
-  }
-  void contacts(const ContactHistory& s);
-  void contacts(const SolidHistory& s);
-  void tangent(const std::shared_ptr<const KeptTangent>& kept);
-  /// Whether masses are scaled; their shares then follow.
-  template <int D>
-  [[nodiscard]] bool scaled(const State<D>& s) const {
-    return !s.added_share.empty();
-  }
-  /// Whether there are data of changing models or of mass scaling; they then follow.
-  template <int D>
-  [[nodiscard]] bool changed(const State<D>& s) const {
-    const auto later = std::span(s.given.value).subspan(plain_energy_terms);
-    return !s.removed_at.empty() || !s.added_share.empty() ||
-           std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
-  }
-};
-
-/// Converts words to the parts of a state; reports the defect if that fails.
-class Reader {
- public:
-  Reader(std::span<const std::uint64_t> words, std::string owner) : words_(words), owner_(std::move(owner)) {}
-
-  void number(double& v) {
-    v = std::bit_cast<double>(next());
-    if (!std::isfinite(v)) fail("holds a number that is not finite");
-  }
-  void whole(std::int64_t& v) {
-    v = std::bit_cast<std::int64_t>(next());
-    if (v < 0) fail("holds a negative number of steps");
-  }
-  void key(ContactKey& v) { v = next(); }
-  void flag(std::uint8_t& v) {
-    const std::uint64_t word = next();
-    if (word > 1) fail("holds a flag that is neither 0 nor 1");
-    v = static_cast<std::uint8_t>(word);
-  }
-  void index(int& v) {
-    const std::uint64_t word = next();
-    if (word > INT_MAX) fail("holds an impossible table index");
-    v = static_cast<int>(word);
-  }
-  template <class T, class U>
-  void pair(T& high, U& low) {
-    const std::uint64_t word = next();
-    high = static_cast<T>(high_of(word));
-    low = static_cast<U>(low_of(word));
-  }
-  /// Reads a count that must equal the size of `rows`.
-  template <class Rows>
-  std::size_t count(const Rows& rows) {
-    if (next() != rows.size()) fail("has other numbers of rows than the model");
-    return rows.size();
-  }
-  /// Reads a count of rows of at least `least` words each, and resizes the rows.
-  template <class Rows>
-  std::size_t open_count(Rows& rows, std::size_t least) {
-    const std::uint64_t n = next();
-    if (n > words_.size() / least) fail("is shorter than it announces");
-    rows.resize(static_cast<std::size_t>(n));
-    return rows.size();
-  }
-  void contacts(ContactHistory& s);
-  void contacts(SolidHistory& s);
-  void joint(JointMemory& s, std::uint32_t patches);
-  void tangent(std::shared_ptr<const KeptTangent>& kept);
-  /// See Writer: the data follow if more words remain.
-  template <int D>
-  [[nodiscard]] bool changed(const State<D>& /*s*/) const {
-    return at_ < words_.size();
-  }
-  template <int D>
-  [[nodiscard]] bool scaled(const State<D>& s) const {
-    return changed(s);
-  }
-  void done() const {
-    if (at_ != words_.size()) fail("is longer than its contents");
-  }
-  [[noreturn]] void fail(std::string_view what) const { throw InputError(damaged_state(owner_, what)); }
-
- private:
-  std::uint64_t next() {
-    if (at_ >= words_.size()) fail("is shorter than it announces");
-    return words_[at_++];
-  }
-  std::span<const std::uint64_t> words_;
-  std::size_t at_ = 0;
-  std::string owner_;
-};
 
 /// One contact: its key, the common memory, its law and the law's memory.
 template <class File, class Memory>
@@ -146,17 +18,17 @@ void walk_memory(File& file, Memory& m) {
       m, [&](auto& v) { file.number(v); }, [&](auto& bonds, auto& state) { file.pair(bonds, state); });
 }
 
-void Writer::contacts(const ContactHistory& s) {
+void walk_contacts(StateWriter& file, const ContactHistory& s) {
   std::size_t kept = 0;
   for (const ContactMemory& m : s.memory) kept += m.empty() ? 0 : 1;
-  words.push_back(kept);
+  file.words.push_back(kept);
   for (std::size_t row = 0; row < s.memory.size(); ++row) {
     if (s.memory[row].empty()) continue;
-    key(s.key[row]);
-    walk_memory(*this, s.memory[row]);
+    file.key(s.key[row]);
+    walk_memory(file, s.memory[row]);
     const std::uint32_t place = s.law_row[row].place, numbers = law_number_counts[place];
-    pair(place, numbers);
-    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+    file.pair(place, numbers);
+    for (std::uint32_t k = 0; k < numbers; ++k) file.number(s.law_numbers(row)[k]);
   }
 }
 
@@ -197,102 +69,102 @@ void walk_solid_memory(File& file, Memory& m, std::uint32_t& patches) {
       m, [&](auto& v) { file.number(v); }, [&](auto& state) { file.pair(patches, state); });
 }
 
-void Writer::contacts(const SolidHistory& s) {
+void walk_contacts(StateWriter& file, const SolidHistory& s) {
   std::size_t kept = 0;
   for (const SolidMemory& m : s.memory) kept += m.empty() ? 0 : 1;
-  words.push_back(kept);
+  file.words.push_back(kept);
   for (std::size_t row = 0; row < s.memory.size(); ++row) {
     if (s.memory[row].empty()) continue;
     const JointMemory* joint = s.joint_at(row);
     const bool has = joint != nullptr && !joint->empty();
     auto patches = has ? static_cast<std::uint32_t>(joint->plan->patches) : 0U;
-    key(s.key[row]);
-    walk_solid_memory(*this, s.memory[row], patches);
+    file.key(s.key[row]);
+    walk_solid_memory(file, s.memory[row], patches);
     if (!has) continue;
-    walk_plan(*this, *joint->plan);
+    walk_plan(file, *joint->plan);
     const auto face = [](int f) { return static_cast<std::uint32_t>(f + 1); };
     const bool crushed = joint->most_crushed() > 0, opened = joint->most_opened() > 0;
-    pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8 |
-             (crushed ? crushed_mark : 0U) | (opened ? opened_mark : 0U),
-         joint->bonds);
-    walk_patches(*this, *joint, patches);
-    if (crushed) walk_crushed(*this, *joint, patches);
-    if (opened) walk_opened(*this, *joint, patches);
+    file.pair((joint->sound ? 1U : 0U) | face(joint->plan->face_a) << 1 | face(joint->plan->face_b) << 8 |
+                  (crushed ? crushed_mark : 0U) | (opened ? opened_mark : 0U),
+              joint->bonds);
+    walk_patches(file, *joint, patches);
+    if (crushed) walk_crushed(file, *joint, patches);
+    if (opened) walk_opened(file, *joint, patches);
   }
 }
 
 /// The rest of a plan is recomputed from the outline.
-void Reader::joint(JointMemory& s, std::uint32_t patches) {
+void read_joint(StateReader& file, JointMemory& s, std::uint32_t patches) {
   const auto plan = std::make_shared<JointPlan>();
-  walk_plan(*this, *plan);
-  if (plan->outline.size() < 3) fail("has a joint without an area");
+  walk_plan(file, *plan);
+  if (plan->outline.size() < 3) file.fail("has a joint without an area");
   divide_joint(*plan);
   // Bit 0: intact; seven bits each for the faces that its seats follow, from 1 on; then whether some patch is crushed,
   // and whether slip opens one.
   std::uint32_t marks = 0;
-  pair(marks, s.bonds);
+  file.pair(marks, s.bonds);
   plan->face_a = static_cast<int>(marks >> 1 & 127U) - 1, plan->face_b = static_cast<int>(marks >> 8 & 127U) - 1;
   const bool crushed = (marks & crushed_mark) != 0, opened = (marks & opened_mark) != 0;
   s.plan = plan, s.sound = (marks & 1U) == 1;
   if (plan->patch.size() != patches || s.bonds >> patches != 0 || marks >> 17 != 0 || (s.sound && (crushed || opened)))
-    fail("has a joint that does not fit its faces");
+    file.fail("has a joint that does not fit its faces");
   if (s.sound)
     leave_out_patches(*plan);
   else
     divide(s);
-  walk_patches(*this, s, patches);
-  if (crushed) walk_crushed(*this, s, patches);
-  if (opened) walk_opened(*this, s, patches);
+  walk_patches(file, s, patches);
+  if (crushed) walk_crushed(file, s, patches);
+  if (opened) walk_opened(file, s, patches);
 }
 
-void Reader::contacts(SolidHistory& s) {
-  const std::size_t count = open_count(s.key, 19);
+void walk_contacts(StateReader& file, SolidHistory& s) {
+  const std::size_t count = file.open_count(s.key, 19);
   s.memory.resize(count);
   for (std::size_t row = 0; row < count; ++row) {
     std::uint32_t patches = 0;
-    key(s.key[row]);
-    walk_solid_memory(*this, s.memory[row], patches);
-    if (patches > most_patches) fail("has a joint of too many patches");
-    if (patches > 0) joint(s.add_joint(row), patches);
+    file.key(s.key[row]);
+    walk_solid_memory(file, s.memory[row], patches);
+    if (patches > most_patches) file.fail("has a joint of too many patches");
+    if (patches > 0) read_joint(file, s.add_joint(row), patches);
   }
 }
 
-void Reader::contacts(ContactHistory& s) {
-  const std::size_t count = open_count(s.key, 13);
+void walk_contacts(StateReader& file, ContactHistory& s) {
+  const std::size_t count = file.open_count(s.key, 13);
   s.memory.resize(count), s.law_row.resize(count);
   for (std::size_t row = 0; row < count; ++row) {
-    key(s.key[row]);
-    walk_memory(*this, s.memory[row]);
+    file.key(s.key[row]);
+    walk_memory(file, s.memory[row]);
     std::uint32_t numbers = 0;
-    pair(s.law_row[row].place, numbers);
+    file.pair(s.law_row[row].place, numbers);
     if (s.law_row[row].place >= law_number_counts.size() || numbers != law_number_counts[s.law_row[row].place])
-      fail("has a contact of a law that does not exist");
+      file.fail("has a contact of a law that does not exist");
     s.law_row[row].first = static_cast<std::uint32_t>(s.law_memory.size());
     s.law_memory.resize(s.law_memory.size() + numbers);
-    for (std::uint32_t k = 0; k < numbers; ++k) number(s.law_numbers(row)[k]);
+    for (std::uint32_t k = 0; k < numbers; ++k) file.number(s.law_numbers(row)[k]);
   }
 }
 
 /// Every number of a tangent, for both writer and reader.
 template <class File, class T>
-void walk_tangent(File& file, T& t) {
+void walk_numbers_of(File& file, T& t) {
   for (auto* v : {&t.dt, &t.rate, &t.force, &t.inertia}) file.number(*v);
   for (std::size_t i = 0, n = file.open_count(t.column, 1); i < n; ++i) file.index(t.column[i]);
   for (std::size_t i = 0, n = file.open_count(t.row, 1); i < n; ++i) file.index(t.row[i]);
   for (std::size_t i = 0, n = file.open_count(t.value, 1); i < n; ++i) file.number(t.value[i]);
 }
 
-void Writer::tangent(const std::shared_ptr<const KeptTangent>& kept) {
-  flag(kept ? 1 : 0);
-  if (kept) walk_tangent(*this, *kept);
+void walk_tangent(StateWriter& file, const std::shared_ptr<const KeptTangent>& kept) {
+  file.flag(kept ? 1 : 0);
+  if (kept) walk_numbers_of(file, *kept);
 }
 
-void Reader::tangent(std::shared_ptr<const KeptTangent>& kept) {
+void walk_tangent(StateReader& file, std::shared_ptr<const KeptTangent>& kept) {
   std::uint8_t has = 0;
-  flag(has);
+  file.flag(has);
   if (has == 0) return;
   const auto read = std::make_shared<KeptTangent>();
-  walk_tangent(*this, *read);
+  walk_numbers_of(file, *read);
   kept = read;
 }
 
@@ -314,14 +186,14 @@ void walk_numbers(File& file, V& v) {
 /// origin of the displacement follows.
 constexpr std::uint32_t stands_mark = 1U << 31U, begun_mark = 1U << 30U;
 template <int D>
-void walk_status(Writer& file, const BearingMemory<D>& m) {
+void walk_status(StateWriter& file, const BearingMemory<D>& m) {
   const bool stands = m.stood_for > 0, begun = m.begun_at != decltype(m.begun_at){};
   file.pair(m.status, m.failed_direction | (stands ? stands_mark : 0U) | (begun ? begun_mark : 0U));
   if (stands) file.number(m.stood_for);
   for (std::size_t k = 0; begun && k < m.begun_at.size(); ++k) file.number(m.begun_at[k]);
 }
 template <int D>
-void walk_status(Reader& file, BearingMemory<D>& m) {
+void walk_status(StateReader& file, BearingMemory<D>& m) {
   file.pair(m.status, m.failed_direction);
   if ((m.failed_direction & stands_mark) != 0) file.number(m.stood_for);
   if ((m.failed_direction & begun_mark) != 0)
@@ -367,8 +239,9 @@ void walk(File& file, S& s) {
     walk_numbers(file, s.position_before[n]), walk_numbers(file, s.rotation_before[n]);
     walk_numbers(file, s.acceleration[n]), walk_numbers(file, s.spin_rate[n]);
   }
-  file.number(s.most_energy), file.tangent(s.tangent);
-  file.contacts(s.contacts);
+  file.number(s.most_energy);
+  walk_tangent(file, s.tangent);
+  walk_contacts(file, s.contacts);
   for (std::size_t i = 0, n = file.open_count(s.parted, 2); i < n; ++i)
     file.key(s.parted[i].contact), file.number(s.parted[i].time);
   for (std::size_t i = 0, n = file.open_count(s.passed, 1); i < n; ++i) file.key(s.passed[i]);
@@ -390,7 +263,7 @@ void walk(File& file, S& s) {
 
 template <int D>
 std::vector<std::uint64_t> state_words(const State<D>& state) {
-  Writer file;
+  StateWriter file;
   walk(file, state);
   return std::move(file.words);
 }
@@ -398,7 +271,7 @@ std::vector<std::uint64_t> state_words(const State<D>& state) {
 template <int D>
 State<D> state_from_words(const Model<D>& model, std::span<const std::uint64_t> words, const std::string& owner) {
   State<D> state = initial_state(model);  // for the number of rows
-  Reader file(words, owner);
+  StateReader file(words, owner);
   walk(file, state);
   file.done();
   check_state(model, state, owner);

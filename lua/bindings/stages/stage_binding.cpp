@@ -7,6 +7,7 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/loads/drive_reading.hpp"
 #include "bindings/stages/mass_scaling_stage.hpp"
+#include "bindings/stages/stage_reading.hpp"
 #include "bindings/stages/stage_run.hpp"
 #include "model/bounds.hpp"
 #include "model/plausible_ranges.hpp"
@@ -15,30 +16,6 @@
 namespace trilith::script {
 namespace {
 
-/// `rest`: true or a table of the rest criterion { speed =, ratio =, hold =, from = }. True if given and not false.
-bool read_rest_table(Keys& keys, StageOptions& o) {
-  lua_State* L = keys.lua();
-  const int type = keys.push("rest");
-  bool wanted = type == LUA_TBOOLEAN && lua_toboolean(L, -1) != 0;
-  if (type == LUA_TTABLE) {
-    wanted = true;
-    Keys own(L, -1, "rest");
-    o.still_speed = own.number("speed", "m/s", o.still_speed);
-    o.still_ratio = own.number("ratio", "1", o.still_ratio);
-    o.still_hold = own.number("hold", "s", o.still_hold);
-    o.still_from = own.number("from", "s", o.still_from);
-    try {
-      own.finish();
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  } else if (type != LUA_TNIL && type != LUA_TBOOLEAN) {
-    keys.wrong("rest", "true, false or a table { speed = , ratio = , hold = , from = }");
-  }
-  lua_pop(L, 1);
-  return wanted;
-}
-
 /// Share of the longest stable step if `accuracy` limits the step at impacts and no damping brings the model to rest;
 /// then only stability matters. It leaves a margin for contacts that become 50 % stiffer before the next estimate.
 constexpr double safety_beside_accuracy = 0.8;
@@ -46,28 +23,6 @@ constexpr double safety_beside_accuracy = 0.8;
 constexpr double usual_blow_accuracy = 0.02;
 /// Smaller values would need an excessive number of steps, because these shorten in proportion.
 constexpr double least_accuracy = 1e-9;
-
-void read_step(Keys& keys, StageOptions& o) {
-  o.dt = keys.number("dt", "s", 0);
-  o.safety = keys.number("safety", "1", o.safety);
-  o.watched = keys.flag("watch", true);
-}
-
-/// Rejects keys that have no meaning unless the stage's integrator is `of`.
-void refuse(Keys& keys, std::initializer_list<const char*> names, std::string_view of) {
-  for (const char* const key : names)
-    if (keys.has(key))
-      keys.problem(fmt::format("'{}' is for integrator = \"{}\", but this stage is explicit; leave it out", key, of));
-}
-
-/// The given keys for the approach of rest in explicit steps, "'local_damping', 'grow'"; "": none.
-std::string explicit_keys(Keys& keys) {
-  std::string out;
-  for (const char* const key :
-       {"local_damping", "grow", "rest", "duration", "dt", "safety", "until_collapse", "until_true"})
-    if (keys.has(key)) out += fmt::format("{}'{}'", out.empty() ? "" : ", ", key);
-  return out;
-}
 
 /// Reads the parameters of a scheme if it is named, and rejects its parameters if it is not.
 template <Integrator I>
@@ -138,13 +93,6 @@ int run_paused(lua_State* L, ScriptModel& m, const RunLimit& limit) {
   return 0;
 }
 
-void read_nothing_for_nil(lua_State* L) {
-  lua_settop(L, 2);
-  if (!lua_isnil(L, 2)) return;
-  lua_newtable(L);
-  lua_replace(L, 2);
-}
-
 int run(lua_State* L) {
   ScriptModel& m = this_model(L);
   Keys keys(L, 2, "run");
@@ -166,73 +114,6 @@ int run(lua_State* L) {
   keys.finish();
   if (m.paused()) return run_paused(L, m, {0, m.time() + o.duration, {}});
   return finish_stage(L, m, o, until);
-}
-
-int consolidate(lua_State* L) {
-  ScriptModel& m = this_model(L);
-  read_nothing_for_nil(L);
-  Keys keys(L, 2, "consolidate");
-  StageOptions o;
-  o.still_ratio = 1e-5;
-  o.name = keys.text("name", "consolidation");
-  o.duration = keys.number("duration", "s", 60);
-  o.rest_share = keys.number("local_damping", "1", 0.8);
-  o.until_rest = read_rest_table(keys, o) || !keys.has("rest");
-  if (!o.until_rest) keys.problem("'rest' is false; give its limits, or use run for a stage that need not end at rest");
-  read_step(keys, o);
-  read_scaling(keys, m, o);
-  const double grow = keys.number("grow", "s", 0.5);
-  if (!(grow >= 0)) keys.problem(fmt::format("'grow' is {:g} s, must not be below 0", grow));
-  const bool fresh = keys.flag("fresh", false), or_go_on = keys.flag("or_go_on", false);
-  const bool by_statics = keys.choice("integrator", {"explicit", "static"}, 0) == 1;
-  const double within = keys.number("within", "1", usual_travel);
-  if (!(within > 0))
-    keys.problem(fmt::format("'within' is {:g}, must be above 0: a share of each body's size", within));
-  o.within = static_cast<float>(within);
-  EquilibriumOptions how;
-  how.within = within;
-  how.shares = keys.count("shares", how.shares), how.tolerance = keys.number("tolerance", "1", how.tolerance);
-  if (!by_statics) refuse(keys, {"shares", "tolerance"}, "static");
-  if (by_statics && o.mass_scaling)
-    keys.problem("mass_scaling is for explicit steps; integrator = \"static\" has none");
-  if (by_statics && m.running()) keys.problem("a stage runs already; integrator = \"static\" is a separate stage");
-  o.must_rest = !or_go_on;
-  const std::string unused = by_statics ? explicit_keys(keys) : "";
-  const StageUntil until = read_until(keys, m);
-  keys.finish();
-  if (fresh && m.running()) throw InputError("consolidate: a stage runs already; mortar cannot be fresh within it");
-  m.build();
-  if (!by_statics && m.time() == 0) {
-    o.still_from = std::max(o.still_from, grow);
-    m.grow_weight(grow);
-  }
-  if (fresh) m.lift_bonds();
-  const StageReport report = by_statics ? settle_stage(L, m, o, how) : run_stage(L, m, o, until);
-  tell_scaling(L, m, report);
-  if (report.end == StageEnd::not_at_rest && !or_go_on)
-    throw NoSolution(fmt::format("{} did not come to rest{}: {}; or_go_on = true continues anyway", o.name,
-                                 by_statics ? "" : fmt::format(" in {:g} s", o.duration), report.reason));
-  if (by_statics && report.end == StageEnd::unstable && !or_go_on)
-    throw NoSolution(fmt::format(
-        "{} did not come to rest: {}; integrator = \"explicit\" shows how it moves, or_go_on = true continues anyway",
-        o.name, report.reason));
-  // An explicit stage beyond strain_limit still moves, and its verdict reports it; statics was requested to find rest.
-  if (by_statics && report.end == StageEnd::diverged && !or_go_on)
-    throw NoSolution(fmt::format("{} did not come to rest: {}", o.name, report.reason));
-  const auto note = [&](const std::string& said) {
-    m.note(said);
-    if (host(L).observer != nullptr) host(L).observer->note(said);
-  };
-  if (!unused.empty()) note(fmt::format("{}: statics has no time steps, so it ignores {}", o.name, unused));
-  if (report.end == StageEnd::not_at_rest)
-    note(fmt::format("{} did not come to rest, but the run continues: {}", o.name, report.reason));
-  if (report.end == StageEnd::unstable) {
-    const std::string said = fmt::format("{}: {}", o.name, report.reason);
-    m.note(said), tell_note(L, m, said);  // in the file, and in m.notes
-  }
-  if (fresh && report.end != StageEnd::diverged) m.set_bonds();
-  push_report(L, report);
-  return 1;
 }
 
 int shake(lua_State* L) {
@@ -370,7 +251,7 @@ int stop(lua_State* L) {
 }
 
 const std::array stage_method_list{
-    Method{"run", guarded<run>},     Method{"consolidate", guarded<consolidate>},
+    Method{"run", guarded<run>},     Method{"consolidate", guarded<push_consolidation>},
     Method{"shake", guarded<shake>}, Method{"drive", guarded<drive>},
     Method{"tilt", guarded<tilt>},   Method{"bounds", guarded<bounds>},
     Method{"stop", guarded<stop>},
