@@ -323,11 +323,12 @@ bool Simulation<D>::step_in_time(double dt) {
   work_.threads = threads_.threads();
   const Clock::time_point began = threads_.is_open() ? Clock::now() : Clock::time_point{};
   const Energy before = state_.implicit() ? energy() : Energy{};
-  const bool may_skip = watch_->bonds().near && next_.safety == 0 && !state_.implicit();
+  const bool is_given = next_.safety == 0;
+  const bool may_skip = watch_->bonds().near && !state_.implicit();
   commit(model_, state_, work_, times_);
   if (!take_step(dt, before)) return false;
   refresh();
-  if (may_skip) add_skipped_bonds(model_, state_, work_);
+  if (may_skip) add_skipped_bonds(model_, state_, work_, is_given);
   if (threads_.is_open()) threads_.took(std::chrono::duration<double>(Clock::now() - began).count());
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include "events/body_events.hpp"
 #include "integrate/explicit/bond_places.hpp"
+#include "integrate/explicit/drive_jumps.hpp"
 #include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
 
@@ -28,6 +29,8 @@ constexpr double steps_ahead = 4;
 constexpr double missed_share = 0.01;
 /// Energy that a given explicit step may miss without an event, as a share of the fracture energy.
 constexpr double skipped_share = 0.1;
+/// A step that is not given is reported where a bond opened by more than this multiple of the limit of the step.
+constexpr double far_beyond = 2;
 /// Energy that any step may miss, as a share of the kinetic energy of the relative motion of two bodies.
 constexpr double kinetic_share = 1e-4;
 /// Bonds shorten no step below this share of its length.
@@ -68,10 +71,12 @@ double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
 }
 
 /// Longest time up to dt in which the bond does not pass its peak, or opens by its share along the softening line [s].
+/// `jump`: increase of its rate at the begin of this time [m/s].
 template <int D>
-double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double dt) {
+double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double jump,
+               double dt) {
   const double gain = acceleration_of(model, work, bond.body_a) + acceleration_of(model, work, bond.body_b);
-  const double speed = bond.rate + 0.5 * (state.last_dt + dt) * gain;
+  const double speed = bond.rate + 0.5 * (state.last_dt + dt) * gain + jump;
   if (!(speed > 0) || bond.at + steps_ahead * speed * dt <= bond.curve.peak) return dt;
   return std::min(dt, std::max(way_of(work, bond, speed) / speed, shortest_share * dt));
 }
@@ -105,12 +110,15 @@ double followed_path(const Work<D>& work, const PlacedBond& bond) {
 }
 
 template <int D>
-void tell_skipped(const State<D>& state, Work<D>& work, const SkippedBond& joint) {
-  if (!(joint.most > 1)) return;
+void tell_skipped(const State<D>& state, Work<D>& work, const SkippedBond& joint, bool is_given) {
+  // A step that is not given may miss this work, unless the bond opened by far more than the limit of the step.
+  const double within = is_given ? 0 : far_beyond * joint.longest;
+  if (!(joint.most > 1) || state.last_dt <= within) return;
   Event e = event_now(state, EventType::bond_skipped, joint.bond.body_a, joint.bond.body_b);
   e.value = joint.missing;
-  e.text = fmt::format("a step of {:.3g} s did {:.3g} J {} work than its law; leave dt out, or give at most {:.2g} s",
-                       state.last_dt, std::abs(joint.missing), joint.missing > 0 ? "less" : "more", joint.longest);
+  e.text = fmt::format("a step of {:.3g} s did {:.3g} J {} work than its law; {} at most {:.2g} s", state.last_dt,
+                       std::abs(joint.missing), joint.missing > 0 ? "less" : "more",
+                       is_given ? "leave dt out, or give" : "give a dt of", joint.longest);
   work.events.push_back(e);
 }
 
@@ -119,20 +127,25 @@ void tell_skipped(const State<D>& state, Work<D>& work, const SkippedBond& joint
 template <int D>
 double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt, BondRoom& room) {
   room.near = false;
-  if (room.none || is_far(state, work, dt, room)) return dt;
+  if (room.none) return dt;
+  const bool changes = room.fresh || motions_change(model, state, dt);
+  if (!changes && is_far(state, work, dt, room)) return dt;
   constexpr double far = std::numeric_limits<double>::max();
-  room = {far, 0, far, !has_bonds(model)};
+  const DriveJumps<D> jumps = changes ? DriveJumps<D>(model, state, dt) : DriveJumps<D>();
+  room = {far, 0, far, !has_bonds(model), false, false};
   if (room.none) return dt;
   const double gain = largest_gain(state, work, dt);
   double time = dt;
   each_bond(model, state, work, true, 0, [&](const PlacedBond& bond) {
     const BondCurve& c = bond.curve;
     if (!(c.top > 0)) return;
+    const double jump = jumps.between(bond.body_a, bond.body_b);
     room.room = std::min(room.room, c.peak - bond.at);
-    room.speed = std::max(room.speed, std::abs(bond.rate));
+    room.speed = std::max(room.speed, std::abs(bond.rate) + jump);
     room.way = std::min(room.way, (c.last > c.peak ? past_peak : past_brittle_peak) * c.whole);
-    if (bond.at + steps_ahead * (std::abs(bond.rate) + gain) * dt > c.peak)
-      room.near = true, time = std::min(time, time_of(model, state, work, bond, dt));
+    if (!(bond.at + steps_ahead * (std::abs(bond.rate) + gain + jump) * dt > c.peak)) return;
+    room.near = true, time = std::min(time, time_of(model, state, work, bond, 0, dt));
+    if (jump > 0) time = std::min(time, jumps.begins() + time_of(model, state, work, bond, jump, dt));
   });
   return time < dt ? settled_step(time, 1) : dt;
 }
@@ -151,11 +164,11 @@ double bond_miss(const Model<D>& model, const State<D>& state, const Work<D>& wo
 }
 
 template <int D>
-void add_skipped_bonds(const Model<D>& model, const State<D>& state, Work<D>& work) {
+void add_skipped_bonds(const Model<D>& model, const State<D>& state, Work<D>& work, bool is_given) {
   SkippedBond joint;
   const double dt = state.last_dt;
   each_bond(model, state, work, false, dt, [&](const PlacedBond& bond) {
-    if (bond.row != joint.bond.row) tell_skipped(state, work, std::exchange(joint, {}));
+    if (bond.row != joint.bond.row) tell_skipped(state, work, std::exchange(joint, {}), is_given);
     joint.bond = bond;
     const double missing = bond.curve.missing(bond.at, bond.at + bond.rate * dt);
     if (missing == 0 || !(bond.curve.energy > 0)) return;
@@ -164,11 +177,11 @@ void add_skipped_bonds(const Model<D>& model, const State<D>& state, Work<D>& wo
     joint.most = std::max(joint.most, std::abs(missing) / (bond.curve.energy * allowed));
     joint.longest = std::min(joint.longest, followed_path(work, bond) / bond.rate);
   });
-  tell_skipped(state, work, joint);
+  tell_skipped(state, work, joint, is_given);
 }
 
-template void add_skipped_bonds(const Model<2>&, const State<2>&, Work<2>&);
-template void add_skipped_bonds(const Model<3>&, const State<3>&, Work<3>&);
+template void add_skipped_bonds(const Model<2>&, const State<2>&, Work<2>&, bool);
+template void add_skipped_bonds(const Model<3>&, const State<3>&, Work<3>&, bool);
 template double bond_step(const Model<2>&, const State<2>&, const Work<2>&, double, BondRoom&);
 template double bond_step(const Model<3>&, const State<3>&, const Work<3>&, double, BondRoom&);
 template double bond_miss(const Model<2>&, const State<2>&, const Work<2>&, double);

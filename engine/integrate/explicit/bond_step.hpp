@@ -25,12 +25,14 @@ struct BondRoom {
   double way = 0;     ///< opening in one step that needs no check [m]
   bool none = false;  ///< the model has no bonds
   bool near = false;  ///< at the last call some bond could come near its peak within the step
+  bool fresh = true;  ///< no check since the last reset
 
   /// Forces a check at the next call, after a change of the model, the state or its pairs.
   void reset() { *this = {}; }
 };
 
-/// `dt` [s], or a shorter step that the bonds require. The result depends on the last evaluation alone.
+/// `dt` [s], or a shorter step that the bonds require. The result depends on the last evaluation and on jumps of
+/// prescribed velocities within the step (integrate/explicit/drive_jumps.hpp).
 template <int D>
 double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& work, double dt, BondRoom& room);
 
