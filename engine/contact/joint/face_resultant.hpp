@@ -23,7 +23,7 @@ template <class K>
 double pressing_energy(const FaceOverlap<double>& o, const ContactMemory& memory, const LawMemory<K>& own,
                        const K& law) {
   if (!o.sane) return 0;
-  const std::array<HalfGaps, 2> gaps = law.gaps(o, memory, own);
+  const std::array<HalfGaps, 2> gaps = stressed_gaps(law, o, memory, own);
   return law.stored(gaps[0], 0.5 * o.shared, law.hold(memory, own, 0)) +
          law.stored(gaps[1], 0.5 * o.shared, law.hold(memory, own, 1));
 }
@@ -36,7 +36,7 @@ ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double
                                 const LawMemory<K>& own, const K& law) {
   const FaceOverlap<double> o(a, b);
   const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
-  const std::array<HalfGaps, 2> gaps = law.gaps(o, memory, own);
+  const std::array<HalfGaps, 2> gaps = stressed_gaps(law, o, memory, own);
   const HalfPressure first = law.pressure(gaps[0], half, law.hold(memory, own, 0));
   const HalfPressure second = law.pressure(gaps[1], half, law.hold(memory, own, 1));
   ContactResultant out;

@@ -118,12 +118,12 @@ bool has_left(const JointPlan& plan, const JointMotion& motion, double depth) {
          depth > flat_faces_max_depth * plan.width;
 }
 
-/// Pressure on patch k, over the stiffness.
+/// Pressure on patch k, over the stiffness. Opening by the slip of the last step does not act yet.
 template <class K>
 PatchStress stress_of(const JointMemory& joint, std::size_t k, const K& law) {
   const JointPatch& p = joint.plan->patch[k];
   const PatchMemory& m = joint.patch[k];
-  const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - m.crushed));
+  const PatchOverlaps o(*joint.plan, p, joint.moved.raised(opened_by(law, m.slip) - m.opened - m.crushed));
   return elastic_stress(*joint.plan, p, o, joint.bonded(static_cast<int>(k)), holds_of(law, m));
 }
 

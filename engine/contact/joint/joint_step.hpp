@@ -76,6 +76,14 @@ class JointStep {
   [[nodiscard]] TRILITH_INLINE PatchOverlaps overlaps(std::size_t k, const LinearOverlap& moved, double crushed) const {
     return {plan_, plan_.patch[k], moved.raised(opened_by(law_, before_.patch[k].slip) - crushed)};
   }
+  /// Before the step; opening by the last slip did not act yet.
+  [[nodiscard]] TRILITH_INLINE PatchOverlaps overlaps_before(std::size_t k) const {
+    return overlaps(k, before_.moved, before_.patch[k].crushed + before_.patch[k].opened);
+  }
+  [[nodiscard]] TRILITH_INLINE PatchStress stress_before(std::size_t k) const {
+    return elastic_stress(plan_, plan_.patch[k], overlaps_before(k), before_.bonded(static_cast<int>(k)),
+                          holds_of(law_, before_.patch[k]));
+  }
 
   /// Upper bound of the opening of any bond at a corner of its patch [m].
   [[nodiscard]] TRILITH_INLINE double widest_opening() const {
@@ -178,12 +186,8 @@ class JointStep {
       soften_patch(law_, trial, was, stress.area, normal, is, sums.lost);
       keep_bond(k);
       // Sliding that opens the joint does work against the pressure, see Cohesive::Kernel::lifting.
-      const double opened = opened_by(law_, is.slip) - opened_by(law_, was.slip), last = was.opened;
-      is.opened = opened;
-      if (opened > 0) sums.lost.friction -= law_.kn * (stress.force + 0.5 * opened * stress.area) * opened;
-      if (last > 0)
-        sums.lost.friction -=
-            0.5 * law_.kn * stress.area * last * motion_.moved.plus(before_.moved, -1)(plan_.patch[k].middle);
+      is.opened = opened_by(law_, is.slip) - opened_by(law_, was.slip);
+      if (was.opened > 0) sums.lost.friction -= 0.5 * law_.kn * was.opened * (stress_before(k).force + stress.force);
     } else {
       const bool bonded = after_.bonded(static_cast<int>(k));
       const Lanes limit = bonded ? Lanes{} + std::numeric_limits<double>::max() : law_.mu * larger(normal, Lanes{});
@@ -197,10 +201,8 @@ class JointStep {
   /// crushing dissipates part of that pressure.
   [[nodiscard]] double dissipated(std::size_t k, PatchStress now, bool crushes) const {
     const JointPatch& p = plan_.patch[k];
-    const PatchOverlaps then = overlaps(k, before_.moved, before_.patch[k].crushed),
-                        here = overlaps(k, motion_.moved, after_.patch[k].crushed);
-    PatchStress first =
-        elastic_stress(plan_, p, then, before_.bonded(static_cast<int>(k)), holds_of(law_, before_.patch[k]));
+    const PatchOverlaps then = overlaps_before(k), here = overlaps(k, motion_.moved, after_.patch[k].crushed);
+    PatchStress first = stress_before(k);
     PatchStress last =
         elastic_stress(plan_, p, here, after_.bonded(static_cast<int>(k)), holds_of(law_, after_.patch[k]));
     if (!crushes) {
@@ -209,7 +211,9 @@ class JointStep {
     }
     const LinearOverlap gained = motion_.moved.plus(before_.moved, -1);
     const double work = 0.5 * ((first.force + now.force) * gained.at + (first.moment + now.moment).dot(gained.slope));
-    return law_.kn * (first.energy - last.energy + work);
+    // The work of the opening by the last slip is part of the friction, see slide().
+    const double lifted = 0.5 * before_.patch[k].opened * (first.force + now.force);
+    return law_.kn * (first.energy - last.energy + work + lifted);
   }
 
   TRILITH_INLINE void sum_shear(const JointPatch& p, const PatchMemory& m, double slid) {

@@ -155,6 +155,7 @@ struct Cohesive::Kernel : Mortar {
 
   [[nodiscard]] std::array<HalfGaps, 2> gaps(const FaceOverlap<double>& o, const ContactMemory& m,
                                              const Memory<double>& own) const;
+  [[nodiscard]] static double opening_to_come(const Memory<double>& own) { return std::max(0.0, -own.worn); }
   [[nodiscard]] double hold(const ContactMemory& m, const Memory<double>& own, int half) const {
     return m.bonded(half) ? held(1 - own.damage[half]) : 0;
   }
@@ -219,9 +220,9 @@ struct Cohesive::Kernel : Mortar {
   template <class T>
   TRILITH_INLINE void soften_by_opening(HalfState<T>& h, T damage) const;
   template <class T>
-  TRILITH_INLINE T opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const;
+  TRILITH_INLINE T opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded, T last) const;
   template <class T>
-  TRILITH_INLINE T crushing_loss(const HalfState<T>& h, T deeper, T hold) const;
+  TRILITH_INLINE T crushing_loss(const HalfState<T>& h, T deeper, T hold, T last) const;
   [[nodiscard]] double stored_in_both(const FaceOverlap<double>& o, const ContactMemory& m,
                                       const Memory<double>& own) const;
 };

@@ -18,13 +18,14 @@ TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damag
 }
 
 /// Energy dissipated by an open half as its stiffness falls: exact for the mean of the forces at both ends of the step
-/// [J].
+/// [J]. `last`: opening by dilation that acts since this step [m].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded) const {
+TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded,
+                                                T last) const {
   const T zero{}, one = zero + 1.0;
   const T before = select(was_bonded, held(one - damage), zero);
   const T fall = before - held(strength);
-  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.m0, h.g1 - dt * h.m1);
+  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last);
 }
 
 // Crushing.
@@ -56,10 +57,10 @@ TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
 }
 
 /// Energy dissipated by a half whose crushed depth grows by `deeper` [m], with the mean pressure of both ends of the
-/// step; `hold`: of its bond before the step [J].
+/// step; `hold`: of its bond before the step; `last`: see opening_loss [J].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold) const {
-  const T before = mean_overlap(h.g0 - dt * h.m0, h.g1 - dt * h.m1, hold, h.filling);
+TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold, T last) const {
+  const T before = mean_overlap(h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last, hold, h.filling);
   const T now = mean_overlap(h.g0, h.g1, h.hold, h.filling);
   return 0.5 * kn * h.length * deeper * (before + now);
 }
@@ -180,14 +181,14 @@ TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearB
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
                                        FaceMemory<T>& memory, Memory<T>& after) const {
-  const T zero{}, one = zero + 1.0;
+  const T zero{}, one = zero + 1.0, last = larger(zero, zero - own.worn);
   T lost = zero;
   for (const int k : {0, 1}) {
     const HalfState<T>& h = halves.half[k];
     const T deeper = after.crushed[k] - own.crushed[k];
     if (crushing > 0 && any(deeper > zero))
-      lost += crushing_loss(h, deeper, select(before.bonds[k], held(one - own.damage[k]), zero));
-    lost += opening_loss(h, own.damage[k], h.strength, before.bonds[k]);
+      lost += crushing_loss(h, deeper, select(before.bonds[k], held(one - own.damage[k]), zero), last);
+    lost += opening_loss(h, own.damage[k], h.strength, before.bonds[k], last);
     memory.bonds[k] = h.bonded & (h.strength > zero);
     after.damage[k] = select(memory.bonds[k], one - h.strength, zero);
   }
@@ -196,25 +197,25 @@ TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMe
 
 /// Sliding does work against the pressure as it opens the joint. It is taken from friction.
 ///
-/// The pressure P of an instant acts with the opening by the slip up to the step before. The energy E includes the
-/// opening d that the last step has added: P = kn A (u - d), E = kn A u^2 / 2. The next step adds d' and lets the faces
-/// part by G under the mean of both pressures. Then the sum of energies is constant if friction loses (P' + kn A d' /
-/// 2) d' and receives kn A d G / 2.
+/// The pressure P of an instant acts with the opening by the slip up to the step before, and so does its energy: P = kn
+/// A u, E = kn A u^2 / 2. In the next step the opening d by the last slip is added to the overlap u, and the faces part
+/// under the mean of both pressures. The sum of energies is constant if friction loses d (P + P') / 2. Where the faces
+/// part in this step, P' is 0: energy that the joint has not received yet is not lost.
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceHalves<T>& halves, const FaceMemory<T>& before,
                                            const FaceMemory<T>& memory, const Memory<T>& own, const HalfResponse<T>* s,
                                            Memory<T>& after) const {
   if (!(dilation > 0)) return T{};
-  const T zero{}, opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
-  const T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
+  const T zero{}, one = zero + 1.0, opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
   const T last = larger(zero, zero - own.worn);
-  T parting{};
-  for (const int h : {0, 1}) {
-    const T crushed = dt > 0 ? after.crushed[h] - own.crushed[h] : zero;  // it is in the rates
-    parting += s[h].active * (0.5 * dt * (halves.half[h].m0 + halves.half[h].m1) - crushed);
+  T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
+  for (const int k : {0, 1}) {
+    const HalfState<T>& h = halves.half[k];
+    const T hold = select(before.bonds[k], held(one - own.damage[k]), zero);
+    pressure += kn * h.length * mean_overlap(h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last, hold, h.filling);
   }
   after.worn = select(own.worn > zero, own.worn, zero - opened);
-  return (pressure + 0.5 * kn * opened * (s[0].active + s[1].active)) * opened - 0.5 * kn * last * parting;
+  return 0.5 * last * pressure;
 }
 
 /// A bond lost, first damage of a bond, or first crushing.
@@ -242,7 +243,7 @@ inline std::array<HalfGaps, 2> Cohesive::Kernel::gaps(const FaceOverlap<double>&
 inline double Cohesive::Kernel::stored_in_both(const FaceOverlap<double>& o, const ContactMemory& m,
                                                const Memory<double>& own) const {
   if (!o.sane) return 0;
-  const std::array<HalfGaps, 2> g = gaps(o, m, own);
+  const std::array<HalfGaps, 2> g = stressed_gaps(*this, o, m, own);
   return stored(g[0], 0.5 * o.shared, hold(m, own, 0)) + stored(g[1], 0.5 * o.shared, hold(m, own, 1));
 }
 

@@ -141,6 +141,11 @@ struct Coulomb {
     const double mid = 0.5 * (o.gap_lo + o.gap_hi);
     return {{{o.gap_lo, mid, {}}, {mid, o.gap_hi, {}}}};
   }
+  /// Opening by the slip of the last step, which acts from the next step on [m].
+  template <class M>
+  [[nodiscard]] static double opening_to_come(const M& /*own*/) {
+    return 0;
+  }
   /// Stiffness share of a half's bond where open: 1 if intact, 0 without a bond.
   template <class M>
   [[nodiscard]] static double hold(const ContactMemory& /*m*/, const M& /*own*/, int /*half*/) {
@@ -178,6 +183,16 @@ struct Coulomb {
     return {};
   }
 };
+
+/// The gaps of the present stresses of a law. Opening by the slip of the last step does not act yet.
+template <class K, class M>
+[[nodiscard]] std::array<HalfGaps, 2> stressed_gaps(const K& law, const FaceOverlap<double>& o, const ContactMemory& m,
+                                                    const M& own) {
+  std::array<HalfGaps, 2> gaps = law.gaps(o, m, own);
+  const double to_come = law.opening_to_come(own);
+  for (HalfGaps& half : gaps) half.g0 += to_come, half.g1 += to_come;
+  return gaps;
+}
 
 /// Normal stress of one half, of its springs and with its damping: linear over the closed and over the pressed part.
 template <class T>
