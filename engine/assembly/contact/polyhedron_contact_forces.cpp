@@ -87,10 +87,23 @@ void SolidPass::respond_bonded(int row, const JointMemory& before, SolidRoom& ro
 }
 
 /// moving_solid() of a piece that may be a sphere: its centre and radius in addition to its corners, of which a sphere
-/// has one.
-SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece) {
-  const MovingSolid moving = moving_solid(model, state, work, piece);
+/// has one. `face`: see leading_face.
+SphereSide sphere_side(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece, int face) {
+  const MovingSolid moving = moving_solid(model, state, work, piece).by_face(face);
   return {work.solids.sphere[piece], moving.placed, moving.origin, moving.velocity, moving.spin, moving.behind};
+}
+
+/// The face of a deforming piece that a sphere is nearest to, -1 for other pieces.
+int face_near_sphere(const Model<3>& model, const State<3>& state, const Work<3>& work, int piece, int sphere) {
+  if (!model.is_fitted(piece)) return -1;
+  const MovingSolid of = moving_solid(model, state, work, piece);
+  const Vec3& centre = work.solids.placed[sphere].corners[0];
+  int best = -1;
+  for (int f = 0; f < of.placed.solid->shape.faces.count(); ++f)
+    if (of.placed.solid->is_surface(f) &&
+        (best < 0 || depth_below(of.placed, f, centre) < depth_below(of.placed, best, centre)))
+      best = f;
+  return best;
 }
 
 /// Evaluates a row by itself. The answer remains empty if the pieces were apart and still are. Marks rows that are left
@@ -110,10 +123,13 @@ void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   const NearPair& pair = work.pairs[r];
   if (has_sphere(work, pair)) {
     const LawInUse law{model.laws[pair.law], model.thickness, dt};
-    finish(row, false,
-           respond_spheres(sphere_side(model, state, work, pair.piece_a), sphere_side(model, state, work, pair.piece_b),
-                           before, law, work.solids.separation[r].distance),
-           answer);
+    const int face_a = face_near_sphere(model, state, work, pair.piece_a, pair.piece_b),
+              face_b = face_near_sphere(model, state, work, pair.piece_b, pair.piece_a);
+    SolidResponse response = respond_spheres(sphere_side(model, state, work, pair.piece_a, face_a),
+                                             sphere_side(model, state, work, pair.piece_b, face_b), before, law,
+                                             work.solids.separation[r].distance);
+    response.face_a = face_a, response.face_b = face_b;
+    finish(row, false, response, answer);
     return;
   }
   if (may_sleep && stays_apart(row)) return;
@@ -124,23 +140,38 @@ void SolidPass::respond_alone(int row, SolidRoom& room, SolidAnswer& answer) con
   respond_shapes(row, work.solids.faces[r].a != FacePair::none, room, answer);
 }
 
+/// Direction from a to b of a contact of any shape, as far as it is known before its pressure.
+Vec3 known_direction(const SolidMemory& before, const Separation3& last, const MovingSolid& a, const MovingSolid& b) {
+  if ((before.state & contact_touching) != 0 && before.normal != Vec3::Zero()) return before.normal;
+  return last.distance > 0 ? last.axis : separation(a.placed, b.placed).axis;
+}
+
 /// Evaluates two polyhedra of any shape and position.
 void SolidPass::respond_shapes(int row, bool may_be_flat, SolidRoom& room, SolidAnswer& answer) const {
   const auto r = static_cast<std::size_t>(row);
   const NearPair& pair = work.pairs[r];
   const SolidMemory& before = contacts_before(state, work).memory[r];
-  const MovingSolid a = moving_solid(model, state, work, pair.piece_a),
-                    b = moving_solid(model, state, work, pair.piece_b);
+  const MovingSolid whole_a = moving_solid(model, state, work, pair.piece_a),
+                    whole_b = moving_solid(model, state, work, pair.piece_b);
+  // A deforming piece moves by the face that is pressed. By the mean of all its nodes it would take another work than
+  // the overlap stores.
+  int side_a = -1, side_b = -1;
+  if (whole_a.faces != nullptr || whole_b.faces != nullptr) {
+    const Vec3 way = known_direction(before, work.solids.separation[r], whole_a, whole_b);
+    side_a = leading_face(whole_a, way), side_b = leading_face(whole_b, -way);
+  }
+  const MovingSolid a = whole_a.by_face(side_a), b = whole_b.by_face(side_b);
   const LawInUse law{model.laws[pair.law], model.thickness, dt};
   Vec3 along;
   const bool met = direction_at_shared_edges(work, row, along);
   const SolidPressure pressed = pressure_between(a, b, law, work.solids.separation[r], room.shared, may_be_flat,
                                                  before.crushed, met ? &along : nullptr);
-  if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, a, b, pressed, room, answer);
+  if (pair.replaced && pressed.area > 0) return respond_beside_bearing(row, whole_a, whole_b, pressed, room, answer);
   // Two pieces that did not touch and do not touch have no memory to reset.
   const bool never = !(pressed.area > 0) && (before.state & contact_touching) == 0 && before.crushed == 0;
   if (never) return finish(row, false, {}, answer);
-  const SolidResponse response = polyhedron_contact_forces(a, b, before, law, pressed, room);
+  SolidResponse response = polyhedron_contact_forces(a, b, before, law, pressed, room);
+  if (response.face_a < 0) response.face_a = side_a, response.face_b = side_b;
   finish(row, !(before.crushed > 0) && response.memory.crushed > 0, response, answer);
 }
 
