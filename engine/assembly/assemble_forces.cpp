@@ -55,8 +55,10 @@ TRILITH_INLINE bool are_alike(const BodyRow& a, const BodyRow& b) {
 
 /// spread() of two alike rigid bodies side by side: the operations of spread_rigid() for each.
 TRILITH_INLINE void spread_two(const State<2>& state, const BodyRow& a, const BodyRow& b, Work<2>& work) {
-  const auto both = [](const double* of_a, const double* of_b) { return join(load_pair(of_a), load_pair(of_b)); };
-  const auto swapped = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 0, 3, 2)); };
+  const auto both = [](const double* of_a, const double* of_b)
+                        TRILITH_INLINE_LAMBDA { return join(load_pair(of_a), load_pair(of_b)); };
+  const auto swapped = [](const Lanes& v)
+                           TRILITH_INLINE_LAMBDA { return Lanes(__builtin_shufflevector(v, v, 1, 0, 3, 2)); };
   const Lanes origin = both(state.position[a.node].data(), state.position[b.node].data());
   Lanes sum{}, moment{};  // the moments in lanes 0 and 2
   for (int i = 0; i < a.skins; ++i) {

@@ -30,10 +30,16 @@ using Mask = typename MaskOf<T>::type;
 
 // A kernel is one inlined function for each register width. With sanitizers, which check each access, the compiler
 // needs minutes for such a function; there the functions are plain and have one width.
+//
+// Lanes by value are in a wide register in code for AVX and in memory in other code. A caller for wide registers would
+// misread them wherever the compiler does not inline the callee. So a function or lambda that takes or returns lanes by
+// value is always inlined. tests/rooms/vectors_by_value checks this.
 #ifdef TRILITH_ONE_WIDTH
 #define TRILITH_INLINE inline
+#define TRILITH_INLINE_LAMBDA
 #else
 #define TRILITH_INLINE [[gnu::always_inline]] inline
+#define TRILITH_INLINE_LAMBDA __attribute__((always_inline))
 #endif
 
 /// Two neighbouring numbers at an address that is a multiple of 16.

@@ -17,7 +17,7 @@ struct PieceMotions {
   Plane2 at, velocity;
   Lanes spin, chord;
   TRILITH_INLINE PieceMotions(const PlacedPiece* const* p, double dt) {
-    const auto row = [&](int i) {
+    const auto row = [&](int i) TRILITH_INLINE_LAMBDA {
       const LanePair place = load_pair(p[i]->origin.data()), rate = load_pair(p[i]->velocity.data());
       return Lanes(__builtin_shufflevector(place, rate, 0, 1, 2, 3));
     };
@@ -47,8 +47,8 @@ struct RememberedFour {
   TRILITH_INLINE explicit RememberedFour(const ContactMemory* const* m) {
     static_assert(offsetof(ContactMemory, shear_total) == offsetof(ContactMemory, shear_elastic) + sizeof(LanePair) &&
                   offsetof(ContactMemory, active) == offsetof(ContactMemory, damping_force) + sizeof(LanePair));
-    const auto shear_of = [&](int i) { return load_lanes(m[i]->shear_elastic); };
-    const auto damping_of = [&](int i) { return load_lanes(m[i]->damping_force); };
+    const auto shear_of = [&](int i) TRILITH_INLINE_LAMBDA { return load_lanes(m[i]->shear_elastic); };
+    const auto damping_of = [&](int i) TRILITH_INLINE_LAMBDA { return load_lanes(m[i]->damping_force); };
     const FourByFour shears(shear_of(0), shear_of(1), shear_of(2), shear_of(3)),
         others(damping_of(0), damping_of(1), damping_of(2), damping_of(3));
     shear = {shears.v[0] + shears.v[1], shears.v[2] + shears.v[3], others.v[2] + others.v[3]};

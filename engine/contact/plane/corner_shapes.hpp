@@ -137,7 +137,8 @@ struct Triangle {
     const Plane2 from_start{corner.x - face.x, corner.y - face.y}, along{face.along_x, face.along_y};
     const Lanes at1 = dot_of(from_start + p1, along) / face.length2,
                 at2 = dot_of(from_start + p2, along) / face.length2;
-    const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
+    const auto is_clear = [&](const Lanes& share)
+                              TRILITH_INLINE_LAMBDA { return (share > clear_share) & (share < 1 - clear_share); };
     // Depth of each end of the base below the edge through the other end.
     const Lanes below_before = -(before.nx * p2.x + before.ny * p2.y),
                 below_after = -(after.nx * p1.x + after.ny * p1.y);
@@ -231,12 +232,10 @@ struct CornerChain {
                              const EdgeColumns& last, const Plane2& v)
       : before(w0), after(w1), corner{after.x - v.x, after.y - v.y} {
     const Lanes zero{}, one = all_lanes(1);
-    const auto below = [](const EdgeColumns& e, const EdgeColumns& at) {
-      return e.nx * (e.x - at.x) + e.ny * (e.y - at.y);
-    };
-    const auto along = [](const EdgeColumns& e, const EdgeColumns& way) {
-      return e.nx * way.along_x + e.ny * way.along_y;
-    };
+    const auto below = [](const EdgeColumns& e, const EdgeColumns& at)
+                           TRILITH_INLINE_LAMBDA { return e.nx * (e.x - at.x) + e.ny * (e.y - at.y); };
+    const auto along = [](const EdgeColumns& e, const EdgeColumns& way)
+                           TRILITH_INLINE_LAMBDA { return e.nx * way.along_x + e.ny * way.along_y; };
     d0 = below(first, after), d1 = below(last, after);
     const Lanes d0_start = below(first, before), d1_start = below(last, before);
     const Lanes d0_end = d0 - along(first, after), d1_end = d1 - along(last, after);
@@ -245,7 +244,8 @@ struct CornerChain {
     in = corner - share_in * Plane2{before.along_x, before.along_y};
     out = corner + share_out * Plane2{after.along_x, after.along_y};
     const Lanes d1_in = d1 + share_in * (d1_start - d1), d0_out = d0 + share_out * (d0_end - d0);
-    const auto is_clear = [&](const Lanes& share) { return (share > clear_share) & (share < 1 - clear_share); };
+    const auto is_clear = [&](const Lanes& share)
+                              TRILITH_INLINE_LAMBDA { return (share > clear_share) & (share < 1 - clear_share); };
     clear &= is_clear(share_in) & is_clear(share_out) & (d1_in > zero) & (d0_out > zero);
     early = d0 > d1;
     const Lanes nearer = magnitude(d0 - d1), beside = select(early, d1_in, d0_out);

@@ -7,11 +7,12 @@ namespace {
 
 /// Edges of a piece with four corners, the most frequent number: one per lane.
 TRILITH_INLINE void place_four_edges(const Vec2* corner, EdgeRow* row) {
-  const auto two = [&](int first) {
+  const auto two = [&](int first) TRILITH_INLINE_LAMBDA {
     const LanePair low = load_pair(corner[first].data()), high = load_pair(corner[first + 1].data());
     return Lanes(__builtin_shufflevector(low, high, 0, 1, 2, 3));
   };
-  const auto next = [](const Lanes& v) { return Lanes(__builtin_shufflevector(v, v, 1, 2, 3, 0)); };
+  const auto next = [](const Lanes& v)
+                        TRILITH_INLINE_LAMBDA { return Lanes(__builtin_shufflevector(v, v, 1, 2, 3, 0)); };
   const Lanes first = two(0), last = two(2);
   const Lanes x = __builtin_shufflevector(first, last, 0, 2, 4, 6),
               y = __builtin_shufflevector(first, last, 1, 3, 5, 7);

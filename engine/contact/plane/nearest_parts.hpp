@@ -64,7 +64,7 @@ class NearestParts {
   TRILITH_INLINE void add_to(TriangleLanes& triangles, const Lanes& face) const {
     for (int i = 0; i < parts_; ++i) {
       const NearestPart& part = part_[room_[static_cast<std::size_t>(i)]];
-      const auto corner = [&](int k) {
+      const auto corner = [&](int k) TRILITH_INLINE_LAMBDA {
         Lanes v = part.corner[static_cast<std::size_t>(k)].arm;
         v[3] = part.corner[static_cast<std::size_t>(k)].depth[part.nearest];
         return v;

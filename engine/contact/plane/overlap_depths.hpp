@@ -118,14 +118,14 @@ struct alignas(32) DepthsOfMany {
   [[nodiscard]] TRILITH_INLINE NearestFace nearest(std::uint64_t surface, int v, int w, double at_share, double to,
                                                    double steeper_than) const {
     const Lanes none = all_lanes(std::numeric_limits<double>::infinity());
-    const auto slope_of = [&](int k) { return at(w, k) - at(v, k); };
-    const auto depth_of = [&](int k) { return at(v, k) + slope_of(k) * at_share; };
-    const auto may_be = [&](int k) { return mask_of_bits(surface >> (k * lane_count)); };
+    const auto slope_of = [&](int k) TRILITH_INLINE_LAMBDA { return at(w, k) - at(v, k); };
+    const auto depth_of = [&](int k) TRILITH_INLINE_LAMBDA { return at(v, k) + slope_of(k) * at_share; };
+    const auto may_be = [&](int k) TRILITH_INLINE_LAMBDA { return mask_of_bits(surface >> (k * lane_count)); };
     Lanes depths = none;
     for (int k = 0; k < blocks(); ++k)
       depths = smaller(depths, select(may_be(k) & (slope_of(k) < steeper_than), depth_of(k), none));
     const double depth = least_lane(depths);
-    const auto is_least = [&](int k) {
+    const auto is_least = [&](int k) TRILITH_INLINE_LAMBDA {
       return may_be(k) & (slope_of(k) < steeper_than) & (depth_of(k) == all_lanes(depth));
     };
     Lanes slopes = none;

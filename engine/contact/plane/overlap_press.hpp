@@ -176,9 +176,8 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const Lanes phi0 = larger(d0 + (d1 - d0) * from - crushed, zero), phi1 = larger(d0 + (d1 - d0) * to - crushed, zero);
   // The force on b is along -n where b walks, because n points from b into a, and along +n where a does: hence `sign`.
   const Lanes along = -sign * (normal.x() * nx + normal.y() * ny), facing = larger(along, zero);
-  const auto closing = [&](const PlacedPiece& p, const PlacedPiece& q, const Lanes& x, const Lanes& y) {
-    return Lanes(-facing * speed(p, q, s, x, y));
-  };
+  const auto closing = [&](const PlacedPiece& p, const PlacedPiece& q, const Lanes& x, const Lanes& y)
+                           TRILITH_INLINE_LAMBDA { return Lanes(-facing * speed(p, q, s, x, y)); };
   // c > 0: closing. k is half of kn, and half the length counts, because the other piece's walk adds the other halves.
   const Lanes c0 = closing(a, b, x0, y0), c1 = closing(a, b, x1, y1);
   const Lanes length = root(way_x * way_x + way_y * way_y), force = (0.5 * law.kn) * length;
@@ -202,7 +201,7 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
               moment_on_b = (first_along_n - share * along_n) * way_n;
   const Lanes fx = sign * on_b_x, fy = sign * on_b_y, moment = sign * moment_on_b;
   const CornerForces on_walker(walker, x, y, fx, fy, moment), on_owner(owner, x, y, -fx, -fy, -moment);
-  const auto of = [&](const LaneMask& m, const Lanes& v) { return select(m, v, zero); };
+  const auto of = [&](const LaneMask& m, const Lanes& v) TRILITH_INLINE_LAMBDA { return select(m, v, zero); };
   const FourByFour dampings(of(counts, along_n * normal.x()), of(counts, along_n * normal.y()),
                             of(counts, damping_moment), of(counts, damped));
   const FourByFour forces(of(presses, along * total), of(presses, total), of(counts, 0.5 * length), zero);

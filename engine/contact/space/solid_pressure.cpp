@@ -107,7 +107,7 @@ class PressedFace {
  private:
   /// The triangles of a polygon about its first corner.
   void add_triangles(const PressedPolygon& of) const {
-    const auto corner = [&](std::size_t i) {
+    const auto corner = [&](std::size_t i) TRILITH_INLINE_LAMBDA {
       const PressedPoint& p = of.corner[i];
       return Lanes{p.arm.x(), p.arm.y(), p.arm.z(), p.depth};
     };

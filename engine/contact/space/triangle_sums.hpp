@@ -51,7 +51,8 @@ struct alignas(32) DampedMotion {
   /// Closing speeds at the corners [m/s].
   [[nodiscard]] TRILITH_INLINE std::array<Lanes, 3> closing(const FourTriangles& in, const Lanes& along) const {
     const Lanes facing = larger<Lanes>(along, Lanes{});
-    const auto at = [&](std::size_t k) { return Lanes(-facing * (moving + in.arm[k].dot(turning))); };
+    const auto at = [&](std::size_t k)
+                        TRILITH_INLINE_LAMBDA { return Lanes(-facing * (moving + in.arm[k].dot(turning))); };
     return {at(0), at(1), at(2)};
   }
 };
