@@ -47,8 +47,8 @@ GroundMotion::GroundMotion(std::span<const double> acceleration, double step, Mo
     : step_(step), source_(std::move(source)), description_(name_of(source_)) {
   const auto about = [this](std::string_view what) { return fmt::format("motion '{}': {}", description_, what); };
   if (!(step >= least_step && step <= largest_step))
-    throw InputError(fmt::format("motion '{}': sample step is {:g} s, must be between {:g} and {:g} s", description_,
-                                 step, least_step, largest_step));
+    throw InputError(fmt::format("motion '{}': the sample step dt is {:g} s, must be between {:g} and {:g} s",
+                                 description_, step, least_step, largest_step));
   if (acceleration.size() < 2)
     throw InputError(fmt::format("motion '{}': {} samples, at least 2 are needed", description_, acceleration.size()));
   samples_.reserve(acceleration.size());

@@ -34,7 +34,7 @@ void require_valid(const StageOptions& o) {
                     "to conserve energy",
                     owner, o.safety, longest_safety));
   if (!(o.rest_share >= 0 && o.rest_share < 1))
-    throw InputError(fmt::format("{}: damping share is {:g}, must be at least 0 and below 1", owner, o.rest_share));
+    throw InputError(fmt::format("{}: local_damping is {:g}, must be at least 0 and below 1", owner, o.rest_share));
   if (bound_of(o.integrator) == StepBound::accuracy && o.rest_share > 0)
     throw InputError(
         fmt::format("{}: damping is {:g}, which is for explicit steps; leave it out, or use integrator = \"explicit\"",

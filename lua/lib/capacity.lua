@@ -117,7 +117,11 @@ end
 --- Sets period, target and safety where a mass is given; without a spectrum the period only.
 local function add_oscillator(owner, result, options)
   if options.mass == nil then
-    if options.spectrum then core.fail(("%s: 'spectrum' needs 'mass', the mass that the push moves"):format(owner)) end
+    for _, key in ipairs { "spectrum", "participation" } do
+      if options[key] ~= nil then
+        core.fail(("%s: '%s' needs 'mass', the mass that the push moves"):format(owner, key))
+      end
+    end
     return
   end
   local mass = core.positive(owner, "mass", options.mass, " kg")

@@ -2,6 +2,7 @@
 local trilith, core = ...
 
 local owner = "dxf"
+local most_arc_segments = 1000
 local units = { [1] = 0.0254, [2] = 0.3048, [4] = 1e-3, [5] = 1e-2, [6] = 1, [14] = 0.1 } -- $INSUNITS to m
 local unit_names = { mm = 1e-3, cm = 1e-2, dm = 0.1, m = 1, ["in"] = 0.0254, ft = 0.3048 }
 -- Entities without geometry of their own.
@@ -316,7 +317,11 @@ function trilith.dxf(options)
     core.fail(("%s: 'file' is %s, must be the path of a DXF file"):format(owner,
       options.file == nil and "missing" or core.what_is(options.file)))
   end
-  local steps = options.arc_segments == nil and 4 or core.positive(owner, "arc_segments", options.arc_segments, "")
+  local steps = options.arc_segments == nil and 4 or options.arc_segments
+  if math.type(steps) ~= "integer" or steps < 1 or steps > most_arc_segments then
+    core.fail(("%s: 'arc_segments' is %s, must be a whole number from 1 to %d"):format(owner, core.what_is(steps),
+      most_arc_segments))
+  end
   local tolerance = options.tolerance == nil and 1e-4 or core.positive(owner, "tolerance", options.tolerance, " m")
   local origin = options.origin or { 0, 0 }
   if type(origin) ~= "table" or type(origin[1]) ~= "number" or type(origin[2]) ~= "number" then

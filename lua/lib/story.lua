@@ -53,8 +53,8 @@ end
 --- Converts an event and its filters to the argument of core.fits.
 function core.wanted(model, options, owner)
   local above = options.above
-  if above ~= nil and (type(above) ~= "number" or above ~= above or above < 0) then
-    core.fail(("%s: 'above' is %s, must be a number not below 0"):format(owner, tostring(above)))
+  if above ~= nil and (type(above) ~= "number" or above ~= above or above < 0 or above == math.huge) then
+    core.fail(("%s: 'above' is %s, must be a finite number not below 0"):format(owner, tostring(above)))
   end
   if options.group ~= nil and type(options.group) ~= "string" then
     core.fail(("%s: 'group' is %s, must be the name of one"):format(owner, tostring(options.group)))

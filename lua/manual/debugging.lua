@@ -50,7 +50,7 @@ becomes_from  text or table?  origin of the successor's displacement: "start" or
                becomes_from = true } },
   { "model:lint", "Lists reasons why a model cannot be built, and input that is probably a mistake, each with a "
     .. "remedy.", keys = [[
-slip  number m = 0.1  expected slip of joints: the elastic slip of friction should be below 0.001 of it]],
+slip  number m = 0.1  expected slip of joints: the elastic slip of friction should be below 0.001 of it  <above 0>]],
     gives = "findings" },
   examples = {
     ["model:break_on"] = [[

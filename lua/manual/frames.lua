@@ -12,7 +12,7 @@ pinned        names?              "from", "to" or both: ends without moment
 hinge         hinge law?          a plastic hinge at both ends
 from_hinge    hinge law?          plastic hinge at the start
 to_hinge      hinge law?          plastic hinge at the end
-stations      integer = 4         number of integration points (fibre sections) in each beam element
+stations      integer = 4         number of integration points (fibre sections) in each beam element  <2 to 6>
 rule          text = "lobatto"    rule of integration: "lobatto" (with the ends) or "gauss"
 from_support  text?               "fixed", "free" or directions { x = "fixed", rotation = "fixed" }
 to_support    text?               support of the end]], with = "beam", gives = "body" },
@@ -46,10 +46,10 @@ bar_law    fibre law?      law of the bars, such as trilith.menegotto_pinto{...}
   shared = { beam = [[
 material        text             material, with E and nu
 groups          names?           groups of the body
-density         number kg/m3?    density instead of the material's; or
-unit_weight     number N/m3?     unit weight; or
-mass            number kg?       mass of all members; or
-weight          number N?        weight
+density         number kg/m3?    density instead of the material's; or  <above 0>
+unit_weight     number N/m3?     unit weight; or  <above 0>
+mass            number kg?       mass of all members; or  <above 0>
+weight          number N?        weight  <above 0>
 support         text?            support of all nodes: "fixed", "free" or directions { x = "fixed" }
 mass_matrix     text = "lumped"  "lumped" or "consistent"; explicit steps always use lumped mass
 velocity        point?           velocity at the start [m/s]

@@ -15,7 +15,8 @@ soffit_level       number m = on its left bearing  level of the underside
 weight_per_length  number N/m?    weight of the deck over its full length; or weight, mass, density  <above 0>
 x0                 number m?      deck alone: axis of the left support
 x1                 number m?      deck alone: axis of the right support
-end_gap            number m = 0   distance from the axis to the end of the deck]], with = "body", gives = "body" },
+end_gap            number m = 0   distance from the axis to the end of the deck  <at least 0>]],
+    with = "body", gives = "body" },
   { "model:bearing_type", "A type of bearing for the ends of spans. Without a law the deck slides on its seat, as on "
     .. "an expansion bearing.", keys = [[
 name     text            name
@@ -46,8 +47,8 @@ file          text           path, from the current folder or from the folder of
 unit          text?          "mm", "cm", "dm", "m", "in" or "ft"; default: $INSUNITS of the file
 layers        names?         layers to read; default all
 origin        point = {0, 0}  point of the drawing that becomes the origin, in m
-arc_segments  number = 4     chords per quarter circle of an arc
-tolerance     number m = 0.0001  largest distance of ends that meet]], gives = "part[]" },
+arc_segments  integer = 4    chords per quarter circle of an arc  <1 to 1000>
+tolerance     number m = 0.0001  largest distance of ends that meet  <above 0>]], gives = "part[]" },
   examples = {
     ["trilith.dxf"] = [[
 local path = os.tmpname() .. ".dxf"

@@ -8,7 +8,7 @@ event  text      such as "bearing.failed"; or a table with filters
 f      function  function of the event]], gives = "table",
     example = 'm:on("impact", function(e) print(e.time, e.value) end)' },
   { "model:every", "Calls f(model) at a fixed interval of simulated time. Returns the handler.", args = [[
-interval  number s  time between calls
+interval  number s  time between calls  <above 0>
 f         function  function of the model]], gives = "table",
     example = "m:every(0.1, function(model) print(model.time) end)" },
   { "model:on_step", "Calls f(model) after each step. Returns the handler.",

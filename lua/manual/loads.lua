@@ -52,7 +52,7 @@ direction     text = "x"       x, -x, y or -y; in space z or -z too
 pattern       text = "mass"    distribution of the force over the bodies: mass, uniform or triangle
 control       text = "time"    "time": steady motion; "arc": states of equilibrium by arc length, past limit points
 rate          number m/s?      control "time": speed; if left out, slow enough that inertia stays small  <above 0>
-arc           number m?        control "arc": length of the first step; 0.01 of the displacement if left out
+arc           number m?        control "arc": length of the first step; 0.01 of the displacement if left out  <above 0>
 displacement  number m?        displacement at which the stage ends; or drift  <above 0>
 drift         number m?        drift of the top at which the stage ends; in space along the push  <above 0>
 storey        integer?         storey of this drift  <at least 1>
@@ -72,10 +72,10 @@ safety        number = 0.5     control "time": share of the longest stable step 
     also = "capacity curve, N2 method, idealised curve, performance point, ductility, limit states", keys = [[
 curve          table         report of m:pushover, or its curve
 code           text = "eurocode8"  "eurocode8" or "ntc2018"
-drop           number = 0.2  ultimate displacement: the force has fallen by this share of its peak; ntc2018: 0.15
-elastic        number = 0.6  ntc2018: share of the peak force for the stiffness
-mass           number kg?    mass of the equivalent oscillator, for the period
-participation  number = 1    participation factor of the oscillator
+drop           number = 0.2  ultimate displacement: share of the peak force lost; ntc2018: 0.15  <above 0, below 1>
+elastic        number = 0.6  ntc2018: share of the peak force for the stiffness  <above 0, below 1>
+mass           number kg?    mass of the equivalent oscillator, for the period  <above 0>
+participation  number = 1    participation factor of the oscillator  <above 0>
 spectrum       table?        demand from trilith.spectrum, for the target displacement]], gives = "bilinear",
     example = 'local curve = { displacement = { 0.01, 0.02, 0.06 }, force = { 8e4, 1e5, 1e5 } }\n'
       .. 'print(trilith.bilinear { curve = curve, code = "ntc2018" }.ductility)' },
@@ -86,7 +86,7 @@ spectrum       table?        demand from trilith.spectrum, for the target displa
 mode       text          failure mode: "flexure" or "shear"
 state      text = "significant damage"  limit state: "significant damage" or "near collapse"
 secondary  flag = false  a secondary wall
-height     number m?     flexure: distance from the section to the point of contraflexure
-depth      number m?     flexure: length of the wall in its plane]], gives = "number",
+height     number m?     flexure: distance from the section to the point of contraflexure  <above 0>
+depth      number m?     flexure: length of the wall in its plane  <above 0>]], gives = "number",
     example = 'print(trilith.drift_limit { mode = "flexure", height = 2.5, depth = 1.5 })' },
 }

@@ -92,8 +92,8 @@ inward   point?  direction from the edge over the seat; default horizontal, towa
   shared = { body = [[
 material        text?            material
 groups          names?           groups of the body
-density         number kg/m3?    density instead of the material's; or
-unit_weight     number N/m3?     unit weight; or
+density         number kg/m3?    density instead of the material's; or  <above 0>
+unit_weight     number N/m3?     unit weight; or  <above 0>
 mass            number kg?       mass; or  <above 0>
 weight          number N?        weight  <above 0>
 inertia         number kg m2?    moment of inertia about the centroid  <above 0>

@@ -11,8 +11,9 @@ name      names?  only with these names]], gives = "set" },
     .. "is out of place if its centroid has moved by more than the limit, down or sideways relative to the floor "
     .. "under its storey.",
     keys = [[
-apart         number m = 0.0127  limit of opening or slip of a joint that is apart (half an inch)
-out_of_place  number m = 0.0254  limit of motion of a unit that is out of place (an inch)]], gives = "table[]" },
+apart         number m = 0.0127  limit of opening or slip of a joint that is apart (half an inch)  <at least 0>
+out_of_place  number m = 0.0254  limit of motion of a unit that is out of place (an inch)  <at least 0>]],
+    gives = "table[]" },
   { "body:point", "Present position of a material point, given by its position at the start: x and y, in space z too.",
     args = "place  place  {x, y} at the start, in space {x, y, z}; or the name of a frame's joint",
     gives = "number, number" },
@@ -28,7 +29,7 @@ what     text?      name of the reading
 body     body?      body of the reading
 bearing  bearing?   or bearing
 seat     seat?      or seat
-storey   integer?   or storey; the model if none is given
+storey   integer?   or storey; the model if none is given  <at least 1>
 of       function?  or a function; its value is recorded
 unit     text?      unit of the function's values
 doc      text?      description of the values

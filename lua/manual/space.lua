@@ -37,7 +37,7 @@ hinge         hinge law?       a plastic hinge at both ends, with `across`
 from_hinge    hinge law?       plastic hinge at the start
 to_hinge      hinge law?       plastic hinge at the end
 mass_matrix   text = "lumped"  "lumped" or "consistent"; explicit steps always use lumped mass
-stations      integer = 4      number of integration points (fibre sections) in each beam element
+stations      integer = 4      number of integration points (fibre sections) in each beam element  <2 to 6>
 rule          text = "lobatto"  rule of integration: "lobatto" (with the ends) or "gauss"
 from_support  text or table?   "fixed", "free" or { x = , y = , z = , rotation_x = , rotation_y = , rotation_z = }
 to_support    text or table?   support of the end]], with = "solid", gives = "body" },

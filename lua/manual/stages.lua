@@ -19,9 +19,9 @@ local scaling = "mass_scaling  table?  { step = [s], most = 30, bodies = }: long
 local in_time = [[
 
 integrator       text = "explicit"   "explicit", "implicit" (Newton's method), or "auto" (chosen at run time)
-alpha            number = -0.05      implicit, HHT: from -1/3 to 0; 0 has no numerical damping (Newmark)
-spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1
-tolerance        number = 1e-8       implicit: residual force, as a share of the largest force
+alpha            number = -0.05      implicit, HHT: from -1/3 to 0; 0 has no numerical damping (Newmark)  <-1/3 to 0>
+spectral_radius  number?             implicit, instead: generalised alpha, 0 to 1  <0 to 1>
+tolerance        number = 1e-8       implicit: residual force, as a share of the largest force  <above 0, at most 0.01>
 accuracy         number?             energy error of a step, 0: any; default implicit 1e-3, explicit 0.02  <0 to 1>
 watch       flag = true   ends the stage as diverged if speeds or energies have no physical source]]
 
@@ -49,8 +49,8 @@ fresh     flag = false            mortar sets at the end: joints are bonded in t
 or_go_on  flag = false            without rest, or at rest in another place: a note instead of an error
 within    number = 0.25           largest motion of a body over its size; beyond it the model is unstable  <above 0>
 integrator  text = "explicit"     "explicit", or "static": equilibrium by Newton's method, without time and damping
-shares     integer = 1            static: number of load increments
-tolerance  number = 1e-8          static: residual force, as a share of the largest force
+shares     integer = 1            static: number of load increments  <1 to 1000>
+tolerance  number = 1e-8          static: residual force, as a share of the largest force  <above 0, at most 0.01>
 name      text = "consolidation"  name in results
 dt        number s?               fixed time step  <at least 0>
 safety    number = 0.5            share of the longest stable step  <above 0, at most 0.9>

@@ -10,11 +10,11 @@ before      function?    called once: every case starts from a copy of the state
 parameters  table?       lists of values; all combinations are run
 cases       list?        or a list of cases
 samples     table?       or distributions, with count and seed
-count       integer?     number of sampled cases
+count       integer?     number of sampled cases  <at least 1>
 seed        integer = 1  seed of the samples
 histories   table?       figures from histories: names: largest absolute value; or name = last, max, min, largest
 ida         table?       { over = parameter, stop = flag }: from its lowest value up, until the flag is true
-jobs        integer = processors  number of cases at a time]], gives = "table", unread = true,
+jobs        integer = processors  number of cases at a time  <at least 1>]], gives = "table", unread = true,
     example = "local study = trilith.study {\n"
       .. '  file = "out/manual_study.h5", parameters = { mu = { 0.2, 0.4 }, pga = { 1, 2 } },\n'
       .. "  case = function(p) return { slides = p.pga > p.mu*9.81 } end }\n"

@@ -39,7 +39,7 @@ acceleration  numbers?           samples [m/s2]
 dt            number s?          time step of the samples, also of a file of plain columns  <1e-9 to 1e6>
 unit          text?              file of plain columns: unit of the accelerations, as in "cm/s2" or "g"
 column        text?              file of plain columns: number or name of the column; "rows": samples line by line
-skip          integer?           file of plain columns: number of header lines
+skip          integer?           file of plain columns: number of header lines  <0 to 1000000>
 decimal       text?              file of plain columns: decimal sign, "." or ","
 v0            number m/s = 0     velocity at the start
 u0            number m = 0       displacement at the start
@@ -52,15 +52,15 @@ name          text?              name in messages]], gives = "motion",
 by        number           displacement [m] or rotation [rad]
 duration  number s         duration  <above 0>]], gives = "motion" },
   { "motion:scale", "Scales a motion; factor 0 gives a control run.", keys = [[
-pga      number m/s2?   peak acceleration after scaling; or  <above 0>
+pga      number m/s2?   peak acceleration after scaling; or  <at least 0>
 factor   number?        factor; or
 sa       number m/s2?   spectral acceleration at the period
 period   number s?      period of sa  <0, or 0.001 to 100>
 damping_ratio  number = 0.05  damping ratio of sa  <at least 0, below 1>]], gives = "motion" },
   { "motion:match", "Scales a motion so that its spectrum fits a target, by the mean of the logarithm.", keys = [[
 spectrum  list           { { period, acceleration [m/s2] }, ... }
-from      number s?      ignore shorter periods
-to        number s?      ignore longer periods
+from      number s?      ignore shorter periods  <at least 0>
+to        number s?      ignore longer periods  <above 0>
 damping_ratio  number = 0.05  damping ratio of the spectrum  <at least 0, below 1>]], gives = "motion" },
   { "trilith.spectrum", "An elastic design spectrum by code name. Returns a list of points { period [s], "
     .. "acceleration [m/s2] } for motion:match, with the fields S, TB, TC, TD (asce7: SDS, SD1) and the function "
@@ -70,24 +70,24 @@ damping_ratio  number = 0.05  damping ratio of the spectrum  <at least 0, below 
 code           text            "eurocode8", "asce7" or "ntc2018"
 type           number = 1      eurocode8: 1 for surface-wave magnitudes above 5.5, or 2
 ground         text?           ground type or site class: "A", "B", "C", "D" or "E"
-ag             number m/s2?    eurocode8, ntc2018: peak acceleration on rock
-F0             number?         ntc2018: amplification of the spectrum on rock
-TC_star        number s?       ntc2018: start of the branch of constant velocity on rock
-topography     number = 1      ntc2018: topographic factor
-Ss             number?         asce7: mapped acceleration at short periods, as a share of g
-S1             number?         asce7: mapped acceleration at 1 s, as a share of g
-SDS            number?         asce7: design acceleration at short periods, instead of Ss, as a share of g
-SD1            number?         asce7: design acceleration at 1 s, instead of S1, as a share of g
-TL             number s = 8    asce7: long-period transition
-damping_ratio  number = 0.05   eurocode8, ntc2018: damping ratio
+ag             number m/s2?    eurocode8, ntc2018: peak acceleration on rock  <above 0>
+F0             number?         ntc2018: amplification of the spectrum on rock  <above 0>
+TC_star        number s?       ntc2018: start of the branch of constant velocity on rock  <above 0>
+topography     number = 1      ntc2018: topographic factor  <above 0>
+Ss             number?         asce7: mapped acceleration at short periods, as a share of g  <above 0>
+S1             number?         asce7: mapped acceleration at 1 s, as a share of g  <above 0>
+SDS            number?         asce7: design acceleration at short periods, instead of Ss, as a share of g  <above 0>
+SD1            number?         asce7: design acceleration at 1 s, instead of S1, as a share of g  <above 0>
+TL             number s = 8    asce7: long-period transition  <above 0>
+damping_ratio  number = 0.05   eurocode8, ntc2018: damping ratio  <above 0>
 periods        numbers?        periods of the points, in s; default 60 from 0.02 s to 4 s and the corners]],
     gives = "list" },
   { "motion:baseline", "Baseline correction: subtracts the polynomial that fits the acceleration best.",
     args = "degree  integer  0 to 10", gives = "motion" },
   { "motion:filter", "Butterworth filter, forward and backward: no phase shift, -3 dB at the corner frequencies.",
     keys = [[
-low    number Hz?    remove lower frequencies
-high   number Hz?    remove higher frequencies
+low    number Hz?    remove lower frequencies  <at least 0>
+high   number Hz?    remove higher frequencies  <at least 0>
 order  integer = 4   order of each side  <1 to 10>
 pad    number s = 0  time of rest added before and after the record  <0 to 10000>]], gives = "motion" },
   { "motion:resample", "Resamples by linear interpolation; a filter precedes a longer step.",

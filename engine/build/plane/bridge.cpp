@@ -45,6 +45,9 @@ void check_seat(double seat, const std::optional<double>& gap, const std::string
 Pier with_seats(const Pier& pier) {
   const std::string owner = builder_title("pier", pier.name);
   check_seat(pier.seat, pier.gap, owner);
+  // Both widths are replaced below where they are 0, which means not given.
+  require_not_negative(pier.stem_width, owner + ": stem width", "m");
+  require_not_negative(pier.top_width, owner + ": top width", "m");
   Pier p = pier;
   if (p.seat > 0) {
     if (p.top_width > 0)
@@ -91,6 +94,8 @@ Part build_pier(const Pier& given) {
 Abutment with_seats(const Abutment& abutment) {
   const std::string owner = builder_title("abutment", abutment.name);
   check_seat(abutment.seat, abutment.gap, owner);
+  require_positive(abutment.width, owner + ": width", "m");
+  require_not_negative(abutment.back_wall_width, owner + ": back wall width", "m");
   Abutment a = abutment;
   if (a.axis && !(a.seat > 0))
     throw InputError(

@@ -116,6 +116,8 @@ inline std::optional<MemberFibres> read_fibres(Keys& keys, const SectionValue* s
     if (keys.has(key) && !section->fibres)
       keys.problem(fmt::format("'{}' is for fibre sections, but this section has no fibres; leave it out", key));
   if (!section->fibres) return std::nullopt;
+  if (stations < 2 || stations > 6)
+    keys.problem(fmt::format("'stations' is {}, must be 3 to 6 (lobatto) or 2 to 5 (gauss)", stations));
   return MemberFibres{*section->fibres, gauss ? BeamRule::gauss : BeamRule::lobatto, stations};
 }
 

@@ -189,6 +189,7 @@ int scale(lua_State* L) {
              sa = keys.maybe_number("sa", "m/s2");
   if (pga.has_value() + factor.has_value() + sa.has_value() != 1)
     keys.problem("give either pga (in m/s2), factor, or sa (in m/s2) with its period");
+  if (pga && !(*pga >= 0)) keys.problem(fmt::format("'pga' is {:g} m/s2, must not be below 0", *pga));
   const double period = sa ? keys.number("period", "s") : 0, damping = keys.number("damping_ratio", "1", 0.05);
   if (!sa && (keys.has("period") || keys.has("damping_ratio")))
     keys.problem("'period' and 'damping_ratio' are for sa; give it too");
@@ -226,6 +227,8 @@ int match(lua_State* L) {
   std::vector<SpectrumPoint> points = read_spectrum(keys);
   const double from = keys.number("from", "s", 0), to = keys.number("to", "s", 1e9),
                damping = keys.number("damping_ratio", "1", 0.05);
+  if (!(from >= 0)) keys.problem(fmt::format("'from' is {:g} s, must not be below 0", from));
+  if (!(to > 0)) keys.problem(fmt::format("'to' is {:g} s, must be above 0", to));
   keys.finish();
   std::erase_if(points, [&](const SpectrumPoint& p) { return p.period < from || p.period > to; });
   if (points.empty()) throw InputError("match: no point of the spectrum lies between 'from' and 'to'");
@@ -244,6 +247,9 @@ int filter(lua_State* L) {
   Keys keys(L, 2, "filter");
   const FilterBand band{keys.number("low", "Hz", 0), keys.number("high", "Hz", 0), keys.count("order", 4),
                         keys.number("pad", "s", 0)};
+  if (!(band.low >= 0)) keys.problem(fmt::format("'low' is {:g} Hz, must not be below 0; 0 keeps low ones", band.low));
+  if (!(band.high >= 0))
+    keys.problem(fmt::format("'high' is {:g} Hz, must not be below 0; 0 keeps high ones", band.high));
   keys.finish();
   push_motion(L, filtered(*m.motion, band), m.steady);
   return 1;

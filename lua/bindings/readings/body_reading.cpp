@@ -34,7 +34,10 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
     const BodyForm form = read_body_form(keys, {preset.kind, preset.divisions});
     s.kind = form.kind, s.divisions = form.divisions;
     if (const auto inertia = keys.maybe_number("inertia", "kg m2")) s.inertia = inertia;
-    if (const auto thickness = keys.maybe_number("body_thickness", "m")) s.thickness = thickness;
+    if (const auto thickness = keys.maybe_number("body_thickness", "m")) {
+      if (!(*thickness > 0)) keys.problem(fmt::format("'body_thickness' is {:g} m, must be above 0", *thickness));
+      s.thickness = thickness;
+    }
   }
   read_holds(keys, s.supports);
   s.material = keys.text("material", preset.material);

@@ -102,6 +102,12 @@ PushOrder<D> read_order(Keys& keys, const ScriptModel& m) {
                                          std::tuple{"displacement", o.displacement, "m"}})
     if (!(value > 0))
       keys.problem(fmt::format("'{}' is {:g} {}, must be above 0; the direction sets the sign", key, value, unit));
+  const StageOptions& stage = o.stage;
+  if (!(stage.rest_share >= 0 && stage.rest_share < 1))
+    keys.problem(fmt::format("'local_damping' is {:g}, must be at least 0 and below 1", stage.rest_share));
+  if (!(stage.dt >= 0)) keys.problem(fmt::format("'dt' is {:g} s, must not be below 0", stage.dt));
+  if (!(stage.safety > 0 && stage.safety <= 0.9))
+    keys.problem(fmt::format("'safety' is {:g}, must be above 0 and at most 0.9", stage.safety));
   if (o.samples < 2) keys.problem(fmt::format("'samples' is {}, must be at least 2", o.samples));
   return o;
 }

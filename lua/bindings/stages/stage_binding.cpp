@@ -191,6 +191,9 @@ int tilt(lua_State* L) {
   const double rate = keys.number("rate", "rad/s"), by = keys.number("by", "rad", unbounded);
   const double towards = m.dim() == 3 ? keys.number("towards", "rad", 0) : 0;
   if (!(by > 0)) keys.problem(fmt::format("'by' is {:g} rad, must be above 0; the rate sets the sign", by));
+  if (rate == 0 && keys.has("by"))
+    keys.problem(
+        "'rate' is 0 rad/s, so gravity never turns by 'by'; give a rate, or leave 'by' out to stop the rotation");
   keys.finish();
   if (rate == 0 && !is_tilting(m))
     tell_note(L, m, "tilt: rate is 0 rad/s, and gravity is not rotating: nothing changes");
