@@ -40,10 +40,8 @@ double start_bearing(const Model<D>& model, const State<D>& state, Work<D>& work
 void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work, double dt = 0);
 void internal_forces(const Model<3>& model, const State<3>& state, Work<3>& work, double dt = 0);
 /// Present loads on the nodes. Work::load remains empty if the model has only steady loads.
-void apply_loads(const Model<2>& model, const State<2>& state, Work<2>& work);
-void apply_loads(const Model<3>& model, const State<3>& state, Work<3>& work);
-/// Force on the whole of a loaded face, at the full value of its load curve [N].
-Vec2 face_force(const FaceLoad<2>& load, const SkinMotion<2>& a, const SkinMotion<2>& b);
+template <int D>
+void apply_loads(const Model<D>& model, const State<D>& state, Work<D>& work);
 template <int D>
 void assemble_forces(const Model<D>& model, const State<D>& state, Work<D>& work);
 

@@ -1,4 +1,4 @@
-// Stages of `evaluate` for a single bearing, element, load, piece or contact.
+// Stages of `evaluate` for a single bearing, element, piece or contact.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,6 @@ void bearing_force(const Model<D>& model, const State<D>& state, Work<D>& work, 
 void element_forces(const Model<2>& model, const State<2>& state, Work<2>& work, int element);
 /// Internal forces of a finite element in space; the arrays of `work` are sized for the memories of all elements.
 void element_forces(const Model<3>& model, const State<3>& state, Work<3>& work, int element, SpaceElementAnswer& out);
-
-/// Adds the present value of a load to forces [N] and moments [N m] by node; face loads use the skin points of `work`.
-void apply_load(const Model<2>& model, const State<2>& state, const PointLoad<2>& load, std::vector<Vec2>& node_force,
-                std::vector<double>& node_moment);
-void apply_load(const Model<3>& model, const State<3>& state, const PointLoad<3>& load, std::vector<Vec3>& node_force,
-                std::vector<Vec3>& node_moment);
-void apply_load(const Model<2>& model, const State<2>& state, const FaceLoad<2>& load, const Work<2>& work,
-                std::vector<Vec2>& node_force, std::vector<double>& node_moment);
 
 /// Places one piece in space again in `work`, in which all are placed, with all inputs of its contacts.
 void place_again(const Model<3>& model, const State<3>& state, Work<3>& work, int piece);

@@ -93,7 +93,7 @@ int release_supports(Model<D>& model, const State<D>& state, int body, const std
     PointLoad<D> load = support_load(model, state, work, node);
     if (!(load.force.norm() > 0) && load.moment == nothing<Moment<D>>()) continue;
     load.body = body, load.curve = ramp_curve(state.time, 1, 0, fade, true);
-    model.point_loads.push_back(std::move(load));
+    loads_of<PointLoad<D>>(model).push_back(std::move(load));
   }
   return count_of(freed);
 }

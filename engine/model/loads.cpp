@@ -98,55 +98,46 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
 /// Loads without a name replace a released support.
 template <int D>
 void drop_faded(Model<D>& model, double now) {
-  std::erase_if(model.point_loads, [now](const PointLoad<D>& l) { return l.name.empty() && l.curve.spent(now); });
+  model.loads.erase_if([now](const auto& load) { return load.name.empty() && load.curve.spent(now); });
 }
 
 template <int D>
 int drop_loads(Model<D>& model, const std::string& name) {
-  const auto called = [&](const auto& load) { return load.name == name; };
-  return static_cast<int>(std::erase_if(model.point_loads, called) + std::erase_if(model.face_loads, called));
+  return model.loads.erase_if([&](const auto& load) { return load.name == name; });
 }
 
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration) {
   int count = 0;
-  const auto change = [&](auto& loads) {
-    for (auto& load : loads) {
-      if (load.name != name) continue;
-      // Starts smoothly from the present share.
-      load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
-      ++count;
-    }
-  };
-  change(model.point_loads);
-  change(model.face_loads);
+  model.loads.for_each([&](auto& load) {
+    if (load.name != name) return;
+    // Starts smoothly from the present share.
+    load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
+    ++count;
+  });
   return count;
 }
 
 template <int D>
 int scale_loads(Model<D>& model, const std::string& name, double factor) {
   int count = 0;
-  for (PointLoad<D>& p : model.point_loads) {
-    if (!name.empty() && p.name != name) continue;
-    p.force *= factor, p.moment *= factor, ++count;
-  }
-  for (FaceLoad<D>& f : model.face_loads) {
-    if (!name.empty() && f.name != name) continue;
-    f.pressure *= factor, f.dead *= factor, ++count;
-  }
+  model.loads.for_each([&](auto& load) {
+    if (!name.empty() && load.name != name) return;
+    load.scale(factor);
+    ++count;
+  });
   return count;
 }
 
 template <int D>
 std::vector<std::string> load_names(const Model<D>& model) {
   std::vector<std::string> names;
-  const auto add = [&](const auto& list) {
-    for (const auto& l : list)
-      if (!l.name.empty() && std::find(names.begin(), names.end(), l.name) == names.end()) names.push_back(l.name);
+  const auto add = [&](const auto& named) {
+    if (!named.name.empty() && std::find(names.begin(), names.end(), named.name) == names.end())
+      names.push_back(named.name);
   };
-  add(model.point_loads);
-  add(model.face_loads);
-  add(model.pushes);
+  model.loads.for_each(add);
+  for (const Push<D>& push : model.pushes) add(push);
   return names;
 }
 

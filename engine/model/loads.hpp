@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "load/forces.hpp"
+#include "load/list.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
@@ -108,7 +108,7 @@ void drop_faded(Model<D>& model, double now);
 /// of their full size. Returns their number.
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration);
-/// Scales the point and face loads named `name`, or all if it is empty. Returns their number.
+/// Scales the loads named `name`, or all if it is empty. Returns their number.
 template <int D>
 int scale_loads(Model<D>& model, const std::string& name, double factor);
 /// Removes the loads named `name` at once. Returns their number.

@@ -24,8 +24,9 @@
 #include "law/bearing/bearing.hpp"
 #include "law/contact/list.hpp"
 #include "law/material/list.hpp"
-#include "load/forces.hpp"
+#include "load/list.hpp"
 #include "load/motion.hpp"
+#include "load/push.hpp"
 #include "model/contact/contact_frame.hpp"
 
 namespace trilith {
@@ -219,8 +220,7 @@ struct Model {
   std::vector<Drive> drives;
   std::vector<std::array<int, Space<D>::dofs>> drive_of;  ///< [node] index into drives, or -1
   std::vector<SetAside<D>> set_aside;                     ///< of nodes that are held because their body is deactivated
-  std::vector<PointLoad<D>> point_loads;
-  std::vector<FaceLoad<D>> face_loads;
+  Loads<D> loads;                                         ///< an array for each kind
   std::vector<Push<D>> pushes;
   double impact_speed = 0.5;     ///< a contact that closes faster than this is an impact [m/s]
   double apart_time = 0.02;      ///< a contact is lost when it has been open for this time [s]
@@ -228,7 +228,7 @@ struct Model {
   double still_time = 0.5;       ///< [s]
 
   /// True if there is any load except weight and the steady forces of `load`.
-  [[nodiscard]] bool loaded() const { return !(point_loads.empty() && face_loads.empty() && pushes.empty()); }
+  [[nodiscard]] bool loaded() const { return !(loads.empty() && pushes.empty()); }
   [[nodiscard]] int nodes() const { return static_cast<int>(mass.size()); }
   [[nodiscard]] bool has_consistent_mass() const { return !beam_inertias.empty() || !beam_inertias_3d.empty(); }
   [[nodiscard]] int pieces() const { return static_cast<int>(piece_body.size()); }

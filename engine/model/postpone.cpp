@@ -9,11 +9,9 @@ void postpone_courses(Model<D>& model, double by) {
   if (by == 0) return;
   for (Drive& drive : model.drives) drive.start += by;
   for (Push<D>& push : model.pushes) push.start += by;
-  const auto shift = [by](auto& loads) {
-    for (auto& load : loads)
-      for (double& time : load.curve.time) time += by;
-  };
-  shift(model.point_loads), shift(model.face_loads);
+  model.loads.for_each([by](auto& load) {
+    for (double& time : load.curve.time) time += by;
+  });
   Gravity<D>& g = model.gravity;
   g.tilt_start += by, g.tilt_end += by, g.grow_start += by, g.grow_end += by;
 }
@@ -21,10 +19,11 @@ void postpone_courses(Model<D>& model, double by) {
 template <int D>
 bool has_courses_to_come(const Model<D>& model, double now) {
   const auto moves = [now](const Drive& drive) { return now < drive.start + drive.motion->end_time(); };
-  const auto changes = [now](const auto& load) { return !load.curve.time.empty() && now < load.curve.time.back(); };
-  return std::any_of(model.drives.begin(), model.drives.end(), moves) ||
-         std::any_of(model.point_loads.begin(), model.point_loads.end(), changes) ||
-         std::any_of(model.face_loads.begin(), model.face_loads.end(), changes);
+  if (std::any_of(model.drives.begin(), model.drives.end(), moves)) return true;
+  bool changes = false;
+  model.loads.for_each(
+      [&](const auto& load) { changes = changes || (!load.curve.time.empty() && now < load.curve.time.back()); });
+  return changes;
 }
 
 template void postpone_courses(Model<2>&, double);

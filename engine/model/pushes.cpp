@@ -187,7 +187,7 @@ bool release_push(Model<D>& model, const State<D>& state, const Work<D>& work, c
     load.at.turn[0] = row.turn;
     load.force = size * row.weight * at->direction;
     load.curve = ramp_curve(state.time, 1, 0, fade, true);
-    model.point_loads.push_back(std::move(load));
+    loads_of<PointLoad<D>>(model).push_back(std::move(load));
   }
   model.pushes.erase(at);
   return true;

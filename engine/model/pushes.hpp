@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "load/forces.hpp"
+#include "load/push.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"

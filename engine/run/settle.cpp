@@ -40,7 +40,7 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
   double told = 0;  // time since the stage began [s]
   const auto go_to = [&](const Waypoint<D>& point, const State<D>& state, double since) {
     auto unit = way.loads.begin();
-    for (PointLoad<D>& load : model_.point_loads)
+    for (PointLoad<D>& load : loads_of<PointLoad<D>>(model_))
       if (unit != way.loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
     postpone_courses(model_, since - std::exchange(told, since));
     state_ = state;

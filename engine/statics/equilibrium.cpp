@@ -47,7 +47,7 @@ template <int D>
 void scale_all(const Model<D>& whole, double share, Model<D>& model) {
   model.gravity.field = share * whole.gravity.field;
   for (std::size_t n = 0; n < whole.load.size(); ++n) model.load[n] = share * whole.load[n];
-  model.point_loads = whole.point_loads, model.face_loads = whole.face_loads;
+  model.loads = whole.loads;
   scale_loads(model, "", share);
 }
 

@@ -35,8 +35,7 @@ Model<D> reference_of(const Model<D>& model, const std::string& name) {
   Model<D> out = model;
   std::fill(out.load.begin(), out.load.end(), Vec<D>::Zero());
   const auto is_other = [&](const auto& load) { return !name.empty() && load.name != name; };
-  std::erase_if(out.point_loads, is_other);
-  std::erase_if(out.face_loads, is_other);
+  out.loads.erase_if(is_other);
   if (!out.loaded()) throw InputError("load path: no point or face load is called '" + name + "'");
   return out;
 }
@@ -86,7 +85,7 @@ double LoadPathWalk<D>::followed_place() const {
 template <int D>
 void LoadPathWalk<D>::set_factor(double factor) {
   factor_ = factor;
-  loaded_.point_loads = full_.point_loads, loaded_.face_loads = full_.face_loads;
+  loaded_.loads = full_.loads;
   scale_loads(loaded_, options_.loads, factor);
 }
 

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "load/forces.hpp"
+#include "load/push.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"

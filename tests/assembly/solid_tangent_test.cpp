@@ -184,7 +184,7 @@ TEST_CASE("the tangent in space matches finite differences: bearings, a frame on
       Model<3> model = builder.build();
       SolidLoadSpec load;
       load.name = "push", load.force = Vec3(2e3, 1e3, -3e3), load.at = Vec3(0.1, 0.1, 0.2), load.follows = true;
-      model.point_loads = make_solid_loads(model, 1, load);
+      loads_of<PointLoad<3>>(model) = make_solid_loads(model, 1, load);
       INFO(sample.name, ", direction ", direction);
       CHECK(worst_on_the_way(model, 1e-5, 0.01, 3, 6e-9) < 1e-6);
     }

@@ -222,10 +222,10 @@ TEST_CASE("the tangent of follower loads matches the full tangent: at points and
     Model<2> model = scene.builder.build();
     PressureSpec pressure;
     pressure.name = "pressure", pressure.value = 3e6;
-    model.face_loads = make_pressure(model, 0, outline_faces(model, 0), pressure);
+    loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, outline_faces(model, 0), pressure);
     PointLoadSpec load;
     load.name = "load", load.at = Vec2(1.7, 0.8), load.force = {2e6, -1e6}, load.moment = 4e5, load.follows = true;
-    model.point_loads = make_point_load(model, 0, load);
+    loads_of<PointLoad<2>>(model) = make_point_load(model, 0, load);
     State<2> state = initial_state(model);
     for (int n = 0; n < model.nodes(); ++n) {
       state.position[n] += 3e-3 * Vec2(std::sin(n + 1.0), std::cos(3 * n + 1.0));

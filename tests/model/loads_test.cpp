@@ -56,7 +56,7 @@ TEST_CASE("pressure that follows a closed outline has no resultant, whatever the
     Model<2> model = lone(crooked, divisions);
     PressureSpec spec;
     spec.name = "water", spec.value = 3e5;
-    model.face_loads = make_pressure(model, 0, outline_faces(model, 0), spec);
+    loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, outline_faces(model, 0), spec);
     for (int round = 0; round < 20; ++round) {
       State<2> state = initial_state(model);
       for (Vec2& p : state.position) p += Vec2(5 * (divisions == 0) + 0.05 * any(bits), 0.05 * any(bits));
@@ -74,7 +74,7 @@ TEST_CASE("pressure on a part of the outline is its size times its length, at it
       Model<2> model = lone(rectangle({0, 0}, {2, 1}), divisions, 0.3);
       PressureSpec spec;
       spec.name = "p", spec.value = 1e4, spec.follows = follows;
-      model.face_loads = make_pressure(model, 0, faces_between(model, 0, {1.7, 1}, {0.45, 1}, "p"), spec);
+      loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, faces_between(model, 0, {1.7, 1}, {0.45, 1}, "p"), spec);
       const double depth = divisions == 0 ? 1 : 0.3;
       const Resultant r = pushed(model, initial_state(model));
       CHECK(std::abs(r.force.x()) < 1e-9);
@@ -83,7 +83,7 @@ TEST_CASE("pressure on a part of the outline is its size times its length, at it
       // The rest of the outline, over three corners, completes it.
       spec.name = "rest";
       for (FaceLoad<2>& f : make_pressure(model, 0, faces_between(model, 0, {0.45, 1}, {1.7, 1}, "p"), spec))
-        model.face_loads.push_back(std::move(f));
+        loads_of<FaceLoad<2>>(model).push_back(std::move(f));
       CHECK(pushed(model, initial_state(model)).force.norm() < 1e-9);
     }
 }
@@ -92,7 +92,7 @@ TEST_CASE("pressure that does not follow keeps its force, along a direction too,
   Model<2> model = lone(rectangle({0, 0}, {2, 1}), 0);
   PressureSpec spec;
   spec.name = "p", spec.value = 1e4, spec.follows = false, spec.direction = Vec2(3, -4);
-  model.face_loads = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), spec);
+  loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), spec);
   State<2> state = initial_state(model);
   for (const double turn : {0.0, 1.0, 3.0}) {
     state.rotation[0] = turn;
@@ -100,7 +100,7 @@ TEST_CASE("pressure that does not follow keeps its force, along a direction too,
   }
   PressureSpec follows = spec;
   follows.follows = true, follows.direction.reset();
-  model.face_loads = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), follows);
+  loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), follows);
   state.rotation[0] = 0.5 * M_PI;
   CHECK((pushed(model, state).force - Vec2(2e4, 0)).norm() < 1e-8);
 }
@@ -111,7 +111,7 @@ TEST_CASE("a point load keeps its direction or rotates with the body, and its mo
       Model<2> model = lone(rectangle({0, 0}, {2, 1}), divisions);
       PointLoadSpec spec;
       spec.name = "P", spec.at = Vec2(1.5, 0.8), spec.force = Vec2(300, -400), spec.moment = 50, spec.follows = follows;
-      model.point_loads = make_point_load(model, 0, spec);
+      loads_of<PointLoad<2>>(model) = make_point_load(model, 0, spec);
       State<2> state = initial_state(model);
       const double angle = 0.7;
       const Turn turn(angle);
@@ -129,7 +129,7 @@ TEST_CASE("a point load keeps its direction or rotates with the body, and its mo
     Model<2> model = lone(crooked, divisions);
     PointLoadSpec spec;
     spec.name = "P", spec.force = Vec2(10, 20);
-    model.point_loads = make_point_load(model, 0, spec);
+    loads_of<PointLoad<2>>(model) = make_point_load(model, 0, spec);
     const Resultant r = pushed(model, initial_state(model));
     CHECK((r.force - spec.force).norm() < 1e-12);
     CHECK(near(r.moment, cross(body_start(model, 0), spec.force), 1e-12));
@@ -174,10 +174,10 @@ TEST_CASE("the fingerprint depends on every number of a load and of a push") {
   const Fingerprint bare = model_fingerprint(model);
   PointLoadSpec point;
   point.name = "P", point.at = Vec2(1.5, 0.8), point.force = Vec2(1, 2), point.curve = ramp_curve(0, 0, 1, 2, true);
-  model.point_loads = make_point_load(model, 0, point);
+  loads_of<PointLoad<2>>(model) = make_point_load(model, 0, point);
   PressureSpec pressure;
   pressure.name = "p", pressure.value = 1e4;
-  model.face_loads = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), pressure);
+  loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, faces_towards(model, 0, {0, 1}), pressure);
   add_push(model, initial_state(model), "push", push_rows(model, {0}, {}, PushPattern::mass, Vec2::UnitX()),
            Vec2::UnitX(), std::make_shared<GroundMotion>(even_motion(0.1, 0.01)));
   const Fingerprint print = model_fingerprint(model);
@@ -189,13 +189,13 @@ TEST_CASE("the fingerprint depends on every number of a load and of a push") {
     return model_fingerprint(other).conditions != print.conditions;
   };
   CHECK_FALSE(differs([](Model<2>&) {}));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].force.x() += 1e-12; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].moment = 1; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].follows = true; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].curve.time[1] += 1e-9; }));
-  CHECK(differs([](Model<2>& m) { m.point_loads[0].curve.smooth = false; }));
-  CHECK(differs([](Model<2>& m) { m.face_loads[0].pressure *= 1.001; }));
-  CHECK(differs([](Model<2>& m) { m.face_loads[0].share = {0.4, 0.6}; }));
+  CHECK(differs([](Model<2>& m) { loads_of<PointLoad<2>>(m)[0].force.x() += 1e-12; }));
+  CHECK(differs([](Model<2>& m) { loads_of<PointLoad<2>>(m)[0].moment = 1; }));
+  CHECK(differs([](Model<2>& m) { loads_of<PointLoad<2>>(m)[0].follows = true; }));
+  CHECK(differs([](Model<2>& m) { loads_of<PointLoad<2>>(m)[0].curve.time[1] += 1e-9; }));
+  CHECK(differs([](Model<2>& m) { loads_of<PointLoad<2>>(m)[0].curve.smooth = false; }));
+  CHECK(differs([](Model<2>& m) { loads_of<FaceLoad<2>>(m)[0].pressure *= 1.001; }));
+  CHECK(differs([](Model<2>& m) { loads_of<FaceLoad<2>>(m)[0].share = {0.4, 0.6}; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].rows[0].weight = 0.9; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].rows[0].turn = 1; }));
   CHECK(differs([](Model<2>& m) { m.pushes[0].origin += 1e-9; }));

@@ -38,8 +38,8 @@ TEST_CASE("pressure that follows all faces of a solid has no resultant, whatever
   std::uniform_real_distribution<double> any(-1, 1);
   for (int round = 0; round < 20; ++round) {
     Model<3> model = lone_stone(random_convex_solid(bits));
-    model.point_loads = make_solid_pressure(model, 0, surface_faces(model, 0), pressure_of(3e5));
-    CHECK(model.point_loads.size() == model.piece_solid[0].normals.size());
+    loads_of<PointLoad<3>>(model) = make_solid_pressure(model, 0, surface_faces(model, 0), pressure_of(3e5));
+    CHECK(loads_of<PointLoad<3>>(model).size() == model.piece_solid[0].normals.size());
     State<3> state = initial_state(model);
     state.position[0] = {any(bits), any(bits), any(bits)};
     state.rotation[0] = rotation_by({3 * any(bits), 3 * any(bits), 3 * any(bits)});
@@ -59,7 +59,7 @@ TEST_CASE("pressure on one side of a box acts at its centre with value times are
   for (const bool follows : {true, false}) {
     SolidPressureSpec spec = pressure_of(100);
     spec.follows = follows;
-    model.point_loads = make_solid_pressure(model, 0, top, spec);
+    loads_of<PointLoad<3>>(model) = make_solid_pressure(model, 0, top, spec);
     const SolidResultant before = pushed_solid(model, initial_state(model)), after = pushed_solid(model, state);
     CHECK(near_zero((before.force - Vec3(0, 0, -200)).norm(), 1e-10));
     CHECK(near_zero(before.moment.norm(), 1e-10));
@@ -76,7 +76,7 @@ TEST_CASE("pressure in space along a direction keeps it, and invalid pressures a
   const auto top = faces_towards(model, 0, Vec3::UnitZ());
   CHECK_THROWS_AS(make_solid_pressure(model, 0, top, spec), InputError);  // follower pressure with a direction
   spec.follows = false;
-  model.point_loads = make_solid_pressure(model, 0, top, spec);
+  loads_of<PointLoad<3>>(model) = make_solid_pressure(model, 0, top, spec);
   CHECK(near_zero((pushed_solid(model, initial_state(model)).force - Vec3(0, 120, 160)).norm(), 1e-10));
   spec.value = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(make_solid_pressure(model, 0, top, spec), InputError);

@@ -52,7 +52,7 @@ TEST_CASE("an eccentric load on a block on springs moves and tilts it by the clo
     const double force = 2e4;
     const double now = sim.state().time;
     Model<2>& model = sim.edit_model();
-    model.point_loads.push_back(
+    loads_of<PointLoad<2>>(model).push_back(
         force_on_body(model, "block", Vec2(e, 0.5), {0, -force}, ramp_curve(now, 0, 1, 0.05, true)));
     run_for(sim, 0.06);
     settle(sim);
@@ -81,7 +81,7 @@ TEST_CASE("the energy balance has the work of a load as force times displacement
   };
   const Vec2 from = point();
   Model<2>& model = sim.edit_model();
-  model.point_loads.push_back(force_on_body(model, "block", at, force));
+  loads_of<PointLoad<2>>(model).push_back(force_on_body(model, "block", at, force));
   EnergyCheck check;
   options.duration = 1, options.energy_interval = 1e-3;
   RunListener<2> listener;
@@ -104,7 +104,7 @@ TEST_CASE("a free mass under a load over time gains the kinetic energy of the en
   spec.floating = true;
   builder.add_body(spec);
   Model<2> model = builder.build();
-  model.point_loads.push_back(force_on_body(model, "block", {}, {4, 0}, LoadCurve{{0, 1, 2}, {0, 1, 0}}));
+  loads_of<PointLoad<2>>(model).push_back(force_on_body(model, "block", {}, {4, 0}, LoadCurve{{0, 1, 2}, {0, 1, 0}}));
   Simulation<2> sim(std::move(model));
   run_for(sim, 3, 1e-3);
   sim.refresh();
@@ -127,7 +127,7 @@ TEST_CASE("pressure on deformable bodies gives even stress") {
       faces = faces_towards(model, 0, {1, 0});
       for (const FacePart& f : faces_towards(model, 0, {-1, 0})) faces.push_back(f);
     }
-    model.face_loads = make_pressure(model, 0, faces, order);
+    loads_of<FaceLoad<2>>(model) = make_pressure(model, 0, faces, order);
     Simulation<2> sim(std::move(model));
     run_for(sim, 0.02);
     settle(sim, 1, 1e-13);
@@ -359,11 +359,11 @@ TEST_CASE("a checkpoint continues to the same bits while a load curve, a ramp an
   const auto path = std::filesystem::temp_directory_path() / ("trilith_load_" + std::to_string(::getpid()));
   Scene scene = block_on_base(1e9);
   Model<2> model = scene.builder.build();
-  model.point_loads.push_back(
+  loads_of<PointLoad<2>>(model).push_back(
       force_on_body(model, "block", Vec2(0.2, 0.5), {0, -3e3}, ramp_curve(0.02, 0, 1, 0.2, true)));
   PressureSpec pressure;
   pressure.name = "p", pressure.value = 500, pressure.curve = LoadCurve{{0, 0.1, 0.3}, {0, 1, 0.2}};
-  model.face_loads = make_pressure(model, 1, faces_towards(model, 1, {1, 0}), pressure);
+  loads_of<FaceLoad<2>>(model) = make_pressure(model, 1, faces_towards(model, 1, {1, 0}), pressure);
   set_drive(model, 0, 0, std::make_shared<GroundMotion>(ramp_motion(1e-3, 0.25)), 0, model.start_position[0].x());
   add_push(model, initial_state(model), "push", push_rows(model, {1}, {}, PushPattern::mass, Vec2::UnitX()),
            Vec2::UnitX(), std::make_shared<GroundMotion>(even_motion(2e-3, 1e-2)));

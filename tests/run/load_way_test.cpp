@@ -9,7 +9,7 @@ namespace {
 
 TEST_CASE("every equilibrium of a path is recorded as a frame, and the model is unchanged afterwards") {
   const Model<2> model = shallow_truss();
-  LoadWay<2> way{model.point_loads, {}};
+  LoadWay<2> way{loads_of<PointLoad<2>>(model), {}};
   LoadPathOptions how;
   how.first = how.longest = 0.02;
   const int apex = 1;
@@ -21,7 +21,7 @@ TEST_CASE("every equilibrium of a path is recorded as a frame, and the model is 
   REQUIRE(follow_loads(model, end, how).end == PathEnd::arrived);
   REQUIRE(way.points.size() > 10);
   Model<2> loaded = model;
-  for (PointLoad<2>& load : loaded.point_loads) load.force *= way.points.back().factor;
+  for (PointLoad<2>& load : loads_of<PointLoad<2>>(loaded)) load.force *= way.points.back().factor;
 
   for (const bool asked : {false, true}) {
     Simulation<2> sim(loaded, end);
@@ -33,14 +33,14 @@ TEST_CASE("every equilibrium of a path is recorded as a frame, and the model is 
     RunListener<2> listener;
     listener.on_frame = [&](const Instant<2>& now) {
       heights.push_back(now.state.position[apex].y());
-      forces.push_back(now.model.point_loads[0].force.y());
+      forces.push_back(loads_of<PointLoad<2>>(now.model)[0].force.y());
       CHECK(now.state.time == 0);
       if (forces.back() != 0) CHECK(now.ratio < 1e-6);
     };
     listener.on_history = [&](const Instant<2>&) { ++samples; };
     const StageReport report = sim.settle(stage, {}, listener, &way);
     CHECK(report.end == StageEnd::rest);
-    CHECK(sim.model().point_loads[0].force == loaded.point_loads[0].force);
+    CHECK(loads_of<PointLoad<2>>(sim.model())[0].force == loads_of<PointLoad<2>>(loaded)[0].force);
     CHECK(near(sim.state().position[apex].y(), end.position[apex].y(), 1e-9));
     // Plus one of the end itself, as for any stage.
     CHECK(heights.size() == (asked ? way.points.size() + 1 : 0));
@@ -54,7 +54,7 @@ TEST_CASE("every equilibrium of a path is recorded as a frame, and the model is 
 
 TEST_CASE("points of a path have increasing times with their events, and time-dependent actions pause") {
   Model<2> model = shallow_truss();
-  LoadWay<2> way{model.point_loads, {}};
+  LoadWay<2> way{loads_of<PointLoad<2>>(model), {}};
   LoadPathOptions how;
   how.first = how.longest = 0.02;
   how.goes_on = [&](const PathPoint& point, const State<2>& state) {
@@ -66,10 +66,10 @@ TEST_CASE("points of a path have increasing times with their events, and time-de
   Event yielded;
   yielded.type = EventType::member_yielded, yielded.body_a = 0;
   way.points[5].events = {yielded};
-  for (PointLoad<2>& load : model.point_loads) load.force *= way.points.back().factor;
-  PointLoad<2> other = model.point_loads[0];
+  for (PointLoad<2>& load : loads_of<PointLoad<2>>(model)) load.force *= way.points.back().factor;
+  PointLoad<2> other = loads_of<PointLoad<2>>(model)[0];
   other.name = "other", other.force = Vec2::Zero(), other.curve = {{-1, 1}, {0, 1}, false};
-  model.point_loads.push_back(other);
+  loads_of<PointLoad<2>>(model).push_back(other);
   Simulation<2> sim(model, end);
   StageOptions stage;
   stage.name = "pushed", stage.duration = path_duration, stage.frame_interval = 10;
@@ -78,7 +78,7 @@ TEST_CASE("points of a path have increasing times with their events, and time-de
   RunListener<2> listener;
   listener.on_frame = [&](const Instant<2>& now) {
     times.push_back(now.state.time);
-    CHECK(near(now.model.point_loads.back().curve.at(now.state.time), 0.5, 1e-12));
+    CHECK(near(loads_of<PointLoad<2>>(now.model).back().curve.at(now.state.time), 0.5, 1e-12));
   };
   listener.on_event = [&](const Event& e, const Instant<2>& now) {
     if (e.type != EventType::member_yielded) return;
@@ -101,7 +101,7 @@ TEST_CASE("points of a path have increasing times with their events, and time-de
 
 TEST_CASE("a path beyond the strain limit is recorded up to that point and ends as diverged") {
   Model<2> model = shallow_truss();
-  LoadWay<2> way{model.point_loads, {}};
+  LoadWay<2> way{loads_of<PointLoad<2>>(model), {}};
   LoadPathOptions how;
   how.first = how.longest = 0.02;
   const auto strain_of = [&](const State<2>& state) {
@@ -120,7 +120,7 @@ TEST_CASE("a path beyond the strain limit is recorded up to that point and ends 
   for (const double share : {0.5, 2.0}) {
     for (Member& m : model.members) m.strain_limit = share * most;
     Model<2> loaded = model;
-    for (PointLoad<2>& load : loaded.point_loads) load.force *= way.points.back().factor;
+    for (PointLoad<2>& load : loads_of<PointLoad<2>>(loaded)) load.force *= way.points.back().factor;
     Simulation<2> sim(loaded, end);
     StageOptions stage;
     stage.name = "pushed", stage.duration = 1, stage.frame_interval = 0.1;

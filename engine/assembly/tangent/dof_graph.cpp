@@ -84,14 +84,25 @@ void add_ridge_pieces(const Work<D>& work, int a, int b, Groups<D>& groups) {
       if (work.contacts.find(contact_key(std::min(piece, b), std::max(piece, b))) >= 0) groups.add_piece(piece);
 }
 
-/// Bearings couple the nodes of their ends, following loads the nodes of their attachment, and each candidate pair all
+/// The places of a load, in the form of `visit` (load/load_kind.hpp).
+template <int D>
+struct GroupPlaces {
+  Groups<D>& groups;
+  void operator()(const Attachment<D>& at) const { groups.add(at); }
+  void operator()(int skin) const { groups.add_skin(skin); }
+};
+
+/// Bearings couple the nodes of their ends, loads the nodes of their places, and each candidate pair all
 /// nodes of both pieces, because the contact may change within a step.
 template <int D>
 void add_links(const Model<D>& model, const Work<D>& work, Groups<D>& groups) {
   for (const Bearing<D>& b : model.bearings) groups.add(b.end_a), groups.add(b.end_b), groups.end();
-  for (const PointLoad<D>& load : model.point_loads) groups.add(load.at), groups.end();
-  for (const FaceLoad<D>& load : model.face_loads)
-    groups.add_skin(load.skin_a), groups.add_skin(load.skin_b), groups.end();
+  model.loads.for_each([&](const auto& load) {
+    for (int part = 0; part < load.parts(); ++part) {
+      load.visit(part, GroupPlaces<D>{groups});
+      groups.end();
+    }
+  });
   for (const NearPair& p : work.pairs) {
     groups.add_piece(p.piece_a), groups.add_piece(p.piece_b);
     add_ridge_pieces(work, p.piece_a, p.piece_b, groups), add_ridge_pieces(work, p.piece_b, p.piece_a, groups);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assembly/bearing_motion.hpp"
+#include "assembly/load_target.hpp"
 #include "assembly/single_terms.hpp"
 
 namespace trilith {
@@ -52,40 +53,35 @@ void add_element_terms(TermSum<2>& sum) {
   }
 }
 
-/// Point loads rotate with their arms; following loads rotate themselves too.
+/// The places that a part of a load depends on, in the form of `visit` (load/load_kind.hpp).
 template <int D>
-void add_point_load_terms(TermSum<D>& sum) {
+struct SeenPlaces {
+  const Model<D>& model;
+  TermNodes& nodes;
+  void operator()(const Attachment<D>& at) const { nodes.add(model, at); }
+  void operator()(int skin) const {
+    if constexpr (D == 2) nodes.add_skin(model, skin);
+  }
+};
+
+/// Point loads rotate with their arms, following loads rotate themselves too, and pressures move with the faces.
+template <int D>
+void add_load_terms(TermSum<D>& sum) {
   const Model<D>& model = sum.model;
-  if (model.point_loads.empty()) return;
+  if (model.loads.empty()) return;
   NodeArrays<D> all(model);
   TermNodes nodes;
-  for (const PointLoad<D>& load : model.point_loads) {
-    nodes.clear(), nodes.add(model, load.at);
-    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
-      apply_load(model, sum.state, load, all.force, all.moment);
-      all.take(nodes, out);
-    });
-  }
-}
-
-/// Pressures on faces move with the faces.
-void add_load_terms(TermSum<2>& sum, Work<2>& work) {
-  add_point_load_terms(sum);
-  const Model<2>& model = sum.model;
-  if (model.face_loads.empty()) return;
-  NodeArrays<2> all(model);
-  TermNodes nodes;
-  for (const FaceLoad<2>& load : model.face_loads) {
-    nodes.clear(), nodes.add_skin(model, load.skin_a), nodes.add_skin(model, load.skin_b);
-    SkinMotion<2>&a = work.skin[load.skin_a], &b = work.skin[load.skin_b];
-    const SkinMotion<2> was_a = a, was_b = b;
-    sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
-      a = placed_skin(model, sum.state, load.skin_a).motion, b = placed_skin(model, sum.state, load.skin_b).motion;
-      apply_load(model, sum.state, load, work, all.force, all.moment);
-      all.take(nodes, out);
-    });
-    a = was_a, b = was_b;
-  }
+  model.loads.for_each([&](const auto& load) {
+    for (int part = 0; part < load.parts(); ++part) {
+      nodes.clear();
+      load.visit(part, SeenPlaces<D>{model, nodes});
+      sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
+        LoadTarget<D> to{{model, sum.state, nullptr}, all.force, all.moment};
+        load.apply(to, part);
+        all.take(nodes, out);
+      });
+    }
+  });
 }
 
 /// Terms of single bearings, in all directions.
@@ -110,7 +106,8 @@ void add_bearing_terms(TermSum<D>& sum) {
 
 template struct TermSum<2>;
 template struct TermSum<3>;
-template void add_point_load_terms(TermSum<3>& sum);
+template void add_load_terms(TermSum<2>& sum);
+template void add_load_terms(TermSum<3>& sum);
 template void add_bearing_terms(TermSum<2>& sum);
 template void add_bearing_terms(TermSum<3>& sum);
 

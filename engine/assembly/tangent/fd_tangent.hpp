@@ -135,11 +135,10 @@ inline bool is_general(const Work<2>& work, int row) {
 void add_face_terms(TermSum<2>& sum, Work<2>& work);
 void add_overlap_terms(TermSum<2>& sum, Work<2>& work);
 void add_element_terms(TermSum<2>& sum);
-void add_load_terms(TermSum<2>& sum, Work<2>& work);
 template <int D>
 void add_bearing_terms(TermSum<D>& sum);
 template <int D>
-void add_point_load_terms(TermSum<D>& sum);
+void add_load_terms(TermSum<D>& sum);
 
 /// In space: all contacts, elements, and damping by mass. Afterwards the pieces in `work` are restored, but not the
 /// answers of its contact rows.

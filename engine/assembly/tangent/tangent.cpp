@@ -119,7 +119,7 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   add_face_terms(terms, work), add_overlap_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
-  add_load_terms(terms, work);
+  add_load_terms(terms);
   add_beams(model, state, options);
 }
 
@@ -140,7 +140,7 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
   add_solid_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
-  add_point_load_terms(terms);
+  add_load_terms(terms);
   add_beams(model, state, options);
   evaluate(model, state, work, options.dt);
 }

@@ -103,6 +103,14 @@ double following(const Model<D>& model, const Bearing<D>& b) {
   return limited ? std::min(least, shortest_followed_step) : least;
 }
 
+/// The shortest step for the load curves.
+template <int D>
+double sampled_loads(const Model<D>& model, const Window& window) {
+  double least = unbounded;
+  model.loads.for_each([&](const auto& load) { least = std::min(least, sampled(load.curve, window)); });
+  return least;
+}
+
 template <int D>
 bool may_act(const State<D>& state, std::size_t bearing) {
   const BearingStatus status = state.bearing[bearing].status;
@@ -118,8 +126,7 @@ double followed_step(const Model<D>& model, const State<D>& state, double dt, do
   double least = sampled(model.gravity, window);
   if (!model.pushes.empty()) least = shortest_followed_step;
   for (const Drive& d : model.drives) least = std::min(least, sampled(*d.motion, d.start, window));
-  for (const PointLoad<D>& l : model.point_loads) least = std::min(least, sampled(l.curve, window));
-  for (const FaceLoad<D>& l : model.face_loads) least = std::min(least, sampled(l.curve, window));
+  least = std::min(least, sampled_loads(model, window));
   for (std::size_t i = 0; i < model.bearings.size(); ++i)
     if (may_act(state, i)) least = std::min(least, following(model, model.bearings[i]));
   for (const RateBound& own : model.element_bound) {

@@ -33,8 +33,7 @@ void carry_conditions(const Model<D>& model, Model<D>& grown) {
   carry(model.drive_of, grown.drive_of);
   grown.set_aside = model.set_aside;
   grown.drives = model.drives;
-  grown.point_loads = model.point_loads;
-  grown.face_loads = model.face_loads;
+  grown.loads = model.loads;
   grown.pushes = model.pushes;
   carry(model.laws, grown.laws);
   grown.bearings = model.bearings;

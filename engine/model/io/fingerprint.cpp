@@ -52,10 +52,8 @@ void add(Hash& hash, const FibreSection3& s);
 void add(Hash& hash, const FibreBeamRow3& r);
 void add(Hash& hash, const HingeLaw& l);
 void add(Hash& hash, const Drive& d);
-template <int D>
-void add(Hash& hash, const PointLoad<D>& l);
-template <int D>
-void add(Hash& hash, const FaceLoad<D>& l);
+template <LoadData L>
+void add(Hash& hash, const L& load);
 template <int D>
 void add(Hash& hash, const PushRow<D>& r);
 template <int D>
@@ -223,17 +221,9 @@ void add(Hash& hash, const LoadCurve& c) {
   add(hash, c.time), add(hash, c.share), add(hash, c.smooth);
 }
 
-template <int D>
-void add(Hash& hash, const PointLoad<D>& l) {
-  add(hash, l.name), add(hash, l.body), add(hash, l.at), add(hash, l.force);
-  add(hash, l.moment), add(hash, l.follows), add(hash, l.curve);
-}
-
-template <int D>
-void add(Hash& hash, const FaceLoad<D>& l) {
-  add(hash, l.name), add(hash, l.body), add(hash, l.skin_a), add(hash, l.skin_b), add(hash, l.share),
-      add(hash, l.pressure);
-  add(hash, l.depth), add(hash, l.follows), add(hash, l.dead), add(hash, l.curve);
+template <LoadData L>
+void add(Hash& hash, const L& load) {
+  std::apply([&](const auto... member) { (add(hash, load.*member), ...); }, L::members());
 }
 
 template <int D>
@@ -270,6 +260,22 @@ std::uint64_t structure_of(const Model<D>& m) {
   return hash.value();
 }
 
+/// The plain kinds and the displacement controls, then the other kinds of which there are any.
+template <int D>
+void add_loads(Hash& hash, const Model<D>& m) {
+  std::size_t place = 0;
+  m.loads.for_each_kind([&](const auto& loads) {
+    if (place++ < plain_load_kinds) add(hash, loads);
+  });
+  add(hash, m.pushes);
+  place = 0;
+  m.loads.for_each_kind([&]<class L>(const std::vector<L>& loads) {
+    if (place++ < plain_load_kinds || loads.empty()) return;
+    hash.add(L::kind);
+    add(hash, loads);
+  });
+}
+
 template <int D>
 std::uint64_t conditions_of(const Model<D>& m) {
   Hash hash;
@@ -280,7 +286,7 @@ std::uint64_t conditions_of(const Model<D>& m) {
                          m.mass_damping, m.impact_speed, m.apart_time, m.still_speed, m.still_time})
     add(hash, v);
   add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
-  if (m.loaded()) add(hash, m.point_loads), add(hash, m.face_loads), add(hash, m.pushes);
+  if (m.loaded()) add_loads(hash, m);
   return hash.value();
 }
 

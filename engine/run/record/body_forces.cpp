@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assembly/evaluate.hpp"
+#include "assembly/load_target.hpp"
 #include "base/portable.hpp"
 #include "model/pose.hpp"
 
@@ -30,20 +31,26 @@ Vec2 centre_of(const Model<2>& model, const State<2>& state, const Body& body) {
   return mass > 0 ? Vec2(sum / mass) : state.position[body.first_node];
 }
 
-/// Adds the loads at their present points of action; a pressure acts at both ends of its face by shares.
+/// Adds loads to the virial of a body, at their present points of action.
+struct VirialTarget : LoadPlaces<2> {
+  Vec2 centre;  ///< of the body [m]
+  Virial& sum;
+
+  void push(const Attachment<2>& at, const Vec2& force, double /*moment*/) {
+    sum.add(pose_at(model, state, at).place - centre, force);
+  }
+  void push_skin(int i, const Vec2& force) { sum.add(skin(i) - centre, force); }
+};
+
 void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work, const std::vector<Vec2>& centre,
                std::vector<Virial>& virial) {
-  for (const PointLoad<2>& p : model.point_loads) {
-    const Pose at = pose_at(model, state, p.at);
-    const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
-    virial[p.body].add(at.place - centre[p.body], p.curve.at(state.time) * force);
-  }
-  for (const FaceLoad<2>& f : model.face_loads) {
-    const SkinMotion<2>&a = work.skin[f.skin_a], &b = work.skin[f.skin_b];
-    const Vec2 force = f.curve.at(state.time) * face_force(f, a, b);
-    virial[f.body].add(Vec2(a.x, a.y) - centre[f.body], f.share[0] * force);
-    virial[f.body].add(Vec2(b.x, b.y) - centre[f.body], f.share[1] * force);
-  }
+  model.loads.for_each([&](const auto& load) {
+    for (int part = 0; part < load.parts(); ++part) {
+      const auto body = static_cast<std::size_t>(load.body_of(part));
+      VirialTarget to{{model, state, &work}, centre[body], virial[body]};
+      load.apply(to, part);
+    }
+  });
 }
 
 bool is_free(const Model<2>& model, const Body& body) {

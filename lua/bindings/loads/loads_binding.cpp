@@ -67,9 +67,7 @@ int solid_point_load(lua_State* L, SpaceModel& m) {
       loads.push_back(std::move(load));
   }
   tell_held(L, m, bodies, spec.name);
-  m.change([loads](Model<3>& changed) {
-    changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
-  });
+  m.change([loads](Model<3>& changed) { changed.loads.add(loads); });
   return push_load_name(L, spec.name);
 }
 
@@ -99,9 +97,7 @@ int point_load(lua_State* L) {
     for (PointLoad<2>& load : make_point_load(model, bodies[i], spec)) loads.push_back(std::move(load));
   }
   tell_held(L, m, bodies, spec.name);
-  m.change([loads](Model<2>& changed) {
-    changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
-  });
+  m.change([loads](Model<2>& changed) { changed.loads.add(loads); });
   return push_load_name(L, spec.name);
 }
 

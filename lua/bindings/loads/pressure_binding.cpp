@@ -87,9 +87,7 @@ int solid_pressure(lua_State* L, SpaceModel& m) {
   for (const int body : bodies)
     for (PointLoad<3>& load : make_solid_pressure(model, body, solid_faces(model, body, side), spec))
       loads.push_back(std::move(load));
-  m.change([loads](Model<3>& changed) {
-    changed.point_loads.insert(changed.point_loads.end(), loads.begin(), loads.end());
-  });
+  m.change([loads](Model<3>& changed) { changed.loads.add(loads); });
   return push_load_name(L, spec.name);
 }
 
@@ -114,8 +112,7 @@ int pressure(lua_State* L) {
   for (const int body : bodies)
     for (FaceLoad<2>& load : make_pressure(model, body, chosen_faces(model, body, faces), spec))
       loads.push_back(std::move(load));
-  m.change(
-      [loads](Model<2>& changed) { changed.face_loads.insert(changed.face_loads.end(), loads.begin(), loads.end()); });
+  m.change([loads](Model<2>& changed) { changed.loads.add(loads); });
   return push_load_name(L, spec.name);
 }
 

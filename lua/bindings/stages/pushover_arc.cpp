@@ -156,10 +156,7 @@ void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
 template <int D>
 void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> loads, double factor) {
   for (PointLoad<D>& load : loads) load.force *= factor;
-  m.change([&](Model<D>& model) {
-    model.point_loads.insert(model.point_loads.end(), std::make_move_iterator(loads.begin()),
-                             std::make_move_iterator(loads.end()));
-  });
+  m.change([&](Model<D>& model) { model.loads.add(loads); });
   Simulation<D>& sim = m.simulation();
   Snapshot<D> there = sim.snapshot();
   there.state = std::move(state);
@@ -176,7 +173,7 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
   Push<D> push = order_push(sim.model(), o);
   LoadWay<D> way{unit_loads(sim.model(), o.stage.name, push), {}};
   Model<D> model = sim.model();
-  model.point_loads.insert(model.point_loads.end(), way.loads.begin(), way.loads.end());
+  model.loads.add(way.loads);
   ArcRecorder<D> recorder(push, o, arc_drift<D>(m, o, push));
   LoadPathOptions<D> how;
   how.loads = o.stage.name;

@@ -152,7 +152,7 @@ int pushover(lua_State* L) {
 template <int D>
 double force_of(const Simulation<D>& sim, const LoadPush<D>& pushed) {
   double sum = 0;
-  for (const PointLoad<D>& load : sim.model().point_loads)
+  for (const PointLoad<D>& load : loads_of<PointLoad<D>>(sim.model()))
     if (load.name == pushed.push.name) sum += load.curve.at(sim.state().time) * load.force.dot(pushed.push.direction);
   return sum;
 }
@@ -178,7 +178,7 @@ double latest_way(const SimulatedModel<D>& m) {
     const Push<D>& p = s->model().pushes.back();
     return push_place(s->state(), p) - p.origin;
   }
-  const auto& loads = s->model().point_loads;
+  const auto& loads = loads_of<PointLoad<D>>(s->model());
   for (auto p = m.load_pushes.rbegin(); p != m.load_pushes.rend(); ++p)
     if (std::any_of(loads.begin(), loads.end(), [&](const auto& load) { return load.name == p->push.name; }))
       return push_place(s->state(), p->push) - p->first_place;

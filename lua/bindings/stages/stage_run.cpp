@@ -288,13 +288,11 @@ std::string loads_to_come(const SimulatedModel<D>& model) {
   if (model.if_built() == nullptr) return "";
   const double now = model.if_built()->state().time;
   std::vector<std::string> names;
-  const auto add = [&](const auto& loads) {
-    for (const auto& load : loads)
-      if (load.curve.at(now) == 0 && !load.curve.spent(now) &&
-          std::find(names.begin(), names.end(), load.name) == names.end())
-        names.push_back(load.name);
-  };
-  add(model.if_built()->model().point_loads), add(model.if_built()->model().face_loads);
+  model.if_built()->model().loads.for_each([&](const auto& load) {
+    if (load.curve.at(now) == 0 && !load.curve.spent(now) &&
+        std::find(names.begin(), names.end(), load.name) == names.end())
+      names.push_back(load.name);
+  });
   return names.empty() ? "" : fmt::format("'{}'", fmt::join(names, "', '"));
 }
 

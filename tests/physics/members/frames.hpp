@@ -57,7 +57,8 @@ inline void add_load(Model<2>& model, const std::string& body, const Vec2& at, c
                      const LoadCurve& curve = {}) {
   PointLoadSpec spec;
   spec.name = "load " + body, spec.at = at, spec.force = force, spec.moment = moment, spec.curve = curve;
-  for (PointLoad<2>& load : make_point_load(model, model.find_body(body), spec)) model.point_loads.push_back(load);
+  for (PointLoad<2>& load : make_point_load(model, model.find_body(body), spec))
+    loads_of<PointLoad<2>>(model).push_back(load);
 }
 
 /// Degrees of freedom of a node.

@@ -243,7 +243,8 @@ double pushed_arch(double thickness, double stiffness) {
     if (!model.moves(n)) continue;
     PointLoadSpec spec;
     spec.name = "push", spec.force = {model.mass[n] * standard_gravity, 0};
-    for (PointLoad<2>& load : make_point_load(model, static_cast<int>(b), spec)) model.point_loads.push_back(load);
+    for (PointLoad<2>& load : make_point_load(model, static_cast<int>(b), spec))
+      loads_of<PointLoad<2>>(model).push_back(load);
   }
   State<2> state = initial_state(model);
   double most = 0;

@@ -72,7 +72,7 @@ struct SpacePortal {
       SolidLoadSpec l;
       l.name = "load " + std::to_string(node), l.at = made.start_position[node], l.force = turn.apply(force);
       l.curve = ramp;
-      made.point_loads.push_back(make_solid_load(made, 0, l));
+      loads_of<PointLoad<3>>(made).push_back(make_solid_load(made, 0, l));
     };
     load(2, Vec3(0, 0, -down)), load(1, Vec3(side, 0, 0));
     made.mass_damping = 5;
@@ -188,7 +188,7 @@ TEST_CASE("a post pushed obliquely yields where both moments reach the surface")
       SolidLoadSpec load;
       load.name = "push", load.at = model.start_position[1];
       load.force = turn.apply(share * yields * Vec3(std::cos(angle), std::sin(angle), 0));
-      model.point_loads = {make_solid_load(model, 0, load)};
+      loads_of<PointLoad<3>>(model) = {make_solid_load(model, 0, load)};
       State<3> state = start_state(model);
       EquilibriumOptions how;
       how.shares = 4;

@@ -192,7 +192,7 @@ TEST_CASE(
   const double frequency = modes(model, initial_state(model), 1)[0].frequency();
   SolidLoadSpec load;
   load.name = "pull", load.at = Vec3(0, 0, 3), load.force = Vec3(1.5e3, 1e3, 0);
-  model.point_loads = {make_solid_load(model, 0, load)};
+  loads_of<PointLoad<3>>(model) = {make_solid_load(model, 0, load)};
   Simulation<3> sim(model);
   StageOptions stage = steps_in_space(AlphaMethod::hht(0), 1.2 / frequency, 0.004 / frequency);
   stage.tolerance = 1e-9;

@@ -223,7 +223,7 @@ TEST_CASE("a bearing and a load on a deformable body give their nodes the force 
   Model<3> model = builder.build();
   SolidLoadSpec load;
   load.name = "pull", load.force = Vec3(100, 0, 0), load.at = Vec3(1, 0.5, 0.5);
-  model.point_loads.push_back(make_solid_load(model, 1, load));
+  loads_of<PointLoad<3>>(model).push_back(make_solid_load(model, 1, load));
   SolidRun run(model, stable_dt(model));
   run.model().mass_damping = 20;
   run.run(1);

@@ -106,7 +106,7 @@ TEST_CASE("a load-controlled path in space leads to the equilibrium of statics")
   Model<3> model = bend_of_45(8);
   PointLoad<3> load;
   load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
-  model.point_loads.push_back(load);
+  loads_of<PointLoad<3>>(model).push_back(load);
   for (const PathControl control : {PathControl::load, PathControl::arc}) {
     LoadPathOptions<3> how;
     how.control = control, how.first = control == PathControl::load ? 0.1 : 4;
@@ -151,7 +151,7 @@ Model<3> right_angle(int divisions) {
   PointLoad<3> load;
   load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(1, Vec3::Zero()), load.force = Vec3(0, 0, 1);
   load.curve.time = {0, 1, 2}, load.curve.share = {0, 50, 0};
-  model.point_loads.push_back(load);
+  loads_of<PointLoad<3>>(model).push_back(load);
   return model;
 }
 

@@ -53,7 +53,7 @@ void push_top(Model<3>& model, const Vec3& force) {
   SolidLoadSpec load;
   load.name = "push", load.at = model.start_position[column_top], load.force = force;
   load.curve = {{0, 1}, {0, 1}};
-  model.point_loads = {make_solid_load(model, 0, load)};
+  loads_of<PointLoad<3>>(model) = {make_solid_load(model, 0, load)};
   model.mass_damping = 4;
 }
 
