@@ -1,6 +1,7 @@
 // Loads of the present instant on the nodes.
 #include "assembly/evaluate.hpp"
 #include "assembly/load_target.hpp"
+#include "assembly/water/closed_joints.hpp"
 
 namespace trilith {
 namespace {
@@ -12,7 +13,7 @@ bool begin_loads(const Model<D>& model, Work<D>& work) {
   if (!model.loaded()) {
     if (work.load.empty()) return false;
     work.load.clear(), work.load_moment.clear(), work.correction.clear(), work.correction_moment.clear();
-    work.push_force.clear();
+    work.push_force.clear(), work.water.clear(), work.water_moment.clear();
     return false;
   }
   work.load.assign(model.load.begin(), model.load.end());
@@ -22,15 +23,34 @@ bool begin_loads(const Model<D>& model, Work<D>& work) {
   return true;
 }
 
+/// Forces of water, kept for their work, and added to the others.
+template <int D>
+void apply_water(const Model<D>& model, const State<D>& state, Work<D>& work) {
+  work.water.clear(), work.water_moment.clear();
+  if (!has_water(model)) return;
+  work.water.assign(model.load.size(), Vec<D>::Zero());
+  work.water_moment.assign(model.load.size(), nothing<Moment<D>>());
+  find_closed_joints(model, work);
+  LoadTarget<D> nodes{{model, state, &work, &work.closed_joints}, work.water, work.water_moment};
+  model.loads.for_each([&]<class L>(const L& load) {
+    if constexpr (is_water<L>)
+      for (int part = 0; part < load.parts(); ++part) load.apply(nodes, part);
+  });
+  for (std::size_t n = 0; n < work.water.size(); ++n)
+    work.load[n] += work.water[n], work.load_moment[n] += work.water_moment[n];
+}
+
 }  // namespace
 
 template <int D>
 void apply_loads(const Model<D>& model, const State<D>& state, Work<D>& work) {
   if (!begin_loads(model, work)) return;
   LoadTarget<D> nodes{{model, state, &work}, work.load, work.load_moment};
-  model.loads.for_each([&](const auto& load) {
-    for (int part = 0; part < load.parts(); ++part) load.apply(nodes, part);
+  model.loads.for_each([&]<class L>(const L& load) {
+    if constexpr (!is_water<L>)
+      for (int part = 0; part < load.parts(); ++part) load.apply(nodes, part);
   });
+  apply_water(model, state, work);
 }
 
 template void apply_loads(const Model<2>&, const State<2>&, Work<2>&);

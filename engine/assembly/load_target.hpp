@@ -20,8 +20,12 @@ struct LoadPlaces<2> {
   const Model<2>& model;
   const State<2>& state;
   const Work<2>* work = nullptr;
+  const ClosedJoints<2>* joints = nullptr;
 
   [[nodiscard]] double time() const { return state.time; }
+  [[nodiscard]] double gravity() const { return -model.gravity.at(state.time).y(); }
+  [[nodiscard]] const ClosedJoints<2>& closed() const { return *joints; }
+  [[nodiscard]] Vec2 place_of(const Attachment<2>& at) const { return pose_at(model, state, at).place; }
   [[nodiscard]] Turn turn_of(const Attachment<2>& at) const { return Turn(pose_at(model, state, at).rotation); }
   [[nodiscard]] Vec2 velocity_of(const Attachment<2>& at) const { return pose_at(model, state, at).velocity; }
   [[nodiscard]] Vec2 skin(int i) const {
@@ -34,8 +38,12 @@ struct LoadPlaces<3> {
   const Model<3>& model;
   const State<3>& state;
   const Work<3>* work = nullptr;
+  const ClosedJoints<3>* joints = nullptr;
 
   [[nodiscard]] double time() const { return state.time; }
+  [[nodiscard]] double gravity() const { return -model.gravity.at(state.time).z(); }
+  [[nodiscard]] const ClosedJoints<3>& closed() const { return *joints; }
+  [[nodiscard]] Vec3 place_of(const Attachment<3>& at) const { return point_of(model, state, at); }
   [[nodiscard]] Turn3 turn_of(const Attachment<3>& at) const {
     return trilith::turn_of(motion_of(model, state, at.node[0]).rotation);
   }

@@ -15,6 +15,7 @@
 #include "events/body_events.hpp"
 #include "events/parted_contacts.hpp"
 #include "events/seat_events.hpp"
+#include "events/water_events.hpp"
 #include "model/pose.hpp"
 
 namespace trilith {
@@ -168,6 +169,7 @@ void find_events(const Model<2>& model, State<2>& state, Work<2>& work) {
   bearing_events(model, state, work);
   beam_events(model, state, work);
   seat_events(model, state, work);
+  water_events(model, state, work);
   body_events(model, state, work);
 }
 

@@ -12,6 +12,7 @@
 #include "events/find_events.hpp"
 #include "events/parted_contacts.hpp"
 #include "events/seat_events.hpp"
+#include "events/water_events.hpp"
 
 namespace trilith {
 namespace {
@@ -158,6 +159,7 @@ void find_events(const Model<3>& model, State<3>& state, Work<3>& work) {
   bearing_events(model, state, work);
   beam_events(model, state, work);
   seat_events(model, state, work);
+  water_events(model, state, work);
   body_events(model, state, work);
 }
 

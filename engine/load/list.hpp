@@ -8,11 +8,15 @@
 #include "base/schema.hpp"
 #include "load/face_load.hpp"
 #include "load/point_load.hpp"
+#include "load/water/added_mass.hpp"
+#include "load/water/drag.hpp"
+#include "load/water/uplift.hpp"
+#include "load/water/water.hpp"
 
 namespace trilith {
 
 template <int D>
-using LoadKinds = TypeList<PointLoad<D>, FaceLoad<D>>;
+using LoadKinds = TypeList<PointLoad<D>, FaceLoad<D>, Water<D>, Uplift<D>, Drag<D>, AddedMass<D>>;
 
 /// Number of kinds in every fingerprint of a model with loads. Later kinds are included where a model has such loads,
 /// so that the fingerprints of all other models do not change.

@@ -15,6 +15,7 @@
 #include "assembly/evaluate.hpp"
 #include "assembly/implicit_turn.hpp"
 #include "assembly/tangent/tangent.hpp"
+#include "assembly/water/water_mass.hpp"
 #include "base/error.hpp"
 #include "base/no_solution.hpp"
 
@@ -46,6 +47,10 @@ void add_consistent(const Model<D>& model, const State<D>& state, const DofGraph
         if (unknown(row) >= 0) mass.coeffRef(unknown(row), unknown(column)) += m(row, column);
   }
   each_rotary_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    const int row = coupling.unknown[i][k], column = coupling.unknown[j][l];
+    if (row >= 0 && column >= 0) mass.coeffRef(row, column) += m;
+  });
+  each_water_entry(model, state, [&](int i, int k, int j, int l, double m) {
     const int row = coupling.unknown[i][k], column = coupling.unknown[j][l];
     if (row >= 0 && column >= 0) mass.coeffRef(row, column) += m;
   });

@@ -39,6 +39,8 @@ enum class EventType : int {
   bearing_added,
   bearing_removed,
   bond_skipped,
+  joint_flooded,
+  joint_drained,
   count  ///< number of the types; stays last
 };
 inline constexpr int event_types = static_cast<int>(EventType::count);

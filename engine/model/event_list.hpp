@@ -218,6 +218,23 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .value = {"missing work", "J", "missing work"},
      .doc = "a given dt skipped work of a bond; the run is not valid from here",
      .sentence = "bond of {a} and {b} was skipped: {text}"},
+    {.type = EventType::joint_flooded,
+     .name = "joint.flooded",
+     .heading = "joint flooded",
+     .severity = Severity::damage,
+     .traits = has_place | can_cause,
+     .value = {"length", "m", "length of the joint that is open from its heel"},
+     .text_doc = "name of the uplift",
+     .doc = "a joint with uplift opened at its heel, and water entered the open part under the full head",
+     .sentence = "joint of {a} and {b} opened to the water over {value}"},
+    {.type = EventType::joint_drained,
+     .name = "joint.drained",
+     .heading = "joint drained",
+     .severity = Severity::notice,
+     .traits = has_place,
+     .text_doc = "name of the uplift",
+     .doc = "a joint with uplift closed again at its heel",
+     .sentence = "joint of {a} and {b} closed to the water"},
 });
 
 constexpr bool rows_match_types() {

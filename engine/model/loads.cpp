@@ -64,6 +64,13 @@ std::vector<PointLoad<2>> make_point_load(const Model<2>& model, int body, const
   return spread_load(model, body, load);
 }
 
+/// The depth of contacts, or of the elements of the body.
+double depth_of(const Model<2>& model, int body) {
+  for (const Element& e : model.elements)
+    if (e.body == body) return e.thickness;
+  return model.thickness;
+}
+
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec) {
   const std::string owner = owner_of("pressure", spec.name, model, body);
@@ -72,10 +79,7 @@ std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const st
   if (spec.direction && (spec.follows || !(spec.direction->norm() > 0) || !spec.direction->allFinite()))
     throw InputError(fmt::format(
         "{}: a direction must be a nonzero vector, and is only for pressure that does not follow the face", owner));
-  // A deformable body may have a different depth.
-  double depth = model.thickness;  // the depth of contacts
-  for (const Element& e : model.elements)
-    if (e.body == body) depth = e.thickness;
+  const double depth = depth_of(model, body);
   std::vector<FaceLoad<2>> loads;
   for (const FacePart& face : faces) {
     FaceLoad<2> load;
@@ -109,8 +113,8 @@ int drop_loads(Model<D>& model, const std::string& name) {
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration) {
   int count = 0;
-  model.loads.for_each([&](auto& load) {
-    if (load.name != name) return;
+  model.loads.for_each([&]<class L>(L& load) {
+    if (has_level<L> || load.name != name) return;
     // Starts smoothly from the present share.
     load.curve = ramp_curve(now, load.curve.at(now), share, duration, true);
     ++count;

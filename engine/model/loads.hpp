@@ -101,11 +101,14 @@ std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, c
 std::vector<FaceLoad<2>> make_pressure(const Model<2>& model, int body, const std::vector<FacePart>& faces,
                                        const PressureSpec& spec);
 
+/// Out-of-plane width of a body [m].
+double depth_of(const Model<2>& model, int body);
+
 /// Removes the faded loads of supports released before `now` [s], which have no name.
 template <int D>
 void drop_faded(Model<D>& model, double now);
 /// From `now` [s] on, changes the loads named `name` smoothly within `duration` [s] from their present share to `share`
-/// of their full size. Returns their number.
+/// of their full size. Returns their number. Water has a level and no share: see model/water/water.hpp.
 template <int D>
 int change_loads(Model<D>& model, const std::string& name, double now, double share, double duration);
 /// Scales the loads named `name`, or all if it is empty. Returns their number.

@@ -72,6 +72,9 @@ struct State {
   /// except in stages with mass scaling.
   std::vector<double> added_share;
 
+  std::vector<std::uint8_t>
+      flooded;  ///< [uplift] 1: water is in the open part of the joint; empty before the first time
+
   Energy given;  ///< running sums of the ledger's terms that are not computed from the state
 
   [[nodiscard]] bool is_removed(std::size_t body) const {

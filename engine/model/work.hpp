@@ -14,6 +14,7 @@
 #include "geometry/space/separation_3d.hpp"
 #include "law/bearing/bearing.hpp"
 #include "law/contact/step_increment.hpp"
+#include "load/water/closed_joints.hpp"
 #include "model/builder/shared_edges.hpp"
 #include "model/contact/broad_phase_state.hpp"
 #include "model/contact/general_contacts.hpp"
@@ -309,6 +310,11 @@ struct Work {
   // Writer: apply_loads. All empty where Model::loaded() is false.
   std::vector<Vec<D>> load;            ///< [node] all external forces except weight, including steady ones [N]
   std::vector<Moment<D>> load_moment;  ///< [node] [N m]
+  // The share of water in these forces; empty without water.
+  std::vector<Vec<D>> water;            ///< [node] [N]
+  std::vector<Moment<D>> water_moment;  ///< [node] [N m]
+  ClosedJoints<D> closed_joints;
+  std::vector<double> added_system;  ///< scratch of assembly/water/water_mass.hpp
 
   // Writer: control_displacement. From then on `load`, `force` etc. include the forces of Model::pushes.
   std::vector<double> push_force;  ///< [push] without the damping correction [N]

@@ -11,6 +11,7 @@
 #include "assembly/evaluate.hpp"
 #include "assembly/start.hpp"
 #include "assembly/tangent/tangent.hpp"
+#include "assembly/water/water_mass.hpp"
 #include "base/error.hpp"
 #include "base/flagged.hpp"
 #include "edit/deactivate.hpp"
@@ -114,6 +115,7 @@ void Simulation<D>::refresh() {
   }
   clock.mark(StepPart::estimate);
   if (next_.dt > 0) control_displacement(model_, state_, work_, {swept_.dt, rest_});
+  add_water_inertia(model_, state_, work_, {swept_.dt, rest_});
   add_inertia(model_, state_, work_, {swept_.dt, rest_});
   if (!state_.added_share.empty()) clock.mark(StepPart::advance);
   evaluated_ = true;

@@ -28,6 +28,69 @@ load_curve  load curve = all at once  factor over time: ]] .. load_curve .. [[
 
 name       text?      name in results]], gives = "string",
     example = 'm:pressure { body = "block", face = "left", value = 500 }' },
+  { "model:water", "Water at rest against faces of bodies, from the call on. The pressure follows the faces as they lie, "
+    .. "so buoyancy is included. Returns its name.",
+    also = "hydrostatic pressure, buoyancy, reservoir, flood, level, dam, uplift, float", keys = [[
+body     bodies          bodies in contact with the water
+level    level           elevation of the surface [m]: a number, or { {time, level}, ..., smooth = true }
+side     text?           faces that the water reaches: left, right, top, bottom or all; in space front and back too
+from     point?          in the plane, instead of side: start of a part of the outline
+to       point?          end of that part, counter-clockwise
+density  number kg/m3 = 1000  density of the water  <above 0>
+joints   text = "sealed"  "sealed": the parts of faces in contact are dry; "wet": water reaches the whole face
+name     text?           name in results]], gives = "string",
+    example = 'm:water { body = "block", level = 0.5, side = "left" }' },
+  { "model:set_level", "Changes the level of a water, smoothly, from the call on. Uplift follows it.", keys = [[
+name      text          name of the water
+level     number m      new elevation of the surface
+duration  number s = 0  time in which it is reached  <at least 0>]],
+    example = 'local lake = m:water { body = "block", level = 0.5, side = "left" }\n'
+      .. 'm:set_level { name = lake, level = 0.2, duration = 1 }' },
+  { "model:uplift", "Water in the joint between two bodies: a linear head from the water upstream to the water downstream "
+    .. "or the toe, and the full head in the part that opens from the heel. Returns its name.",
+    also = "uplift pressure, crack, drain, heel, toe, gravity dam", keys = [[
+upper       body            the body above the joint
+lower       body            the body below it; their faces lie on each other at the start
+upstream    text            name of the water that enters at the heel
+downstream  text?           name of the water at the toe; none: pressure 0 at the toe
+head        text = "linear"  "linear" or "full": the head upstream acts everywhere
+drain       table?          { at = distance from the heel [m], efficiency = share of the head that it takes, 0 to 1 }
+heel        point?          a point at the end where the water enters; from the faces upstream if left out
+name        text?           name in results]], gives = "string",
+    example = 'local lake = m:water { name = "lake", body = "block", level = 0.5, side = "left" }\n'
+      .. 'm:uplift { upper = "block", lower = "ground", upstream = lake }' },
+  { "model:drag", "Drag of a flow on a body, c rho A u^2 / 2 with the velocity u of the flow relative to the body. Returns "
+    .. "its name.", also = "current, flood, pier, stream", keys = [[
+body         body            the body
+velocity     point           velocity of the flow {x, y} [m/s]; in space {x, y, z}
+coefficient  number          drag coefficient  <above 0>
+area         number m2       area across the flow  <above 0>
+density      number kg/m3 = 1000  density of the water  <above 0>
+at           point = the centroid  point of action; must be given for a body that deforms
+load_curve   load curve = all at once  factor of the velocity: ]] .. load_curve .. [[
+
+name         text?           name in results]], gives = "string",
+    example = 'm:drag { body = "block", velocity = { 2, 0 }, coefficient = 1.2, area = 0.5 }' },
+  { "model:added_mass", "Mass of the water that moves with a body: on an upright face by Westergaard, across the face "
+    .. "alone, or around a slender cylinder, along all horizontal axes. Returns its name.",
+    also = "Westergaard, hydrodynamic mass, earthquake, reservoir, pier", keys = [[
+body     body            a body; in space a rigid one or a frame
+level    number m        elevation of the surface at the start
+bed      number m        elevation of the bed
+from     number m = the bed  elevation from which this body has the face, if others lie below it
+to       number m = the level  elevation up to which this body has the face
+side     text?           left or right, in space front or back too: the side of the face
+form     text = "exact"  "exact": the series for incompressible water; "parabola": 7/8 of its square root law
+width    number m?       in space: width of the face  <above 0>
+radius   number m?       instead of side: of a cylinder whose axis goes through the body's centre  <above 0>
+density  number kg/m3 = 1000  density of the water  <above 0>
+name     text?           name in results]], gives = "string",
+    example = 'm:added_mass { body = "block", side = "left", level = 0.8, bed = 0.2 }' },
+  { "model:water_state", "Force and level of a water, or the state of a joint with uplift, at the present instant. A water has "
+    .. "level [m], force [N] and moment about the origin [N m]. An uplift has these for the upper body, and crack, open_toe "
+    .. "and length of the joint [m].", args = "name", gives = "table",
+    example = 'local lake = m:water { body = "block", level = 0.5, side = "left" }\n'
+      .. 'print(m:water_state(lake).force[1])' },
   { "model:set_load", "Changes the share of a load, smoothly, from the call on.", keys = [[
 name      text          name of the load
 factor    number        new share

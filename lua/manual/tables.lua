@@ -72,6 +72,7 @@ left_bounds       number J  energy of bodies that left the bounds
 numerical         number J  dissipated by the numerical damping of implicit steps
 added             number J  energy of bodies and bearings that were added, and of changed laws (input)
 removed           number J  energy of bodies and bearings that were removed
+water             number J  work of the pressure and the drag of water (input)
 residual          number J  error of the energy balance]],
     event = [[
 type        text      type, such as "bearing.failed"

@@ -4,6 +4,7 @@
 
 #include "assembly/element/beam_motion.hpp"
 #include "assembly/element/rotary_inertia.hpp"
+#include "assembly/water/water_mass.hpp"
 
 namespace trilith {
 namespace {
@@ -109,6 +110,25 @@ Dofs<3> own_momentum(const Model<3>& model, const State<3>& state, int n, const 
                  momentum_of(model.inertia[i], state.rotation[i], Vec3(v[3], v[4], v[5])));
 }
 
+/// Adds the mass matrix of the water (assembly/water/water_mass.hpp) times one vector of numbers by node.
+template <int D, class Of>
+void add_water_momentum(const Model<D>& model, const State<D>& state, Of&& of, std::vector<Dofs<D>>& out) {
+  for_water_masses(model, state, [&](const DirectedMass<D>& row) {
+    const double force = row.mass * row.times(of);
+    for (int i = 0; i < row.count; ++i) {
+      const auto j = static_cast<std::size_t>(i);
+      for (std::size_t k = 0; k < row.along[j].size(); ++k)
+        out[static_cast<std::size_t>(row.node[j])][k] += force * row.along[j][k];
+    }
+  });
+}
+
+/// Acceleration of a node in implicit steps.
+template <int D>
+Dofs<D> rise_of(const State<D>& state, int n) {
+  return dofs_of(state.acceleration[n], state.spin_rate[n]);
+}
+
 template <int D>
 double dot_free(const Model<D>& model, const std::vector<Dofs<D>>& a, const std::vector<Dofs<D>>& b) {
   double sum = 0;
@@ -137,6 +157,8 @@ class MassMatrix {
         for (int column = 0; column < 2 * dofs; ++column)
           out[node[row / dofs]][row % dofs] += m(row, column) * v[node[column / dofs]][column % dofs];
     add_rotary_momentum(model_, state_, v, out);
+    add_water_momentum(
+        model_, state_, [&](int n) { return v[static_cast<std::size_t>(n)]; }, out);
     return out;
   }
   /// Diagonal of M.
@@ -151,6 +173,9 @@ class MassMatrix {
     for (const auto& [node, m] : added_)
       for (int i = 0; i < 2 * dofs; ++i) out[node[i / dofs]][i % dofs] += m(i, i);
     add_rotary_diagonal(model_, state_, out);
+    each_water_entry(model_, state_, [&](int i, int k, int j, int l, double m) {
+      if (i == j && k == l) out[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] += m;
+    });
     return out;
   }
 
@@ -180,6 +205,9 @@ void added_inertia(const Model<2>& model, const State<2>& state, bool rising, st
   if (!has_added_mass(model)) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
   add_rotary_forces(model, state, rising, out);
+  if (rising)
+    add_water_momentum(
+        model, state, [&](int n) { return rise_of(state, n); }, out);
   for (const Beam& beam : model.beams) {
     if (beam.inertia < 0) continue;
     const BeamInertia& inertia = model.beam_inertias[beam.inertia];
@@ -213,6 +241,9 @@ void added_inertia(const Model<3>& model, const State<3>& state, bool rising, st
   if (!has_added_mass(model)) return;
   out.resize(static_cast<std::size_t>(model.nodes()));
   add_rotary_forces(model, state, rising, out);
+  if (rising)
+    add_water_momentum(
+        model, state, [&](int n) { return rise_of(state, n); }, out);
   for (const Beam3& beam : model.beams_3d) {
     if (beam.inertia < 0) continue;
     const BeamInertia3& inertia = model.beam_inertias_3d[static_cast<std::size_t>(beam.inertia)];
@@ -229,7 +260,7 @@ void added_inertia(const Model<3>& model, const State<3>& state, bool rising, st
 
 template <int D>
 bool has_added_mass(const Model<D>& model) {
-  return model.has_consistent_mass() || has_one_element_bodies(model);
+  return model.has_consistent_mass() || has_one_element_bodies(model) || has_water_mass(model);
 }
 template bool has_added_mass(const Model<2>&);
 template bool has_added_mass(const Model<3>&);
@@ -275,7 +306,7 @@ template std::vector<NodeForces<3>> implicit_forces(const Model<3>&, const State
 /// v' (M - lumped) v / 2, in addition to the sum of m v^2 / 2 over the nodes.
 template <int D>
 double added_kinetic(const Model<D>& model, const State<D>& state) {
-  double sum = rotary_energy(model, state);
+  double sum = rotary_energy(model, state) + water_energy(model, state);
   for (const auto& beam : beams_of(model)) {
     if (beam.inertia < 0) continue;
     const auto v = of_nodes(beam, state.velocity, state.spin);

@@ -66,7 +66,7 @@ struct SeenPlaces {
 
 /// Point loads rotate with their arms, following loads rotate themselves too, and pressures move with the faces.
 template <int D>
-void add_load_terms(TermSum<D>& sum) {
+void add_load_terms(TermSum<D>& sum, const Work<D>& work) {
   const Model<D>& model = sum.model;
   if (model.loads.empty()) return;
   NodeArrays<D> all(model);
@@ -76,7 +76,7 @@ void add_load_terms(TermSum<D>& sum) {
       nodes.clear();
       load.visit(part, SeenPlaces<D>{model, nodes});
       sum.add(nodes, [&](const Freedom& /*moved*/, TermForces& out) {
-        LoadTarget<D> to{{model, sum.state, nullptr}, all.force, all.moment};
+        LoadTarget<D> to{{model, sum.state, nullptr, &work.closed_joints}, all.force, all.moment};
         load.apply(to, part);
         all.take(nodes, out);
       });
@@ -106,8 +106,8 @@ void add_bearing_terms(TermSum<D>& sum) {
 
 template struct TermSum<2>;
 template struct TermSum<3>;
-template void add_load_terms(TermSum<2>& sum);
-template void add_load_terms(TermSum<3>& sum);
+template void add_load_terms(TermSum<2>& sum, const Work<2>& work);
+template void add_load_terms(TermSum<3>& sum, const Work<3>& work);
 template void add_bearing_terms(TermSum<2>& sum);
 template void add_bearing_terms(TermSum<3>& sum);
 

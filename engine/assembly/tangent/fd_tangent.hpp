@@ -138,7 +138,7 @@ void add_element_terms(TermSum<2>& sum);
 template <int D>
 void add_bearing_terms(TermSum<D>& sum);
 template <int D>
-void add_load_terms(TermSum<D>& sum);
+void add_load_terms(TermSum<D>& sum, const Work<D>& work);
 
 /// In space: all contacts, elements, and damping by mass. Afterwards the pieces in `work` are restored, but not the
 /// answers of its contact rows.

@@ -12,6 +12,7 @@
 #include "assembly/tangent/beam_tangent.hpp"
 #include "assembly/tangent/fd_perturbation.hpp"
 #include "assembly/tangent/fd_tangent.hpp"
+#include "assembly/water/water_mass.hpp"
 #include "element/rigid/rigid.hpp"
 
 namespace trilith {
@@ -119,7 +120,7 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   add_face_terms(terms, work), add_overlap_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
-  add_load_terms(terms);
+  add_load_terms(terms, work);
   add_beams(model, state, options);
 }
 
@@ -140,7 +141,7 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
   add_solid_terms(terms, work);
   add_bearing_terms(terms);
   add_element_terms(terms);
-  add_load_terms(terms);
+  add_load_terms(terms, work);
   add_beams(model, state, options);
   evaluate(model, state, work, options.dt);
 }
@@ -158,6 +159,17 @@ void each_beam_block(const Model<D>& model, const State<D>& state, const Tangent
     if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
     add(beam.node, block);
   }
+}
+
+/// The added mass of water.
+template <int D>
+void add_water_blocks(const Model<D>& model, const State<D>& state, const TangentOptions& options,
+                      const DofGraph<D>& coupling, Eigen::SparseMatrix<double>& matrix) {
+  if (!(options.inertia > 0)) return;
+  each_water_entry(model, state, [&](int i, int k, int j, int l, double m) {
+    const int row = coupling.unknown[i][k], column = coupling.unknown[j][l];
+    if (row >= 0 && column >= 0) matrix.coeffRef(row, column) += options.inertia * m;
+  });
 }
 
 /// The rotary inertia of bodies of one element, whose nodes are all coupled.
@@ -178,11 +190,13 @@ template <>
 void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
   each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
   add_rotary_blocks(model, state, options, coupling_, matrix_);
+  add_water_blocks(model, state, options, coupling_, matrix_);
 }
 template <>
 void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
   each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
   add_rotary_blocks(model, state, options, coupling_, matrix_);
+  add_water_blocks(model, state, options, coupling_, matrix_);
 }
 
 /// Removes entries of 0 of pairs that do not touch, so that the matrix does not depend on when they were found.

@@ -6,6 +6,8 @@
 #include "assembly/element/rotary_inertia.hpp"
 #include "assembly/node_forces.hpp"
 #include "assembly/stored_energy.hpp"
+#include "assembly/water/water_mass.hpp"
+#include "assembly/water/water_work.hpp"
 #include "base/team.hpp"
 #include "element/rigid/rigid_turn_lanes.hpp"
 #include "integrate/explicit/mass_scaling.hpp"
@@ -313,8 +315,9 @@ Energy energy_now(const Model<D>& model, const State<D>& state, const Work<D>& w
     add_work(f, path, energy);
     kinetic += kinetic_energy(model, state, n, v, speed_ahead(model, state, n, v, f, span, options.dt));
   }
+  book_water(model, state, work, energy, 0.5 * state.last_dt);
   if (!state.added_share.empty()) kinetic += added_kinetic(model, state, work, options, state.last_dt > 0 ? span : 0);
-  kinetic += rotary_kinetic(model, state, work, options);
+  kinetic += rotary_kinetic(model, state, work, options) + water_kinetic(model, state, work, options);
   energy[EnergyTerm::kinetic] = kinetic;
   add_stored(model, state, work, energy);
   return energy;
@@ -330,7 +333,9 @@ template <int D>
 void advance(const Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, StepTimes* times) {
   StepClock clock(times);
   const double dt = options.dt, last = state.last_dt, span = 0.5 * (last + dt);
+  book_water(model, state, work, state.given, 0.5 * last);
   advance_nodes(model, state, work, options, {last, dt, span});
+  book_water(model, state, work, state.given, 0.5 * dt);
   state.time += dt;
   state.last_dt = dt;
   ++state.step;

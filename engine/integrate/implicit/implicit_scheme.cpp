@@ -4,6 +4,8 @@
 #include "assembly/implicit_turn.hpp"
 #include "assembly/node_forces.hpp"
 #include "assembly/stored_energy.hpp"
+#include "assembly/water/water_mass.hpp"
+#include "assembly/water/water_work.hpp"
 #include "integrate/implicit/implicit_step.hpp"
 
 namespace trilith {
@@ -28,12 +30,19 @@ template <int D>
 void add_half_behind(const Model<D>& model, const State<D>& state, const Work<D>& work, Energy& given) {
   const std::vector<NodeForces<D>> forces = implicit_forces(model, state, work);
   for (int n = 0; n < model.nodes(); ++n) add_work(forces[n], half_behind(state, n), given);
+  book_water<D>(model, {work.water, work.water_moment}, given, [&](int n) { return half_behind(state, n); });
   std::vector<Dofs<D>> added;
   added_inertia(model, state, true, added);
   for (std::size_t n = 0; n < added.size(); ++n) {
     const int node = static_cast<int>(n);
     given[EnergyTerm::support] += work_on_support(model, node, added[n], half_behind(state, node));
   }
+}
+
+/// Kinetic energy of the consistent mass that explicit steps do not have [J].
+template <int D>
+double added_beyond_explicit(const Model<D>& model, const State<D>& state) {
+  return added_kinetic(model, state) - rotary_energy(model, state) - water_energy(model, state);
 }
 
 /// Initial accelerations of the scheme with the consistent mass. Accelerations of the lumped mass would excite spurious
@@ -106,6 +115,7 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
   state.spin_rate.assign(nodes, nothing<Spin<D>>());
   std::vector<Dofs<D>> force;
   const bool has_added = has_added_mass(model);
+  book_water(model, state, work, state.given, 0.5 * state.last_dt);
   for (int n = 0; n < model.nodes(); ++n) {
     const Dofs<D> v = velocity_of(state, n);
     const NodeForces<D> f = node_forces(model, state, work, n, v, outside, {});
@@ -126,8 +136,12 @@ void begin_implicit(const Model<D>& model, State<D>& state, const Work<D>& work)
       if (model.support[n][k] == Support::free) force.back()[k] -= work.added_inertia[n][k];
   }
   if (!force.empty()) {
+    const std::vector<Dofs<D>> water = water_inertia(model, state, work);
+    for (std::size_t n = 0; n < water.size(); ++n)
+      for (std::size_t k = 0; k < water[n].size(); ++k)
+        if (model.support[n][k] == Support::free) force[n][k] -= water[n][k];
     begin_consistent(model, state, std::move(force));
-    state.given[EnergyTerm::numerical] -= added_kinetic(model, state) - rotary_energy(model, state);
+    state.given[EnergyTerm::numerical] -= added_beyond_explicit(model, state);
   }
   state.position_before = state.position;
   state.rotation_before = state.rotation;
@@ -139,7 +153,7 @@ template <int D>
 void begin_explicit(const Model<D>& model, State<D>& state, const Work<D>& work) {
   if (!state.implicit()) return;
   add_half_behind(model, state, work, state.given);
-  state.given[EnergyTerm::numerical] += added_kinetic(model, state) - rotary_energy(model, state);
+  state.given[EnergyTerm::numerical] += added_beyond_explicit(model, state);
   state.position_before.clear(), state.rotation_before.clear();
   state.acceleration.clear(), state.spin_rate.clear();
   state.most_energy = 0;

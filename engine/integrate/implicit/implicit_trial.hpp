@@ -73,8 +73,10 @@ class ImplicitTrial {
   const std::shared_ptr<const KeptTangent> kept_;  // at the start of the step
   std::vector<Vec<D>> position_before_;
   std::vector<Rotation<D>> rotation_before_;
-  std::vector<NodeForces<D>> forces_;          // at the start of the step
-  std::vector<Dofs<D>> path_;                  // [node] along the step
+  std::vector<NodeForces<D>> forces_;    // at the start of the step
+  std::vector<Vec<D>> water_;            // [node] force of water at the start of the step [N]; empty without water
+  std::vector<Moment<D>> water_moment_;  // [node] [N m]
+  std::vector<Dofs<D>> path_;            // [node] along the step
   std::vector<Dofs<D>> added_before_, added_;  // [node] inertia forces of consistent mass at the start of the step, and
                                                // now; usually empty
   std::vector<Dofs<D>> damped_;                // [node] damping of the consistent mass, now; usually empty

@@ -5,6 +5,7 @@
 
 #include "assembly/element/consistent_mass.hpp"
 #include "assembly/slip_reversal_error.hpp"
+#include "assembly/water/water_work.hpp"
 #include "integrate/implicit/implicit_trial.hpp"
 
 namespace trilith {
@@ -54,6 +55,7 @@ ImplicitTrial<D>::ImplicitTrial(const Model<D>& model, State<D>& state, Work<D>&
       times_(times),
       clock_(times) {
   forces_ = implicit_forces(model, state, work);
+  water_ = work.water, water_moment_ = work.water_moment;
   path_.resize(forces_.size());
   carried_ = work.carried;
   added_inertia(model, state, true, added_before_);
@@ -78,6 +80,10 @@ void ImplicitTrial<D>::give_up() {
     if (!added_before_.empty())
       state_.given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], behind);
   }
+  book_water<D>(model_, {water_, water_moment_}, state_.given, [&](int n) {
+    return dofs_of(Vec<D>(0.5 * (start_.position[n] - position_before_[n])),
+                   Spin<D>(0.5 * turn_between(rotation_before_[n], start_.rotation[n])));
+  });
 }
 
 /// Work of the net forces along the step, by the mean of their values at both ends, in a frame that moves at `frame`
@@ -116,6 +122,8 @@ Energy ImplicitTrial<D>::booked() const {
     add_work(forces_[n], path, given);
     if (!added_before_.empty()) given[EnergyTerm::support] += work_on_support(model_, n, added_before_[n], path);
   }
+  book_water<D>(model_, {water_, water_moment_}, given,
+                [&](int n) { return half_of_both(position_before_[n], rotation_before_[n], start_, state_, n); });
   const double work = net_work(implicit_forces(model_, state_, work_), Vec<D>::Zero());
   given[EnergyTerm::numerical] = work - (implicit_kinetic(model_, state_) - energy_[EnergyTerm::kinetic]);
   return given;

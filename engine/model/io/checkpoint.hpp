@@ -27,7 +27,8 @@
 // - the first 19 terms of the energy ledger.
 //
 // If bodies or bearings were added or removed, the other ledger terms and the removal times of bodies (-1: not removed)
-// follow. If masses are scaled, these two and the shares by body follow. Numbers are IEEE doubles.
+// follow. If masses are scaled, these two and the shares by body follow. If there was water, these three, the term of
+// water and the flooded joints follow. Numbers are IEEE doubles.
 #pragma once
 
 #include <cstdint>

@@ -52,8 +52,11 @@ void add(Hash& hash, const FibreSection3& s);
 void add(Hash& hash, const FibreBeamRow3& r);
 void add(Hash& hash, const HingeLaw& l);
 void add(Hash& hash, const Drive& d);
-template <LoadData L>
-void add(Hash& hash, const L& load);
+template <class T>
+requires requires {
+  T::members();
+}
+void add(Hash& hash, const T& row);
 template <int D>
 void add(Hash& hash, const PushRow<D>& r);
 template <int D>
@@ -221,9 +224,12 @@ void add(Hash& hash, const LoadCurve& c) {
   add(hash, c.time), add(hash, c.share), add(hash, c.smooth);
 }
 
-template <LoadData L>
-void add(Hash& hash, const L& load) {
-  std::apply([&](const auto... member) { (add(hash, load.*member), ...); }, L::members());
+template <class T>
+requires requires {
+  T::members();
+}
+void add(Hash& hash, const T& row) {
+  std::apply([&](const auto... member) { (add(hash, row.*member), ...); }, T::members());
 }
 
 template <int D>

@@ -57,13 +57,18 @@ class StateWriter {
   /// Whether masses are scaled; their shares then follow.
   template <int D>
   [[nodiscard]] bool scaled(const State<D>& s) const {
-    return !s.added_share.empty();
+    return !s.added_share.empty() || flooded(s);
+  }
+  /// Whether there are data of water; they then follow.
+  template <int D>
+  [[nodiscard]] bool flooded(const State<D>& s) const {
+    return !s.flooded.empty() || s.given[EnergyTerm::water] != 0;
   }
   /// Whether there are data of changing models or of mass scaling; they then follow.
   template <int D>
   [[nodiscard]] bool changed(const State<D>& s) const {
     const auto later = std::span(s.given.value).subspan(plain_energy_terms);
-    return !s.removed_at.empty() || !s.added_share.empty() ||
+    return !s.removed_at.empty() || !s.added_share.empty() || flooded(s) ||
            std::any_of(later.begin(), later.end(), [](double v) { return v != 0; });
   }
 };
@@ -119,6 +124,10 @@ class StateReader {
   }
   template <int D>
   [[nodiscard]] bool scaled(const State<D>& s) const {
+    return changed(s);
+  }
+  template <int D>
+  [[nodiscard]] bool flooded(const State<D>& s) const {
     return changed(s);
   }
   void done() const {

@@ -253,10 +253,13 @@ void walk(File& file, S& s) {
   for (std::size_t i = 0, n = file.count(std::span(s.given.value).first(plain_energy_terms)); i < n; ++i)
     file.number(s.given.value[i]);
   if (!file.changed(s)) return;
-  for (std::size_t k = plain_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
+  for (std::size_t k = plain_energy_terms; k < dry_energy_terms; ++k) file.number(s.given.value[k]);
   for (std::size_t i = 0, n = file.open_count(s.removed_at, 1); i < n; ++i) file.number(s.removed_at[i]);
   if (!file.scaled(s)) return;
   for (std::size_t i = 0, n = file.open_count(s.added_share, 1); i < n; ++i) file.number(s.added_share[i]);
+  if (!file.flooded(s)) return;
+  for (std::size_t k = dry_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
+  for (std::size_t i = 0, n = file.open_count(s.flooded, 1); i < n; ++i) file.flag(s.flooded[i]);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void add_loads(const Model<2>& model, const State<2>& state, const Work<2>& work
   model.loads.for_each([&](const auto& load) {
     for (int part = 0; part < load.parts(); ++part) {
       const auto body = static_cast<std::size_t>(load.body_of(part));
-      VirialTarget to{{model, state, &work}, centre[body], virial[body]};
+      VirialTarget to{{model, state, &work, &work.closed_joints}, centre[body], virial[body]};
       load.apply(to, part);
     }
   });

@@ -188,8 +188,8 @@ std::vector<Method> model_methods() {
       {"close", guarded<close_model>},
   };
   for (const auto part : {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(),
-                          load_methods(), pressure_methods(), release_methods(), pushover_methods(), debug_methods(),
-                          change_methods(), finding_methods(), modes_methods(), reading_methods()})
+                          load_methods(), pressure_methods(), water_methods(), release_methods(), pushover_methods(),
+                          debug_methods(), change_methods(), finding_methods(), modes_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }

@@ -18,6 +18,19 @@ void require_load(ScriptModel& m, const std::string& name, const char* owner) {
     throw InputError(fmt::format("{}: there is no load '{}'{}", owner, name, name_hint(name, names)));
 }
 
+/// Water has a level and no share.
+void refuse_water(ScriptModel& m, const std::string& name, const char* owner) {
+  const auto has = [&](const auto& model) {
+    bool found = false;
+    model.loads.for_each([&]<class L>(const L& load) { found = found || (has_level<L> && load.name == name); });
+    return found;
+  };
+  SpaceModel* space = as_space(m);
+  if (space != nullptr ? has(space->simulation().model()) : has(as_plane(m)->simulation().model()))
+    throw InputError(fmt::format(
+        "{}: '{}' is water, which has a level and no share; use m:set_level, or m:remove(\"{}\")", owner, name, name));
+}
+
 /// Names of the pushes alone.
 std::vector<std::string> names_of_pushes(ScriptModel& m) {
   const auto of = [](const auto& model) {
@@ -60,6 +73,7 @@ int set_load(lua_State* L) {
   const double share = keys.number("factor", "1"), duration = read_span(keys, "duration", 0);
   keys.finish();
   require_load(m, name, "set_load");
+  refuse_water(m, name, "set_load");
   change_share(m, name, share, duration);
   return 0;
 }
@@ -138,6 +152,7 @@ int release_of(lua_State* L, SimulatedModel<D>& m) {
   m.simulation();
   if (of_load) {
     require_load(m, load, "release");
+    refuse_water(m, load, "release");
     change_share(m, load, 0, fade);
   } else if (of_push) {
     require_push(m, push);

@@ -288,8 +288,8 @@ std::string loads_to_come(const SimulatedModel<D>& model) {
   if (model.if_built() == nullptr) return "";
   const double now = model.if_built()->state().time;
   std::vector<std::string> names;
-  model.if_built()->model().loads.for_each([&](const auto& load) {
-    if (load.curve.at(now) == 0 && !load.curve.spent(now) &&
+  model.if_built()->model().loads.for_each([&]<class L>(const L& load) {
+    if (!has_level<L> && load.curve.at(now) == 0 && !load.curve.spent(now) &&
         std::find(names.begin(), names.end(), load.name) == names.end())
       names.push_back(load.name);
   });
