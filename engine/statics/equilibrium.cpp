@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "model/loads.hpp"
+#include "statics/line_search.hpp"
 #include "statics/static_trial.hpp"
 
 namespace trilith {
@@ -38,10 +39,6 @@ constexpr double shortest_pseudo = 1e-7;
 constexpr double enough_of_step = 1e-2;
 /// The tangent is updated after an iteration that leaves more than this share.
 constexpr double slow_iteration = 0.5;
-/// The line search ends if the work of the residual along the iteration is below this share of its initial value; it
-/// makes at most this number of tries.
-constexpr double work_left = 0.5;
-constexpr int most_tries = 12;
 
 template <int D>
 void scale_all(const Model<D>& whole, double share, Model<D>& model) {
@@ -131,29 +128,14 @@ bool Search<D>::leaves(Equilibrium& out) const {
   return n >= 0;
 }
 
-/// Line search along `full` to a point at which the residual does about no work along it, where a potential, if it
-/// exists, has its minimum. A residual that increases for an iteration, as when joints open, is harmless (Matthies and
-/// Strang, "The solution of nonlinear finite element equations", Int. J. Numer. Meth. Engng 14, 1979, sec. 3). A loose
-/// part may meet another one on the way. The work is then 0 at the first contact, which is located between a point
-/// before and one beyond it, so that the next tangent contains the contact. False if there is no such point ahead.
+/// Line search along `full`, see statics/line_search.hpp.
 template <int D>
 bool Search<D>::improve(const Eigen::VectorXd& full, double inertia, double enough) {
-  const double begin = trial_.left().dot(full), little = work_left * std::abs(begin);
-  double share = 1, before = 0, beyond = 0, work_before = begin, work_beyond = 0;
-  trial_.move(full, 1);
-  for (int tries = 0;; ++tries) {
+  const auto move = [&](double share) {
+    trial_.move(full, share);
     trial_.evaluate_here();
-    merit_ = trial_.measure(inertia);
-    const double work = trial_.left().dot(full);
-    if (trial_.share() <= enough || std::abs(work) <= little || (work > 0 && beyond == 0)) return true;
-    if (tries == most_tries) return work > 0 || before > 0;
-    work > 0 ? void((before = share, work_before = work)) : void((beyond = share, work_beyond = work));
-    // Zero of the line through the work at both points, within bounds. The last try is a point before.
-    const double part = std::clamp(work_before / (work_before - work_beyond), 0.1, 0.9);
-    const double next = tries + 1 == most_tries && before > 0 ? before : before + part * (beyond - before);
-    trial_.move(full, next - share);
-    share = next;
-  }
+  };
+  return search_along(trial_, full, inertia, enough, merit_, move);
 }
 
 /// A step of pseudo-time h [s]: M d / h^2 = F at its end, with the displacement d. `from`: initial residual as a share.

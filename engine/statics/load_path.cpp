@@ -20,6 +20,13 @@ constexpr double cut_of_path = 0.5;
 constexpr double hold_of_loose = 1e-13;
 /// Number of consecutive failed arcs before dissipation control is tried.
 constexpr int arcs_before_detour = 2;
+/// Number of consecutive failed arcs before rest is searched at a given displacement.
+constexpr int arcs_before_search = 5;
+/// Arcs below this share of the first one are short.
+constexpr double short_arc = 0.1;
+/// Growth of a step that takes more iterations than wanted, up to this multiple, at any length.
+constexpr double growth_of_contact = 1.25;
+constexpr int most_growing = 3;
 /// Loads below this share of the largest one are carried only by the regularisation of loose parts.
 constexpr double nothing_carried = 1e-9;
 template <int D>
@@ -172,16 +179,40 @@ bool LoadPathWalk<D>::resists() const {
   return std::abs(out_.points.back().factor) > limit;
 }
 
+/// Change of the step length. Few iterations permit a longer step; the square root prevents oscillation. Contacts that
+/// open, close or slide cost iterations at any length: where a shorter step has not saved any, the next one is longer.
+template <int D>
+double LoadPathWalk<D>::growth() {
+  const int before = std::exchange(last_taken_, taken_), wanted = options_.wanted_iterations;
+  const bool no_better = taken_ > wanted && taken_ <= most_growing * wanted && taken_ >= before;
+  if (no_better && options_.control == PathControl::arc && loaded_.bodies.size() > 1) return growth_of_contact;
+  return std::clamp(std::sqrt(wanted / std::max(1.0, 1.0 * taken_)), least_path_change, most_path_change);
+}
+
+/// True if rest is searched after this number of failed arcs, of which the last had this size: after several ones, and
+/// at once after a search and where steps have become short without fracture. After a search that failed some points
+/// are awaited.
+template <int D>
+bool LoadPathWalk<D>::is_search_due(int failed, double size) const {
+  const bool is_short = std::abs(size) < short_arc * std::abs(options_.first) && !refused_ && !(last_energy_ > 0);
+  const bool due = failed == (searched_ || is_short ? 1 : arcs_before_search);
+  return due && static_cast<int>(out_.points.size()) >= next_search_;
+}
+
 template <int D>
 void LoadPathWalk<D>::follow() {
   const double first = std::abs(options_.first);
   const double longest = options_.longest > 0 ? options_.longest : 10 * first;
   const double shortest = options_.shortest > 0 ? options_.shortest : 1e-5 * first;
-  double size = options_.first;
+  double size = options_.first, asked = size;  // asked: before cuts
   longest_ = longest;
   int failed = 0;
   bool on = add_point(0);
   while (on) {
+    if (stopped()) {
+      out_.end = PathEnd::stopped;
+      return;
+    }
     const double now = size_to_go(size);
     out_.end = now == 0                                                       ? PathEnd::arrived
                : static_cast<int>(out_.points.size()) >= options_.most_points ? PathEnd::most_points
@@ -189,21 +220,25 @@ void LoadPathWalk<D>::follow() {
     if (out_.end != PathEnd::stuck || std::abs(size) < shortest) return;
     const bool by_arc = options_.control == PathControl::arc;
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
+    bool searched = false;
     if (!goes_on_softening && !arc(now)) {
+      if (failed++ == 0) asked = now;
       size = cut_of_path * now, ++out_.cuts;
-      if (!by_arc || ++failed < arcs_before_detour || !(dissipate(now) || approach() || jump() || leap(now))) continue;
-      size = std::min(first, std::max(length_of(last_way_), shortest));
+      if (!by_arc) continue;
+      const bool found = failed >= arcs_before_detour && detour(now);
+      searched = !found && is_search_due(failed, now) && search(std::copysign(std::max(std::abs(asked), first), asked));
+      if (!found && !searched) continue;
+      size = std::min(searched ? longest : first, std::max(length_of(last_way_), shortest));
     }
+    searched_ = searched;
     failed = 0;
     on = add_point(taken_);
     if (on && !resists()) {
       out_.end = PathEnd::no_resistance;
       return;
     }
-    if (energy_ > 0) continue;
-    // Few iterations permit a longer step; the square root prevents oscillation.
-    size *= std::clamp(std::sqrt(options_.wanted_iterations / std::max(1.0, 1.0 * taken_)), least_path_change,
-                       most_path_change);
+    if (energy_ > 0 || searched) continue;
+    size *= growth();
     size = std::copysign(std::min(std::abs(size), longest), size);
   }
   out_.end = PathEnd::arrived;
@@ -233,9 +268,10 @@ LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOpti
   LoadPath out;
   State<D> resting = state;
   EquilibriumOptions rest;
-  rest.tolerance = options.tolerance;
+  rest.tolerance = options.tolerance, rest.is_stopped = options.is_stopped;
   Equilibrium e = find_equilibrium(scaled(model, options.loads, options.begin), resting, rest);
   out.left = e.left, out.worst = e.worst, out.iterations = e.iterations, out.events = std::move(e.events);
+  if (e.end == EquilibriumEnd::stopped) out.end = PathEnd::stopped;
   if (!e.converged) return out;
   LoadPathWalk<D> path(model, resting, options, out);
   path.follow();
@@ -247,6 +283,8 @@ template void LoadPathWalk<2>::set_factor(double);
 template void LoadPathWalk<3>::set_factor(double);
 template void LoadPathWalk<2>::move(const Eigen::VectorXd&, double);
 template void LoadPathWalk<3>::move(const Eigen::VectorXd&, double);
+template void LoadPathWalk<2>::find_loads();
+template void LoadPathWalk<3>::find_loads();
 template bool LoadPathWalk<2>::solve_loads();
 template bool LoadPathWalk<3>::solve_loads();
 template double LoadPathWalk<2>::followed_place() const;

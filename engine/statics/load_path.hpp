@@ -69,11 +69,14 @@ struct LoadPathOptions {
   int wanted_iterations = 4;  ///< the step length is scaled by the square root of this over the iterations taken.
   /// Called at every point, including the first one, with the committed state; the path ends when it returns false.
   std::function<bool(const PathPoint&, const State<D>&)> goes_on;
+  /// Called at each iteration and at each trial position; the path ends at its last point when it returns true. Empty:
+  /// never stopped.
+  std::function<bool()> is_stopped;
 };
 
 /// End of a path: at the requested value; after the largest number of points; no step converges, however short; no rest
-/// at its start; no resistance to the loads any more.
-enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance };
+/// at its start; no resistance to the loads any more; stopped.
+enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance, stopped };
 
 struct LoadPath {
   PathEnd end = PathEnd::no_rest;
@@ -83,7 +86,8 @@ struct LoadPath {
   int cuts = 0;
   double left = 0;  ///< of the last try, see Equilibrium
   int worst = -1;
-  int jumps = 0;  ///< steps across a brittle break without an equilibrium between their ends
+  int jumps = 0;     ///< steps across a brittle break without an equilibrium between their ends
+  int searched = 0;  ///< points found by a search for rest at a given displacement
   std::vector<Event> events;
 };
 

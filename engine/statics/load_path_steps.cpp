@@ -11,6 +11,12 @@ namespace {
 /// the energy that the continued step would dissipate.
 constexpr int most_detour_cuts = 10;
 constexpr double cut_of_detour = 0.25, share_of_overshoot = 0.1;
+/// A step under dissipation control is cut up to this number of times while it misses more than this share of its
+/// energy, see missed_work().
+constexpr int cuts_for_work = 4;
+constexpr double most_missed = 0.01;
+/// Work below this share of force times displacement may always be missed.
+constexpr double missed_of_path = 2e-5;
 /// A step counts as free of dissipation below this share of the last step's energy per length.
 constexpr double idle_share = 1e-3;
 /// Energy differences are taken over this share of the step.
@@ -31,7 +37,7 @@ double LoadPathWalk<D>::condition(double size) const {
     case PathControl::displacement:
       return followed_.dot(way) - size;
     case PathControl::dissipation:
-      return trial_.dissipated() - size;
+      return trial_.softened() - size;
     case PathControl::arc:
       break;
   }
@@ -64,7 +70,7 @@ double LoadPathWalk<D>::dissipation_along(const Eigen::VectorXd& by) {
   const auto at = [&](double moved) {
     trial_.move(by, moved);
     trial_.evaluate_here();
-    return trial_.dissipated();
+    return trial_.softened();
   };
   const double more = at(share), less = at(-2 * share);
   at(share);
@@ -86,14 +92,14 @@ double LoadPathWalk<D>::reach(const Eigen::VectorXd& direction, double factor, d
   const double most = 2 * longest_ / length_of(direction);
   const auto dissipated = [&](double share) {
     try_at(direction, factor, share);
-    return trial_.dissipated();
+    return trial_.softened();
   };
   double low = 0, high = 1e-6 * most;
   while (!(dissipated(high) >= energy)) {
     low = high, high *= 4;
-    if (high > most) return std::numeric_limits<double>::infinity();
+    if (high > most || stopped()) return std::numeric_limits<double>::infinity();
   }
-  for (int i = 0; i < 30 && high - low > 1e-6 * high; ++i) {
+  for (int i = 0; i < 30 && high - low > 1e-6 * high && !stopped(); ++i) {
     const double middle = 0.5 * (low + high);
     (dissipated(middle) >= energy ? high : low) = middle;
   }
@@ -156,7 +162,7 @@ bool LoadPathWalk<D>::correct(double size) {
                                                                             : longest_;
     if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
     if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
-    if (i == options_.most_iterations) return false;
+    if (i == options_.most_iterations || stopped()) return false;
     ++out_.iterations;
     if (!solve_loads()) return false;
     const Eigen::VectorXd rest = trial_.solve(trial_.left());
@@ -182,14 +188,40 @@ template <int D>
 bool LoadPathWalk<D>::unloads() const {
   if (control_ != PathControl::arc || last_way_.size() == 0 || !(last_energy_ > 0)) return false;
   const double expected = last_energy_ * length_of(trial_.way()) / length_of(last_way_);
-  return trial_.dissipated() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
+  return trial_.softened() < idle_share * expected && std::abs(factor_) < std::abs(last_factor_);
 }
 
 /// An arc across fracture may jump to another branch at any energy. Such a step is left to dissipation control, as long
 /// as that finds one.
 template <int D>
-bool LoadPathWalk<D>::fractures() const {
-  return control_ == PathControl::arc && !may_leap_ && last_way_.size() > 0 && trial_.fractured() > least_energy();
+bool LoadPathWalk<D>::fractures() {
+  const bool crosses =
+      control_ == PathControl::arc && !may_leap_ && last_way_.size() > 0 && trial_.fractured() > least_energy();
+  refused_ = refused_ || crosses;
+  return crosses;
+}
+
+/// Work of the residual along the straight path of the step, which the energy balance misses, by Simpson's rule; the
+/// residual is 0 at both ends [J]. It is large where a joint reaches its strength, or parts, within the step.
+template <int D>
+double LoadPathWalk<D>::missed_work() {
+  const Eigen::VectorXd way = trial_.way();
+  const double rise = factor_ - last_factor_;
+  try_at(way, rise, 0.5);
+  trial_.measure(0);
+  const double middle = trial_.left().dot(way);
+  try_at(way, rise, 1);
+  return 2.0 / 3 * middle;
+}
+
+/// True for a step under dissipation control that is too long for its energy balance.
+template <int D>
+bool LoadPathWalk<D>::misses_work() {
+  if (control_ != PathControl::dissipation || !strict_) return false;
+  most_work_ = std::max(most_work_, std::abs(factor_ * followed_place()));
+  const double enough = std::max(most_missed * trial_.softened(), missed_of_path * most_work_);
+  missed_ = std::abs(missed_work()) > enough;
+  return missed_;
 }
 
 /// Tries a step of this size. If it fails, everything is restored.
@@ -197,11 +229,12 @@ template <int D>
 bool LoadPathWalk<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would return along its path.
-  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures()) {
+  if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures() &&
+      !misses_work()) {
     last_way_ = trial_.way();
     last_rise_ = factor_ - last_factor_;
     last_factor_ = factor_;
-    last_energy_ = trial_.dissipated() > least_energy() ? trial_.dissipated() : 0;
+    last_energy_ = trial_.softened() > least_energy() ? trial_.softened() : 0;
     trial_.keep_carried();
     trial_.accept();
     taken_ = out_.iterations - before;
@@ -221,7 +254,7 @@ bool LoadPathWalk<D>::dissipate(double size) {
     const double length = length_of(last_way_);
     for (double share = size / length; share * length < 2 * longest_ && !(energy_ > 0); share *= 2) {
       try_at(last_way_, last_rise_, share);
-      energy_ = share_of_overshoot * trial_.dissipated();
+      energy_ = share_of_overshoot * trial_.softened();
     }
     set_factor(last_factor_), trial_.go_back();
   }
@@ -233,7 +266,12 @@ bool LoadPathWalk<D>::dissipate(double size) {
   double energy = energy_;
   bool found = false;
   for (int i = 0; i < most_detour_cuts && !found && energy > least_energy(); ++i) {
+    strict_ = i < cuts_for_work, missed_ = false;
     found = step(energy);
+    if (missed_ && (i + 1 == cuts_for_work || cut_of_detour * energy <= least_energy())) {
+      strict_ = false;
+      found = step(energy);
+    }
     if (!found) energy *= cut_of_detour, ++out_.cuts;
   }
   control_ = options_.control;
@@ -286,7 +324,14 @@ bool LoadPathWalk<D>::jump() {
   return false;
 }
 
-/// The last resort: an arc that may cross fracture.
+/// Ways past a step that fails because joints break.
+template <int D>
+bool LoadPathWalk<D>::detour(double size) {
+  const bool refused = refused_;
+  return dissipate(size) || approach() || jump() || (refused && leap(size));
+}
+
+/// An arc that may cross fracture.
 template <int D>
 bool LoadPathWalk<D>::leap(double size) {
   may_leap_ = true;
@@ -299,6 +344,7 @@ bool LoadPathWalk<D>::leap(double size) {
 template <int D>
 bool LoadPathWalk<D>::arc(double size) {
   may_leap_ = options_.control != PathControl::arc;
+  refused_ = false;
   if (step(size)) return true;
   return options_.control == PathControl::arc && last_energy_ > 0 && step(size, true);
 }
@@ -309,11 +355,7 @@ template bool LoadPathWalk<2>::arc(double);
 template bool LoadPathWalk<3>::arc(double);
 template bool LoadPathWalk<2>::dissipate(double);
 template bool LoadPathWalk<3>::dissipate(double);
-template bool LoadPathWalk<2>::approach();
-template bool LoadPathWalk<3>::approach();
-template bool LoadPathWalk<2>::jump();
-template bool LoadPathWalk<3>::jump();
-template bool LoadPathWalk<2>::leap(double);
-template bool LoadPathWalk<3>::leap(double);
+template bool LoadPathWalk<2>::detour(double);
+template bool LoadPathWalk<3>::detour(double);
 
 }  // namespace trilith

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -44,9 +45,17 @@ class LoadPathWalk {
   bool approach();
   bool jump();
   bool leap(double size);
+  bool detour(double size);
+  bool search(double size);
+  [[nodiscard]] bool is_search_due(int failed, double size) const;
+  bool search_rest(double push);
+  bool pseudo_step(double h, double push);
+  [[nodiscard]] bool goes_far(const Eigen::VectorXd& way, double share, double rotation) const;
   [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
   [[nodiscard]] bool resists() const;
-  [[nodiscard]] bool fractures() const;
+  bool fractures();
+  double missed_work();
+  bool misses_work();
   bool predict(double size, bool reversed);
   bool predict_dissipation(double energy);
   double reach(const Eigen::VectorXd& direction, double factor, double energy);
@@ -61,11 +70,13 @@ class LoadPathWalk {
   [[nodiscard]] double change(const Eigen::VectorXd& by);
   [[nodiscard]] double turned() const;
   [[nodiscard]] bool unloads() const;
+  [[nodiscard]] bool stopped() const { return options_.is_stopped && options_.is_stopped(); }
   [[nodiscard]] double length_of(const Eigen::VectorXd& way) const { return std::sqrt(inner(way, way)); }
   [[nodiscard]] double inner(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
     return (a.array() * share_ * b.array()).sum();
   }
   bool add_point(int iterations);
+  double growth();
   void look_for_limit();
   [[nodiscard]] double followed_place() const;
   [[nodiscard]] double size_to_go(double size) const;
@@ -79,14 +90,20 @@ class LoadPathWalk {
   double factor_, last_factor_;
   PathControl control_;  // of the present step
   double origin_ = 0, longest_ = 0;
-  double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
-  bool may_leap_ = false;                   // see fractures()
-  double energy_ = 0;                       // of the next step under dissipation control [J]; 0: none yet
-  int taken_ = 0;                           // iterations of the last step
-  Eigen::ArrayXd share_;                    // of the mass, by unknown
-  Eigen::VectorXd followed_;                // weights, by unknown
-  Eigen::VectorXd loads_, per_factor_;      // by unknown: at factor 1, and displacement by them at the present tangent
-  Eigen::VectorXd last_way_;                // of the last step
+  double last_rise_ = 0, last_energy_ = 0;            // of the last step: change of the factor, dissipation [J]
+  bool may_leap_ = false;                             // see fractures()
+  bool strict_ = false, missed_ = false;              // see misses_work()
+  double most_work_ = 0;                              // largest force times displacement so far [J]
+  bool refused_ = false;                              // the present arc, for its fracture
+  int next_search_ = 0, failed_searches_ = 0;         // number of points before the next search; failed ones in a row
+  bool searched_ = false;                             // the last point was found by search()
+  double energy_ = 0;                                 // of the next step under dissipation control [J]; 0: none yet
+  int taken_ = 0;                                     // iterations of the last step
+  int last_taken_ = std::numeric_limits<int>::max();  // and of the one before
+  Eigen::ArrayXd share_;                              // of the mass, by unknown
+  Eigen::VectorXd followed_;                          // weights, by unknown
+  Eigen::VectorXd loads_, per_factor_;  // by unknown: at factor 1, and displacement by them at the present tangent
+  Eigen::VectorXd last_way_;            // of the last step
 };
 
 }  // namespace trilith

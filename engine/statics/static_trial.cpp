@@ -154,6 +154,19 @@ Eigen::VectorXd StaticTrial<D>::way() const {
   return out;
 }
 
+template <int D>
+Eigen::VectorXd StaticTrial<D>::way_from(const State<D>& from) const {
+  Eigen::VectorXd out(coupling().size());
+  Dofs<D> of{};
+  for (int i = 0, node = -1; i < coupling().size(); ++i) {
+    const auto [n, k] = coupling().freedom[i];
+    if (n != node)
+      of = dofs_of(Vec<D>(state_.position[n] - from.position[n]), turn_between(from.rotation[n], state_.rotation[n]));
+    node = n, out[i] = of[k];
+  }
+  return out;
+}
+
 /// left = F - inertia M d. Returns the sum of left^2 / m, by which iterations are judged; `share_` ends them. In space
 /// M d of a rotation is the present tensor of inertia times the rotation vector.
 template <int D>

@@ -32,6 +32,8 @@ class StaticTrial {
   void move(const Eigen::VectorXd& by, double share);
   /// Displacement from the start of the step, by unknown [m] or [rad].
   [[nodiscard]] Eigen::VectorXd way() const;
+  /// Displacement from another state, by unknown [m] or [rad].
+  [[nodiscard]] Eigen::VectorXd way_from(const State<D>& from) const;
   /// Returns to the start of the step, and evaluates it.
   void go_back();
   /// Makes the last evaluated position the start of the next step. Commits it, books the work of weight, loads and
@@ -70,10 +72,17 @@ class StaticTrial {
       if (energy_term_info[i].dissipated) sum += work_.given.value[i] - state_.given.value[i];
     return sum;
   }
+  /// Part of it that weakens the structure: fracture, crushing and yielding, without friction [J].
+  [[nodiscard]] double softened() const {
+    const EnergyTerm friction = EnergyTerm::contact_friction;
+    return dissipated() - (work_.given[friction] - state_.given[friction]);
+  }
   /// Part of it due to broken bonds and crushing [J].
   [[nodiscard]] double fractured() const {
     return work_.given[EnergyTerm::contact_fracture] - state_.given[EnergyTerm::contact_fracture];
   }
+  /// Size of the body of a node [m].
+  [[nodiscard]] double reach_of(int node) const { return reach_[static_cast<std::size_t>(node)]; }
   /// The mass or inertia of an unknown.
   [[nodiscard]] double mass_at(int unknown) const;
 

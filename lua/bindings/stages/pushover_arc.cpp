@@ -94,36 +94,50 @@ std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const Pus
 /// Ends of a path that its recorder did not cause.
 std::string_view arc_limit(PathEnd end) {
   if (end == PathEnd::no_resistance) return "no resistance";
+  if (end == PathEnd::stopped) return "stopped";
   return end == PathEnd::most_points ? "samples" : end == PathEnd::stuck ? "stuck" : "arrived";
 }
 
-/// Notes where and why a path ended early, and where it jumped.
+/// Force and displacement of the last point, in words.
+std::string last_point(const LoadPath& path) {
+  return fmt::format("{:g} N and {:g} m", path.points.back().factor, path.points.back().displacement);
+}
+
+/// Note on a path without a further equilibrium: the place, the last event, and advice.
+template <int D>
+std::string stuck_note(SimulatedModel<D>& m, const LoadPath& path) {
+  const Model<D>& model = m.simulation().model();
+  const int body = path.worst >= 0 ? body_of_node(model, path.worst) : -1;
+  const std::string where =
+      body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'", model.bodies[body].name) : "";
+  const std::string event = path.events.empty() ? "" : "; last event: " + m.text_of(path.events.back());
+  return fmt::format(
+      "ends at {}, because no equilibrium is found next to it, even with the shortest step{}{}. A part may be free to "
+      "slide or fall there; otherwise a shorter 'arc', or a finer mesh at softening joints, may help",
+      last_point(path), where, event);
+}
+
+/// Notes where and why a path ended early, and the points that no arc has found.
 template <int D>
 void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path, Host& host) {
-  const PathPoint& last = path.points.back();
-  const auto at = fmt::format("{:g} N and {:g} m", last.factor, last.displacement);
-  if (path.end == PathEnd::stuck) {
-    const int body = path.worst >= 0 ? body_of_node(m.simulation().model(), path.worst) : -1;
-    const std::string where = body >= 0 ? fmt::format("; the largest residual of the last try is at '{}'",
-                                                      m.simulation().model().bodies[body].name)
-                                        : std::string();
-    const std::string event = path.events.empty() ? std::string() : "; last event: " + m.text_of(path.events.back());
-    m.note_at_once(
-        fmt::format("{}: the load path ends at {}, because no equilibrium is found next to it, even with the "
-                    "shortest step{}{}; a shorter 'arc' or a finer mesh at softening joints may help",
-                    o.stage.name, at, where, event),
-        host);
-  }
+  const auto note = [&](const std::string& text) { m.note_at_once(fmt::format("{}: {}", o.stage.name, text), host); };
+  if (path.end == PathEnd::stuck) note("the load path " + stuck_note(m, path));
   if (path.end == PathEnd::no_resistance)
-    m.note_at_once(
-        fmt::format("{}: the load path ends at {}: the structure can no longer carry the load", o.stage.name, at),
-        host);
+    note(fmt::format("the load path ends at {}: the structure can no longer carry the load", last_point(path)));
+  if (path.end == PathEnd::most_points)
+    note(
+        fmt::format("the load path ends at {} after the largest number of points, {}, before the displacement of {:g} "
+                    "m; give more 'samples' or a longer 'arc'",
+                    last_point(path), path.points.size(), o.displacement));
+  if (path.searched > 0)
+    note(
+        fmt::format("{} of {} points were found by a search for rest at a given displacement, because contacts that "
+                    "open, close or slide let no arc converge there",
+                    path.searched, path.points.size()));
   if (path.jumps > 0)
-    m.note_at_once(
-        fmt::format(
-            "{}: {} times a bond broke and equilibrium was found again at the same displacement with another force",
-            o.stage.name, path.jumps),
-        host);
+    note(
+        fmt::format("{} times a bond broke and equilibrium was found again at the same displacement with another force",
+                    path.jumps));
 }
 
 /// { {force =, displacement =, highest =}, ... }: limit points of the force.
@@ -187,8 +201,13 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
     const bool on = recorder.add(point, state, is_overstrained(model, state));
     return on && !watch.pressed();
   };
+  how.is_stopped = [&watch] { return watch.pressed(); };
   State<D> state = sim.state();
   const LoadPath path = follow_loads(model, state, how);
+  if (path.end == PathEnd::stopped && path.points.empty()) {  // before the first point
+    push_report(L, settle_stage(L, m, o.stage, EquilibriumOptions{}));
+    return 1;
+  }
   if (path.end == PathEnd::no_rest)
     throw NoSolution(
         "pushover: there is no equilibrium to begin from; find it with m:consolidate{ integrator = \"static\" }, which "

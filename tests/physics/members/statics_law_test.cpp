@@ -18,6 +18,24 @@ Model<2> pulled_block() {
   return model;
 }
 
+TEST_CASE("a load path that is stopped ends at its last point, and before its first point leaves the state as it was") {
+  const Model<2> model = pulled_block();
+  for (const int most : {0, 400}) {
+    State<2> state = initial_state(model);
+    const std::uint64_t hash = state_hash(state);
+    int asked = 0;
+    LoadPathOptions o;
+    o.followed = {{{node_of(model, "block"), 0}, 1}};
+    o.first = 1e-8, o.longest = 1e-8, o.most_points = 100000;
+    o.is_stopped = [&] { return ++asked > most; };
+    const LoadPath path = follow_loads(model, state, o);
+    CHECK(path.end == PathEnd::stopped);
+    CHECK(path.iterations <= most + 1);
+    CHECK(path.points.empty() == (most == 0));
+    CHECK((state_hash(state) == hash) == (most == 0));
+  }
+}
+
 TEST_CASE("a block pulled under displacement control slides at mu W, and keeps its slip when it is released") {
   const Model<2> model = pulled_block();
   const int block = node_of(model, "block");

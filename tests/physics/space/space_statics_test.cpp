@@ -127,6 +127,22 @@ TEST_CASE("a load-controlled path in space leads to the equilibrium of statics")
   }
 }
 
+TEST_CASE("a load path in space that is stopped ends at its last point") {
+  Model<3> model = bend_of_45(8);
+  PointLoad<3> load;
+  load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
+  model.point_loads.push_back(load);
+  int asked = 0;
+  LoadPathOptions<3> how;
+  how.first = 1e-3, how.longest = 1e-3, how.most_points = 100000, how.followed = {{{8, 2}, 1}};
+  how.is_stopped = [&asked] { return ++asked > 400; };
+  State<3> state = initial_state(model);
+  const LoadPath path = follow_loads(model, state, how);
+  CHECK(path.end == PathEnd::stopped);
+  CHECK(path.iterations <= 401);
+  CHECK(path.points.size() > 1);
+}
+
 /// F5: legs of 10 m, with a section inertia much larger than their stiffness implies.
 Model<3> right_angle(int divisions) {
   const GivenSection section{1, 1e-3, 1, 0, 1, 1e-3, 1e-3, 1, 1};

@@ -1,0 +1,144 @@
+// The next point of a load path where no arc converges: rest at a given displacement, by steps of pseudo-time.
+//
+// Dry joints open, close, stick and slip within a step, and Newton's method on an arc may alternate between two such
+// states however short the arc is. The followed displacement is then moved by a given amount, and rest is searched as
+// in statics/equilibrium.hpp, with the factor of the loads as the unknown force that keeps the displacement:
+//
+//     M d / h^2 = F(x, factor),     followed displacement = given,     h increases as the residual decreases
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "statics/line_search.hpp"
+#include "statics/load_path_walk.hpp"
+
+namespace trilith {
+namespace {
+
+/// Limits of the search: steps of pseudo-time, iterations of each, iterations without halving the residual.
+constexpr int most_pseudo_steps = 100, most_pseudo_iterations = 20, pseudo_patience = 5;
+/// Pseudo-time of the first step and of the last try [s], factor of a failed step, and growth after an easy step and
+/// otherwise.
+constexpr double first_pseudo = 1, least_pseudo = 1e-7, pseudo_cut = 0.2, easy_growth = 10, usual_growth = 2;
+constexpr int easy_pseudo_iterations = 6;
+/// After a failed step the stiffest contact has this share of its period [rad].
+constexpr double pseudo_periods = 3;
+/// A step ends at this share of its largest residual.
+constexpr double share_of_pseudo = 1e-2;
+/// Largest displacement and rotation [rad] within a step, as a share of the size of a body.
+constexpr double most_share = 0.1, most_rotation = 0.3;
+/// A search fails if a body moves farther than this share of its size, or rotates by more [rad].
+constexpr double most_of_search = 0.25, most_rotation_of_search = 0.5;
+/// Cuts of the displacement by a quarter each.
+constexpr int most_search_cuts = 2;
+constexpr double search_cut = 0.25;
+/// After this number of failed searches in a row the wait for the next one grows no more.
+constexpr int most_waits = 5;
+
+}  // namespace
+
+/// True if a node moves by more than this share of the size of its body, or rotates by more than `rotation` [rad].
+template <int D>
+bool LoadPathWalk<D>::goes_far(const Eigen::VectorXd& way, double share, double rotation) const {
+  for (int i = 0; i < way.size(); ++i) {
+    const Freedom f = trial_.coupling().freedom[i];
+    const double most = is_turn<D>(f) ? rotation : share * trial_.reach_of(f.node);
+    if (!(std::abs(way[i]) <= most)) return true;
+  }
+  return false;
+}
+
+/// A step of pseudo-time h [s] at whose end the followed displacement has moved by `push` since its begin. True if it
+/// has converged; then it is committed.
+template <int D>
+bool LoadPathWalk<D>::pseudo_step(double h, double push) {
+  const double inertia = 1 / (h * h), begun = factor_;
+  double merit = trial_.measure(inertia), most = trial_.share(), least = merit;
+  bool good = true;
+  for (int i = 0, since = 0; good && i < most_pseudo_iterations && since <= pseudo_patience && !stopped(); ++i) {
+    const double enough = std::max(0.5 * options_.tolerance, share_of_pseudo * most);
+    if (i > 0 && trial_.share() <= enough) {
+      trial_.accept();
+      return true;
+    }
+    ++out_.iterations;
+    good = trial_.find_tangent(inertia, i == 0);
+    if (!good) break;
+    find_loads();
+    per_factor_ = trial_.solve(loads_);
+    const Eigen::VectorXd rest = trial_.solve(trial_.left());
+    const double missing = push - followed_.dot(trial_.way());
+    const double rise = (missing - followed_.dot(rest)) / followed_.dot(per_factor_);
+    const Eigen::VectorXd full = rest + rise * per_factor_;
+    good = std::isfinite(rise) && full.allFinite();
+    if (!good) break;
+    const auto go = [&](double share) { move(share * full, share * rise); };
+    if (i == 0 && push != 0)  // the displacement is moved, so that there is no residual to reduce yet
+      go(1), merit = trial_.measure(inertia), least = merit, most = std::max(most, trial_.share());
+    else
+      good = search_along(trial_, full, inertia, enough, merit, go);
+    good = good && std::isfinite(merit) && !goes_far(trial_.way(), most_share, most_rotation);
+    since = merit < 0.25 * least || i == 0 ? 0 : since + 1;
+    least = std::min(least, merit);
+  }
+  set_factor(begun);
+  trial_.go_back();
+  return false;
+}
+
+/// Rest after the followed displacement has moved by `push`. If there is none, everything is restored.
+template <int D>
+bool LoadPathWalk<D>::search_rest(double push) {
+  const double before = last_factor_;
+  typename StaticTrial<D>::Begin begin = trial_.begin();
+  double h = first_pseudo;
+  bool cut = false, found = false;
+  for (int steps = 0; steps < most_pseudo_steps && h > least_pseudo && !stopped() && !found; ++steps) {
+    const int taken = out_.iterations;
+    if (!pseudo_step(h, push)) {
+      const double square = trial_.highest_square();
+      h *= pseudo_cut, ++out_.cuts;
+      if (!std::exchange(cut, true) && square > 0) h = std::min(h, pseudo_periods / std::sqrt(square));
+      continue;
+    }
+    push = 0;
+    trial_.measure(0);
+    if (goes_far(trial_.way_from(begin.state), most_of_search, most_rotation_of_search)) break;
+    found = trial_.share() <= options_.tolerance;
+    h *= out_.iterations - taken <= easy_pseudo_iterations ? easy_growth : usual_growth;
+  }
+  out_.left = trial_.share(), out_.worst = trial_.worst();
+  if (found) {
+    last_way_ = trial_.way_from(begin.state);
+    last_rise_ = factor_ - before, last_factor_ = factor_, last_energy_ = 0;
+    trial_.keep_carried();
+    return true;
+  }
+  set_factor(before);
+  trial_.return_to(std::move(begin));
+  return false;
+}
+
+/// The next point by a search for rest, if no arc of this size converges. The displacement continues in its sense.
+template <int D>
+bool LoadPathWalk<D>::search(double size) {
+  if (options_.followed.empty()) return false;
+  const int before = out_.iterations;
+  double push = size;
+  if (last_way_.size() > 0) push = std::abs(size) / length_of(last_way_) * followed_.dot(last_way_);
+  for (int i = 0; i <= most_search_cuts && push != 0 && !stopped(); ++i, push *= search_cut) {
+    if (!search_rest(push)) continue;
+    taken_ = out_.iterations - before;
+    ++out_.searched;
+    failed_searches_ = 0;
+    return true;
+  }
+  failed_searches_ = std::min(failed_searches_ + 1, most_waits);
+  next_search_ = static_cast<int>(out_.points.size()) + (1 << failed_searches_);
+  return false;
+}
+
+template bool LoadPathWalk<2>::search(double);
+template bool LoadPathWalk<3>::search(double);
+
+}  // namespace trilith
