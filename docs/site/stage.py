@@ -13,6 +13,7 @@ import textwrap
 FENCE = re.compile(r"^\s*(```+|~~~+)")
 LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
 CASES = "scripts/verification/"  # listed by the pages of docs/verification
+EXPERIMENTS = "scripts/experiments/"  # listed by docs/verification/experiments.md
 INSERTED = ("row", "event")  # languages of blocks that tests insert into source files
 LANGUAGES = ("lua", "cpp", "sh", "text", "python", "py", "cmake", "json") + INSERTED
 MADE = ("docs/gallery/index.md", "docs/decisions/index.md", "scripts/index.md")
@@ -210,7 +211,9 @@ def script_page(path, source):
             return found[0]
         return f"[{title_of(read(os.path.join(source, to)))}]({os.path.relpath(to, os.path.dirname(path))})"
     linked_about = re.sub(r"docs/[\w/.\\-]+\.md", page, about)
-    command = f"trilith verify {os.path.basename(path)[:-4]}" if path.startswith(CASES) else f"trilith run {path}"
+    name = os.path.basename(path)[:-4]
+    command = (f"trilith verify {name}" if path.startswith(CASES) else
+               f"trilith verify --experiments {name}" if path.startswith(EXPERIMENTS) else f"trilith run {path}")
     return (f"---\norphan: true\n---\n# {os.path.relpath(path, 'scripts')}\n\n{linked_about}\n\nRun it with `{command}`.\n\n"
             f"```lua\n{text[len(head):].strip()}\n```\n"), " ".join(about.split())
 
@@ -275,7 +278,7 @@ def main(source, target):
         text, abouts[path] = script_page(path, source)
         write(os.path.join(target, path[:-4] + ".md"), text)
     numbered = sorted((p for p in pages if re.match(r"docs/decisions/(\w+/)?\d", p)), key=os.path.basename)
-    made = {"scripts/index.md": list_of_scripts([p for p in scripts if not p.startswith(CASES)], abouts),
+    made = {"scripts/index.md": list_of_scripts([p for p in scripts if not p.startswith((CASES, EXPERIMENTS))], abouts),
             "docs/gallery/index.md": gallery(source, [p for p in pages if p.startswith("docs/gallery/")])}
     if "docs/decisions/README.md" not in pages:
         made["docs/decisions/index.md"] = decisions(source, numbered)

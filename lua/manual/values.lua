@@ -82,6 +82,22 @@ TL             number s = 8    asce7: long-period transition  <above 0>
 damping_ratio  number = 0.05   eurocode8, ntc2018: damping ratio  <above 0>
 periods        numbers?        periods of the points, in s; default 60 from 0.02 s to 4 s and the corners]],
     gives = "list" },
+  { "trilith.stochastic_motion", "An artificial ground motion: noise with the spectrum of Kanai and Tajimi and the "
+    .. "filter of Clough and Penzien, under an envelope. Equal seeds give the same bits. Velocity and displacement end "
+    .. "at 0. Give rms or pga.",
+    also = "synthetic ground motion, random process, Kanai-Tajimi, Clough-Penzien, artificial accelerogram", keys = [[
+seed               integer = 1      seed of the random numbers
+rms                number m/s2?     standard deviation of the strong part; or
+pga                number m/s2?     peak acceleration
+duration           number s = 20    duration
+dt                 number s = 0.01  time step
+ground_frequency   number Hz = 2.5  frequency of the ground; 2.5 Hz firm, 1.5 Hz medium, 0.8 Hz soft
+ground_damping     number = 0.6     damping ratio of the ground
+filter_frequency   number Hz = 0.25  frequency below which the filter removes the motion
+filter_damping     number = 0.6     damping ratio of the filter
+highest_frequency  number Hz?       end of the spectrum; default the smaller of 25 Hz and 0.25/dt
+envelope           table?           { rise = [s], strong = [s], decay = [1/s] }, or false: stationary]],
+    gives = "motion" },
   { "motion:baseline", "Baseline correction: subtracts the polynomial that fits the acceleration best.",
     args = "degree  integer  0 to 10", gives = "motion" },
   { "motion:filter", "Butterworth filter, forward and backward: no phase shift, -3 dB at the corner frequencies.",
@@ -151,6 +167,10 @@ print(damping.mass_damping, damping.beta)]],
 local target = trilith.spectrum { code = "eurocode8", type = 1, ground = "C", ag = 2.5 }
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
 print(target.at(0.5), pulse:match { spectrum = target, from = 0.2, to = 2 }.pga)]],
+    ["trilith.stochastic_motion"] = [[
+local bin = {}
+for seed = 1, 3 do bin[seed] = trilith.stochastic_motion { seed = seed, pga = 3, duration = 10 } end
+print(bin[1].pga, bin[2]:at(2))]],
     ["trilith.motion"] = [[
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }
 print(pulse.pga)]],

@@ -184,6 +184,10 @@ end
 local columns = { "name", "quantity", "exact", "value", "error", "tolerance", "result" }
 local heads = { name = "case", quantity = "quantity", exact = "exact", value = "computed", error = "error",
   tolerance = "tolerance", result = "" }
+if V.experiments then
+  heads.name, heads.exact, heads.value, heads.error, heads.tolerance = "specimen", "measured", "model", "ratio", "band"
+end
+V.heads = heads
 
 local function print_subject(subject, tally)
   local rows = { heads }
@@ -262,6 +266,8 @@ local function run_all(files, subjects)
     orders[i] = { "verify", "--file", part.file.path }
     for _, case in ipairs(part.cases) do table.insert(orders[i], case.name) end
     if V.pages then table.insert(orders[i], "+plots") end
+    if V.experiments then table.insert(orders[i], "--experiments") end
+    if V.quick then table.insert(orders[i], "--quick") end
   end
   local next_subject, finished = 1, 0
   V.status(("0 of %d files"):format(#parts))

@@ -3,11 +3,12 @@ local V = ...
 
 local function fail(file, text) error(("%s: %s"):format(file, text), 0) end
 
-local file_keys = { title = "string", source = "string", formula = "string", text = "string", cases = "table" }
+local file_keys = { title = "string", source = "string", formula = "string", text = "string", cases = "table",
+  assumptions = "table" }
 local case_keys = { name = "string", title = "string", parameters = "table", checks = "table", run = "function",
   plot = "function", slow = "boolean", convergence = "table", known = "string" }
 local check_keys = { [1] = "string", unit = "string", exact = true, tolerance = true, within = "number",
-  between = "table" }
+  between = "table", measured = true, one_of = "table" }
 local study_keys = { parameter = "string", unit = "string", values = "table", order = "number", tolerance = "number",
   exact = "number", quantity = "string", quantity_unit = "string" }
 
@@ -25,7 +26,9 @@ local function check_checked(file, case, check)
   local where = ("a check of '%s'"):format(case.name)
   keys_checked(file, where, check, check_keys)
   if not check[1] then fail(file, where .. " has no name") end
-  if check.between == nil and check.exact == nil then fail(file, where .. " has no exact value") end
+  if check.between == nil and check.exact == nil and not check.one_of then
+    fail(file, where .. " has no exact value")
+  end
   if type(check.exact) == "number" and not check.tolerance and not check.within then
     fail(file, where .. " has neither 'tolerance' nor 'within'")
   end
@@ -63,7 +66,7 @@ end
 function V.read(path)
   local chunk, message = loadfile(path, "t")
   if not chunk then error(message, 0) end
-  local declared = chunk()
+  local declared = chunk(V.experiments and { coarse = V.quick } or nil)
   if type(declared) ~= "table" then fail(path, "returns no table of cases") end
   keys_checked(path, "the file", declared, file_keys)
   for _, key in ipairs { "title", "source", "cases" } do

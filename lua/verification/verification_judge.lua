@@ -3,8 +3,36 @@ local V = ...
 
 local function spaced(text, unit) return unit and text .. " " .. unit or text end
 
---- "0.3243 s", "stands", "0.1756 to 0.2271"
+-- Measured values as a list of numbers; none where it is a text.
+local function measured_numbers(check)
+  if type(check.measured) == "number" then return { check.measured } end
+  return type(check.measured) == "table" and check.measured or {}
+end
+
+local function measured_text(check)
+  local numbers = measured_numbers(check)
+  if #numbers == 0 then return check.measured end
+  if #numbers > 2 then
+    return spaced(("%s to %s"):format(V.number(math.min(table.unpack(numbers))),
+      V.number(math.max(table.unpack(numbers)))), check.unit)
+  end
+  local texts = {}
+  for i, value in ipairs(numbers) do texts[i] = V.number(value) end
+  return spaced(table.concat(texts, ", "), check.unit)
+end
+
+-- Computed value over the mean of the measured ones.
+local function ratio_text(check, value)
+  local numbers, sum = measured_numbers(check), 0
+  if #numbers == 0 or type(value) ~= "number" then return "" end
+  for _, number in ipairs(numbers) do sum = sum + number end
+  if sum == 0 then return "" end
+  return ("%.2f"):format(value*#numbers/sum)
+end
+
+--- "0.3243 s", "stands", "0.1756 to 0.2271"; of an experiment the measured values
 function V.exact_text(check)
+  if check.measured then return measured_text(check) end
   if check.between then
     return spaced(V.number(check.between[1]) .. " to " .. V.number(check.between[2]), check.unit)
   end
@@ -20,6 +48,10 @@ local function percent(share) return V.number(tonumber(("%.3g"):format(100*share
 
 --- "1 %", "-4 % to 0 %", "0.1 deg"
 function V.tolerance_text(check)
+  if check.measured and check.between then
+    return V.number(check.between[1]) .. " to " .. V.number(check.between[2])
+  end
+  if check.one_of then return table.concat(check.one_of, " or ") end
   if check.between then return "within" end
   if type(check.exact) ~= "number" then return "equal" end
   if check.within == math.huge then return "" end
@@ -33,7 +65,14 @@ local function is_number(value) return type(value) == "number" and value == valu
 
 --- The error as a text, and whether the value passes.
 function V.judge(check, value)
-  if check.between then return "", is_number(value) and value >= check.between[1] and value <= check.between[2] end
+  if check.one_of then
+    for _, allowed in ipairs(check.one_of) do
+      if value == allowed then return "", true end
+    end
+    return "", false
+  end
+  local ratio = check.measured and ratio_text(check, value) or ""
+  if check.between then return ratio, is_number(value) and value >= check.between[1] and value <= check.between[2] end
   if type(check.exact) ~= "number" then return "", value == check.exact end
   if not is_number(value) then return "", false end
   local off = value - check.exact
@@ -48,6 +87,7 @@ end
 
 --- Allowed difference of a value from the value on a page: a tenth of the tolerance, or a digit.
 function V.play(check)
+  if check.between and check.measured then return 0.05*(check.between[2] - check.between[1]) end
   if type(check.exact) ~= "number" then return 0 end
   local allowed = check.tolerance and math.max(-check.tolerance[1], check.tolerance[2])*math.abs(check.exact)
     or check.within < math.huge and check.within or 0.01*math.abs(check.exact)

@@ -40,6 +40,28 @@ end
 
 local function escaped(text) return (text:gsub("|", "\\|")) end
 
+-- The table of assumptions of an experiment: name, value, source.
+local function add_assumptions(add, declared)
+  if not declared.assumptions then return end
+  add "Assumptions, the same for all specimens:" add ""
+  add "| assumption | value | source |"
+  add "|---|---|---|"
+  for _, row in ipairs(declared.assumptions) do
+    add(("| %s | %s | %s |"):format(escaped(row[1]), escaped(row[2]), escaped(row[3])))
+  end
+  add ""
+end
+
+-- A picture of the mechanism, which is drawn apart from the cases, where the folder has one.
+local function add_picture(add, declared)
+  local folder = V.pages or V.compare
+  local name = ("%s-%s.png"):format(declared.subject, declared.name)
+  local file = folder and io.open(("%s/%s"):format(folder, name))
+  if not file then return end
+  file:close()
+  add "" add(("![Mechanism: %s](%s)"):format(declared.title, name))
+end
+
 -- A section of a page: its lines, and for lines of a table the row that they show.
 local function add_file(page, file, folder)
   local declared = file.declared
@@ -51,11 +73,15 @@ local function add_file(page, file, folder)
   if declared.formula then
     add "$$" add((declared.formula:gsub("^%s+", ""):gsub("%s+$", ""))) add "$$" add ""
   end
-  local script = ("scripts/verification/%s/%s.lua"):format(declared.subject, declared.name)
+  local script = ("scripts/%s%s/%s.lua"):format(V.experiments and "" or "verification/", declared.subject,
+    declared.name)
   add(wrapped(("Source: %s."):format(declared.source))) add ""
-  add(("Script: [%s](../../%s). To run it: `trilith verify %s/%s`."):format(script, script, declared.subject,
-    declared.name)) add ""
-  add "| case | quantity | exact | computed | error | tolerance | |"
+  add(("Script: [%s](../../%s). To run it: `trilith verify %s%s/%s`."):format(script, script,
+    V.experiments and "--experiments " or "", declared.subject, declared.name)) add ""
+  add_assumptions(add, declared)
+  local heads = V.heads
+  add(("| %s | quantity | %s | %s | %s | %s | |"):format(heads.name, heads.exact, heads.value, heads.error,
+    heads.tolerance))
   add "|---|---|---|---|---|---|---|"
   for _, case in ipairs(file.cases) do
     for i, row in ipairs(case.rows) do
@@ -72,12 +98,15 @@ local function add_file(page, file, folder)
       if plot then V.chart(plot, folder .. "/" .. name) end
     end
   end
+  add_picture(add, declared)
 end
 
 local function page_of(subject, folder)
   local page = { { ("# Verification: %s"):format(subject.name:gsub("_", " ")) }, { "" },
-    { "This page shows closed-form cases, their exact values and the computed ones." },
-    { "`trilith verify` makes it from the scripts; [Verification](../verification.md) explains the table." } }
+    { V.experiments and "This page compares models with measured structures. A value outside its band is shown with " ..
+      "the reason." or "This page shows closed-form cases, their exact values and the computed ones." },
+    { ("`trilith verify%s` makes it from the scripts; [Verification](../verification.md) explains the table.")
+      :format(V.experiments and " --experiments" or "") } }
   for _, file in ipairs(subject.files) do add_file(page, file, folder) end
   return page
 end

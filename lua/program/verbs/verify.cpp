@@ -36,18 +36,20 @@ struct VerifyOptions {
   std::string output;  ///< folder for the output of the processes
   int jobs = 0;
   bool list = false, quick = false;
+  bool experiments = false;  ///< scripts/experiments instead of scripts/verification
 };
 
 /// Folders that may hold the scripts of the cases, as record_folders.
-fs::path cases_folder(const std::string& given) {
+fs::path cases_folder(const VerifyOptions& options) {
   std::vector<fs::path> places;
-  if (!given.empty()) {
-    places.emplace_back(given);
+  if (!options.scripts.empty()) {
+    places.emplace_back(options.scripts);
   } else {
+    const char* name = options.experiments ? "experiments" : "verification";
     if (const fs::path prefix = script::installed_under(); !prefix.empty())
-      places.push_back(prefix / TRILITH_DATA / "trilith/examples/verification");
-    places.emplace_back(TRILITH_INSTALLED_CASES);
-    places.emplace_back(TRILITH_SOURCE_CASES);
+      places.push_back(prefix / TRILITH_DATA / "trilith/examples" / name);
+    places.push_back(fs::path(TRILITH_INSTALLED_CASES).parent_path() / name);
+    places.push_back(fs::path(TRILITH_SOURCE_CASES).parent_path() / name);
   }
   std::error_code error;
   for (const fs::path& place : places)
@@ -56,10 +58,12 @@ fs::path cases_folder(const std::string& given) {
                                places.back().string()));
 }
 
+/// Scripts in the folder, without the modules that they share, which lie in folders `shared`.
 std::vector<std::string> case_files(const fs::path& folder) {
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".lua") files.push_back(entry.path().string());
+    if (entry.path().extension() == ".lua" && entry.path().parent_path().filename() != "shared")
+      files.push_back(entry.path().string());
   std::ranges::sort(files);
   if (files.empty()) throw InputError(fmt::format("verify: {} has no cases", folder.string()));
   return files;
@@ -184,11 +188,12 @@ int push_order(lua_State* L) {
   set_text(L, "file", options.file);
   set_text(L, "output", options.output);
   if (options.file.empty()) {
-    const fs::path folder = cases_folder(options.scripts);
+    const fs::path folder = cases_folder(options);
     set_texts(L, "files", case_files(folder));
     set_text(L, "folder", folder.string());
   }
-  for (const auto& [name, value] : {std::pair("list", options.list), std::pair("quick", options.quick)}) {
+  for (const auto& [name, value] : {std::pair("list", options.list), std::pair("quick", options.quick),
+                                    std::pair("experiments", options.experiments)}) {
     lua_pushboolean(L, value ? 1 : 0);
     lua_setfield(L, -2, name);
   }
@@ -244,7 +249,7 @@ int verify(VerifyOptions options) {
   if (options.file.empty()) options.output = folder.emplace().path();
   Screen screen(stderr);
   script::Host host;
-  host.script = options.file.empty() ? (cases_folder(options.scripts) / "case.lua").string() : options.file;
+  host.script = options.file.empty() ? (cases_folder(options) / "case.lua").string() : options.file;
   host.records = script::record_folders();
   host.threads = 1;
   set_room(host, {});
@@ -273,7 +278,9 @@ void add_verify(CLI::App& app, int& code) {
   verb->add_option("names", o->names, "subjects, files or cases, as --list shows them; * matches any letters")
       ->type_name("NAME");
   verb->add_flag("--list", o->list, "list the cases and exit");
-  verb->add_flag("--quick", o->quick, "leave out the slow cases");
+  verb->add_flag("--quick", o->quick, "leave out the slow cases; run experiments with coarse settings");
+  verb->add_flag("--experiments", o->experiments,
+                 "run models of measured structures instead, and compare with the measured values");
   verb->add_option("-j,--jobs", o->jobs, "files of cases at a time; as many as there are processors where not given")
       ->type_name("N")
       ->check(CLI::Validator(is_count, "", ""));

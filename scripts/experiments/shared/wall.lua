@@ -1,0 +1,181 @@
+-- A wall of one leaf between a fixed base and a stiff beam, loaded by N and pushed sideways at the beam.
+local trilith = require "trilith"
+
+local W = {}
+
+-- Names of the parity of a number, for groups.
+local function parity(i) return i % 2 == 0 and "even" or "odd" end
+
+-- Bodies of one unit: one, or two halves with a potential crack between them.
+local function add_unit(m, s, course, number, x0, x1)
+  local y0 = (course - 1)*s.unit_height
+  local function add(suffix, from, to, groups)
+    groups[#groups + 1] = "units"
+    m:block { name = ("c%d.u%d%s"):format(course, number, suffix), width = to - from, height = s.unit_height,
+      at = { from, y0 }, material = "units", groups = groups,
+      mass = (s.mass_factor or 1)*s.density*(to - from)*s.unit_height*s.thickness }
+  end
+  if s.crack and x1 - x0 > 0.75*s.unit_width then
+    local group = ("%s %s "):format(parity(course), parity(number))
+    add(".a", x0, (x0 + x1)/2, { group .. "a" })
+    add(".b", (x0 + x1)/2, x1, { group .. "b" })
+  else
+    add("", x0, x1, {})
+  end
+end
+
+-- Pieces [from, to] of a course outside its openings.
+local function clear_pieces(s, course, x0, x1)
+  for _, o in ipairs(s.openings or {}) do
+    if course >= o.first_course and course <= o.last_course and x0 < o.to - 1e-9 and x1 > o.from + 1e-9 then
+      local pieces = {}
+      if x0 < o.from - 1e-9 then pieces[#pieces + 1] = { x0, o.from } end
+      if x1 > o.to + 1e-9 then pieces[#pieces + 1] = { o.to, x1 } end
+      return pieces
+    end
+  end
+  return { { x0, x1 } }
+end
+
+-- Running bond on a length that need not be a multiple of the unit: every second course begins with a half unit.
+local function add_courses(m, s)
+  for course = 1, s.courses do
+    local half = (course % 2 == 0) == (s.half_courses ~= "odd")
+    local x, number = 0, 0
+    while x < s.length - 1e-9 do
+      local to = x + (x == 0 and half and s.unit_width/2 or s.unit_width)
+      if s.length - to < 0.2*s.unit_width then to = s.length end -- no slivers
+      to = math.min(to, s.length)
+      for _, piece in ipairs(clear_pieces(s, course, x, to)) do
+        number = number + 1
+        add_unit(m, s, course, number, piece[1], piece[2])
+      end
+      x = to
+    end
+  end
+end
+
+local function add_laws(m, s)
+  m:contact { between = { "*", "*" }, law = s.joint }
+  if s.crack then
+    for _, course in ipairs { "odd", "even" } do
+      for _, unit in ipairs { "odd", "even" } do
+        local group = ("%s %s "):format(course, unit)
+        m:contact { between = { group .. "a", group .. "b" }, law = s.crack, name = "crack " .. group }
+      end
+    end
+  end
+  m:contact { between = { "ends", "*" }, law = s.ends or s.joint, name = "ends" }
+end
+
+--- Builds the wall and brings it to rest under its weight and N. The table s has length, courses, unit_width,
+--- unit_height, thickness [m], density [kg/m3], vertical (N) [N] and beam_height [m]. `joint`, `ends` and `crack` are
+--- the laws of joints, of the joints to base and beam, and of cracks in units. `top` is "cantilever", "double fixed" or
+--- "locked". `openings` is a list of { from, to [m], first_course, last_course }. `mass_factor` multiplies the masses
+--- and divides gravity: weights stay, and steps become longer.
+function W.build(s)
+  local more = s.mass_factor or 1
+  local m = trilith.model { name = s.name or "wall", thickness = s.thickness, gravity = 9.80665/more, threads = 1 }
+  m:material { name = "units", density = s.density }
+  m:material { name = "ends", density = 7850 }
+  add_courses(m, s)
+  local height = s.courses*s.unit_height
+  m:block { name = "base", width = s.length + 0.4, height = 0.1, at = { -0.2, -0.1 }, material = "ends",
+    support = "fixed" }
+  local beam_mass = 100
+  local beam = m:block { name = "beam", width = s.length, height = s.beam_height or 0.2, at = { 0, height },
+    material = "ends", mass = beam_mass, support = s.top ~= "cantilever" and { rotation = "fixed" } or nil }
+  add_laws(m, s)
+  if s.file then m:results { file = s.file, frames = s.frames or 1, histories = 0.1 } end
+  m:point_load { body = beam, force = { 0, -(s.vertical - beam_mass*9.80665/more) }, load_curve = { smooth = 0.2 } }
+  m:consolidate { fresh = s.fresh, grow = 0.2, rest = { ratio = s.rest or 1e-4 }, duration = 20 }
+  if s.top == "locked" then m:fix(beam, "yr") end
+  return m, beam
+end
+
+-- Force of a curve at a displacement, between its points.
+function W.force_at(curve, displacement)
+  local d, f = curve.displacement, curve.force
+  for i = 2, #d do
+    if d[i] >= displacement then
+      return f[i - 1] + (f[i] - f[i - 1])*(displacement - d[i - 1])/math.max(d[i] - d[i - 1], 1e-12)
+    end
+  end
+  return 0/0
+end
+
+-- Joints by kind: cracks within a unit, head joints, and bed joints by their level.
+local function kinds_of(m)
+  local kinds = { crack = {}, head = {}, bed = {} }
+  for _, j in ipairs(m:joints()) do
+    local course_a, unit_a = j.a.name:match "^c(%d+)%.(u%d+)"
+    local course_b, unit_b = j.b.name:match "^c(%d+)%.(u%d+)"
+    local kind = "bed"
+    if course_a and course_a == course_b then kind = unit_a == unit_b and "crack" or "head" end
+    table.insert(kinds[kind], j)
+  end
+  return kinds
+end
+
+local function largest(joints, key)
+  local most = 0
+  for _, j in ipairs(joints) do most = math.max(most, math.abs(j[key])) end
+  return most
+end
+
+-- Rotation that a fifth of the units exceed, times the height of the top, over its drift: 1 where a part rocks.
+local function rocking_share(m, drift, height)
+  local rotations = {}
+  for body in m:bodies { group = "units" } do rotations[#rotations + 1] = math.abs(body.rotation) end
+  table.sort(rotations)
+  return rotations[math.ceil(0.8*#rotations)]*height/drift
+end
+
+--- Motion of the joints over the drift of the top: largest openings, rotation of units, and the number of units
+--- cracked by 0.1 mm.
+function W.motion_of_joints(m, drift, height)
+  local kinds = kinds_of(m)
+  local cracked = 0
+  for _, j in ipairs(kinds.crack) do
+    if math.max(j.opening, math.abs(j.slip)) > 1e-4 then cracked = cracked + 1 end
+  end
+  return { bed_opening = largest(kinds.bed, "opening")/drift, rotation = rocking_share(m, drift, height),
+    head_opening = largest(kinds.head, "opening")/drift, crack_opening = largest(kinds.crack, "opening")/drift,
+    cracked_units = cracked }
+end
+
+--- Name of the mechanism: "diagonal through units" where cracks of units open, "sliding" where the units turn by less
+--- than half the drift, "stepped rocking" where head joints open too, else "rocking".
+function W.mechanism(found)
+  if found.cracked_units > 2 and found.crack_opening > 0.15 then return "diagonal through units" end
+  if found.rotation < 0.5 then return "sliding" end
+  if found.head_opening > 0.25 then return "stepped rocking" end
+  return "rocking"
+end
+
+--- Builds, pushes and reads. Adds to s: displacement, rate. Returns { curve (m, N), peak, at, found, mechanism, ... }.
+function W.push(s)
+  local m, beam = W.build(s)
+  local crushed, broken = 0, 0
+  m:on("joint.crushed", function() crushed = crushed + 1 end)
+  m:on("bond.broken", function() broken = broken + 1 end)
+  local vertical = s.top == "locked" and m:history { name = "N", body = beam, what = "reaction_y", every = 0.01 }
+  local p = m:pushover { body = beam, displacement = s.displacement, rate = s.rate, samples = s.samples or 400,
+    drop = s.drop, local_damping = 0.8 }
+  local found = W.motion_of_joints(m, p.displacement, s.courses*s.unit_height)
+  return { curve = p.curve, peak = p.peak_force, at = p.displacement_at_peak, last = p.force,
+    quasi_static = p.quasi_static, found = found, mechanism = W.mechanism(found), crushed = crushed, broken = broken,
+    vertical = vertical and vertical.max, model = m, steps = p.steps }
+end
+
+--- Curve over curve: measured points { mm, kN } and the curve of W.push.
+function W.plot(r, points, title, name)
+  local x, y, mx, my = {}, {}, {}, {}
+  for i, d in ipairs(r.curve.displacement) do x[i], y[i] = 1e3*d, r.curve.force[i]/1e3 end
+  for i, point in ipairs(points) do mx[i], my[i] = point[1], point[2] end
+  return { title = title, x_label = "displacement of the top", x_unit = "mm", y_label = "force", y_unit = "kN",
+    { name = "model", x = x, y = y },
+    { name = name or "measured", kind = name and "dashed" or "points", x = mx, y = my } }
+end
+
+return W
