@@ -41,6 +41,7 @@ enum class EventType : int {
   bond_skipped,
   joint_flooded,
   joint_drained,
+  unit_cracked,
   count  ///< number of the types; stays last
 };
 inline constexpr int event_types = static_cast<int>(EventType::count);

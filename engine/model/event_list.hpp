@@ -235,6 +235,15 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .text_doc = "name of the uplift",
      .doc = "a joint with uplift closed again at its heel",
      .sentence = "joint of {a} and {b} closed to the water"},
+    {.type = EventType::unit_cracked,
+     .name = "unit.cracked",
+     .heading = "unit cracked",
+     .severity = Severity::damage,
+     .traits = has_place | of_joint | can_cause,
+     .value = {"stress", "Pa", "stress at which it cracked"},
+     .text_doc = "stress and number of the plane",
+     .doc = "a rigid body cracked at one of its planes and continues as two",
+     .sentence = "{body_a} cracked{mode}"},
 });
 
 constexpr bool rows_match_types() {

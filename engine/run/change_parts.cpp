@@ -4,6 +4,7 @@
 
 #include "assembly/tangent/tangent.hpp"
 #include "edit/deactivate.hpp"
+#include "edit/split.hpp"
 #include "run/simulation.hpp"
 #include "run/watch.hpp"
 
@@ -39,6 +40,21 @@ void Simulation<D>::grow(Model<D> grown) {
   causes_.grow(grown.bodies.size());
   change_parts([&](const StepOptions& options) {
     return trilith::grow(model_, state_, work_, options, std::move(grown), mortar_reach);
+  });
+  drop_step();
+}
+
+template <int D>
+CrackSearch<D> Simulation<D>::search_cracks() {
+  refresh();
+  return trilith::search_cracks(model_, state_, work_, cracking_);
+}
+
+template <int D>
+void Simulation<D>::split(Model<D> grown, std::span<const Crack<D>> cracks) {
+  causes_.grow(grown.bodies.size());
+  change_parts([&](const StepOptions& options) {
+    return trilith::split(model_, state_, work_, options, std::move(grown), cracking_.bodies, cracks);
   });
   drop_step();
 }
@@ -90,6 +106,10 @@ template void Simulation<3>::modify(const std::function<void(Model<3>&)>&, std::
 template void Simulation<2>::remove(const Parts&);
 template void Simulation<2>::reactivate(const Parts&);
 template void Simulation<2>::grow(Model<2>);
+template CrackSearch<2> Simulation<2>::search_cracks();
+template CrackSearch<3> Simulation<3>::search_cracks();
+template void Simulation<2>::split(Model<2>, std::span<const Crack<2>>);
+template void Simulation<3>::split(Model<3>, std::span<const Crack<3>>);
 template void Simulation<3>::remove(const Parts&);
 template void Simulation<3>::reactivate(const Parts&);
 template void Simulation<3>::grow(Model<3>);

@@ -241,7 +241,7 @@ void Simulation<D>::run_on(const RunListener<D>& listener, const RunLimit& limit
 template <int D>
 Snapshot<D> Simulation<D>::snapshot() {
   if (!kept_model_) kept_model_ = std::make_shared<const Model<D>>(model_);
-  return {state_, kept_model_, causes_, stage_, rest_, verdict_, seal_, leaving_};
+  return {state_, kept_model_, causes_, stage_, rest_, verdict_, seal_, leaving_, cracking_};
 }
 
 template <int D>
@@ -259,6 +259,7 @@ void Simulation<D>::restore(const Snapshot<D>& snapshot) {
   stage_ = snapshot.stage;
   rest_ = snapshot.rest;
   leaving_ = snapshot.untold;
+  cracking_ = snapshot.cracking;
   drop_work();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assembly/step_times.hpp"
+#include "edit/crack_search.hpp"
 #include "edit/deactivate.hpp"
 #include "integrate/explicit/central_difference.hpp"
 #include "integrate/explicit/tunnelling_limit.hpp"
@@ -38,6 +39,7 @@ struct Snapshot {
   Verdict verdict;
   Seal seal;
   std::vector<Event> untold;  ///< events at the border, to be reported at the next instant
+  Cracking<D> cracking;
 };
 
 /// Limits of a nested run: it pauses at the first limit reached, counted from its call.
@@ -108,6 +110,15 @@ class Simulation {
   void remove(const Parts& parts);
   void reactivate(const Parts& parts);
   void grow(Model<D> grown);
+  /// Bodies that may crack; the search for cracks goes on where it was.
+  void set_cracking(std::vector<CrackingBody<D>> bodies) { cracking_.bodies = std::move(bodies); }
+  [[nodiscard]] const Cracking<D>& cracking() const { return cracking_; }
+  /// Bodies that crack at this instant; see edit/crack_search.hpp.
+  [[nodiscard]] CrackSearch<D> search_cracks();
+  /// Stores when bodies are computed next, after a search.
+  void keep_crack_watch(std::vector<CrackWatch> watch) { cracking_.watch = std::move(watch); }
+  /// Replaces each of these bodies by its two parts, which `grown` has at its end: see edit/split.hpp.
+  void split(Model<D> grown, std::span<const Crack<D>> cracks);
   /// Change of supports and drives during a run. Freed degrees of freedom start at this instant, and the ledger takes
   /// the energies of moving parts into account. Before the first step it is an edit like others.
   void change_supports(const std::function<void(Model<D>&)>& change);
@@ -211,7 +222,8 @@ class Simulation {
   std::string stuck_;                    // reason for which a step failed
   std::string changed_;                  // reason for a change of integrator within the stage, until reported
   std::vector<Event> leaving_;           // events of bodies that left or changed at this instant, to be reported
-  bool all_left_ = false;                // no body is free to move any more, because all have left
+  Cracking<D> cracking_;
+  bool all_left_ = false;  // no body is free to move any more, because all have left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
 };

@@ -86,7 +86,9 @@ value_name  text      meaning of the value
 x           number m  place
 y           number m  place
 z           number m?  place, in space
-mode        text?     for a joint: "tension", "shear" or "compression"
+mode        text?     for a joint or a crack: "tension", "shear" or "compression"
+plane       integer?  for a crack: number of its plane
+parts       list?     for a crack: the two bodies into which the body cracked
 text        text      the event as a sentence
 bodies      list      bodies of the event
 body        body?     the first of the bodies

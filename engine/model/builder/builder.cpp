@@ -94,6 +94,7 @@ void ModelBuilder::add_body(BodySpec spec) {
     check_frame(spec, owner);
   else if (info_of(spec.kind).resistance == Resistance::elements)
     check_deformable(spec, owner);
+  check_cracks(spec, owner);
   mass_of(spec, 1.0, thickness, materials_);
   notes_.insert(notes_.end(), checked.notes.begin(), checked.notes.end());
   if (spec.density) add_plausibility_note_once(notes_, owner, "density", "kg/m3", *spec.density);
@@ -146,7 +147,8 @@ void ModelBuilder::take_checked_mesh(BodySpec& spec, const std::string& owner) {
 
 /// The elements of a mesh may leave holes, which the outline does not show.
 PolygonMoments moments_of(const BodySpec& spec) {
-  if (!spec.mesh || spec.kind != BodyKind::rigid) return polygon_moments(spec.outline);
+  if (!spec.mesh || spec.kind != BodyKind::rigid)
+    return polygon_moments(spec.solid.empty() ? spec.outline : spec.solid);
   std::vector<PolygonMoments> parts;
   for (std::size_t e = 0; e < spec.mesh->element.size(); ++e)
     parts.push_back(polygon_moments(corners_of(*spec.mesh, e)));
@@ -197,6 +199,7 @@ Model<2> ModelBuilder::assemble_bodies(std::vector<std::string>& faults) const {
   for (const BodySpec& spec : bodies_) attempt(faults, [&] { append_body(spec, model); });
   const bool whole = faults.empty();
   rules_.check(bodies_, materials_, faults);
+  check_crack_laws(faults);
   if (!whole) return model;
   model.piece_first.push_back(static_cast<int>(model.corner_skin.size()));
   model.drive_of.assign(model.mass.size(), {-1, -1, -1});

@@ -14,6 +14,7 @@
 #include "model/builder/frame.hpp"
 #include "model/builder/node_support.hpp"
 #include "model/contact/contact_rules.hpp"
+#include "model/crack_planes.hpp"
 #include "model/material.hpp"
 #include "model/model.hpp"
 #include "model/names.hpp"
@@ -44,7 +45,15 @@ struct BodySpec {
   double spin = 0;                   ///< at the start [rad/s]
   Vec2 load = Vec2::Zero();          ///< steady force at the centroid, distributed like the mass [N]
   bool floating = false;             ///< may start unsupported
+  CrackSpec<2> cracks = {};          ///< planes on which it may crack; rigid bodies only
+  Polygon solid = {};                ///< outline of its mass, if the opening of a crack separates it from `outline`
+  int cracked_from = -1;             ///< the body that it is a part of, or -1
+  int first_part = -1;               ///< once it has cracked: the part behind its plane; the next body is the other
+  CrackPlane<2> parted_at = {};      ///< this plane
 };
+
+/// Group of all parts of a body that has cracked, and of their parts.
+std::string pieces_group(const std::string& body);
 
 /// Area, centroid and second moment of the body's shape, after its check.
 PolygonMoments moments_of(const BodySpec& spec);
@@ -85,6 +94,14 @@ class ModelBuilder {
   /// arrays. New bodies are checked against the others in their present positions in `state`. Throws InputError as
   /// build() does, for the new ones; then nothing has changed.
   Model<2> extended(const Model<2>& model, const State<2>& state);
+  /// The bodies of `model`, which this builder made, that may crack.
+  [[nodiscard]] std::vector<CrackingBody<2>> cracking(const Model<2>& model) const;
+  /// Adds the two parts of a body that cracks at a section of `model`, which this builder made. They have the names
+  /// "u17.a" (behind the plane) and "u17.b", and the group "pieces of u17". Their faces at the section are apart by
+  /// `opening`; their masses are divided by the plane.
+  void crack(const Model<2>& model, int body, const CrackSection<2>& section, const CrackOpening& opening);
+  /// Extends `model` by these parts, in the initial position of their bodies, without checks.
+  [[nodiscard]] Model<2> with_parts(const Model<2>& model) const;
   /// Removes everything added after the given numbers of bodies, bearings and seats.
   void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
 
@@ -111,6 +128,8 @@ class ModelBuilder {
   void take_checked_mesh(BodySpec& spec, const std::string& owner);
   void check_frame(BodySpec& spec, const std::string& owner) const;
   void append_body(const BodySpec& spec, Model<2>& model) const;
+  static void check_cracks(const BodySpec& spec, const std::string& owner);
+  void check_crack_laws(std::vector<std::string>& faults) const;
   void append_deformable(const BodySpec& spec, Model<2>& model) const;
   void append_frame(const BodySpec& spec, Model<2>& model) const;
   void append_pieces(const Polygon& outline, int body, Model<2>& model) const;

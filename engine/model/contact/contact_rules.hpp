@@ -19,6 +19,10 @@ class ContactRules {
   /// Sets the law between two materials, groups or bodies ("*": any), which may be added later. The last statement that
   /// matches a pair of bodies is used. `law` "none": they never touch. Throws InputError if the law does not exist.
   void set_contact(const std::string& a, const std::string& b, const std::string& law);
+  /// Every statement about `body` also holds for the group `heirs`, with the same precedence.
+  void inherit(const std::string& body, const std::string& heirs);
+  /// Index of the law of that name in Model::laws, or -1.
+  [[nodiscard]] int law_row(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> law_names() const;
   [[nodiscard]] const std::vector<std::pair<std::string, ContactLaw>>& laws() const { return laws_; }
 

@@ -20,6 +20,8 @@ void Causes::name(Event& event) {
   if (!has_trait(event.type, can_cause)) return;
   for (const int body : {event.body_a, event.body_b})
     if (body >= 0) last_[body] = event.id;
+  // Both parts of a cracked body, of which the event names the first.
+  if (event.type == EventType::unit_cracked) last_[event.body_b + 1] = event.id;
 }
 
 }  // namespace trilith

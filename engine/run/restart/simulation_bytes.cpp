@@ -32,6 +32,11 @@ void each_field(File& file, FailedCheck& f) {
   file.item(f.time), file.item(f.text);
 }
 
+template <class File>
+void each_field(File& file, CrackWatch& w) {
+  file.item(w.next), file.item(w.load);
+}
+
 template <int D>
 void Simulation<D>::write(ByteWriter& out) const {
   const Fingerprint print = model_fingerprint(model_, state_);
@@ -42,6 +47,7 @@ void Simulation<D>::write(ByteWriter& out) const {
   const_cast<Seal&>(seal_).each_number([&](auto& v) { out.item(v); });
   out.item(leaving_), out.item(changed_), out.item(rest_.share);
   watch_->each_number([&](auto& v) { out.item(v); });
+  out.item(cracking_.watch);
   out.item(stage_.has_value());
   if (stage_) out.item(*stage_);
 }
@@ -58,6 +64,7 @@ void Simulation<D>::read(ByteReader& in, const StageOptions* options) {
   seal_.each_number([&](auto& v) { in.item(v); });
   in.item(leaving_), in.item(changed_), in.item(rest_.share);
   watch_->each_number([&](auto& v) { in.item(v); });
+  in.item(cracking_.watch);
   stage_.reset();
   if (in.get<bool>() != (options != nullptr)) in.fail("is of another moment of its stage");
   if (options == nullptr) return;

@@ -253,7 +253,8 @@ int push_space_point(lua_State* L, SpaceModel& m, int body) {
 /// body:point{x, y} or body:point "joint": present position of the point that was there at the start.
 int body_point(lua_State* L) {
   const auto& b = handle<BodyHandle>(L, 1);
-  b.model().require_present(b.index, "point");
+  const int own = b.model().heir_of(b.index);
+  b.model().require_present(own < 0 ? b.index : own, "point");
   if (SpaceModel* space = as_space(b.model())) return push_space_point(L, *space, b.index);
   const PlaneModel& plane = b.plane();
   std::optional<Vec2> at = point_at(L, 2);
@@ -264,7 +265,8 @@ int body_point(lua_State* L) {
   const Simulation<2>* s = plane.if_built();
   Vec2 now = *at;
   if (s != nullptr) {
-    const Attachment<2> tied = tie_point(s->model(), b.index, *at, fmt::format("point of body '{}'", spec(b).name));
+    const Attachment<2> tied =
+        tie_point(s->model(), plane.part_with(b.index, *at), *at, fmt::format("point of body '{}'", spec(b).name));
     now = pose_at(s->model(), s->state(), tied).place;
   }
   lua_pushnumber(L, now.x());
@@ -284,8 +286,9 @@ const std::array body_methods{
 void require_readable(const BodyHandle& b, std::string_view property) {
   constexpr std::array known{"name",    "material", "groups", "present",  "removed_at", "mass",
                              "inertia", "area",     "kind",   "bearings", "seats"};
+  const int part = b.model().heir_of(b.index);  // a cracked body is read at its centroid
   if (std::none_of(known.begin(), known.end(), [&](const char* name) { return property == name; }))
-    b.model().require_present(b.index, "");
+    b.model().require_present(part < 0 ? b.index : part, "");
 }
 
 std::span<const Property<BodyHandle>> Kind<BodyHandle>::properties() {

@@ -11,7 +11,18 @@ Vec3 lifted(const Vec2& v) {
   return {v.x(), v.y(), 0};
 }
 
+/// A body that has cracked is read at its centroid, which its part carries.
+BodyMotion motion_on_part(const PlaneModel& m, int body, int part) {
+  const Simulation<2>& s = *m.if_built();
+  const Pose pose = body_pose(s.model(), s.state(), part);
+  const Vec2 start = body_start(s.model(), body);
+  const Vec2 arm = Turn(pose.rotation).apply(Vec2(start - body_start(s.model(), part)));
+  const Vec2 place = pose.place + arm, velocity = pose.velocity + cross(pose.spin, arm);
+  return {lifted(place), lifted(place - start), {0, 0, pose.rotation}, lifted(velocity), {0, 0, pose.spin}};
+}
+
 BodyMotion motion_in_plane(const PlaneModel& m, int body) {
+  if (const int part = m.heir_of(body); part >= 0) return motion_on_part(m, body, part);
   const BodySpec& spec = m.spec(body);
   const Simulation<2>* s = m.has_body(body) ? m.if_built() : nullptr;
   const Pose pose = s != nullptr ? body_pose(s->model(), s->state(), body)

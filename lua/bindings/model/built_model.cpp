@@ -1,5 +1,7 @@
 #include "bindings/model/built_model.hpp"
 
+#include <utility>
+
 #include "model/pose.hpp"
 
 namespace trilith::script {
@@ -10,7 +12,9 @@ Model<D> BuiltModel<D>::lone_body(int body) const {
   if constexpr (D == 2) alone.thickness = builder.thickness;
   alone.gravity = Vec<D>::Zero();
   for (const Material& m : this->materials) alone.add_material(m);
-  alone.add_body(spec(body));
+  Spec own = spec(body);
+  if constexpr (D == 2) own.cracks = {};  // their law belongs to this model
+  alone.add_body(std::move(own));
   return alone.build();
 }
 
@@ -19,6 +23,24 @@ template class BuiltModel<3>;
 
 double PlaneModel::inertia_of(int body) {
   return has_body(body) ? body_inertia(if_built()->model(), body) : body_inertia(lone_body(body), 0);
+}
+
+/// A part that a rewind has removed from the builder is none.
+int PlaneModel::first_part(int body) const {
+  const int part = spec(body).first_part;
+  return part >= 0 && part + 1 < body_count() && spec(part).cracked_from == body ? part : -1;
+}
+
+int PlaneModel::part_with(int body, const Vec2& at) const {
+  for (int part = first_part(body); part >= 0; part = first_part(body)) {
+    const CrackPlane<2>& plane = spec(body).parted_at;
+    body = plane.normal.dot(at - plane.point) <= 0 ? part : part + 1;
+  }
+  return body;
+}
+
+int PlaneModel::heir_of(int body) const {
+  return first_part(body) < 0 ? -1 : part_with(body, moments_of(spec(body)).centroid);
 }
 
 }  // namespace trilith::script

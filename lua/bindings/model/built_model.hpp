@@ -3,11 +3,13 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "bindings/model/simulated_model.hpp"
+#include "edit/split.hpp"
 #include "model/builder/builder.hpp"
 #include "model/builder/extend.hpp"
 #include "model/space_builder/solid_model_builder.hpp"
@@ -79,11 +81,30 @@ class PlaneModel final : public BuiltModel<2> {
   using BuiltModel::BuiltModel;
   /// Moment of inertia of a body about its centroid [kg m2], before and after building.
   [[nodiscard]] double inertia_of(int body);
+  [[nodiscard]] int first_part(int body) const override;
+  [[nodiscard]] int heir_of(int body) const override;
+  /// The part of a cracked body that holds its point at `at` at the start [m]; the body itself if it is whole.
+  [[nodiscard]] int part_with(int body, const Vec2& at) const;
+
+ protected:
+  [[nodiscard]] std::vector<CrackingBody<2>> cracking_bodies(const Model<2>& model) const override {
+    return builder.cracking(model);
+  }
+  [[nodiscard]] Model<2> cracked_model(const Model<2>& model, std::span<const Crack<2>> cracks) override {
+    return with_cracks(builder, model, if_built()->cracking().bodies, cracks);
+  }
 };
 
 class SpaceModel final : public BuiltModel<3> {
  public:
   using BuiltModel::BuiltModel;
+
+ protected:
+  [[nodiscard]] std::vector<CrackingBody<3>> cracking_bodies(const Model<3>& /*model*/) const override { return {}; }
+  /// No body in space has planes yet.
+  [[nodiscard]] Model<3> cracked_model(const Model<3>& model, std::span<const Crack<3>> /*cracks*/) override {
+    return model;
+  }
 };
 
 }  // namespace trilith::script

@@ -102,10 +102,24 @@ void SimulatedModel<D>::extend() {
     Model<D> grown = extended_model(simulation_->model(), simulation_->state());
     if (running_) require_laws(grown);  // otherwise the next stage does, before which a law may still be added
     simulation_->grow(std::move(grown));
+    simulation_->set_cracking(cracking_bodies(simulation_->model()));
   } catch (const InputError&) {
     forget_added();
     throw;
   }
+  extend_recording();
+}
+
+/// Bodies that a change at the same border has removed do not crack.
+template <int D>
+void SimulatedModel<D>::split(const std::vector<Crack<D>>& cracks) {
+  std::vector<Crack<D>> present;
+  for (const Crack<D>& crack : cracks)
+    if (!is_out(crack.body)) present.push_back(crack);
+  if (present.empty()) return;
+  findings_.reset();
+  simulation_->split(cracked_model(simulation_->model(), present), present);
+  simulation_->set_cracking(cracking_bodies(simulation_->model()));
   extend_recording();
 }
 
@@ -167,7 +181,11 @@ std::string SimulatedModel<D>::why_absent(int body) const {
   if (!simulation_) return "";
   if (body >= static_cast<int>(simulation_->model().bodies.size())) return "is added at the next step border";
   const std::optional<double> removed = removed_at(body);
-  return removed ? fmt::format("was removed at {:.6g} s", *removed) : "";
+  if (!removed) return "";
+  const int part = first_part(body);
+  if (part >= 0)
+    return fmt::format("cracked at {:.6g} s into '{}' and '{}'", *removed, body_name(part), body_name(part + 1));
+  return fmt::format("was removed at {:.6g} s", *removed);
 }
 
 /// Rejects bodies under a push, whose forces make them follow its displacement.
@@ -208,6 +226,10 @@ void SimulatedModel<D>::reactivate(const std::vector<int>& which, const std::vec
   const bool waits = running_ && !paused_;
   change([this, which, links, from_start, place = waits ? place : ""](Model<D>& model) {
     for (const int b : which)
+      if (first_part(b) >= 0)
+        refuse_later(place, fmt::format("put_back: body '{}' {}; a body that has cracked does not return", body_name(b),
+                                        why_absent(b)));
+    for (const int b : which)
       if (!removed_at(b))
         refuse_later(place, fmt::format("put_back: body '{}' is present; only removed bodies can be put back",
                                         model.bodies[static_cast<std::size_t>(b)].name));
@@ -238,6 +260,8 @@ template void SimulatedModel<2>::catch_up();
 template std::vector<double> SimulatedModel<2>::heights() const;
 template void SimulatedModel<2>::extend();
 template void SimulatedModel<2>::forget_added();
+template void SimulatedModel<2>::split(const std::vector<Crack<2>>&);
+template void SimulatedModel<3>::split(const std::vector<Crack<3>>&);
 template std::vector<RecordedHistory<2>> SimulatedModel<2>::recorded_histories() const;
 template void SimulatedModel<2>::extend_recording();
 template void SimulatedModel<2>::follow_more();

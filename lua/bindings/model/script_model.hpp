@@ -122,6 +122,11 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   /// Reason for which the body cannot be used: "was removed at 3.2 s", "is added at the next step border"; "" if it
   /// can.
   [[nodiscard]] virtual std::string why_absent(int body) const = 0;
+  /// The first of the two parts of a body that has cracked; the other is the next body. -1 for other bodies.
+  [[nodiscard]] virtual int first_part(int /*body*/) const { return -1; }
+  /// The part that holds the centroid of a body that has cracked, and so on for parts that have cracked; -1 for other
+  /// bodies.
+  [[nodiscard]] virtual int heir_of(int /*body*/) const { return -1; }
   /// Time of its removal [s]; none if it was not removed, or is reactivated.
   [[nodiscard]] virtual std::optional<double> removed_at(int body) const = 0;
   /// InputError, beginning with `owner`, if it cannot be used.

@@ -49,6 +49,7 @@ template <int D>
 Simulation<D>& SimulatedModel<D>::simulation() {
   if (!simulation_) {
     simulation_ = std::make_unique<Simulation<D>>(built_model());
+    simulation_->set_cracking(cracking_bodies(simulation_->model()));
     caught_up_ = additions_;
     const MissedBonds missed = missed_bonds(simulation_->model(), simulation_->state());
     if (missed.count > 0) add_note(missed_text(simulation_->model(), missed));
@@ -271,15 +272,26 @@ void SimulatedModel<D>::take_histories(double time) {
   if (recording_) recording_->history(time, row);
 }
 
+/// Cracks belong to the forces of the step that ends here, before other changes. A change that is repeated has its own.
+template <int D>
+void SimulatedModel<D>::find_cracks() {
+  if (simulation_->cracking().bodies.empty() || (restart && restart->replaying)) return;
+  CrackSearch<D> found = simulation_->search_cracks();
+  simulation_->keep_crack_watch(std::move(found.watch));
+  kept_cracks_ = std::move(found.cracks);
+}
+
 template <int D>
 bool SimulatedModel<D>::apply_changes(Model<D>& model) {
-  if (changes_.empty() && caught_up_ == additions_) return false;
+  find_cracks();
+  if (changes_.empty() && caught_up_ == additions_ && kept_cracks_.empty()) return false;
   keep_change(nullptr);
   const int free_before = model.free_dofs();
   if (caught_up_ != additions_) extend();
   std::vector<std::function<void(Model<D>&)>> now;
   now.swap(changes_);
   for (const auto& what : now) what(model);
+  if (!kept_cracks_.empty()) split(std::exchange(kept_cracks_, {}));
   if (model.free_dofs() > free_before) simulation_->drop_step();
   return true;
 }

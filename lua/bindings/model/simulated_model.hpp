@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,10 @@ class SimulatedModel : public ScriptModel {
   [[nodiscard]] virtual Model<D> extended_model(const Model<D>& model, const State<D>& state) = 0;
   /// Largest overlap of two bodies in their initial position, as a share of the smaller one's size.
   [[nodiscard]] virtual double overlap_allowed() const = 0;
+  /// The bodies of `model` that may crack.
+  [[nodiscard]] virtual std::vector<CrackingBody<D>> cracking_bodies(const Model<D>& model) const = 0;
+  /// `model` with the two parts of each body that cracks.
+  [[nodiscard]] virtual Model<D> cracked_model(const Model<D>& model, std::span<const Crack<D>> cracks) = 0;
   /// Removes additions that are not in `model`.
   virtual void forget_beyond(const Model<D>& model) = 0;
   /// A model of this body alone.
@@ -153,7 +158,9 @@ class SimulatedModel : public ScriptModel {
   RunListener<D> listen_with(const ScriptListener& script, Host& host);
   void take_histories(double time);
   bool apply_changes(Model<D>& model);
+  void find_cracks();
   void extend();
+  void split(const std::vector<Crack<D>>& cracks);
   void forget_added();
   void extend_recording();
   void require_unpushed(const std::vector<int>& which) const;
@@ -167,6 +174,7 @@ class SimulatedModel : public ScriptModel {
   Host* modes_host_ = nullptr;                              // of those
   std::optional<State<D>> recorded_from_;                   // begin of all branches of the results
   std::vector<std::function<void(Model<D>&)>> changes_;     // to be made at the step border
+  std::vector<Crack<D>> kept_cracks_;                       // of the change that is being stored or repeated
   std::size_t caught_up_ = 0;                               // number of additions already in the model
   std::optional<StepCheck<D>> step_check_;                  // of the stage that runs
   std::optional<std::pair<SealRow, double>> checked_step_;  // of the last stage that had one, and its start [s]

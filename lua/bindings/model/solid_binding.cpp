@@ -127,6 +127,11 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   s.spin = keys.vector("spin", preset.spin);
   s.load = keys.vector("load", preset.load);
   s.floating = keys.flag("floating", preset.floating);
+  for (const char* const key : {"cracks", "crack_law"})
+    keys.refuse(key,
+                fmt::format("'{}' is for models in the plane; in space make the halves two bodies, with a bonded or "
+                            "cohesive law between them",
+                            key));
   return s;
 }
 

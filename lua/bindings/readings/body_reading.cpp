@@ -26,6 +26,78 @@ void read_holds(Keys& keys, std::vector<NodeSupport>& holds) {
   });
 }
 
+constexpr const char* wanted_cracks =
+    "\"mid\", \"quarter\", \"diagonals\", a number of planes, a list { { point = {x, y}, normal = {x, y} }, ... } or "
+    "false";
+
+/// { point = {x, y}, normal = {x, y} } or { {x, y}, {x, y} } on top of the stack.
+CrackPlane<2> plane_at(Keys& keys, lua_Integer number) {
+  lua_State* L = keys.lua();
+  Keys own(L, -1, fmt::format("plane {}", number));
+  CrackPlane<2> plane;
+  if (lua_rawlen(L, -1) == 0) {
+    plane = {own.point("point"), own.point("normal")};
+  } else {
+    own.allow_list();
+    for (const int i : {1, 2}) {
+      lua_rawgeti(L, -1, i);
+      const auto given = point_at(L, -1);
+      if (!given) own.problem("must be { point = {x, y}, normal = {x, y} }");
+      (i == 1 ? plane.point : plane.normal) = given.value_or(Vec2::UnitX());
+      lua_pop(L, 1);
+    }
+  }
+  own.finish();
+  return plane;
+}
+
+/// The list of planes on top of the stack.
+void read_planes(Keys& keys, CrackSpec<2>& cracks) {
+  lua_State* L = keys.lua();
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  if (count == 0) keys.wrong("cracks", wanted_cracks);
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    try {
+      cracks.planes.push_back(plane_at(keys, i));
+    } catch (const InputError& e) {
+      keys.problem(fmt::format("cracks: {}", e.what()));
+    }
+    lua_pop(L, 1);
+  }
+}
+
+/// Planes by name or by number.
+void read_pattern(Keys& keys, CrackSpec<2>& cracks) {
+  lua_State* L = keys.lua();
+  const std::string name = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
+  const int count = name == "mid" ? 1 : name == "quarter" ? 3 : name.empty() ? count_at(L, -1).value_or(0) : 0;
+  cracks.pattern = name == "diagonals" ? CrackPattern::diagonals : CrackPattern::equal;
+  cracks.count = count;
+  if (name == "diagonals") return;
+  if (!name.empty() && count == 0) keys.problem(fmt::format("'cracks' is '{}', must be {}", name, wanted_cracks));
+  if (name.empty() && (count < 1 || count > 100))
+    keys.problem(fmt::format("'cracks' is {}, must be 1 to 100 planes, or {}", what_is(L, -1), wanted_cracks));
+}
+
+/// cracks = , crack_law = ; `cracks` remains unchanged where they are not given.
+void read_cracks(Keys& keys, CrackSpec<2>& cracks) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("cracks");
+  const std::string law = cracks.law;
+  if (type != LUA_TNIL) cracks = {};
+  if (type == LUA_TTABLE)
+    read_planes(keys, cracks);
+  else if (type == LUA_TSTRING || type == LUA_TNUMBER)
+    read_pattern(keys, cracks);
+  else if (type != LUA_TNIL && (type != LUA_TBOOLEAN || lua_toboolean(L, -1) != 0))
+    keys.wrong("cracks", wanted_cracks);
+  lua_pop(L, 1);
+  cracks.law = keys.text("crack_law", law);
+  if (keys.has("crack_law") && cracks.empty() && type == LUA_TNIL)
+    keys.problem("'crack_law' is given without 'cracks', the planes that it acts on; give both");
+}
+
 /// Options of a body from `keys`; `preset` for missing ones.
 BodySpec read_spec(Keys& keys, const BodySpec& preset) {
   BodySpec s = preset;
@@ -38,6 +110,7 @@ BodySpec read_spec(Keys& keys, const BodySpec& preset) {
       if (!(*thickness > 0)) keys.problem(fmt::format("'body_thickness' is {:g} m, must be above 0", *thickness));
       s.thickness = thickness;
     }
+    read_cracks(keys, s.cracks);
   }
   read_holds(keys, s.supports);
   s.material = keys.text("material", preset.material);
@@ -169,6 +242,9 @@ BodyOptions read_body_options(Keys& keys, bool several, const BodyForm& preset) 
   if (!several) return o;
   o.fixed = keys.names("fixed");
   read_by_group(keys, o);
+  // One plane may cross many parts; only the parts that it meets have it.
+  o.spec.cracks.where_met = true;
+  for (auto& [group, spec] : o.by_group) spec.cracks.where_met = true;
   return o;
 }
 
@@ -178,7 +254,10 @@ void add_part(PlaneModel& model, const Part& part, const BodyOptions& options) {
   spec.outline = part.outline;
   spec.groups.insert(spec.groups.begin(), part.groups.begin(), part.groups.end());
   const auto fixed = [&](const std::string& n) { return contains(options.fixed, n); };
-  if (fixed(part.name) || std::any_of(part.groups.begin(), part.groups.end(), fixed)) spec.support.fill(Support::fixed);
+  if (fixed(part.name) || std::any_of(part.groups.begin(), part.groups.end(), fixed)) {
+    spec.support.fill(Support::fixed);
+    spec.cracks = {};
+  }
   model.builder.add_body(std::move(spec));
 }
 

@@ -1,5 +1,6 @@
 // Events in handlers.
 #include <algorithm>
+#include <cstdlib>
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
@@ -7,6 +8,18 @@
 
 namespace trilith::script {
 namespace {
+
+/// The two parts of a body that has cracked, of which the event names the first. Its text ends with the plane.
+void set_crack(lua_State* L, int model_index, const Event& e) {
+  const std::size_t at = e.text.rfind(' ');
+  if (at != std::string::npos) set_integer(L, "plane", std::atoi(e.text.c_str() + at));
+  lua_createtable(L, 2, 0);
+  for (const int k : {0, 1}) {
+    push_body(L, model_index, e.body_b + k);
+    lua_rawseti(L, -2, k + 1);
+  }
+  lua_setfield(L, -2, "parts");
+}
 
 void set_bodies(lua_State* L, int model_index, const Event& e) {
   lua_createtable(L, 2, 0);
@@ -41,6 +54,7 @@ void push_event(lua_State* L, int model_index, const Event& e) {
   set_number(L, "y", e.y);
   if (m.dim() == 3) set_number(L, "z", e.z);
   if (has_trait(e.type, of_joint)) set_text(L, "mode", name_of(e.mode));
+  if (e.type == EventType::unit_cracked) set_crack(L, model_index, e);
   set_text(L, "text", m.text_of(e));
   set_bodies(L, model_index, e);
   if (e.bearing >= 0) {

@@ -139,9 +139,10 @@ std::vector<std::string> number_names(const H& h) {
   return names;
 }
 
-/// True if the body is inactive, so that its numbers are undefined.
+/// True if the body is inactive, so that its numbers are undefined. A cracked body is read at its centroid.
 bool is_out(const BodyHandle& h) {
-  return h.model().is_out(h.index);
+  const int part = h.model().heir_of(h.index);
+  return h.model().is_out(part < 0 ? h.index : part);
 }
 bool is_out(const BearingHandle& h) {
   return h.model().is_bearing_out(h.index);

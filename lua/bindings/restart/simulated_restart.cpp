@@ -194,6 +194,7 @@ void SimulatedModel<D>::keep_change(const HandlerCall* call) {
   ByteWriter out;
   out.item(call != nullptr);
   if (call != nullptr) out.item(*call);
+  if (call == nullptr) out.item(kept_cracks_);
   out.item(state_words(simulation_->state()));
   out.item(static_cast<std::uint64_t>(events.size() - book.first_event));
   out.item(static_cast<std::uint64_t>(history_times.size() - book.first_sample));
@@ -218,6 +219,7 @@ void SimulatedModel<D>::replay_changes(int last, const std::vector<Event>& all, 
     ByteReader in(bytes, "restart file '" + name + "'");
     std::optional<HandlerCall> call;
     in.item(call);
+    if (!call) in.item(kept_cracks_);
     const auto words = in.get<std::vector<std::uint64_t>>();
     simulation_->put_state(state_from_words(simulation_->model(), words, in.owner()));
     events = before;

@@ -1,0 +1,130 @@
+#include "edit/split.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "assembly/evaluate.hpp"
+#include "base/quantity_text.hpp"
+#include "edit/deactivate.hpp"
+#include "edit/restart.hpp"
+#include "edit/split_contacts.hpp"
+#include "edit/split_parts.hpp"
+#include "law/contact/list.hpp"
+#include "statics/displacement_control.hpp"
+
+namespace trilith {
+namespace {
+
+Event split_event(const State<2>& state, EventType type, int body, const Vec2& at) {
+  Event e;
+  e.type = type;
+  e.time = state.time;
+  e.step = state.step;
+  e.body_a = body;
+  e.set_place(at);
+  return e;
+}
+
+/// Crack first, because the others follow from it.
+void append_events(const Model<2>& model, const State<2>& state, const Crack<2>& crack, const SplitBody& split,
+                   const CrackSection<2>& section, std::vector<Event>& events) {
+  Event cracked = split_event(state, EventType::unit_cracked, crack.body, crack.place);
+  cracked.body_b = split.behind;
+  cracked.mode = crack.mode;
+  cracked.value = crack.stress;
+  cracked.text = fmt::format("{} on plane {}", quantity_text(crack.stress, "Pa"), section.number);
+  events.push_back(std::move(cracked));
+  const auto place_of = [&](int body) {
+    return state.position[static_cast<std::size_t>(model.bodies[body].first_node)];
+  };
+  events.push_back(split_event(state, EventType::body_removed, crack.body, place_of(crack.body)));
+  for (const int part : {split.behind, split.ahead})
+    events.push_back(split_event(state, EventType::body_added, part, place_of(part)));
+}
+
+/// The planes of a body that cracks.
+const CrackingBody<2>& row_of(const std::vector<CrackingBody<2>>& bodies, const Crack<2>& crack) {
+  return *std::find_if(bodies.begin(), bodies.end(), [&](const CrackingBody<2>& c) { return c.body == crack.body; });
+}
+
+/// A body that has split touches nothing, so its recent separations are forgotten.
+void forget_parted(const Model<2>& model, State<2>& state) {
+  std::erase_if(state.parted, [&](const Parted& p) {
+    return state.left[static_cast<std::size_t>(model.piece_body[first_piece(p.contact)])] != 0 ||
+           state.left[static_cast<std::size_t>(model.piece_body[second_piece(p.contact)])] != 0;
+  });
+}
+
+/// Balance of the ledger after the split [J].
+double balance_after(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options) {
+  hold_left(model, state);
+  work.drop();
+  evaluate(model, state, work, state.last_dt);
+  control_displacement(model, state, work, options);
+  return energy_now(model, state, work, options).balance();
+}
+
+/// Stress of the section over the stiffness of its law, at both ends of it.
+CrackOpening opening_of(const ContactLaw& law, const Crack<2>& crack, double length, double thickness) {
+  const double area = length * thickness, mean = crack.normal / area, bend = 6 * crack.moment / (area * length);
+  return with_kernel({law}, [&]<class K>(const K& kernel) {
+    if constexpr (K::bonds) {
+      if constexpr (K::softens) return CrackOpening{(mean + bend) / kernel.kn, (mean - bend) / kernel.kn};
+    }
+    return CrackOpening{};
+  });
+}
+
+}  // namespace
+
+Model<2> with_cracks(ModelBuilder& builder, const Model<2>& model, const std::vector<CrackingBody<2>>& bodies,
+                     std::span<const Crack<2>> cracks) {
+  for (const Crack<2>& crack : cracks) {
+    const CrackingBody<2>& row = row_of(bodies, crack);
+    const CrackSection<2>& section = row.sections[static_cast<std::size_t>(crack.section)];
+    const ContactLaw& law = model.laws[static_cast<std::size_t>(row.law)];
+    builder.crack(model, crack.body, section, opening_of(law, crack, section.length(), model.thickness));
+  }
+  return builder.with_parts(model);
+}
+
+template <>
+std::vector<Event> split(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options, Model<2> grown,
+                         const std::vector<CrackingBody<2>>& bodies, std::span<const Crack<2>> cracks) {
+  const RestartedRun<2> anew(model, state, work);
+  const double before = energy_now(model, state, work, options).balance();
+  std::vector<ContactRecord> records = contact_records(model, state, work);
+  int next = static_cast<int>(model.bodies.size());
+  model = std::move(grown);
+  extend_state(state, model);
+  std::vector<Event> events = anew.events();
+  for (const Crack<2>& crack : cracks) {
+    const CrackingBody<2>& row = row_of(bodies, crack);
+    const SplitBody parts{crack.body, next, next + 1};
+    next += 2;
+    const CrackSection<2>& section = row.sections[static_cast<std::size_t>(crack.section)];
+    place_parts(model, state, parts);
+    hand_over_links(model, parts, section);
+    records = handed_over(model, state, records, parts);
+    if (auto contact = crack_contact(model, state, parts, row, crack)) records.push_back(std::move(*contact));
+    append_events(model, state, crack, parts, section, events);
+  }
+  put_contacts(state, std::move(records));
+  forget_parted(model, state);
+  const double lost = before - balance_after(model, state, work, options);
+  state.given[EnergyTerm::contact_fracture] += lost, work.given[EnergyTerm::contact_fracture] += lost;
+  anew.go_on(model, state, work);
+  return events;
+}
+
+/// No body in space has planes yet.
+template <>
+std::vector<Event> split(Model<3>& /*model*/, State<3>& /*state*/, Work<3>& /*work*/, const StepOptions& /*options*/,
+                         Model<3> /*grown*/, const std::vector<CrackingBody<3>>& /*bodies*/,
+                         std::span<const Crack<3>> /*cracks*/) {
+  return {};
+}
+
+}  // namespace trilith

@@ -1,0 +1,168 @@
+// Bodies of a plane model that may crack, and their parts.
+#include <fmt/format.h>
+
+#include "base/nearest.hpp"
+#include "law/contact/list.hpp"
+#include "model/builder/builder.hpp"
+#include "model/builder/crack_sections.hpp"
+#include "model/builder/extend.hpp"
+#include "model/names.hpp"
+
+namespace trilith {
+namespace {
+
+[[noreturn]] void refuse_cracks(const std::string& owner, const std::string& why) {
+  throw InputError(fmt::format("{}: cracks: {}", owner, why));
+}
+
+/// Contact laws that a crack can use have a bond with strength.
+bool has_strength(const ContactLaw& law) {
+  return with_kernel({law}, []<class K>(const K& kernel) {
+    if constexpr (K::bonds) return kernel.tension > 0 && kernel.cohesion > 0;
+    return false;
+  });
+}
+
+/// A name that no body has: "u17.a", or "u17.a'" if that is taken.
+std::string new_name(RowNames& known, const std::vector<BodySpec>& bodies, std::string name) {
+  while (known.contains(bodies, name)) name += "'";
+  return name;
+}
+
+}  // namespace
+
+namespace {
+
+const Polygon& solid_of(const BodySpec& spec) {
+  return spec.solid.empty() ? spec.outline : spec.solid;
+}
+
+/// Number of the i-th plane in the whole body.
+int number_of(const CrackSpec<2>& cracks, std::size_t i) {
+  return cracks.numbers.empty() ? static_cast<int>(i) + 1 : cracks.numbers[i];
+}
+
+/// A part with all that it takes from its body: the planes that cut it, except plane `number`.
+BodySpec part_spec(const BodySpec& whole, int number, const Polygon& solid) {
+  BodySpec part = whole;
+  part.groups.push_back(pieces_group(whole.name));
+  part.density.reset(), part.weight.reset();
+  part.floating = true;
+  part.velocity = part.load = Vec2::Zero(), part.spin = 0;
+  part.first_part = -1;
+  part.cracks = {};
+  part.cracks.law = whole.cracks.law, part.cracks.where_met = true;
+  const std::vector<CrackPlane<2>> planes = crack_planes(whole.cracks, solid_of(whole));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (number_of(whole.cracks, i) == number || !parts_of(solid, planes[i])) continue;
+    part.cracks.planes.push_back(planes[i]), part.cracks.numbers.push_back(number_of(whole.cracks, i));
+  }
+  return part;
+}
+
+}  // namespace
+
+std::string pieces_group(const std::string& body) {
+  return "pieces of " + body;
+}
+
+/// All that does not depend on laws, which may be added later.
+void ModelBuilder::check_cracks(const BodySpec& spec, const std::string& owner) {
+  if (spec.cracks.empty()) return;
+  if (spec.kind != BodyKind::rigid || spec.frame)
+    refuse_cracks(
+        owner,
+        "planes are for rigid bodies, this one deforms; give it body = \"rigid\", or several rigid or deformable "
+        "bodies with a bonded or cohesive law between them");
+  if (spec.mesh)
+    refuse_cracks(owner, "a rigid body of a mesh has no planes; give it an outline, or make its pieces bodies");
+  if (spec.inertia)
+    refuse_cracks(owner, "inertia is given, but the parts take theirs from their shapes; leave inertia out");
+  for (const Support s : spec.support)
+    if (s != Support::free)
+      refuse_cracks(owner,
+                    "the body is held, and where its support acts inside it is not known; hold another body, and join "
+                    "this one to it by a bonded contact or a bearing, or give cracks = false");
+  if (spec.cracks.law.empty())
+    refuse_cracks(owner,
+                  "crack_law is missing, the name of a contact law with tension and cohesion: trilith.bonded{...}, or "
+                  "trilith.cohesive{...} with fracture energies");
+  int number = 0;
+  for (const CrackPlane<2>& plane : crack_planes(spec.cracks, spec.outline)) {
+    ++number;
+    if (!(plane.normal.norm() > 0)) refuse_cracks(owner, fmt::format("the normal of plane {} has no length", number));
+    if (!spec.cracks.where_met && !parts_of(spec.outline, plane))
+      throw InputError(owner + ": " + missed_plane_text(spec.outline, plane, number));
+  }
+}
+
+/// Laws may be added after bodies, so their strengths are checked when the model is built.
+void ModelBuilder::check_crack_laws(std::vector<std::string>& faults) const {
+  for (const BodySpec& spec : bodies_) {
+    if (spec.cracks.empty()) continue;
+    const std::string& name = spec.cracks.law;
+    const int law = rules_.law_row(name);
+    std::string why;
+    if (law < 0)
+      why = fmt::format("there is no contact law '{}'{}", name, name_hint(name, rules_.law_names()));
+    else if (!has_strength(rules_.laws()[static_cast<std::size_t>(law)].second))
+      why = fmt::format(
+          "'{}' has no strength: a crack needs tension and cohesion above 0; give a bonded law, or a cohesive "
+          "law with fracture energies",
+          name);
+    if (why.empty()) continue;
+    faults.push_back(fmt::format("body '{}': crack_law: {}", spec.name, why));
+    return;
+  }
+}
+
+std::vector<CrackingBody<2>> ModelBuilder::cracking(const Model<2>& model) const {
+  std::vector<CrackingBody<2>> rows;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodySpec& spec = bodies_[b];
+    if (spec.cracks.empty()) continue;
+    CrackingBody<2> row;
+    row.body = static_cast<int>(b), row.law = rules_.law_row(spec.cracks.law);
+    row.depth = spec.thickness.value_or(thickness);
+    const double mass = model.mass[static_cast<std::size_t>(model.bodies[b].first_node)];
+    const std::vector<CrackPlane<2>> planes = crack_planes(spec.cracks, solid_of(spec));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      if (const auto section = crack_section(solid_of(spec), mass, planes[i], number_of(spec.cracks, i)))
+        row.sections.push_back(*section);
+    if (!row.sections.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Mass by area, so that the sum of both is the mass of the body. The remaining planes go to the parts that they cut.
+void ModelBuilder::crack(const Model<2>& model, int body, const CrackSection<2>& section, const CrackOpening& opening) {
+  const auto at = static_cast<std::size_t>(body);
+  const BodySpec whole = bodies_[at];
+  const Vec2 centroid = moments_of(whole).centroid;
+  const CrackPlane<2> plane{centroid + section.middle(), section.normal};
+  const auto solids = parts_of(solid_of(whole), plane);
+  const auto skins = parted_outlines(whole.outline, centroid, section, opening);
+  if (!solids || !skins) return;
+  rules_.inherit(whole.name, pieces_group(whole.name));
+  rules_.set_contact(pieces_group(whole.name), pieces_group(whole.name), whole.cracks.law);
+  bodies_[at].first_part = static_cast<int>(bodies_.size()), bodies_[at].parted_at = plane;
+  const double mass = model.mass[static_cast<std::size_t>(model.bodies[at].first_node)];
+  for (const std::size_t side : {0, 1}) {
+    BodySpec part = part_spec(whole, section.number, (*solids)[side]);
+    part.name = new_name(body_names_known_, bodies_, whole.name + (side == 0 ? ".a" : ".b"));
+    part.outline = (*skins)[side], part.solid = (*solids)[side];
+    part.mass = side == 0 ? section.mass : mass - section.mass;
+    part.cracked_from = body;
+    bodies_.push_back(std::move(part));
+  }
+}
+
+Model<2> ModelBuilder::with_parts(const Model<2>& model) const {
+  std::vector<std::string> faults;
+  Model<2> grown = assemble_bodies(faults);
+  if (!faults.empty()) throw InputError(faults.front());
+  carry_conditions(model, grown);
+  return grown;
+}
+
+}  // namespace trilith
