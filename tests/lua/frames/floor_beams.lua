@@ -85,14 +85,14 @@ end
 local function beams(more) return plan { beams = more } end
 given.check {
   { function() new():building(beams {}) end,
-    "building 'house': beams: 'along' is missing; give \"x\" or \"y\", the direction of their span" },
+    "building 'house': beams: 'along' is missing; give \"x\" or \"y\": direction of their span" },
   { function() new():building(beams(true)) end,
     "building 'house': 'beams' is true, must be a table { along = , spacing = , width = }, a list of such tables, or "
       .. "false for none" },
   { function() new():building(beams { along = "z", count = 3, width = 0.1 }) end,
     "building 'house': beams: 'along' is 'z', must be one of x, y" },
   { function() new():building(beams { along = "x", count = 0, width = 0.1 }) end,
-    "building 'house': beams: 'count' is 0, must be at least 1" },
+    "building 'house', beams, row 1: count is 0, must be a whole number from 1 to 10000" },
   { function() new():building(beams { { along = "x", count = 3, widht = 0.1 } }) end,
     "building 'house': beams, row 1: unknown key 'widht'; did you mean 'width'?" },
   { function() new():building(beams { along = "x", width = 0.1 }) end,
