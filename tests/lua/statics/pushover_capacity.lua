@@ -1,4 +1,5 @@
--- Capacity by a pushover in time: its largest force is the maximum over all steps, and the share of inertia is not a capacity. A block that is pushed at its middle rocks at W b/h, and the force of a flexible post is k times its
+-- Capacity by a pushover in time: its largest force is the maximum over all steps, and the share of inertia is not a
+-- capacity. A block that is pushed at its middle rocks at W b/h, and the force of a flexible post is k times its
 -- displacement.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
@@ -77,7 +78,8 @@ near("force of a soft post", r.peak_force, 3*2.1e11*0.1^4/12/length^3*2e-3, 0.02
 assert(r.quasi_static and r.ended - r.begun > 5)
 m:close()
 
--- A block that lands while it is pushed slides at friction times more than its weight. The largest force is not a capacity, and the part carried under its own weight is reported.
+-- A block that lands while it is pushed slides at friction times more than its weight. The largest force is not a
+-- capacity, and the part carried under its own weight is reported.
 for _, dim in ipairs { 2, 3 } do
   local w = trilith.model { name = "landing", dim = dim }
   w:material { name = "stone", density = 2400 }
