@@ -1,5 +1,5 @@
--- A gravity dam of four lifts: its reservoir is filled, water enters each joint that opens, then an earthquake shakes it with
--- the mass of the water before its face. Results: docs/gallery/dam.md.
+-- A gravity dam of four lifts: its reservoir is filled, water enters each joint that opens, then an earthquake
+-- shakes it with the added mass of the water at its face.
 local trilith = require "trilith"
 local s, g = trilith.units "s", trilith.units "g"
 local p = trilith.params {

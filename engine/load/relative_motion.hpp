@@ -12,7 +12,7 @@ namespace trilith {
 MotionAt relative_at(const GroundMotion& right, const GroundMotion& left, double t) noexcept;
 
 /// Largest relative velocity [m/s] and largest change of the relative displacement from its start [m]. They are sampled
-/// every `grid` [s] from the earlier begin to the later end (10 samples per step of the finer motion if `grid` is 0).
+/// every `grid` [s] from the earlier start to the later end (10 samples per step of the finer motion if `grid` is 0).
 struct RelativePeaks {
   Peak velocity;
   Peak displacement;

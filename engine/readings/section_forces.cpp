@@ -45,7 +45,7 @@ double shear_share(const HalfGaps& half, bool bonded, double from, double to) {
   return std::max(0.0, width) / (carries.to - carries.from);
 }
 
-/// Normal force, its moment about the begin of the shared length, and shear [N], [N m].
+/// Normal force, its moment about the start of the shared length, and shear [N], [N m].
 struct FaceSums {
   double normal = 0, moment = 0, shear = 0;
 };

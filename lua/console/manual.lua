@@ -66,7 +66,8 @@ end
 
 local function sentence_of(builder) return builder.doc:gsub("^%l", string.upper) .. "." end
 
--- Builders of the plane, declared in engine/build/plane. The declaration of a function of the model (`model:span`) takes
+-- Builders of the plane, declared in engine/build/plane. The declaration of a function of the model (`model:span`)
+-- takes
 -- precedence over the declaration of a builder with the same name.
 local function add_makers(manual, page, shared)
   for _, builder in ipairs((core.builders())) do

@@ -39,7 +39,7 @@ struct BarrelVault {
                       K::Count{&BarrelVault::stones, "stones", "number of whole stones in a course", 1, 10000},
                       K::Flag{&BarrelVault::bond, "bond", "joints shift from course to course"},
                       K::Flag{&BarrelVault::half_first, "half_first", "the first course begins with half a stone"},
-                      K::Number{&BarrelVault::from, "from", "m", "y of the begin"},
+                      K::Number{&BarrelVault::from, "from", "m", "y of the start"},
                       K::Vector{&BarrelVault::at, "at", "translation"});
   }
   /// build_barrel_vault.

@@ -71,7 +71,7 @@ double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
 }
 
 /// Longest time up to dt in which the bond does not pass its peak, or opens by its share along the softening line [s].
-/// `jump`: increase of its rate at the begin of this time [m/s].
+/// `jump`: increase of its rate at the start of this time [m/s].
 template <int D>
 double time_of(const Model<D>& model, const State<D>& state, const Work<D>& work, const PlacedBond& bond, double jump,
                double dt) {

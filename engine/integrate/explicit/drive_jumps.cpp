@@ -9,7 +9,7 @@
 namespace trilith {
 namespace {
 
-/// Times at which the velocity of a drive may jump [s]: its begin, and the first and last sample of its motion.
+/// Times at which the velocity of a drive may jump [s]: its start, and the first and last sample of its motion.
 std::array<double, 3> jump_times(const Drive& d) {
   return {d.start, d.start + d.motion->start_time(), d.start + d.motion->end_time()};
 }

@@ -13,7 +13,7 @@ namespace {
 
 /// Corners nearer than this share of the size of the body are one corner.
 constexpr double same_corner = 1e-9;
-/// A part of less than this share of the area is no part: the plane touches the body in a corner.
+/// A part of less than this share of the area is not a part: the plane touches the body in a corner.
 constexpr double least_part_area = 1e-6;
 /// Principal second moments closer than this share make a body as long as wide.
 constexpr double same_length = 1e-6;

@@ -40,7 +40,7 @@ end
 
 return {
   title = "Fracture energy of a plane",
-  source = "Hillerborg (1976), cohesive crack with linear softening; Papoulia, Sam and Vavasis (2003) for its begin " ..
+  source = "Hillerborg (1976), cohesive crack with linear softening; Papoulia, Sam and Vavasis (2003) for its start " ..
     "at the stress of the section",
   formula = [[P = f_t A, \qquad W = \left(G_f - \frac{f_t^2}{2 k_n}\right) A]],
   text = "A rigid bar is pulled apart slowly by two strong joints. Before it cracks it has no stiffness, no joint. " ..

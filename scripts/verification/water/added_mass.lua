@@ -53,7 +53,8 @@ return {
   source = "H. M. Westergaard, Water pressures on dams during earthquakes, Transactions ASCE 98, 1933",
   formula = [[M_\text{exact} = 0.542755\,\rho H^2, \qquad M_\text{parabola} = \frac{7}{12}\,\rho H^2, \qquad
 M_\text{cylinder} = \rho \pi R^2 L, \qquad f = \frac{1}{2\pi}\sqrt{\frac{k}{m + M}}]],
-  text = "A wall of 80 t per metre on a spring retains water of depth $H$. A cylinder of radius 1 m and length 10 m is " ..
+  text = "A wall of 80 t per metre on a spring retains water of depth $H$. A cylinder of radius 1 m " ..
+    "and length 10 m is " ..
     "deep under water.",
   cases = {
     row("water_wall_dry", "wall without water", nil, 80e3, mode),

@@ -49,20 +49,26 @@ return {
   source = "Hydrostatics and Coulomb's law of friction",
   formula = [[N_\text{wet} = W - \rho g\, V, \qquad N_\text{sealed} = W + \rho g\, b\,(h - t), \qquad
 u = \sqrt{\frac{2 \mu N_\text{wet}}{\rho\, c\, t}}]],
-  text = "A block of width $b$ and height $t$ lies on a bed, $h$ under the surface. With `joints = \"wet\"` water acts " ..
-    "below it; with `\"sealed\"` the closed joint is dry. A flow of velocity $u$ with the drag coefficient $c$ moves it.",
+  text = "A block of width $b$ and height $t$ lies on a bed, $h$ under the surface. " ..
+    "With `joints = \"wet\"` water acts " ..
+    "below it; with `\"sealed\"` the closed joint is dry. A flow of velocity $u$ with the drag coefficient " ..
+    "$c$ moves it.",
   cases = {
     { name = "water_block_wet", title = "water below the block", parameters = { { "joints", "wet" } },
       checks = { { "contact force", unit = "N", exact = wet, tolerance = 0.001 } }, run = pressed },
     { name = "water_block_sealed", title = "sealed joint", parameters = { { "joints", "sealed" } },
       checks = { { "contact force", unit = "N", exact = own + weight*2.4, tolerance = 0.001 } }, run = pressed },
-    { name = "water_block_stands", title = "pushed below its friction of 4942.6 N", parameters = { { "force", 0.99*slides, "N" } },
+    { name = "water_block_stands", title = "pushed below its friction of 4942.6 N",
+      parameters = { { "force", 0.99*slides, "N" } },
       checks = { { "block", exact = "stands" } }, run = pushed },
-    { name = "water_block_slides", title = "pushed above its friction of 4942.6 N", parameters = { { "force", 1.01*slides, "N" } },
+    { name = "water_block_slides", title = "pushed above its friction of 4942.6 N",
+      parameters = { { "force", 1.01*slides, "N" } },
       checks = { { "block", exact = "slides" } }, run = pushed },
-    { name = "water_flow_stands", title = "in a flow below the limit of 3.7053 m/s", parameters = { { "velocity", 0.99*flow, "m/s" } },
+    { name = "water_flow_stands", title = "in a flow below the limit of 3.7053 m/s",
+      parameters = { { "velocity", 0.99*flow, "m/s" } },
       checks = { { "block", exact = "stands" } }, run = in_flow },
-    { name = "water_flow_slides", title = "in a flow above the limit of 3.7053 m/s", parameters = { { "velocity", 1.01*flow, "m/s" } },
+    { name = "water_flow_slides", title = "in a flow above the limit of 3.7053 m/s",
+      parameters = { { "velocity", 1.01*flow, "m/s" } },
       checks = { { "block", exact = "slides" } }, run = in_flow },
     { name = "water_block_falls", title = "falls in water, without added mass",
       checks = { { "acceleration", unit = "m/s2", exact = g*(1 - 1/2.4), tolerance = 1e-3 } },
@@ -70,7 +76,8 @@ u = \sqrt{\frac{2 \mu N_\text{wet}}{\rho\, c\, t}}]],
         local m = trilith.model { name = "fall" }
         m:material { name = "stone", density = 2400 }
         m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 1e9, mu = 0.6 } }
-        local block = m:block { name = "block", width = 1, height = 0.6, at = { 0, 5 }, material = "stone", floating = true }
+        local block = m:block { name = "block", width = 1, height = 0.6, at = { 0, 5 }, material = "stone",
+          floating = true }
         m:water { body = block, level = 8, side = "all" }
         m:run { duration = 0.5, dt = 1e-3 }
         return -2*block.uy/0.5^2

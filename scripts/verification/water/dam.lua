@@ -8,7 +8,8 @@ local function dam(p)
   m:material { name = "concrete", density = 2400 }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = kn, ks = kn, mu = p.mu or 0.75, beta = 1e-4 } }
   m:block { name = "rock", width = 40, height = 2, at = { -16, -2 }, material = "concrete", support = "fixed" }
-  local body = m:polygon { name = "dam", outline = { { 0, 0 }, { p.B, 0 }, { 2, 12 }, { 0, 12 } }, material = "concrete" }
+  local body = m:polygon { name = "dam", outline = { { 0, 0 }, { p.B, 0 }, { 2, 12 }, { 0, 12 } },
+    material = "concrete" }
   m:water { name = "lake", body = body, level = p.level, side = "left" }
   if p.tail then m:water { name = "tail", body = body, level = p.tail, side = "right" } end
   local drain = p.drain and { at = p.drain, efficiency = p.efficiency } or nil
@@ -50,7 +51,7 @@ local function read(m, body, p)
   for _, r in ipairs(rock:reactions()) do
     n, t, moment = n + r.fy, t + r.fx, moment + r.m + (r.x - p.B)*r.fy - r.y*r.fx
   end
-  -- The uplift on the rock is no contact force.
+  -- The uplift on the rock is not a contact force.
   local up = m:water_state "uplift"
   local N = n - rock.mass*g - up.force[2]
   local heel, toe = -kn*select(2, body:point { 0, 0 }), -kn*select(2, body:point { p.B, 0 })
@@ -64,7 +65,8 @@ local function stress_case(name, title, p, parts)
   local want, checks, list = expected(p.B, p.level, parts, p.tail), {}, {}
   for i, key in ipairs(order) do checks[i] = { key, unit = units[key], exact = want[key], tolerance = 0.005 } end
   for _, key in ipairs { "B", "level", "tail", "drain", "efficiency", "head" } do
-    if p[key] then list[#list + 1] = { key, p[key], type(p[key]) == "number" and key ~= "efficiency" and "m" or nil } end
+    local unit = type(p[key]) == "number" and key ~= "efficiency" and "m" or nil
+    if p[key] then list[#list + 1] = { key, p[key], unit } end
   end
   cases[#cases + 1] = { name = name, title = title, parameters = list, checks = checks,
     run = function(q)
@@ -131,7 +133,8 @@ return {
   source = "U.S. Army Corps of Engineers, Gravity dam design, EM 1110-2-2200, 1995; statics of a joint without tension",
   formula = [[\sigma = \frac{W - U}{B}\left(1 \pm \frac{6 e}{B}\right), \qquad
 h(s) = h_\text{up} \text{ for } s \le c, \qquad h(s) = h_\text{up}\,\frac{B - s}{B - c} \text{ for } s > c]],
-  text = "A dam 12 m high with an upright upstream face, 2 m wide at its crest. $c$ is the length of the crack, where the " ..
+  text = "A dam 12 m high with an upright upstream face, 2 m wide at its crest. $c$ is the length of the crack, " ..
+    "where the " ..
     "effective contact stress would be tension. Tail water also loads the inclined face.",
   cases = cases,
 }

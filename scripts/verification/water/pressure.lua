@@ -44,7 +44,8 @@ local cases = {
     run = function(p)
       local m = model()
       local x, y = -p.length*cos(p.angle*deg), -p.length*sin(p.angle*deg)
-      m:polygon { name = "wall", outline = { { 0, 0 }, { x, y }, { 2, y }, { 2, 0 } }, material = "concrete", floating = true }
+      m:polygon { name = "wall", outline = { { 0, 0 }, { x, y }, { 2, y }, { 2, 0 } }, material = "concrete",
+        floating = true }
       m:water { name = "lake", body = "wall", level = p.depth, from = { 0, 0 }, to = { x, y } }
       local s = m:water_state "lake"
       local force = (s.force[1]^2 + s.force[2]^2)^0.5
@@ -70,8 +71,10 @@ end
 return {
   title = "Pressure of water on plane faces",
   source = "Hydrostatics: the pressure of water at rest is its weight per volume times the depth",
-  formula = [[p = \rho g\,(h - z), \qquad F = \rho g\, A\, d_c, \qquad y = \frac{L}{2} + \frac{L^2 \sin\alpha}{12\, d_c}]],
-  text = "$d_c$ is the depth of the centroid of a face of length $L$, inclined by $\\alpha$, and $y$ the distance of the " ..
+  formula = [[p = \rho g\,(h - z), \qquad F = \rho g\, A\, d_c, \qquad
+    y = \frac{L}{2} + \frac{L^2 \sin\alpha}{12\, d_c}]],
+  text = "$d_c$ is the depth of the centroid of a face of length $L$, inclined by $\\alpha$, and $y$ the distance " ..
+    "of the " ..
     "resultant from its upper edge. On a closed body the resultant is the weight of the displaced water, through " ..
     "the centroid.",
   cases = cases,

@@ -99,7 +99,8 @@ local function dam(dim, level, width)
   else
     m:block { name = "rock", size = { 40, 10, 2 }, at = { -16, -4, -2 }, material = "concrete", support = "fixed" }
     m:hull { name = "dam", material = "concrete", points = {
-      { 0, 0, 0 }, { 8, 0, 0 }, { 2, 0, 12 }, { 0, 0, 12 }, { 0, width, 0 }, { 8, width, 0 }, { 2, width, 12 }, { 0, width, 12 } } }
+      { 0, 0, 0 }, { 8, 0, 0 }, { 2, 0, 12 }, { 0, 0, 12 }, { 0, width, 0 }, { 8, width, 0 },
+      { 2, width, 12 }, { 0, width, 12 } } }
   end
   m:water { name = "lake", body = "dam", level = level, side = "left" }
   m:uplift { name = "uplift", upper = "dam", lower = "rock", upstream = "lake" }
@@ -154,7 +155,7 @@ end
 for _, integrator in ipairs { "explicit", "implicit" } do
   local m = model(2, "mass")
   m:block { name = "support", width = 1, height = 1, at = { 4, 0 }, material = "stone", support = "fixed" }
-  local wall = m:block { name = "wall", width = 2, height = 12, at = { 0, 0 }, mass = 80e3, material = "stone",
+  m:block { name = "wall", width = 2, height = 12, at = { 0, 0 }, mass = 80e3, material = "stone",
     support = { y = "fixed", rotation = "fixed" }, floating = true, vx = 0.1 }
   m:bearing { name = "spring", between = { "support", "wall" }, from = { 4, 0.5 }, to = { 2, 0.5 },
     along = trilith.linear { stiffness = 2e8 } }
@@ -181,7 +182,8 @@ refused("there is no water 'sea'", m.set_level, m, { name = "sea", level = 1 })
 refused("has a level and no share; use m:set_level", m.set_load, m, { name = "lake", factor = 2 })
 refused("upstream is 'sea'", m.uplift, m, { upper = "block", lower = "bed", upstream = "sea" })
 refused("are the same body", m.uplift, m, { upper = "block", lower = "block", upstream = "lake" })
-refused("the drain is 5 m from the heel", m.uplift, m, { upper = "block", lower = "bed", upstream = "lake", heel = { -0.5, 0 },
+refused("the drain is 5 m from the heel", m.uplift, m, { upper = "block", lower = "bed", upstream = "lake",
+  heel = { -0.5, 0 },
   drain = { at = 5, efficiency = 0.5 } })
 refused("coefficient", m.drag, m, { body = block, velocity = { 1, 0 }, coefficient = 0, area = 1 })
 refused("the level must be above the bed", m.added_mass, m, { body = block, side = "left", level = 0, bed = 1 })

@@ -1,4 +1,4 @@
--- A block that slides fast on a joint that dilates is thrown up and comes down again. At the default step the ledger
+-- A block that slides fast on a joint that dilates jumps up and falls back. At the default step the ledger
 -- misses at most 2 % of the energy lost, with steps of 1e-5 s less than 1e-4.
 local trilith = require "trilith"
 
