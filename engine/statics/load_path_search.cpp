@@ -48,7 +48,7 @@ bool LoadPathWalk<D>::goes_far(const Eigen::VectorXd& way, double share, double 
   return false;
 }
 
-/// A step of pseudo-time h [s] at whose end the followed displacement has moved by `push` since its begin. True if it
+/// A step of pseudo-time h [s] at whose end the followed displacement has moved by `push` since its start. True if it
 /// has converged; then it is committed.
 template <int D>
 bool LoadPathWalk<D>::pseudo_step(double h, double push) {
