@@ -125,12 +125,12 @@ void hand_over_links(Model<2>& model, const SplitBody& split, const CrackSection
     if (givers.is_on(b.end_b)) givers.give(b.end_b, b.body_b), b.piece_b = piece_of(model, b.body_b);
   }
   for (Seat<2>& s : model.seats) givers.give(s.end, s.body), givers.give(s.edge, s.support);
-  for (PointLoad<2>& p : model.point_loads) givers.give(p.at, p.body);
+  for (PointLoad<2>& p : model.loads.of<PointLoad<2>>()) givers.give(p.at, p.body);
   for (Push<2>& push : model.pushes)
     for (PushRow<2>& row : push.rows) givers.give(row);
   std::vector<FaceLoad<2>> loads;
-  for (const FaceLoad<2>& load : model.face_loads) givers.give(load, loads);
-  model.face_loads = std::move(loads);
+  for (const FaceLoad<2>& load : model.loads.of<FaceLoad<2>>()) givers.give(load, loads);
+  model.loads.of<FaceLoad<2>>() = std::move(loads);
   const std::size_t n = node_of(model, split.body);
   for (const int part : {split.behind, split.ahead})
     model.load[node_of(model, part)] = model.mass[node_of(model, part)] / model.mass[n] * model.load[n];

@@ -180,14 +180,14 @@ void SurfaceForces::add_bearings() {
 }
 
 void SurfaceForces::add_loads() {
-  for (const PointLoad<2>& p : model_.point_loads) {
+  for (const PointLoad<2>& p : model_.loads.of<PointLoad<2>>()) {
     if (slot_of(p.body) < 0) continue;
     const double share = p.curve.at(state_.time);
     const Pose at = pose_at(model_, state_, p.at);
     const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
     add_point(p.body, {at.place, share * force, share * p.moment});
   }
-  for (const FaceLoad<2>& f : model_.face_loads)
+  for (const FaceLoad<2>& f : model_.loads.of<FaceLoad<2>>())
     if (slot_of(f.body) >= 0) add_pressure(f);
   add_pushes();
 }

@@ -131,7 +131,7 @@ TEST_CASE("a load path in space that is stopped ends at its last point") {
   Model<3> model = bend_of_45(8);
   PointLoad<3> load;
   load.name = "push", load.body = 0, load.at = Attachment<3>::to_node(8, Vec3::Zero()), load.force = Vec3(0, 0, 600);
-  model.point_loads.push_back(load);
+  model.loads.of<PointLoad<3>>().push_back(load);
   int asked = 0;
   LoadPathOptions<3> how;
   how.first = 1e-3, how.longest = 1e-3, how.most_points = 100000, how.followed = {{{8, 2}, 1}};
