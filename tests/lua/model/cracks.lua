@@ -38,6 +38,10 @@ refused("cracks: the body is held", block, empty(), { support = "fixed" })
 refused("cracks: inertia is given", block, empty(), { inertia = 1 })
 refused("'cracks' is 'middle', must be \"mid\", \"quarter\", \"diagonals\"", block, empty(), { cracks = "middle" })
 refused("must be 1 to 100 planes", block, empty(), { cracks = 0 })
+do
+  local m = empty { gravity = 9.80665 }
+  refused("water: body 'rod' has crack planes", m.water, m, { body = block(m), level = 1, side = "all" })
+end
 refused("'cracks' is true, must be \"mid\"", block, empty(), { cracks = true })
 refused("plane 1 through %(3, 0%) with the normal %(1, 0%) does not divide the body in two; the body is between",
   block, empty(), { cracks = { { point = { 3, 0 }, normal = { 1, 0 } } } })
