@@ -198,7 +198,8 @@ void SurfaceForces::add_pressure(const FaceLoad<2>& load) {
   const double covered = load.share[0] + load.share[1], share = load.curve.at(state_.time);
   if (!(covered > 0) || share == 0) return;
   const SkinMotion<2>&a = work_.skin[load.skin_a], &b = work_.skin[load.skin_b];
-  const Vec2 start(a.x, a.y), face(b.x - a.x, b.y - a.y), whole = share * covered * face_force(load, a, b);
+  const Vec2 start(a.x, a.y), end(b.x, b.y), face = end - start;
+  const Vec2 whole = share * covered * load.whole_force(start, end);
   const double first = load.share[1] / covered - 0.5 * covered;
   for (int i = 0; i < parts; ++i)
     add_point(load.body, {start + (first + covered * (i + 0.5) / parts) * face, whole / parts, 0});
