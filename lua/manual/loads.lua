@@ -29,8 +29,7 @@ load_curve  load curve = all at once  factor over time: ]] .. load_curve .. [[
 name       text?      name in results]], gives = "string",
     example = 'm:pressure { body = "block", face = "left", value = 500 }' },
   { "model:water", "Water at rest against faces of bodies, from the call on. The pressure follows the faces as "
-      .. "they lie, "
-    .. "so buoyancy is included. Returns its name.",
+    .. "they lie, so buoyancy is included. Returns its name.",
     also = "hydrostatic pressure, buoyancy, reservoir, flood, level, dam, uplift, float", keys = [[
 body     bodies          bodies in contact with the water
 level    level           elevation of the surface [m]: a number, or { {time, level}, ..., smooth = true }
@@ -48,8 +47,7 @@ duration  number s = 0  time in which it is reached  <at least 0>]],
     example = 'local lake = m:water { body = "block", level = 0.5, side = "left" }\n'
       .. 'm:set_level { name = lake, level = 0.2, duration = 1 }' },
   { "model:uplift", "Water in the joint between two bodies: a linear head from the water upstream to the water "
-      .. "downstream "
-    .. "or the toe, and the full head in the part that opens from the heel. Returns its name.",
+    .. "downstream or the toe, and the full head in the part that opens from the heel. Returns its name.",
     also = "uplift pressure, crack, drain, heel, toe, gravity dam", keys = [[
 upper       body            the body above the joint
 lower       body            the body below it; their faces lie on each other at the start
@@ -62,8 +60,7 @@ name        text?           name in results]], gives = "string",
     example = 'local lake = m:water { name = "lake", body = "block", level = 0.5, side = "left" }\n'
       .. 'm:uplift { upper = "block", lower = "ground", upstream = lake }' },
   { "model:drag", "Drag of a flow on a body, c rho A u^2 / 2 with the velocity u of the flow relative to the body. "
-      .. "Returns "
-    .. "its name.", also = "current, flood, pier, stream", keys = [[
+    .. "Returns its name.", also = "current, flood, pier, stream", keys = [[
 body         body            the body
 velocity     point           velocity of the flow {x, y} [m/s]; in space {x, y, z}
 coefficient  number          drag coefficient  <above 0>
@@ -90,10 +87,9 @@ density  number kg/m3 = 1000  density of the water  <above 0>
 name     text?           name in results]], gives = "string",
     example = 'm:added_mass { body = "block", side = "left", level = 0.8, bed = 0.2 }' },
   { "model:water_state", "Force and level of a water, or the state of a joint with uplift, at the present instant. "
-    .. "A water has "
-    .. "level [m], force [N] and moment about the origin [N m]. An uplift has these for the upper body, and crack, "
-    .. "open_toe "
-    .. "and length of the joint [m].", args = "name", gives = "table",
+    .. "A water has level [m], force [N] and moment about the origin [N m]. An uplift has these for the upper "
+    .. "body, and crack, open_toe and length of the joint [m].",
+    args = "name  text  name of the water or uplift", gives = "table",
     example = 'local lake = m:water { body = "block", level = 0.5, side = "left" }\n'
       .. 'print(m:water_state(lake).force[1])' },
   { "model:set_load", "Changes the share of a load, smoothly, from the call on.", keys = [[

@@ -283,7 +283,10 @@ int added_mass_of(lua_State* L, SimulatedModel<D>& m) {
       keys.problem(fmt::format("give side = \"left\" ({}), the side of an upright face, or radius, of a cylinder",
                                fmt::join(names, ", ")));
     spec.form = keys.choice("form", {"exact", "parabola"}, 0) == 0 ? AddedMassForm::exact : AddedMassForm::parabola;
-    if (D == 3) spec.width = keys.number("width", "m");
+    if (D == 3)
+      spec.width = keys.number("width", "m");
+    else if (keys.has("width"))
+      keys.problem("'width' is for models in space; in the plane the face is as wide as the model is thick");
   }
   keys.finish();
   if (spec.name.empty()) spec.name = free_load_name(m, "added mass");
