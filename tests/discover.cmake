@@ -29,6 +29,10 @@ set(script "")
 foreach(tag IN LISTS tags)
   attribute("${tag}" name name)
   attribute("${tag}" testsuite suite)
+  # A semicolon would divide the tag, and a case without a name would run all cases.
+  if(name STREQUAL "")
+    message(FATAL_ERROR "the name of a test case contains one of ; < > & \": ${tag}")
+  endif()
   string(REPLACE "," "\\," pattern "${name}")  # a comma would part two patterns
   string(APPEND script "add_test([==[${name}]==] \"${PROGRAM}\" [==[--test-case=${pattern}]==])\n"
     # A name that matches no case would pass without running anything, so it counts as failed. A case that needs a file

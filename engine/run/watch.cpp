@@ -61,9 +61,12 @@ double dissipated(const Energy& e) {
   return sum;
 }
 
-/// Energy supplied by supports, loads, weight and added bodies [J].
+/// Energy supplied by weight and by all terms of the ledger that are inputs [J].
 double put_in(const Energy& e) {
-  return e[EnergyTerm::support] + e[EnergyTerm::load] + e[EnergyTerm::added] - e[EnergyTerm::gravity];
+  double sum = 0;
+  for (int i = 0; i < energy_terms; ++i)
+    if (energy_term_info[i].sign < 0) sum += e.value[i];
+  return sum - e[EnergyTerm::gravity];
 }
 
 /// Speed of sound in the stiffest solid, with the density of its body, and at least in rock [m/s].

@@ -75,7 +75,7 @@ TEST_CASE("open, hollow, degenerate and thin solids are reported") {
   CHECK(found[4].text == "solid 'nan' has a corner that is not finite or beyond 1e12 m");
 }
 
-TEST_CASE("overlaps are reported with their volume; touching faces, edges and corners are not overlaps") {
+TEST_CASE("overlaps are reported with their volume, and touching faces, edges and corners are not overlaps") {
   std::vector<SolidPart> parts{brick("a", {0, 0, 0}), brick("b", {1, 0, 0}), brick("c", {0, 1, 1}),
                                brick("d", {1, 1, 2})};
   CHECK(check_solids(parts).empty());

@@ -108,7 +108,7 @@ TEST_CASE("the spectrum scales with the motion, and its periods with the time ax
   CHECK(near(base.pseudo_acceleration, base.pseudo_velocity * 2 * pi / 0.7, 1e-12));
 }
 
-TEST_CASE("periods increase; periods and dampings out of range are rejected") {
+TEST_CASE("periods increase, and periods and dampings out of range are rejected") {
   const GroundMotion motion(std::vector<double>{0, 1, 0}, 0.01);
   const std::vector<double> periods = spectrum_periods(0.1, 10, 3);
   CHECK(near(periods[1], 1, 1e-12));

