@@ -80,6 +80,8 @@ template <int D>
 double unbalanced_share(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   // Held nodes of a deformable body receive no forces of its elements, so its forces have no sum of 0.
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body& b) { return !b.is_rigid(); })) return -1;
+  // Forces include the inertia of the water that moves with a body, which does not act between bodies.
+  if (!model.loads.template of<AddedMass<D>>().empty()) return -1;
   const Vec<D> field = model.gravity.at(state.time);
   const std::vector<Vec<D>>& load = work.load.empty() ? model.load : work.load;
   Vec<D> sum = Vec<D>::Zero();

@@ -111,7 +111,7 @@ assert(#m:modes { count = 3 } == 3)
   check_refused(run_program(here, "draw modes.h5 --mode 4"), "there is no mode 4; 'modes.h5' has modes 1 to 3");
   check_refused(run_program(here, "draw modes.h5 --mode first"), "'first' is not a number");
   check_refused(run_program(here, "draw modes.h5 --mode 1 --forces"), "shows the shape alone");
-  check_refused(run_program(here, "draw span.h5 --mode 1"), "'span.h5' has no modes");
+  check_refused(run_program(here, "draw span.h5 --mode 1"), "'span.h5' has no natural modes");
 }
 
 TEST_CASE("trilith plot draws histories and energy of one or several runs and lists the available ones") {
@@ -342,7 +342,7 @@ TEST_CASE("on a terminal the status is one line that is redrawn, in colours unle
   const std::string colours = in_terminal(""), plain = in_terminal("NO_COLOR=1"), dumb = in_terminal("TERM=dumb");
   CHECK(colours.find("\rfall  t 0.") != std::string::npos);
   CHECK(colours.find("\033[K") != std::string::npos);
-  CHECK(colours.find("\033[Ksaid by the script") != std::string::npos);  // the status line was removed for it
+  CHECK(colours.find("\033[Koutput by the script") != std::string::npos);  // the status line was removed for it
   CHECK(plain.find("\033[1m") == std::string::npos);
   CHECK(dumb.find('\033') == std::string::npos);
 }
