@@ -208,7 +208,7 @@ struct KeysOf {
   };
   /// A table with keys of its own, which may be absent. `wanted` shows them.
   template <class Fields, class Decl = Fields>
-  struct Table {
+  struct OwnTable {
     static constexpr KeyKind kind = KeyKind::table;
     using Declares = Decl;
     Fields B::*member;

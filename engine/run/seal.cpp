@@ -81,7 +81,11 @@ double unbalanced_share(const Model<D>& model, const State<D>& state, const Work
   // Held nodes of a deformable body receive no forces of its elements, so its forces have no sum of 0.
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body& b) { return !b.is_rigid(); })) return -1;
   // Forces include the inertia of the water that moves with a body, which does not act between bodies.
-  if (!model.loads.template of<AddedMass<D>>().empty()) return -1;
+  bool moves_water = false;
+  model.loads.for_each_kind([&]<class L>(const std::vector<L>& loads) {
+    if constexpr (is_inertia<L>) moves_water = moves_water || !loads.empty();
+  });
+  if (moves_water) return -1;
   const Vec<D> field = model.gravity.at(state.time);
   const std::vector<Vec<D>>& load = work.load.empty() ? model.load : work.load;
   Vec<D> sum = Vec<D>::Zero();

@@ -354,7 +354,7 @@ def shows_where_it_goes(page):
 
 
 def shows_a_run_in_progress(page):
-    assert "still being written" in page.text("#state")
+    assert "still in progress" in page.text("#state")
     page.picture("running")
 
 

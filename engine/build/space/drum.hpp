@@ -36,8 +36,8 @@ struct RegularPrism {
                       K::Number{&RegularPrism::height, "height", "m", "height", above_zero, must_be_given},
                       K::Number{&RegularPrism::phase, "phase", "rad", "angle of the first corner, from x"},
                       K::Vector{&RegularPrism::at, "at", "middle of the foot"},
-                      K::Table<SolidTurn, TurnKeys>{&RegularPrism::turn, "turn", turn_wanted,
-                                                    "rotation about `at`: { axis = , angle = }"});
+                      K::OwnTable<SolidTurn, TurnKeys>{&RegularPrism::turn, "turn", turn_wanted,
+                                                       "rotation about `at`: { axis = , angle = }"});
   }
   /// build_prism.
   [[nodiscard]] SolidParts parts() const;
@@ -114,8 +114,8 @@ struct Column {
                                  "circle of the radii: through the corners, within the sides, or of equal area",
                                  {"corners", "sides", "area"}},
         K::Number{&Column::phase, "phase", "rad", "angle of the first corners, from x"},
-        K::Table<ColumnBlock>{&Column::base, "base", block, "{ width = , height = } under the drums"},
-        K::Table<ColumnBlock>{&Column::capital, "capital", block, "{ width = , height = } on the drums"},
+        K::OwnTable<ColumnBlock>{&Column::base, "base", block, "{ width = , height = } under the drums"},
+        K::OwnTable<ColumnBlock>{&Column::capital, "capital", block, "{ width = , height = } on the drums"},
         K::Vector{&Column::at, "at", "middle of the foot"});
   }
   /// build_column.

@@ -53,8 +53,8 @@ struct Clump {
         K::List<Sphere, SphereKeys>{&Clump::spheres, "spheres", "spheres: sphere",
                                     "{ { at = {x, y, z}, radius = }, ... }, relative to its own origin", must_be_given},
         K::Vector{&Clump::at, "at", "position of that origin"},
-        K::Table<SolidTurn, TurnKeys>{&Clump::turn, "turn", turn_wanted,
-                                      "rotation about it: { axis = {x, y, z}, angle = }"});
+        K::OwnTable<SolidTurn, TurnKeys>{&Clump::turn, "turn", turn_wanted,
+                                         "rotation about it: { axis = {x, y, z}, angle = }"});
   }
   /// build_clump.
   [[nodiscard]] SolidParts parts() const;

@@ -34,8 +34,8 @@ struct SolidBox {
         K::Vector{&SolidBox::size, "size", "size along its own x, y and z [m]", must_be_given},
         K::Vector{&SolidBox::at, "at", "position of the anchor"},
         K::Choice<BoxAnchor, 2>{&SolidBox::anchor, "anchor", "corner or centre", {"lower_corner", "centre"}},
-        K::Table<SolidTurn, TurnKeys>{&SolidBox::turn, "turn", turn_wanted,
-                                      "rotation about the anchor: { axis = {x, y, z}, angle = }"});
+        K::OwnTable<SolidTurn, TurnKeys>{&SolidBox::turn, "turn", turn_wanted,
+                                         "rotation about the anchor: { axis = {x, y, z}, angle = }"});
   }
   /// build_box.
   [[nodiscard]] SolidParts parts() const;
@@ -73,8 +73,8 @@ struct Extrusion {
         K::Number{&Extrusion::depth, "depth", "m", "depth along that axis", above_zero, must_be_given},
         K::Flag{&Extrusion::centred, "centred", "`from` is the middle of the depth"},
         K::Vector{&Extrusion::at, "at", "origin of the outline"},
-        K::Table<SolidTurn, TurnKeys>{&Extrusion::turn, "turn", turn_wanted,
-                                      "rotation about `at`: { axis = , angle = }"});
+        K::OwnTable<SolidTurn, TurnKeys>{&Extrusion::turn, "turn", turn_wanted,
+                                         "rotation about `at`: { axis = , angle = }"});
   }
   /// build_extrusion.
   [[nodiscard]] SolidParts parts() const;
