@@ -89,7 +89,7 @@ std::string name_hint(std::string_view given, const std::vector<std::string>& kn
   const std::string best = nearest_name(given, known);
   if (!best.empty()) return fmt::format("; did you mean '{}'?", best);
   if (known.empty()) return "; there are none";
-  constexpr std::size_t most_in_a_line = 100, first_ones = 10;
+  constexpr std::size_t most_in_a_line = 150, first_ones = 10;
   if (known.size() <= most_in_a_line) return fmt::format("; known: {}", fmt::join(known, ", "));
   return fmt::format("; known: {}, and {} more", fmt::join(known.begin(), known.begin() + first_ones, ", "),
                      known.size() - first_ones);

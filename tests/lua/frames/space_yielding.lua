@@ -81,7 +81,7 @@ m:close()
 
 refused("it has both a hinge and a section of fibres; keep one", column,
   { hinge = trilith.end_hinge { sagging = 1e5, across = 1e5 } })
-refused("9 stations along a beam, must be 3 to 6", column, { stations = 9 })
+refused("'stations' is 9, must be 3 to 6", column, { stations = 9 })
 refused("'rule' is 'simpson'", column, { rule = "simpson" })
 refused("bars at 0 m across, spread over 0.5 m, stand outside of the section, which is 0.4 m wide", column,
   { section = column_section { bars = { { area = bar, height = 0.05, count = 4, spread = 0.5 } } } })

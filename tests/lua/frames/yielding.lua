@@ -122,7 +122,7 @@ local law = trilith.end_hinge { sagging = 1e5 }
 refused("both a hinge and a section of fibres", beam, { section = section, hinge = law })
 refused("its start is pinned already", beam, { hinge = law, pinned = "from" })
 refused("'rule' is 'simpson'", beam, { section = section, rule = "simpson" })
-refused("9 stations along a beam, must be 3 to 6", beam, { section = section, stations = 9 })
+refused("'stations' is 9, must be 3 to 6", beam, { section = section, stations = 9 })
 refused("must be a hinge law", beam, { hinge = core })
 refused("softens by", beam, { hinge = trilith.end_hinge { sagging = 1e5, capping = 0.01, softening = 1e-9 } })
 m:close()

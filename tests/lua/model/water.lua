@@ -75,12 +75,12 @@ for _, integrator in ipairs { "explicit", "implicit" } do
       or m:block { name = "box", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, -0.35 }, material = "light", floating = true }
     m:water { name = "lake", body = box, level = 0, side = "all" }
     local low, high = math.huge, -math.huge
-    m:run { duration = 1.1, dt = 1e-3, integrator = integrator, until_true = function()
+    m:run { duration = 1.1, dt = integrator == "implicit" and 1e-3 or nil, integrator = integrator, until_true = function()
       local u = dim == 2 and box.uy or box.uz
       low, high = math.min(low, u), math.max(high, u)
       return false
     end }
-    small(low, 1e-9)
+    assert(low > -1e-9 and low < 1e-5)
     near(high, 0.1, 5e-3) -- from 0.05 m too deep to 0.05 m too high
     assert(m.energy.water ~= 0)
     small(m.residual, 1e-9*box.mass*g*0.1 + 2e-5*math.abs(m.energy.water))
@@ -124,7 +124,7 @@ for _, dim in ipairs { 2, 3 } do
   flooded = nil
   m:set_level { name = "lake", level = 10 }
   m:consolidate { integrator = "static" }
-  assert(m:water_state "uplift".crack == 0)
+  small(m:water_state "uplift".crack, 1e-5)
 end
 
 -- Explicit and implicit steps find the crack of statics; level and uplift change smoothly, and the ledger closes.
@@ -145,7 +145,7 @@ for _, dim in ipairs { 2, 3 } do
     or m:block { name = "box", size = { 1, 1, 0.5 }, at = { 0, 0, -0.3 }, material = "light", floating = true }
   m:water { body = box, level = 0, side = "all" }
   m:drag { body = box, velocity = dim == 2 and { 2, 0 } or { 2, 0, 0 }, coefficient = 1.2, area = 0.3 }
-  m:run { duration = 2, dt = 1e-3 }
+  m:run { duration = 2 }
   -- dv/dt = k (2 - v)^2, k = c rho A/(2 m): v = 2 - 2/(1 + 2 k t)
   local k = 1.2*1000*0.3/2/box.mass
   near(box.vx, 2 - 2/(1 + 2*k*2), 2e-3)
@@ -157,7 +157,7 @@ for _, integrator in ipairs { "explicit", "implicit" } do
   local m = model(2, "mass")
   m:block { name = "support", width = 1, height = 1, at = { 4, 0 }, material = "stone", support = "fixed" }
   m:block { name = "wall", width = 2, height = 12, at = { 0, 0 }, mass = 80e3, material = "stone",
-    support = { y = "fixed", rotation = "fixed" }, floating = true, vx = 0.1 }
+    support = { y = "fixed", rotation = "fixed" }, floating = true, velocity = { 0.1, 0 } }
   m:bearing { name = "spring", between = { "support", "wall" }, from = { 4, 0.5 }, to = { 2, 0.5 },
     along = trilith.linear { stiffness = 2e8 } }
   m:added_mass { body = "wall", side = "left", level = 9, bed = 0 }

@@ -184,7 +184,7 @@ given.check {
   { function() m:body "bse" end, "body: there is no body 'bse'; did you mean 'base'?" },
   { function() m.body { name = "a" } end, "argument 1 is a table, must be a model; call methods with ':'" },
   { function() m:pier { name = "P", station = 0, height = 3 } end,
-    "pier 'P': 'stem_width' is missing; give a number in m" },
+    "pier 'P': 'stem_width' is missing; give a number in m, or seat and gap" },
   { function() m:pier { name = "P", station = 0, height = -3, stem_width = 1, material = "stone" } end,
     "pier 'P': height is -3 m, must be finite and above 0" },
   { function() m:arch { voussoirs = 2.5 } end, "arch: 'voussoirs' is 2.5, must be a whole number" },
