@@ -116,7 +116,7 @@ class Simulation {
   /// Bodies that crack at this instant; see edit/crack_search.hpp.
   [[nodiscard]] CrackSearch<D> search_cracks();
   /// Stores when bodies are computed next, after a search.
-  void keep_crack_watch(std::vector<CrackWatch> watch) { cracking_.watch = std::move(watch); }
+  void keep_crack_watch(std::vector<CrackWatch>&& watch) { cracking_.watch = std::move(watch); }
   /// Replaces each of these bodies by its two parts, which `grown` has at its end: see edit/split.hpp.
   void split(Model<D> grown, std::span<const Crack<D>> cracks);
   /// Change of supports and drives during a run. Freed degrees of freedom start at this instant, and the ledger takes

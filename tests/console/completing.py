@@ -88,7 +88,7 @@ def session_tab_where_nothing_fits_adds_nothing(place):
 
 def session_help_of_everything(place):
     s = place.console("-i", "fall.lua")
-    s.query("help", r"Tab completes.*stages +Stages: runs.*leaves\.\s+^> $")
+    s.query("help", r"Tab completes.*stages +Stages: runs.*leaves the console\.\s+^> $")
     s.query('help "m.consolidate"', r"^model:consolidate\{\.\.\.\}\s+Brings the model to rest under dead load.*rest +rest, optional +limits of rest: \{ ratio = 1e-5.*gives: report")
     s.query("help(m.run)", r"^model:run\{\.\.\.\}")
     s.query("help(block)", r"^body 'block'.*body\.rotation +counter-clockwise")
