@@ -75,7 +75,8 @@ for _, integrator in ipairs { "explicit", "implicit" } do
       or m:block { name = "box", size = { 1, 1, 0.5 }, at = { -0.5, -0.5, -0.35 }, material = "light", floating = true }
     m:water { name = "lake", body = box, level = 0, side = "all" }
     local low, high = math.huge, -math.huge
-    m:run { duration = 1.1, dt = integrator == "implicit" and 1e-3 or nil, integrator = integrator, until_true = function()
+    local dt = integrator == "implicit" and 1e-3 or nil
+    m:run { duration = 1.1, dt = dt, integrator = integrator, until_true = function()
       local u = dim == 2 and box.uy or box.uz
       low, high = math.min(low, u), math.max(high, u)
       return false
