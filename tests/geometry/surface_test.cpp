@@ -29,7 +29,7 @@ Polyhedron shattered(const Polyhedron& solid, std::mt19937_64& bits, double nois
 
 }  // namespace
 
-TEST_CASE("a solid divided into triangles is joined again to the same numbers of corners, edges and faces") {
+TEST_CASE("joining a solid divided into triangles restores its numbers of corners, edges and faces") {
   std::mt19937_64 bits(11);
   for (int i = 0; i < 100; ++i) {
     const Polyhedron solid = random_prism(bits, 0.5, 1);

@@ -104,7 +104,7 @@ TEST_CASE("a uniform motion has its speed except at its smooth ends, and ends at
   CHECK_THROWS_AS(even_motion(0.1, 0), InputError);
 }
 
-TEST_CASE("a stopping motion starts with the given position and velocity and comes to rest") {
+TEST_CASE("a stopping motion starts at the given position and velocity and ends at velocity 0") {
   const GroundMotion m = stopping_motion(0.2, -0.03, 0.4);
   CHECK(m.velocity(0) == -0.03);
   CHECK(m.displacement(0) == 0.2);

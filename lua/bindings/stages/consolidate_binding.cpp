@@ -1,4 +1,4 @@
-// m:consolidate: the model comes to rest under its weight, by explicit steps with damping or by statics.
+// m:consolidate: finds static equilibrium under weight, by explicit steps with damping or by statics.
 #include <algorithm>
 
 #include "base/no_solution.hpp"
