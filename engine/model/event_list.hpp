@@ -29,7 +29,8 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .severity = Severity::damage,
      .traits = has_place | of_joint | can_cause,
      .value = {"force", "N", "force of the bond at that time"},
-     .doc = "the bond of a joint opened on a part of its face",
+     .doc = "first damage of a softening bond (`cohesive`), or of one point of a bond that is lost point by point; a "
+            "brittle bond has only `bond.broken`",
      .sentence = "bond of {a} and {b} cracked{mode}"},
     {.type = EventType::bond_broken,
      .name = "bond.broken",

@@ -102,7 +102,10 @@ Event diverged_event(const Instant<D>& now, const StageReport& report) {
 template <int D>
 std::string unsettled_reason(const Instant<D>& now) {
   const std::string what = unsettled_text(now, worst_bodies(now.model, now.work));
-  return what + "; give a longer duration, or check how it moves: it may be unstable";
+  return what +
+         "; give a longer duration. If it vibrates, it lacks damping: give a contact `beta` or a bearing `damping`. If "
+         "it "
+         "moves farther away, it may be unstable";
 }
 
 /// Reason for which no step was found at any length: time, progress, and the body with the largest residual, or the two

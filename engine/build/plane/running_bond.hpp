@@ -55,7 +55,7 @@ struct RunningBond {
         K::Number{&R::unit_height, "unit_height", "m", "height of a unit", above_zero},
         K::Choice<HalfCourses, 2>{
             &R::half_courses, "half_courses", "courses that begin with a half unit", {"odd", "even"}},
-        K::Point{&R::at, "at", "lower left corner"},
+        K::Point{&R::at, "at", "lower left corner of the first course; the base is below it"},
         K::Number{&R::base_height, "base_height", "m", "height of the base", not_below_zero},
         K::Number{&R::base_margin, "base_margin", "m", "length of the base beyond the panel", not_below_zero},
         K::List<PanelField>{&R::openings, "openings", "opening",

@@ -93,7 +93,7 @@ struct Wall {
   static constexpr auto keys() {
     using K = KeysOf<Wall>;
     return std::tuple(
-        K::Point{&Wall::at, "at", "lower left corner"},
+        K::Point{&Wall::at, "at", "lower left corner of the first course; the base is below it"},
         K::Number{&Wall::length, "length", "m", "length of the wall; or units", any_number, {"from units"}},
         K::Count{&Wall::units, "units", "number of units in a course", -any_count, any_count, {"from length"}},
         K::Number{&Wall::unit_length, "unit_length", "m", "length of a stretcher, with half of its joints", above_zero},
