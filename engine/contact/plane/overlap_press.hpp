@@ -75,6 +75,23 @@ struct alignas(32) CornerForces {
   }
 };
 
+/// Four sections with their edges, a lane each. Unused lanes repeat the first section; nothing of them is added.
+struct alignas(32) SectionLanes {
+  const OverlapStretch* s[lane_count];
+  Lanes sign;                 ///< 1 if b is the walker, -1 if a is
+  EdgeColumns walker, owner;  ///< the edge of each section, and the face above it
+  Lanes from, to, d0, d1;     ///< see OverlapStretch
+};
+
+/// Forces on four sections. dampings, row i: damping part of the force on b, its moment, its power; forces, row i:
+/// force along n, pressure, half the length.
+struct alignas(32) SectionForces {
+  LaneMask presses;  ///< sections under pressure
+  CornerForces on_walker, on_owner;
+  FourByFour dampings, forces;
+  Lanes total, arm_x, arm_y, deepest;  ///< force [N], its moment arms times it [N m], largest depth [m]
+};
+
 /// The edge after this one, or the corner at its end.
 TRILITH_INLINE int edge_after(const PlacedPiece& piece, int e) {
   return e + 1 < static_cast<int>(piece.corner.size()) ? e + 1 : 0;
@@ -122,7 +139,11 @@ struct OverlapPress {
 
   /// `count` sections from `list` on, in groups of four.
   TRILITH_INLINE void press(const OverlapStretch* list, int count, OverlapSums& sums) const {
-    for (int i = 0; i < count; i += lane_count) press_four(list + i, std::min(count - i, lane_count), sums);
+    for (int i = 0; i < count; i += lane_count) {
+      const int some = std::min(count - i, lane_count);
+      const SectionLanes on = gather(list + i, some);
+      add(on, evaluate(on, some), some, sums);
+    }
   }
 
  private:
@@ -148,15 +169,20 @@ struct OverlapPress {
       }
     return normal.x() * u + normal.y() * v;
   }
-  TRILITH_INLINE void press_four(const OverlapStretch* list, int count, OverlapSums& sums) const;
+  /// Reads 1 to 4 sections from `list` on.
+  [[nodiscard]] TRILITH_INLINE SectionLanes gather(const OverlapStretch* list, int count) const;
+  /// Pressures on the first `count` sections.
+  [[nodiscard]] TRILITH_INLINE SectionForces evaluate(const SectionLanes& on, int count) const;
+  /// Adds the sections one after another, so that the sums do not depend on their lanes.
+  TRILITH_INLINE void add(const SectionLanes& on, const SectionForces& found, int count, OverlapSums& sums) const;
 };
 
 template <class K>
-TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int count, OverlapSums& sums) const {
+TRILITH_INLINE SectionLanes OverlapPress<K>::gather(const OverlapStretch* list, int count) const {
   const OverlapStretch* s[lane_count];
   const EdgeRow *walkers[lane_count], *owners[lane_count], *past_walkers[lane_count], *past_owners[lane_count];
   Lanes sign{};
-  for (int i = 0; i < lane_count; ++i) {  // unused lanes repeat the last section with weight 0
+  for (int i = 0; i < lane_count; ++i) {
     s[i] = &list[i < count ? i : 0];
     const bool b_walks = s[i]->walker_is_b;
     const PieceSides &walks = b_walks ? sides_b : sides_a, &owns = b_walks ? sides_a : sides_b;
@@ -166,18 +192,29 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   }
   const FourByFour parts(load_lanes(&s[0]->span.from), load_lanes(&s[1]->span.from), load_lanes(&s[2]->span.from),
                          load_lanes(&s[3]->span.from));
-  const Lanes from = parts.v[0], to = parts.v[1], d0 = parts.v[2], d1 = parts.v[3];
-  const EdgeColumns walker{EdgeLanes(walkers), EdgeLanes(past_walkers)},
-      owner{EdgeLanes(owners), EdgeLanes(past_owners)};
-  const Lanes zero{}, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
-  const Lanes x0 = walker.x + from * walker.along_x, y0 = walker.y + from * walker.along_y;
-  const Lanes x1 = walker.x + to * walker.along_x, y1 = walker.y + to * walker.along_y;
+  return {{s[0], s[1], s[2], s[3]},
+          sign,
+          EdgeColumns{EdgeLanes(walkers), EdgeLanes(past_walkers)},
+          EdgeColumns{EdgeLanes(owners), EdgeLanes(past_owners)},
+          parts.v[0],
+          parts.v[1],
+          parts.v[2],
+          parts.v[3]};
+}
+
+template <class K>
+TRILITH_INLINE SectionForces OverlapPress<K>::evaluate(const SectionLanes& on, int count) const {
+  const EdgeColumns& walker = on.walker;
+  const Lanes zero{}, sign = on.sign, nx = walker.nx, ny = walker.ny;  // out of the walker, into the owner
+  const Lanes x0 = walker.x + on.from * walker.along_x, y0 = walker.y + on.from * walker.along_y;
+  const Lanes x1 = walker.x + on.to * walker.along_x, y1 = walker.y + on.to * walker.along_y;
   const Lanes way_x = x1 - x0, way_y = y1 - y0;
-  const Lanes phi0 = larger(d0 + (d1 - d0) * from - crushed, zero), phi1 = larger(d0 + (d1 - d0) * to - crushed, zero);
+  const Lanes slope = on.d1 - on.d0, phi0 = larger(on.d0 + slope * on.from - crushed, zero),
+              phi1 = larger(on.d0 + slope * on.to - crushed, zero);
   // The force on b is along -n where b walks, because n points from b into a, and along +n where a does: hence `sign`.
   const Lanes along = -sign * (normal.x() * nx + normal.y() * ny), facing = larger(along, zero);
   const auto closing = [&](const PlacedPiece& p, const PlacedPiece& q, const Lanes& x, const Lanes& y)
-                           TRILITH_INLINE_LAMBDA { return Lanes(-facing * speed(p, q, s, x, y)); };
+                           TRILITH_INLINE_LAMBDA { return Lanes(-facing * speed(p, q, on.s, x, y)); };
   // c > 0: closing. k is half of kn, and half the length counts, because the other piece's walk adds the other halves.
   const Lanes c0 = closing(a, b, x0, y0), c1 = closing(a, b, x1, y1);
   const Lanes length = root(way_x * way_x + way_y * way_y), force = (0.5 * law.kn) * length;
@@ -200,30 +237,39 @@ TRILITH_INLINE void OverlapPress<K>::press_four(const OverlapStretch* list, int 
   const Lanes on_b_x = along_n * normal.x() - sign * elastic * nx, on_b_y = along_n * normal.y() - sign * elastic * ny,
               moment_on_b = (first_along_n - share * along_n) * way_n;
   const Lanes fx = sign * on_b_x, fy = sign * on_b_y, moment = sign * moment_on_b;
-  const CornerForces on_walker(walker, x, y, fx, fy, moment), on_owner(owner, x, y, -fx, -fy, -moment);
   const auto of = [&](const LaneMask& m, const Lanes& v) TRILITH_INLINE_LAMBDA { return select(m, v, zero); };
-  const FourByFour dampings(of(counts, along_n * normal.x()), of(counts, along_n * normal.y()),
-                            of(counts, damping_moment), of(counts, damped));
-  const FourByFour forces(of(presses, along * total), of(presses, total), of(counts, 0.5 * length), zero);
   const Lanes first_total = force * stress.moment;
-  const Lanes arm_x = total * x0 + first_total * way_x, arm_y = total * y0 + first_total * way_y;
-  const Lanes deepest = larger(phi0, phi1);
+  return {presses,
+          CornerForces(walker, x, y, fx, fy, moment),
+          CornerForces(on.owner, x, y, -fx, -fy, -moment),
+          FourByFour(of(counts, along_n * normal.x()), of(counts, along_n * normal.y()), of(counts, damping_moment),
+                     of(counts, damped)),
+          FourByFour(of(presses, along * total), of(presses, total), of(counts, 0.5 * length), zero),
+          total,
+          total * x0 + first_total * way_x,
+          total * y0 + first_total * way_y,
+          larger(phi0, phi1)};
+}
+
+template <class K>
+TRILITH_INLINE void OverlapPress<K>::add(const SectionLanes& on, const SectionForces& found, int count,
+                                         OverlapSums& sums) const {
   Lanes sum_damping{sums.damping.x(), sums.damping.y(), sums.damping_moment, sums.damped};
   Lanes sum_force{sums.force, sums.pressure, sums.length, 0};
   for (int i = 0; i < count; ++i) {
-    sum_damping += dampings.v[i];
-    sum_force += forces.v[i];
-    sums.deepest = larger(sums.deepest, deepest[i]);
-    if (presses[i] == 0) continue;
-    const OverlapStretch& stretch = *s[i];
+    sum_damping += found.dampings.v[i];
+    sum_force += found.forces.v[i];
+    sums.deepest = larger(sums.deepest, found.deepest[i]);
+    if (found.presses[i] == 0) continue;
+    const OverlapStretch& stretch = *on.s[i];
     const bool b_walks = stretch.walker_is_b;
-    add_row(b_walks ? on_b : on_a, b_walks ? b : a, stretch.edge, on_walker.row.v[i]);
-    add_row(b_walks ? on_a : on_b, b_walks ? a : b, stretch.face, on_owner.row.v[i]);
-    sums.moment_arm += Vec2(arm_x[i], arm_y[i]);
+    add_row(b_walks ? on_b : on_a, b_walks ? b : a, stretch.edge, found.on_walker.row.v[i]);
+    add_row(b_walks ? on_a : on_b, b_walks ? a : b, stretch.face, found.on_owner.row.v[i]);
+    sums.moment_arm += Vec2(found.arm_x[i], found.arm_y[i]);
     // The edges with the largest pressure represent their pieces for friction, which acts at one point.
     const int edge_a = b_walks ? stretch.face : stretch.edge, edge_b = b_walks ? stretch.edge : stretch.face;
-    if (total[i] > sums.most_a) sums.most_a = total[i], sums.edge_a = edge_a;
-    if (total[i] > sums.most_b) sums.most_b = total[i], sums.edge_b = edge_b;
+    if (found.total[i] > sums.most_a) sums.most_a = found.total[i], sums.edge_a = edge_a;
+    if (found.total[i] > sums.most_b) sums.most_b = found.total[i], sums.edge_b = edge_b;
   }
   sums.damping = {sum_damping[0], sum_damping[1]}, sums.damping_moment = sum_damping[2], sums.damped = sum_damping[3];
   sums.force = sum_force[0], sums.pressure = sum_force[1], sums.length = sum_force[2];
