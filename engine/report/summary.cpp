@@ -123,7 +123,7 @@ Moved moved_bodies(const ReportSource& source) {
 std::string why_text(const std::string& why) {
   if (why == "rest") return "at rest";
   if (why == "time") return "at the end of its duration";
-  return why.empty() ? "without a recorded reason" : "(" + why + ")";
+  return why.empty() ? "without a recorded reason" : why;
 }
 
 std::string ending(const ReportSource& source) {
@@ -136,8 +136,8 @@ std::string ending(const ReportSource& source) {
   if (source.stages.empty() || !source.stages.back().ended)
     return fmt::format("The run ended at {}", source.clock(reached));
   const results::StageRow& last = source.stages.back();
-  return fmt::format("The run ended at {}, {} after {} of the stage “{}”", source.clock(last.end), why_text(last.why),
-                     shown_time(last.end - last.begin), last.name);
+  return fmt::format("The run ended at {}, after {} of the stage “{}”: {}", source.clock(last.end),
+                     shown_time(last.end - last.begin), last.name, why_text(last.why));
 }
 
 /// Failures as shares of the total; "nothing failed" without failures and displaced bodies.

@@ -95,7 +95,7 @@ std::string status_text(const Instant<D>& now, const Pace& pace, double zero) {
   out += fmt::format("  kinetic {}  unbalanced {:.1e}", quantity_text(kinetic_energy(now.model, now.state), "J"),
                      now.ratio);
   if (const auto left = pace.left(now.begun + now.stage.duration))
-    out += fmt::format("  {}{} left", now.stage.until_rest ? "at most " : "", duration_text(*left));
+    out += fmt::format("  {}{} left", now.stage.until_rest ? "at most about " : "about ", duration_text(*left));
   return out;
 }
 
@@ -116,27 +116,30 @@ bool EventLines::leaves_out(const Event& event) const {
          (event.type == EventType::impact && event.value < least_impact_);
 }
 
+std::string EventLines::crowd_line(const Crowd& crowd, EventType type) const {
+  return fmt::format("{:10.3f} s  ... and {} more: {}", crowd.last - zero_, crowd.hidden, info_of(type).heading);
+}
+
 bool EventLines::thins_out(const Event& event, std::vector<std::string>& lines) {
   if (show_ == EventShow::all || !comes_in_crowds(event.type)) return false;
   Crowd& crowd = crowd_[static_cast<std::size_t>(event.type)];
   if (event.time >= crowd.since + crowd_window) {
-    if (crowd.hidden > 0)
-      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd.hidden, info_of(event.type).heading));
-    crowd = {event.time, 0, 0};
+    if (crowd.hidden > 0) lines.push_back(crowd_line(crowd, event.type));
+    crowd = {event.time, event.time, 0, 0};
   }
   if (crowd.shown < crowd_size(event.type)) {
     ++crowd.shown;
     return false;
   }
   ++crowd.hidden;
+  crowd.last = event.time;
   return true;
 }
 
 std::vector<std::string> EventLines::rest() {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < crowd_.size(); ++i)
-    if (crowd_[i].hidden > 0)
-      lines.push_back(fmt::format("{:10}    ... and {} more: {}", "", crowd_[i].hidden, event_type_info[i].heading));
+    if (crowd_[i].hidden > 0) lines.push_back(crowd_line(crowd_[i], static_cast<EventType>(i)));
   crowd_ = {};
   return lines;
 }

@@ -73,11 +73,13 @@ class EventLines {
 
  private:
   struct Crowd {
-    double since = 0;
+    double since = 0, last = 0;  ///< times of the first event and of the last hidden one [s]
     int shown = 0, hidden = 0;
   };
   [[nodiscard]] bool leaves_out(const Event& event) const;
   bool thins_out(const Event& event, std::vector<std::string>& lines);
+  /// "     4.860 s  ... and 164 more: bond broken", with the time of the last one.
+  [[nodiscard]] std::string crowd_line(const Crowd& crowd, EventType type) const;
   /// Resets the zero of times when the named stage or event occurs, and reports it.
   void count_from(const Event& event, std::vector<std::string>& lines);
 

@@ -11,18 +11,26 @@
 namespace trilith::script {
 namespace {
 
+/// "sliding friction" of "dissipated by sliding friction, and by faces that separate while sliding".
+std::string_view means_of(std::string_view sentence) {
+  constexpr std::string_view head = "dissipated by ";
+  if (sentence.starts_with(head)) sentence.remove_prefix(head.size());
+  return sentence.substr(0, sentence.find(','));
+}
+
 /// Text: energy that was dissipated, as shares of the supplied energy, the largest first.
 std::string dissipated_text(const EnergyCheck& check) {
   std::vector<std::pair<double, std::string_view>> shares;
   for (int i = 0; i < energy_terms; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
-    if (energy_term_info[k].dissipated && share >= 5e-4) shares.emplace_back(share, energy_term_info[k].name);
+    if (energy_term_info[k].dissipated && share >= 5e-4) shares.emplace_back(share, means_of(energy_term_info[k].sentence));
   }
   std::sort(shares.rbegin(), shares.rend());
   std::string text;
   for (const auto& [share, name] : shares)
-    text += fmt::format("{}{:.1f} % {}", text.empty() ? "; dissipated: " : ", ", 100 * share, name);
+    text += fmt::format("{}{:.1f} %{} by {}", text.empty() ? "; " : ", ", 100 * share,
+                        text.empty() ? " of it was dissipated" : "", name);
   return text;
 }
 
@@ -51,7 +59,7 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
   static_cast<void>(close_restart(true));
   if (modes_alone) return fmt::format("modes are in {}", recording->path().string());
   const EnergyCheck& check = recording->energy_check();
-  return fmt::format("results are in {}; the error of the energy balance is {} of the input, {}{}\n{}",
+  return fmt::format("results are in {}; the error of the energy balance is {} of the input of {}{}\n{}",
                      recording->path().string(), percent_text(check.share()), quantity_text(check.input(), "J"),
                      dissipated_text(check), fmt::join(seal_lines(seal), "\n"));
 }

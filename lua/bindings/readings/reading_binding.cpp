@@ -249,7 +249,7 @@ int history(lua_State* L) {
   lua_pop(L, 1);
   if (function) {
     h.unit = keys.text("unit", "1");
-    h.sentence = keys.text("doc", "of a function of the script");
+    h.sentence = keys.text("doc", "computed by the script");
     for (const char* const key : {"what", "body", "bearing", "seat", "storey"})
       keys.refuse(key, fmt::format("'{}' cannot be given with 'of', whose function gives the number; keep one", key));
   } else {
