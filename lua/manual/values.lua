@@ -31,7 +31,7 @@ frequencies  numbers     their frequencies, in Hz]], gives = "table" },
     .. "Joints that open are softer than under vertical load. Returns { kn, ks, wall_modulus } in Pa/m and Pa.",
     also = "joint stiffness, calibration, modulus of masonry, Young's modulus, kn, ks", keys = [[
 wall_modulus   any           modulus of the wall, in Pa, or rows { {stress, modulus}, ... } in Pa
-unit_modulus   number Pa?    modulus of the units, above that of the wall; rigid units if left out  <above 0>
+unit_modulus   number Pa?    modulus of the units, above the wall's modulus; rigid units if left out  <above 0>
 course_height  number m      height of a course with its joint  <above 0>
 stress         number Pa?    with rows: stress at which the stiffness is wanted  <above 0>
 shear_ratio    number = 0.4  ks over kn  <above 0>]], gives = "table" },

@@ -80,7 +80,7 @@ Vec<D> read_direction(Keys& keys) {
   return (which % 2 == 0 ? 1 : -1) * Vec<D>::Unit(static_cast<Eigen::Index>(which / 2));
 }
 
-/// `top`: what is held of the pushed bodies.
+/// `top`: directions in which the pushed bodies are held.
 template <int D>
 PushTop read_top(Keys& keys, const Vec<D>& direction) {
   constexpr std::array tops{PushTop::free, PushTop::level, PushTop::locked};

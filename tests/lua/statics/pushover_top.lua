@@ -1,8 +1,7 @@
--- The top of a push: free, level or locked. A block between a base and a beam, without tension, rocks. With N on the
--- beam, the width b, the height h and the toe's pressure as a triangle of length c the force is
---   level   N (b - 2c/3 - h a)/h at the rotation a, from toe to toe
---   locked  the same with V for N: the beam keeps its height, so the toes overlap by e = (b a - h a^2/2)/2 +
---           N/(kn b t), c = e/a, and V = kn t e^2/(2 a) grows.
+-- The top of a push: free, level or locked. A block of width b and height h rocks between a base and a beam, without
+-- tension. N acts on the beam. The pressure of a toe is a triangle of length c. At the rotation a the push is
+-- N (b - 2c/3 - h a)/h under a level top. Under a locked top V replaces N. The beam keeps its height, so the toes
+-- overlap by e = (b a - h a^2/2)/2 + N/(kn b t). Then c = e/a, and V = kn t e^2/(2 a) grows.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
