@@ -19,6 +19,8 @@ local p = trilith.params {
   gap = { 4, unit = "inch", "width of the joints" },
   mu = { 0.1, "friction coefficient of the seats" },
   zeta = { 0.15, "damping ratio of contact" },
+  stiffness = { 1, "factor of the contact stiffness" },
+  onset = { 0, unit = "s", "more time at rest before the record" },
   base = { "bonded", choices = { "rocking", "bonded" }, "contact of the footings with the ground" },
   out = { "out/bridge.h5", "results" },
 }
@@ -30,7 +32,7 @@ local m = trilith.model { name = "seven-span bridge", thickness = width, still_s
 local concrete = m:material { name = "concrete", density = 2400 }
 
 -- Contact: 0.02 in of overlap under an 80 ft span; damping zeta for half such a span on its seat.
-local kn = reaction / (seat*width*0.02*inch)
+local kn = p.stiffness*reaction / (seat*width*0.02*inch)
 local beta = 2*p.zeta / math.sqrt(kn*seat*width*g/reaction)
 local function coulomb(mu)
   return trilith.frictional { kn = kn, ks = kn/2, mu = mu, beta = beta }
@@ -108,8 +110,27 @@ m:consolidate { duration = 60*s, rest = { ratio = 1e-5, speed = still } }
 local along = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 along = along:scale { factor = p.sign }
 local up = trilith.motion "elcentro_1940_rest_up.csv":scale_as(along)
+local function late(motion) return p.onset > 0 and motion:delay(p.onset) or motion end
 local function firm(motion) return motion:time_scale(0.8):delay(0.204*s) end
+local begun = m.time + 1.02*s + p.onset -- the records rest for 1.02 s before they begin
+local chain = m:keep { fails = {}, leaves = {} } -- bearing or seat: time
+m:on("bearing.failed", function(e) chain.fails[e.bearing.name] = e.time - begun end)
+m:on("seat.lost", function(e)
+  local name = e.text:match "%((.-)%)" or e.seat.name
+  chain.leaves[name] = chain.leaves[name] or e.time - begun
+end)
 m:shake {
-  motions = { { body = "right ground", x = along, y = up },
-              { body = "left ground", x = firm(along), y = firm(up) } },
+  motions = { { body = "right ground", x = late(along), y = late(up) },
+              { body = "left ground", x = late(firm(along)), y = late(firm(up)) } },
   duration = 150*s, rest = { speed = still, hold = 1*s, from = 55.9*s } }
+
+-- Figures of a study: times of the chain, from the start of the record.
+local figures = {}
+for word, times in pairs(chain) do
+  local count = 0
+  for name, time in pairs(times) do
+    figures[name .. " " .. word], count = { time, unit = "s" }, count + 1
+  end
+  figures["ends that " .. (word == "fails" and "fail" or "leave")] = count
+end
+return figures

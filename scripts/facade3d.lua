@@ -13,6 +13,7 @@ local p = trilith.params {
   cohesion = { 1.5, "shear strength at no pressure, as a share of the tensile strength" },
   mu = { 0.6, "friction coefficient of the joints" },
   kn = { 5e8, unit = "Pa/m", "stiffness of a joint" },
+  damping = { 1, "factor of the damping" }, onset = { 0, unit = "s", "more time at rest before the record" },
   returns = { 2.1, unit = "m", "length of the return walls" },
   safety = { 0.5, "share of the longest stable step" },
   out = { "out/facade3d.h5", "results" } }
@@ -20,12 +21,13 @@ local p = trilith.params {
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }
 local ew = trilith.motion "elcentro_1940_rest_ew.csv":scale_as(ns)
 local up = trilith.motion "elcentro_1940_rest_up.csv":scale_as(ns)
+if p.onset > 0 then ns, ew, up = ns:delay(p.onset), ew:delay(p.onset), up:delay(p.onset) end
 local m = trilith.model { name = "facade", dim = 3 }
 m:material { name = "stone", density = 2200 }
 m:material { name = "concrete", density = 2400 }
 local unit = { length = 0.6, height = 0.3, thickness = 0.3 }
 local mass = 2200*unit.length*unit.height*unit.thickness
-local beta = 2*0.03/math.sqrt(p.kn*unit.length*unit.thickness/mass) -- 3 % of critical for one unit on its bed
+local beta = p.damping*2*0.03/math.sqrt(p.kn*unit.length*unit.thickness/mass) -- 3 % of critical for one unit on its bed
 local joint = { kn = p.kn, ks = 0.4*p.kn, mu = p.mu, beta = beta }
 local law = trilith.frictional(joint)
 if p.mortar > 0 then
@@ -96,4 +98,12 @@ for _, row in ipairs(house:damage_by_storey()) do
   print(("storey %d: %3d of %d joints are open or have slid by half an inch, drift across %4.0f mm"):format(row.storey,
     row.joints_apart, row.joints, 1e3*m.storeys[row.storey].drift_y))
 end
+local figures = {} -- of a study
+for name, time in pairs { ["first bond"] = first["bond lost"] or false, ["half of all"] = half or false,
+  ["first stone"] = first["stone on the ground"] or false } do
+  if time then figures[name] = { time - p.onset, unit = "s" } end
+end
+for wall, count in pairs(apart) do figures["out of place " .. wall] = count/all[wall] end
+for _, row in ipairs(house:damage_by_storey()) do figures["apart " .. row.storey] = row.joints_apart/row.joints end
 print(("%s after %.2f s"):format(report.ending, report.ended - report.begun))
+return figures

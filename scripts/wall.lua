@@ -12,6 +12,7 @@ local p = trilith.params {
   cohesion = { 0.51, "shear strength at no pressure, as a share of the tensile strength" },
   friction = { 35, unit = "deg", "friction angle" }, kn = { 1e5, unit = "psi", "stiffness of a joint, per inch" },
   pga = { 1.0, unit = "g", "peak horizontal acceleration" }, sign = { 1, "sign of the record: 1 or -1" },
+  damping = { 1, "factor of the damping" }, onset = { 0, unit = "s", "more time at rest before the record" },
   jitter = { 0, unit = "m", "largest random shift of the head joints" }, seed = { 1, "seed of the jitter" },
   stand = { 0, unit = "s", "time at rest before the shaking" },
   duration = { 30, unit = "s", "duration of the shaking" }, out = { "out/wall.h5", "results file" } }
@@ -19,7 +20,7 @@ local m = trilith.model { name = "masonry wall", thickness = 8*inch }
 local brick = m:material { name = "brick", unit_weight = 120*pcf, E = 1.5e6*psi, nu = 0.2 }
 local concrete = m:material { name = "concrete", unit_weight = 150*pcf }
 local kn, mass = p.kn/inch, 120*pcf*16*inch*(8*inch)^2/g
-local beta = 2*0.1/math.sqrt(kn*16*8*inch^2/mass) -- 10 % of critical for one unit on its bed joint
+local beta = p.damping*2*0.1/math.sqrt(kn*16*8*inch^2/mass) -- 10 % of critical for one unit on its bed joint
 m:contact { between = { "*", "*" }, name = "mortar", law = trilith.bonded {
   kn = kn, ks = 0.4*kn, mu = trilith.math.tan(p.friction), beta = beta,
   tension = p.tension, cohesion = p.cohesion*p.tension } }
@@ -51,6 +52,7 @@ if p.stand > 0 then
   print(("stood %g s: top drifted by %.1e m, %d bonds broke"):format(p.stand, math.abs(top.ux - before), #times))
 end
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }:scale { factor = p.sign }
+if p.onset > 0 then ns = ns:delay(p.onset) end
 local report = m:shake { body = "wall.base", x = ns, duration = p.duration, safety = 0.8 }
 
 -- Joints are apart that opened or slipped by more than half an inch; units are out of place that moved against the
@@ -63,6 +65,10 @@ for k = #storeys, 1, -1 do
     k, broken[k], bonds[k], storey.joints_apart, storey.joints, storey.units_out_of_place, storey.units))
 end
 local function at(i) return times[i] and ("%.2f s"):format(times[i] - report.begun) or "never" end
+if times[1] then
+  figures["first bond"] = { times[1] - report.begun - p.onset, unit = "s" }
+  figures["half of all"] = { times[(#times + 1)//2] - report.begun - p.onset, unit = "s" }
+end
 print(("first bond broke after %s, half of all by %s"):format(at(1), at((#times + 1)//2)))
 figures.collapsed = m:body "wall.s3.slab".uy < -1*ft
 return figures

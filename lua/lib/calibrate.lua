@@ -1,4 +1,5 @@
--- m:calibrate{...}: fits a stiffness to a measured frequency; trilith.rayleigh{...}: damping by mass and stiffness.
+-- m:calibrate{...}: fits a stiffness to a measured frequency; trilith.rayleigh{...}: damping by mass and stiffness;
+-- trilith.joint_stiffness{...}: stiffness of joints from the modulus of a wall.
 local trilith, core = ...
 local model_methods = core.members "model"
 
@@ -30,6 +31,52 @@ function trilith.rayleigh(options)
       .. "the frequencies at most"):format(r1, f1, r2, f2, a < 0 and "mass" or "stiffness"))
   end
   return { mass_damping = a, beta = b }
+end
+
+--- Modulus at a stress from rows { stress, modulus }: between two rows, and beyond them, a power of the stress.
+local function modulus_at(rows, stress)
+  local owner, list = "joint_stiffness", {}
+  for i, row in ipairs(rows) do
+    if type(row) ~= "table" or #row ~= 2 then
+      core.fail(("%s: row %d of 'wall_modulus' is %s, must be { stress, modulus }"):format(owner, i, what_is(row)))
+    end
+    list[i] = { positive(owner, ("wall_modulus[%d][1]"):format(i), row[1], " Pa"),
+      positive(owner, ("wall_modulus[%d][2]"):format(i), row[2], " Pa") }
+  end
+  table.sort(list, function(a, b) return a[1] < b[1] end)
+  for i = 2, #list do
+    if list[i][1] == list[i - 1][1] then
+      core.fail(("%s: two rows of 'wall_modulus' have the stress %g Pa, must differ"):format(owner, list[i][1]))
+    end
+  end
+  if #list < 2 then core.fail(owner .. ": a table 'wall_modulus' needs at least two rows { stress, modulus }") end
+  local i = 2
+  while i < #list and list[i][1] < stress do i = i + 1 end
+  local a, b = list[i - 1], list[i]
+  local log = trilith.math.log
+  return a[2]*trilith.math.exp(log(b[2]/a[2])*log(stress/a[1])/log(b[1]/a[1]))
+end
+
+--- Stiffness of the joints of a wall of units and joints in series: h/E_wall = h/E_unit + 1/kn, for one course h.
+function trilith.joint_stiffness(options)
+  local owner = "joint_stiffness"
+  check_keys(owner, options, { "wall_modulus", "unit_modulus", "course_height", "stress", "shear_ratio" })
+  local wall = options.wall_modulus
+  if type(wall) == "table" then
+    wall = modulus_at(wall, positive(owner, "stress", options.stress, " Pa"))
+  elseif options.stress ~= nil then
+    core.fail(owner .. ": 'stress' needs rows { stress, modulus } as 'wall_modulus'; one modulus holds at any stress")
+  end
+  wall = positive(owner, "wall_modulus", wall, " Pa")
+  local height = positive(owner, "course_height", options.course_height, " m")
+  local unit = options.unit_modulus == nil and math.huge or positive(owner, "unit_modulus", options.unit_modulus, " Pa")
+  if unit <= wall then
+    core.fail(("%s: 'unit_modulus' is %g Pa, must be above the modulus of the wall, %g Pa, because joints make a wall "
+      .. "softer than its units"):format(owner, unit, wall))
+  end
+  local kn = 1/(height*(1/wall - 1/unit))
+  local ratio = options.shear_ratio == nil and 0.4 or positive(owner, "shear_ratio", options.shear_ratio, "")
+  return { kn = kn, ks = ratio*kn, wall_modulus = wall }
 end
 
 local stiffness_keys = { "kn", "ks" }

@@ -113,6 +113,7 @@ fade      number s = 1  time in which the force decreases to 0  <at least 0>]],
 body          bodies           pushed bodies
 at            place = "centroid"  a point {x, y} of one body, {x, y, z} in space, or the name of a place or joint
 direction     text = "x"       x, -x, y or -y; in space z or -z too
+top           text = "free"    "level": the pushed bodies do not rotate any more; "locked": they keep their height too
 pattern       text = "mass"    distribution of the force over the bodies: mass, uniform or triangle
 control       text = "time"    "time": steady motion; "arc": states of equilibrium by arc length, past limit points
 rate          number m/s?      control "time": speed; if left out, slow enough that inertia stays small  <above 0>

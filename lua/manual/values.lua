@@ -26,6 +26,15 @@ exponent  number  exponent]], gives = "number" },
     .. "Returns { mass_damping, beta }: mass_damping of the model, beta of laws and materials.", keys = [[
 ratios       numbers     two damping ratios
 frequencies  numbers     their frequencies, in Hz]], gives = "table" },
+  { "trilith.joint_stiffness", "Stiffness of joints from the measured modulus of a wall under vertical load, with "
+    .. "units and joints in series: kn = 1/(h (1/E_wall - 1/E_unit)). Several moduli give kn as a power of the stress. "
+    .. "Joints that open are softer than under vertical load. Returns { kn, ks, wall_modulus } in Pa/m and Pa.",
+    also = "joint stiffness, calibration, modulus of masonry, Young's modulus, kn, ks", keys = [[
+wall_modulus   any           modulus of the wall, in Pa, or rows { {stress, modulus}, ... } in Pa
+unit_modulus   number Pa?    modulus of the units, above the wall's modulus; rigid units if left out  <above 0>
+course_height  number m      height of a course with its joint  <above 0>
+stress         number Pa?    with rows: stress at which the stiffness is wanted  <above 0>
+shear_ratio    number = 0.4  ks over kn  <above 0>]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },
@@ -163,6 +172,10 @@ print(trilith.version)]],
     ["trilith.rayleigh"] = [[
 local damping = trilith.rayleigh { ratios = { 0.05, 0.05 }, frequencies = { 1, 10 } }
 print(damping.mass_damping, damping.beta)]],
+    ["trilith.joint_stiffness"] = [[
+local joint = trilith.joint_stiffness { wall_modulus = { { 1.5e5, 5.66e8 }, { 5e5, 7.56e8 } }, stress = 3e5,
+  unit_modulus = 15.5e9, course_height = 0.1 }
+print(joint.kn, joint.ks)]],
     ["trilith.spectrum"] = [[
 local target = trilith.spectrum { code = "eurocode8", type = 1, ground = "C", ag = 2.5 }
 local pulse = trilith.motion { acceleration = { 0, 1, -1, 0 }, dt = 0.1 }

@@ -3,19 +3,17 @@ local trilith = require "trilith"
 local wall = require "shared.wall"
 local setting = ... or {}
 
--- Assumptions of the series; kn is the value of a public model. The wall is cracked at its foot and at mid height.
-local series = { thickness = 0.11, height = 1.5, length = 0.95, courses = 18, density = 1800, kn = 0.5e9,
-  ks_over_kn = 0.4, mu = 0.70, bond = 0.5e6 }
+-- Assumptions of the series: geometry and boundary of the test, joints of a published model. None follows results.
+local series = { thickness = 0.11, height = 1.5, length = 0.95, courses = 17, density = 1800, kn = 0.5e9,
+  ks_over_kn = 0.4, mu = 0.70 }
 
 local assumptions = {
-  { "wall", "0.11 m thick, 0.95 m long, 1.5 m high, 18 rigid courses",
-    "Griffith et al. 2004; one course more than a public model, so that a joint lies at mid height" },
-  { "boundary", "fixed bottom course; the top is held sideways at its middle and free to rise; no load on top",
-    "Griffith et al. 2004" },
+  { "wall", "0.11 m thick, 0.95 m long, 17 rigid courses of 88 mm over 1.5 m, on a fixed bottom course",
+    "Griffith et al. 2004; courses of a public model" },
+  { "boundary", "the top is held sideways at its middle and free to rise; no load on top", "Griffith et al. 2004" },
   { "density", "1800 kg/m3", "Griffith et al. 2004" },
-  { "joints", "cracks without tension at the foot and at mid height; others hold 0.5 MPa; friction 0.70",
-    "the wall was cracked before; friction of the public model. With all joints cracked the hinge moves up to 0.7 " ..
-      "of the height, and the peak is 0.116" },
+  { "joints", "no tension in any joint, friction 0.70", "the wall was cracked before; public model. A model in " ..
+    "which only the foot and mid height are cracked was given up, because it was chosen after first runs" },
   { "kn", "0.50 GPa/m: 43 MPa over a course of 86 mm", "public model, fitted there" },
   { "ks", "0.4 kn", "assumed, not decisive" },
 }
@@ -30,15 +28,12 @@ local function push()
   m:material { name = "brick", density = s.density }
   m:contact { between = { "*", "*" }, law = trilith.frictional { kn = s.kn, ks = s.ks_over_kn*s.kn, mu = s.mu,
     beta = 1e-5 } }
-  for _, part in ipairs { "lower", "upper" } do
-    m:contact { between = { part, part }, name = part, law = trilith.bonded { kn = s.kn, ks = s.ks_over_kn*s.kn,
-      mu = s.mu, tension = s.bond, cohesion = s.bond, beta = 1e-5 } }
-  end
   local step, weight = s.height/s.courses, 0
+  m:block { name = "foot", width = s.thickness, height = step, at = { 0, -step }, material = "brick",
+    support = "fixed" }
   for i = 1, s.courses do
     local course = m:block { name = ("c%d"):format(i), width = s.thickness, height = step, at = { 0, (i - 1)*step },
-      material = "brick", support = i == 1 and "fixed" or nil,
-      groups = i == 1 and "foot" or i <= s.courses/2 and "lower" or "upper" }
+      material = "brick" }
     weight = weight + course.mass*9.80665
   end
   m:block { name = "frame", width = 0.1, height = 0.1, at = { -0.3, s.height }, material = "brick", support = "fixed" }
@@ -46,7 +41,7 @@ local function push()
     to = { s.thickness/2, s.height }, arm = 0.5, along = trilith.linear { stiffness = 1e8 } }
   if setting.file then m:results { file = setting.file, frames = 2 } end
   m:consolidate { rest = { ratio = 1e-4 } }
-  local middle = ("c%d"):format(s.courses//2)
+  local middle = ("c%d"):format((s.courses + 1)//2)
   local p = m:pushover { body = middle, at = { s.thickness/2, s.height/2 }, displacement = 0.55*s.thickness,
     rate = setting.coarse and 2e-3 or 1e-3, samples = 500 }
   local curve = { displacement = {}, force = {} }
@@ -73,6 +68,8 @@ return {
   cases = { {
     name = "bending_12", title = "specimen 12",
     checks = checks,
+    known = "joints of this stiffness press along a wide toe, and the hinge moves above mid height. With kn of 1, 2 " ..
+      "and 10 GPa/m the peak of such walls is 0.127, 0.134 and 0.145; with cracks at foot and mid height alone 0.122",
     run = function()
       result = push()
       local found = { ["peak, F/W"] = result.peak, ["d/t at the peak"] = result.at }

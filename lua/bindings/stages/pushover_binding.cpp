@@ -132,6 +132,7 @@ int push_in_space(lua_State* L, SpaceModel& m) {
   keys.finish();
   require_stopped(m);
   if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
+  hold_top(m, o);
   return o.by_arc ? push_by_arc<3>(L, m, o) : push_by_time(L, m, o, until);
 }
 
@@ -145,6 +146,7 @@ int pushover(lua_State* L) {
   keys.finish();
   require_stopped(m);
   if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
+  hold_top(m, o);
   return o.by_arc ? push_by_arc<2>(L, m, o) : push_by_time(L, m, o, until);
 }
 

@@ -80,6 +80,18 @@ Vec<D> read_direction(Keys& keys) {
   return (which % 2 == 0 ? 1 : -1) * Vec<D>::Unit(static_cast<Eigen::Index>(which / 2));
 }
 
+/// `top`: directions in which the pushed bodies are held.
+template <int D>
+PushTop read_top(Keys& keys, const Vec<D>& direction) {
+  constexpr std::array tops{PushTop::free, PushTop::level, PushTop::locked};
+  const PushTop top = tops[keys.choice("top", {"free", "level", "locked"}, 0)];
+  if (top == PushTop::locked && direction[D - 1] != 0)
+    keys.problem(
+        "'top' is \"locked\", which holds the height of the pushed bodies, but the push is vertical; push along x, or "
+        "give top = \"level\"");
+  return top;
+}
+
 }  // namespace
 
 template <int D>
@@ -89,6 +101,7 @@ PushOrder<D> read_order(Keys& keys, const ScriptModel& m) {
   o.stage.name = keys.text("name", "pushover");
   read_pushed(keys, m, o);
   o.direction = read_direction<D>(keys);
+  o.top = read_top<D>(keys, o.direction);
   o.pattern = patterns[keys.choice("pattern", {"mass", "uniform", "triangle"}, 0)];
   read_control(keys, o);
   read_limits(keys, o);

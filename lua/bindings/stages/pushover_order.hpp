@@ -12,6 +12,9 @@
 
 namespace trilith::script {
 
+/// Directions in which the pushed bodies are held from the push on.
+enum class PushTop { free, level, locked };
+
 template <int D>
 struct PushOrder {
   std::vector<int> bodies;
@@ -19,7 +22,8 @@ struct PushOrder {
   std::string place;
   Vec<D> direction = Vec<D>::UnitX();
   PushPattern pattern = PushPattern::mass;
-  double rate = 0;  ///< [m/s]; 0: chosen automatically so that inertia remains small
+  PushTop top = PushTop::free;  ///< level: without rotation; locked: without rotation and at their height
+  double rate = 0;              ///< [m/s]; 0: chosen automatically so that inertia remains small
   double displacement = 0;
   int storey = 0, samples = 200;
   PushLimits limits;

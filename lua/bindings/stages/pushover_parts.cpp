@@ -4,7 +4,9 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/stages/pushover_parts.hpp"
+#include "model/builder/builder.hpp"
 #include "model/pushes.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 
 namespace trilith::script {
 namespace {
@@ -35,6 +37,23 @@ Push<D> order_push(const Model<D>& model, const PushOrder<D>& o) {
   push.name = o.stage.name, push.direction = o.direction;
   push.rows = push_rows(model, o.bodies, o.at, o.pattern, o.direction);
   return push;
+}
+
+template <int D>
+void hold_top(SimulatedModel<D>& m, const PushOrder<D>& o) {
+  if (o.top == PushTop::free) return;
+  const Model<D>& now = m.simulation().model();
+  for (const int body : o.bodies)
+    if (!now.bodies[static_cast<std::size_t>(body)].nodes_turn())
+      throw InputError(fmt::format(
+          "pushover: 'top' holds the rotation of body '{}', which is made of elements, whose nodes have no rotation; "
+          "push a rigid beam on top of it",
+          now.bodies[static_cast<std::size_t>(body)].name));
+  m.change_supports([bodies = o.bodies, top = o.top](Model<D>& model) {
+    const int first = top == PushTop::locked ? D - 1 : D;  // the vertical direction comes before the rotations
+    for (const int body : bodies)
+      for (int k = first; k < Space<D>::dofs; ++k) set_support(model, body, k, Support::fixed);
+  });
 }
 
 template <int D>
@@ -90,6 +109,8 @@ void add_statics(lua_State* L, double carried, bool is_static) {
   lua_setfield(L, -2, "quasi_static");
 }
 
+template void hold_top(SimulatedModel<2>&, const PushOrder<2>&);
+template void hold_top(SimulatedModel<3>&, const PushOrder<3>&);
 template Push<2> order_push(const Model<2>&, const PushOrder<2>&);
 template Push<3> order_push(const Model<3>&, const PushOrder<3>&);
 template std::function<double(const Model<2>&, const State<2>&)> storey_reading(SimulatedModel<2>&,

@@ -13,6 +13,10 @@ namespace trilith::script {
 template <int D>
 Push<D> order_push(const Model<D>& model, const PushOrder<D>& order);
 
+/// Holds the pushed bodies as their `top` says, from now on. Throws InputError for bodies whose nodes do not rotate.
+template <int D>
+void hold_top(SimulatedModel<D>& m, const PushOrder<D>& order);
+
 /// Drift of a storey or of the top one: along x in the plane, in space along the horizontal part of the push. None
 /// without storeys, or for a vertical push.
 template <int D>

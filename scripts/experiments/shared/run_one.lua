@@ -2,10 +2,12 @@
 --   trilith run --trust shared/run_one.lua file=dry_granite_walls case=granite_ws100 out=/tmp/ws100.h5
 local trilith = require "trilith"
 local p = trilith.params { file = { "dry_granite_walls", "name of the script, without .lua" },
-  case = { "", "name of the case; empty: all" }, out = { "", "results file" }, coarse = { false } }
+  case = { "", "name of the case; empty: all" }, out = { "", "results file" }, coarse = { false },
+  over = { "", "keys of the series that are replaced, as a Lua table" } }
 
 package.path = "./?.lua;" .. package.path
-local declared = assert(loadfile(p.file .. ".lua"))({ coarse = p.coarse, file = p.out ~= "" and p.out or nil })
+local declared = assert(loadfile(p.file .. ".lua"))({ coarse = p.coarse,
+  over = load("return {" .. p.over .. "}")(), file = p.out ~= "" and p.out or nil })
 
 local function text(value)
   if type(value) ~= "number" then return tostring(value) end

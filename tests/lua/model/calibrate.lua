@@ -24,6 +24,31 @@ refused("need a stiffness part below 0", trilith.rayleigh, { ratios = { 0.05, 0.
 refused("'ratios' is missing", trilith.rayleigh, { frequencies = { 3, 30 } })
 refused("unknown key 'frequency'", trilith.rayleigh, { ratios = { 0.02, 0.05 }, frequency = { 3, 30 } })
 
+-- Stiffness of joints from a wall: units and joints in series; a power of the stress between two moduli.
+local joint = trilith.joint_stiffness { wall_modulus = 566e6, unit_modulus = 15.5e9, course_height = 0.1 }
+near(0.1/566e6, 0.1/15.5e9 + 1/joint.kn, 1e-12)
+near(joint.ks, 0.4*joint.kn, 1e-12)
+near(trilith.joint_stiffness { wall_modulus = 1e9, course_height = 0.2 }.kn, 5e9, 1e-12)
+local rows = { { 5e5, 8e8 }, { 2e5, 4e8 } }
+local function modulus(stress)
+  return trilith.joint_stiffness { wall_modulus = rows, stress = stress, course_height = 0.1, shear_ratio = 1 }
+    .wall_modulus
+end
+near(modulus(2e5), 4e8, 1e-12)
+near(modulus(5e5), 8e8, 1e-12)
+near(modulus(math.sqrt(2e5*5e5)), math.sqrt(4e8*8e8), 1e-12)
+near(modulus(12.5e5), 16e8, 1e-12) -- beyond the rows the same power
+refused("'unit_modulus' is 1e+09 Pa, must be above the modulus of the wall, 2e+09 Pa", trilith.joint_stiffness,
+  { wall_modulus = 2e9, unit_modulus = 1e9, course_height = 0.1 })
+refused("'course_height' is missing", trilith.joint_stiffness, { wall_modulus = 2e9 })
+refused("'stress' needs rows", trilith.joint_stiffness, { wall_modulus = 2e9, course_height = 0.1, stress = 1e5 })
+refused("needs at least two rows", trilith.joint_stiffness,
+  { wall_modulus = { { 1e5, 1e9 } }, course_height = 0.1, stress = 1e5 })
+refused("two rows of 'wall_modulus' have the stress 100000 Pa", trilith.joint_stiffness,
+  { wall_modulus = { { 1e5, 1e9 }, { 1e5, 2e9 } }, course_height = 0.1, stress = 1e5 })
+refused("row 2 of 'wall_modulus'", trilith.joint_stiffness,
+  { wall_modulus = { { 1e5, 1e9 }, 2e9 }, course_height = 0.1, stress = 1e5 })
+
 local function mast(material, model)
   local options = { name = "mast", thickness = 1, gravity = 0 }
   for k, v in pairs(model or {}) do options[k] = v end

@@ -1,0 +1,53 @@
+-- Brick walls with an opening and a locked top: Raijmakers and Vermeltfoort (1992), walls J2G and J3G.
+local wall = require "shared.wall"
+local mortar = require "shared.mortar_wall"
+local setting = ... or {}
+
+-- Assumptions of the series, fixed before the first run.
+local series = { courses = 16, unit_width = 0.22, unit_height = 0.0625, thickness = 0.1, beam_height = 0.2,
+  length = 0.99, vertical = 29.7e3, density = 1900, mu = 0.75, cohesion = 0.35e6, tension = 0.25e6,
+  energy_tension = 18, energy_shear = 125, compression = 10.5e6, crushing_depth = 0.010, unit_tension = 2e6,
+  unit_energy = 80, kn = 1.1e11, ks = 5e10, mass_factor = 100, beta = 1e-5, top = "locked", displacement = 0.02,
+  openings = { { from = 0.33, to = 0.66, first_course = 6, last_course = 11 } },
+  rate = setting.coarse and 6e-3 or 2e-3, file = setting.file, frames = 1 }
+
+local peaks = { 43, 50 }
+local result
+
+return {
+  title = "Brick walls with an opening and a locked top",
+  source = "Raijmakers and Vermeltfoort (1992); Lourenco (1996), doctoral thesis, Delft University of Technology",
+  text = "The walls J2G and J3G are equal. After 0.30 MPa the top is locked: it keeps its level and its height, so " ..
+    "that the vertical load grows while the wall is pushed.",
+  assumptions = {
+    { "wall", "990 mm x 1000 mm x 100 mm; 16 free courses of bricks of 210 mm x 52 mm with joints of 10 mm, as " ..
+      "blocks of 220 mm x 62.5 mm", "Raijmakers and Vermeltfoort 1992; the outer two of 18 courses are clamped" },
+    { "opening", "0.33 m wide and 6 courses high, in the middle", "literature, not checked in the source" },
+    { "top", "0.30 MPa, then locked", "Lourenco 1996" },
+    { "density", "1900 kg/m3", "assumed, not decisive" },
+    { "kn, ks", "110 GPa/m, 50 GPa/m", "Lourenco 1996" },
+    { "joints", "tension 0.25 MPa and 18 J/m2; cohesion 0.35 MPa and 125 J/m2; friction 0.75; no dilatancy",
+      "Lourenco 1996" },
+    { "compression", "10.5 MPa", "Lourenco 1996; there it softens with 5 N/mm" },
+    { "bricks", "tension 2.0 MPa, 80 J/m2", "Lourenco 1996" },
+    mortar.assumptions[1], mortar.assumptions[2], mortar.assumptions[3],
+  },
+  cases = { {
+    name = "opening_j2g", title = "walls J2G and J3G",
+    checks = {
+      { "peak", unit = "kN", measured = peaks, between = { 0.85*43, 1.15*50 } },
+      { "mechanism", measured = "diagonal cracks of the piers", one_of = { "diagonal through units",
+        "stepped rocking" } },
+    },
+    known = "the vertical load of the locked top decides, and joints crush without softening. With half the " ..
+      "compressive strength the peak is 34 kN, with bricks that cannot crack 70 kN, with a level top and constant N " ..
+      "22 kN",
+    run = function()
+      result = mortar.push(series, {}, setting.over)
+      return { peak = result.peak/1e3, mechanism = result.mechanism, notes = mortar.notes(result) }
+    end,
+    plot = function()
+      return wall.plot(result, { { 0, 46.5 }, { 20, 46.5 } }, "Walls J2G and J3G", "measured peak")
+    end,
+  } },
+}
