@@ -231,6 +231,9 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   const bool plane = reader.header().dim == 2;
   if (choice.magnify != 1 && !choice.diagram.empty())
     throw InputError("diagrams of section forces cannot be drawn with magnified displacements; leave one out");
+  const bool of_contacts = choice.colour == "pressure" || (!plane && !choice.stress.empty());
+  if (choice.magnify != 1 && of_contacts)
+    throw InputError("colours by contact forces cannot be drawn with magnified displacements; leave one of both out");
   if (choice.envelope && choice.diagram.empty())
     throw InputError("an envelope needs a section force, such as --diagram moment");
   if (plane && choice.cut)
@@ -257,8 +260,9 @@ struct Moment {
 
 Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
   require_time(reader, time, choice.origin);
-  const bool whole =
-      choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty() || !choice.diagram.empty();
+  const bool by_contacts = choice.colour == "pressure" || choice.colour == "damage";
+  const bool whole = choice.forces || choice.cracks || by_contacts || !choice.stress.empty() ||
+                     !choice.thrust.empty() || !choice.diagram.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
   std::vector<bool> left = left_bodies(reader, frame.time), crack_free = left;
