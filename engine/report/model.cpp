@@ -102,6 +102,7 @@ void write_laws(const results::Header& header, HtmlText& html) {
   std::vector<LawUse> uses;
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> known;
   for (const results::LawRow& law : header.laws) {
+    if (law.role == "section") continue;  // with the members
     const auto [at, fresh] = known.try_emplace({law.role, law.name, law.text}, uses.size());
     if (fresh) uses.push_back({law.name, law.role, law.text, {}});
     if (!law.first.empty() || !law.second.empty())

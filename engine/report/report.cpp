@@ -23,6 +23,7 @@ std::string report_page(const results::ResultsReader& reader, const std::vector<
   write_pictures(source, html);
   write_events(source, html);
   write_damage(source, html);
+  write_members(source, html);
   write_histories(source, html);
   write_energy(source, html);
   write_seal(source, progress, html);

@@ -54,6 +54,10 @@ void write_histories(const ReportSource& source, HtmlText& html);
 void write_energy(const ReportSource& source, HtmlText& html);
 /// Writes nothing if the file has no joints.
 void write_damage(const ReportSource& source, HtmlText& html);
+/// Table and envelopes of the members of frames; nothing if there are none.
+void write_members(const ReportSource& source, HtmlText& html);
+/// Parts of the verdict: members that yielded, ductility demand, drift; empty without members.
+std::vector<std::string> member_verdict(const ReportSource& source);
 void write_seal(const ReportSource& source, const ReportProgress& progress, HtmlText& html);
 void write_reproduction(const ReportSource& source, HtmlText& html);
 

@@ -159,7 +159,11 @@ std::string losses(const ReportSource& source) {
   if (bodies.moved > 0)
     parts.push_back(fmt::format("{} of {} free bodies moved by more than half their depth relative to the ground",
                                 bodies.moved, bodies.free));
-  if (parts.empty() && results::results_verdict(source.reader, source.events).sound())
+  const bool unbroken = parts.empty();
+  const std::vector<std::string> members = member_verdict(source);
+  const bool yielded = !members.empty() && members.front().find(" members yielded (") != std::string::npos;
+  parts.insert(parts.end(), members.begin(), members.end());
+  if (unbroken && !yielded && results::results_verdict(source.reader, source.events).sound())
     parts.emplace_back("nothing failed");
   if (bodies.moved == 0 && bodies.free > 0)
     parts.emplace_back("no body moved by more than half its depth relative to the ground");

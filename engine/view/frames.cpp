@@ -9,7 +9,8 @@ namespace trilith::view {
 namespace {
 
 struct Quanta {
-  double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1;
+  double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1,
+         member_force = 1;
 };
 
 /// A row of positions of `dim` numbers; z is 0 in the plane.
@@ -87,6 +88,7 @@ class Gatherer {
     place_ = {"contact_place", dim, quanta.length, {}};
     push_ = {"contact_force", dim, quanta.force, {}};
     pair_ = {"contact_pair", 3, 1, {}};
+    take_fields(header, quanta);
   }
 
   void add(const results::Frame& frame, bool with_contacts) {
@@ -96,6 +98,7 @@ class Gatherer {
     append(rotation_, frame.rotation);
     append(stress_, frame.stress);
     append(plastic_, frame.plastic);
+    for (const auto& [block, field] : members_) append(fields_[block], frame.fields[field]);
     for (const results::BearingState s : frame.bearing_state) state_.values.push_back(static_cast<std::int32_t>(s));
     append(force_, frame.bearing_force);
     append(displacement_, frame.bearing_displacement);
@@ -110,10 +113,24 @@ class Gatherer {
     for (ViewBlock* block : {&time_, &stage_, &position_, &rotation_, &stress_, &plastic_, &state_, &force_,
                              &displacement_, &contact_frame_, &contact_first_, &place_, &push_, &pair_})
       if (block->columns > 0) out.push_back(std::move(*block));
+    for (ViewBlock& block : fields_) out.push_back(std::move(block));
     return out;
   }
 
  private:
+  /// Forces and states of the members of frames.
+  void take_fields(const results::Header& header, const Quanta& quanta) {
+    for (std::size_t i = 0; i < header.fields.size(); ++i) {
+      const results::Field& field = header.fields[i];
+      if (field.name != "member_force" && field.name != "member_state") continue;
+      members_.emplace_back(fields_.size(), i);
+      fields_.push_back({field.name,
+                         field.rows * static_cast<std::size_t>(field.width),
+                         field.name == "member_force" ? quanta.member_force : 1,
+                         {}});
+    }
+  }
+
   static void append(ViewBlock& block, const std::vector<double>& values) {
     for (const double v : values) block.values.push_back(quantised(v, block.quantum));
   }
@@ -126,6 +143,8 @@ class Gatherer {
 
   ViewBlock time_, stage_, position_, rotation_, stress_, plastic_, state_, force_, displacement_, contact_frame_,
       contact_first_, place_, push_, pair_;
+  std::vector<ViewBlock> fields_;
+  std::vector<std::pair<std::size_t, std::size_t>> members_;  // block in fields_, and field of the frames
 };
 
 void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
@@ -134,7 +153,10 @@ void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
 
 /// Quanta of forces and bearings from about 50 frames; returns the mean number of contact forces per frame.
 double survey(const results::ResultsReader& reader, Quanta& quanta) {
-  std::vector<double> forces, bearing_forces, displacements, stresses, plastic;
+  std::vector<double> forces, bearing_forces, displacements, stresses, plastic, member_forces;
+  const auto field = std::find_if(reader.header().fields.begin(), reader.header().fields.end(),
+                                  [](const results::Field& f) { return f.name == "member_force"; });
+  const auto of_members = static_cast<std::size_t>(field - reader.header().fields.begin());
   std::size_t contacts = 0, looked = 0;
   const std::size_t count = reader.frame_count(), step = std::max<std::size_t>(1, count / 50);
   for (std::size_t i = 0; i < count; i += step, ++looked) {
@@ -146,11 +168,13 @@ double survey(const results::ResultsReader& reader, Quanta& quanta) {
     note_sizes(frame.bearing_displacement, displacements);
     note_sizes(frame.stress, stresses);
     note_sizes(frame.plastic, plastic);
+    if (of_members < frame.fields.size()) note_sizes(frame.fields[of_members], member_forces);
   }
   quanta.force = usual_quantum(std::move(forces), 0.9, 1000);
   quanta.bearing_force = usual_quantum(std::move(bearing_forces), 0.9, 5000);
   quanta.bearing_displacement = usual_quantum(std::move(displacements), 0.9, 5000);
   quanta.stress = usual_quantum(std::move(stresses), 0.9, 500);
+  quanta.member_force = usual_quantum(std::move(member_forces), 0.9, 5000);
   quanta.plastic = usual_quantum(std::move(plastic), 0.9, 500);
   return looked > 0 ? static_cast<double>(contacts) / static_cast<double>(looked) : 0;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "draw/members/results_members.hpp"
 #include "draw/palette.hpp"
 #include "draw/scene/solid_joints.hpp"
 #include "model/event_list.hpp"
@@ -123,6 +124,27 @@ void write_elements(const results::Header& header, JsonText& json) {
   for (std::size_t i = 0; i < header.element_count(); ++i) {
     json.number(header.element_body[i]);
     for (std::size_t k = 0; k < 4; ++k) json.number(header.element_node[4 * i + k]);
+  }
+  json.end();
+}
+
+/// Members of frames, with the depth of those in the plane; and for each beam its nodes, arms and the top of its
+/// section.
+void write_members(const results::Header& header, JsonText& json) {
+  const std::vector<draw::MemberDepth> depths = draw::member_depths(header);
+  json.key("members").begin_list();
+  for (std::size_t m = 0; m < header.members.size(); ++m) {
+    const results::MemberRow& row = header.members[m];
+    json.begin_object().text("name", row.name).text("from", row.from).text("to", row.to).text("yields", row.yields);
+    json.number("body", row.body).number("first", row.first_beam).number("count", row.beam_count);
+    json.number("above", rounded(depths[m].above, 1e6)).number("below", rounded(depths[m].below, 1e6));
+    json.key("hinges").begin_list().flag(row.yield_rotation[0] > 0).flag(row.yield_rotation[1] > 0).end().end();
+  }
+  json.end().key("beams").begin_list();
+  for (const results::BeamRow& beam : header.beams) {
+    json.number(beam.node_a).number(beam.node_b);
+    for (const double* const point : {beam.arm_a, beam.arm_b, beam.up})
+      for (int k = 0; k < header.dim; ++k) json.number(rounded(point[k], 1e6));
   }
   json.end();
 }
@@ -284,6 +306,7 @@ void write_view_model(const results::ResultsReader& reader, const ViewFrames& fr
   write_bodies(header, frames, json);
   write_elements(header, json);
   write_bearings(header, json);
+  write_members(header, json);
   write_stages(reader, json);
   write_events(events, header.dim, json);
   write_joints(header, events, json);

@@ -68,27 +68,33 @@ local function number_of(path, code, value)
   return number
 end
 
---- Entities of the section ENTITIES as { type, layer, groups = { {code, value}, ... } }, and the unit of the header.
+--- Entities of the drawing as { type, layer, groups = { {code, value}, ... } }, the unit of the header, and the blocks
+--- by name, each { entities = , base = }.
 local function read_entities(path)
   local codes, values = read_groups(path)
-  local entities, section, entity, unit
-  entities = {}
+  local entities, blocks, section, entity, block, unit = {}, {}, nil, nil, nil, nil
   for i, code in ipairs(codes) do
     local value = values[i]
     if code == 0 and value == "SECTION" then
       section = codes[i + 1] == 2 and values[i + 1] or nil
     elseif code == 0 and value == "ENDSEC" then
-      section, entity = nil, nil
+      section, entity, block = nil, nil, nil
     elseif section == "HEADER" and code == 9 and value == "$INSUNITS" and codes[i + 1] == 70 then
       unit = units[tonumber(values[i + 1])]
-    elseif section == "ENTITIES" and code == 0 then
+    elseif section == "BLOCKS" and code == 0 and value == "BLOCK" then
+      block = { entities = {}, layer = "0", groups = {} }
+      entity = block
+    elseif section == "BLOCKS" and code == 0 and value == "ENDBLK" then
+      block, entity = nil, nil
+    elseif (section == "ENTITIES" or block) and code == 0 then
       entity = { type = value, layer = "0", groups = {} }
-      entities[#entities + 1] = entity
-    elseif section == "ENTITIES" and entity then
+      table.insert(block and block.entities or entities, entity)
+    elseif entity then
       if code == 8 then entity.layer = value else entity.groups[#entity.groups + 1] = { code, value } end
+      if entity == block and code == 2 then blocks[value] = block end
     end
   end
-  return entities, unit
+  return entities, unit, blocks
 end
 
 --- Value of the first group `code` of an entity.
@@ -155,27 +161,111 @@ local function corners_of_polyline(path, entities, first)
   return corners
 end
 
---- Chains of points { layer, closed, points } of the drawing, and numbers of skipped entities by type.
-local function read_chains(path, entities, steps)
-  local chains, skipped = {}, {}
-  for i, entity in ipairs(entities) do
-    local corners
-    local closed = math.tointeger(group_of(path, entity, 70, 0)//1) & 1 == 1
-    if entity.type == "LINE" then
-      corners = { { group_of(path, entity, 10, 0), group_of(path, entity, 20, 0), bulge = 0 },
-        { group_of(path, entity, 11, 0), group_of(path, entity, 21, 0), bulge = 0 } }
-      closed = false
-    elseif entity.type == "LWPOLYLINE" then
-      corners = corners_of_lwpolyline(path, entity)
-    elseif entity.type == "POLYLINE" then
-      corners = corners_of_polyline(path, entities, i)
-    elseif not silent_types[entity.type] then
-      skipped[entity.type] = (skipped[entity.type] or 0) + 1
-    end
-    if corners and #corners > 1 then
-      chains[#chains + 1] = { layer = entity.layer, closed = closed, points = flattened(corners, closed, steps) }
+--- The points of an ARC, anticlockwise between its angles, or of a whole CIRCLE.
+local function points_of_arc(path, entity, steps)
+  local x, y, radius = group_of(path, entity, 10, 0), group_of(path, entity, 20, 0), group_of(path, entity, 40, 0)
+  local from, to = group_of(path, entity, 50, 0), group_of(path, entity, 51, 360)
+  local angle = entity.type == "CIRCLE" and 360 or (to - from)%360
+  if angle == 0 then angle = 360 end
+  local count, points = math.max(1, math.ceil(angle/90*steps - 1e-9)), {}
+  for k = 0, entity.type == "CIRCLE" and count - 1 or count do
+    local at = math.rad((entity.type == "CIRCLE" and 0 or from) + angle*k/count)
+    points[#points + 1] = { x + radius*trilith.math.cos(at), y + radius*trilith.math.sin(at) }
+  end
+  return points
+end
+
+--- Points and closedness of an entity with a geometry of its own, or nil.
+local function geometry_of(path, entities, i, steps)
+  local entity = entities[i]
+  local closed = math.tointeger(group_of(path, entity, 70, 0)//1) & 1 == 1
+  local corners
+  if entity.type == "LINE" then
+    return { { group_of(path, entity, 10, 0), group_of(path, entity, 20, 0) },
+      { group_of(path, entity, 11, 0), group_of(path, entity, 21, 0) } }, false
+  elseif entity.type == "ARC" or entity.type == "CIRCLE" then
+    if group_of(path, entity, 40, 0) <= 0 then return {}, false end
+    return points_of_arc(path, entity, steps), entity.type == "CIRCLE"
+  elseif entity.type == "LWPOLYLINE" then
+    corners = corners_of_lwpolyline(path, entity)
+  elseif entity.type == "POLYLINE" then
+    corners = corners_of_polyline(path, entities, i)
+  end
+  if not corners then return nil end
+  if #corners < 2 then return {}, false end
+  return flattened(corners, closed, steps), closed
+end
+
+-- A placement maps { x, y } to { a x + b y + e, c x + d y + f }; entities with a normal along -z are mirrored in x.
+local in_place = { a = 1, b = 0, c = 0, d = 1, e = 0, f = 0 }
+
+local function moved(p, at) return { at.a*p[1] + at.b*p[2] + at.e, at.c*p[1] + at.d*p[2] + at.f } end
+
+--- `inner`, then `outer`.
+local function after(outer, inner)
+  local e = moved({ inner.e, inner.f }, outer)
+  return { a = outer.a*inner.a + outer.b*inner.c, b = outer.a*inner.b + outer.b*inner.d,
+    c = outer.c*inner.a + outer.d*inner.c, d = outer.c*inner.b + outer.d*inner.d, e = e[1], f = e[2] }
+end
+
+local function facing(path, entity)
+  if group_of(path, entity, 230, 1) >= 0 then return in_place end
+  return { a = -1, b = 0, c = 0, d = 1, e = 0, f = 0 }
+end
+
+--- Placements of the block of an INSERT: one, or one for each row and column.
+local function placements_of(path, entity, block)
+  local sx, sy = group_of(path, entity, 41, 1), group_of(path, entity, 42, 1)
+  local turn = math.rad(group_of(path, entity, 50, 0))
+  local c, s = trilith.math.cos(turn), trilith.math.sin(turn)
+  local x, y = group_of(path, entity, 10, 0), group_of(path, entity, 20, 0)
+  local bx, by = group_of(path, block, 10, 0), group_of(path, block, 20, 0)
+  local columns, rows = group_of(path, entity, 70, 1), group_of(path, entity, 71, 1)
+  if columns*rows > 1e5 then
+    core.fail(("%s: '%s' inserts a block %g times, at most 100,000"):format(owner, path, columns*rows))
+  end
+  local wide, tall, out = group_of(path, entity, 44, 0), group_of(path, entity, 45, 0), {}
+  for row = 0, math.max(1, rows) - 1 do
+    for column = 0, math.max(1, columns) - 1 do
+      local dx, dy = column*wide, row*tall
+      local own = { a = c*sx, b = -s*sy, c = s*sx, d = c*sy, e = x + c*dx - s*dy, f = y + s*dx + c*dy }
+      out[#out + 1] = after(facing(path, entity), after(own, { a = 1, b = 0, c = 0, d = 1, e = -bx, f = -by }))
     end
   end
+  return out
+end
+
+--- Chains of points { layer, closed, points } of the drawing, and numbers of skipped entities by type. Entities of a
+--- block on layer 0 are on the layer of its INSERT.
+local function read_chains(path, drawing, blocks, steps)
+  local chains, skipped = {}, {}
+  local function add(entities, at, layer, open)
+    for i, entity in ipairs(entities) do
+      local own = layer and entity.layer == "0" and layer or entity.layer
+      local points, closed = geometry_of(path, entities, i, steps)
+      local name = nil
+      if entity.type == "INSERT" then
+        for _, group in ipairs(entity.groups) do name = name or group[1] == 2 and group[2] or nil end
+      end
+      if points and #points > 1 then
+        local placement, out = after(at, facing(path, entity)), {}
+        for k, p in ipairs(points) do out[k] = moved(p, placement) end
+        chains[#chains + 1] = { layer = own, closed = closed, points = out }
+      elseif name and blocks[name] then
+        if open[name] then
+          core.fail(("%s: '%s': the block '%s' contains itself"):format(owner, path, name))
+        end
+        open[name] = true
+        for _, placement in ipairs(placements_of(path, entity, blocks[name])) do
+          add(blocks[name].entities, after(at, placement), own, open)
+        end
+        open[name] = nil
+      elseif not points and not silent_types[entity.type] then
+        skipped[entity.type] = (skipped[entity.type] or 0) + 1
+      end
+    end
+  end
+  add(drawing, in_place, nil, {})
   return chains, skipped
 end
 
@@ -327,8 +417,8 @@ function trilith.dxf(options)
   if type(origin) ~= "table" or type(origin[1]) ~= "number" or type(origin[2]) ~= "number" then
     core.fail(("%s: 'origin' is %s, must be a point {x, y} of the drawing, in m"):format(owner, core.what_is(origin)))
   end
-  local entities, unit = read_entities(options.file)
-  local chains, skipped = read_chains(options.file, entities, steps)
+  local entities, unit, blocks = read_entities(options.file)
+  local chains, skipped = read_chains(options.file, entities, blocks, steps)
   local scale = scale_of(options, unit, options.file)
   local loops, open = loops_of(chains, wanted_layers(options, chains), tolerance/scale)
   local parts, count = {}, {}

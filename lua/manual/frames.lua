@@ -33,6 +33,28 @@ cover_law  fibre law?      law of the cover; default: law of the core
 core       section?        shape of the core, instead of the shape inside the cover
 bars       list?           rows { area =, height = }: area of the row, height; in space count, across, spread
 bar_law    fibre law?      law of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
+  { "section:moment_curvature", "Moment of a section of fibres under a constant normal force and a growing curvature, "
+    .. "as lists curvature, moment and axial (strain of the centroid), with yield_curvature, yield_moment (where the "
+    .. "first fibre yields), peak_moment, peak_curvature, and limit: why it ends.", keys = [[
+normal       number N = 0      normal force, tension above 0
+curvature    number 1/m?       largest curvature; below 0 the top is in tension; default: until a limit of the strain
+points       integer = 200     number of equal steps of the curvature  <2 to 10000>
+compression  number 1 = 0.01   strain in compression at which it ends  <above 0, at most 1>
+tension      number 1 = 0.05   strain in tension at which it ends  <above 0, at most 1>]], gives = "table" },
+  { "section:interaction", "Largest moments of a section of fibres for each normal force, from pure compression to "
+    .. "pure tension, as lists normal, sagging and hogging.", keys = [[
+points       integer = 31      number of normal forces  <3 to 10000>
+compression  number 1 = 0.01   largest strain in compression  <above 0, at most 1>
+tension      number 1 = 0.05   largest strain in tension  <above 0, at most 1>]], gives = "table" },
+  { "section:plot", "Draws the moment-curvature curves of a section of fibres, or its interaction of normal force and "
+    .. "moment.", keys = [[
+file         text              picture to write: .svg, .pdf or .png
+of           text = "moment_curvature"  or "interaction"
+normal       list?             normal force or list of forces, a curve each [N]; default 0
+curvature    number 1/m?       as in section:moment_curvature
+points       integer?          number of steps or forces  <3 to 10000>
+compression  number 1 = 0.01   largest strain in compression  <above 0, at most 1>
+tension      number 1 = 0.05   largest strain in tension  <above 0, at most 1>]] },
   { "body:hinges", "Plastic hinges of a member, as joint, state, rotation, stretch, moment, normal, given_off, x, y; "
     .. "in space z, and rotation_y, rotation_z, moment_y, moment_z.",
     args = "member  text?  name of the member", gives = "table[]" },
@@ -71,6 +93,27 @@ local section = trilith.fibre_section {
   shape = trilith.rectangle_section { width = 0.4, depth = 0.6 }, law = trilith.kent_park { strength = 30e6 },
   bars = { { area = 1.2e-3, height = 0.05 }, { area = 1.2e-3, height = 0.55 } },
   bar_law = trilith.menegotto_pinto { E = 200e9, yield = 500e6 } }]],
+    ["section:moment_curvature"] = [[
+local column = trilith.fibre_section {
+  shape = trilith.rectangle_section { width = 0.4, depth = 0.4 }, law = trilith.kent_park { strength = 30e6 },
+  bars = { { area = 1.2e-3, height = 0.05 }, { area = 1.2e-3, height = 0.35 } },
+  bar_law = trilith.menegotto_pinto { E = 200e9, yield = 500e6 } }
+local curve = column:moment_curvature { normal = -500e3 }
+print(curve.yield_curvature, curve.yield_moment, curve.peak_moment)]],
+    ["section:interaction"] = [[
+local column = trilith.fibre_section {
+  shape = trilith.rectangle_section { width = 0.4, depth = 0.4 }, law = trilith.kent_park { strength = 30e6 },
+  bars = { { area = 1.2e-3, height = 0.05 }, { area = 1.2e-3, height = 0.35 } },
+  bar_law = trilith.menegotto_pinto { E = 200e9, yield = 500e6 } }
+local curve = column:interaction { points = 11 }
+print(curve.normal[1], curve.sagging[6])]],
+    ["section:plot"] = [[
+local column = trilith.fibre_section {
+  shape = trilith.rectangle_section { width = 0.4, depth = 0.4 }, law = trilith.kent_park { strength = 30e6 },
+  bars = { { area = 1.2e-3, height = 0.05 }, { area = 1.2e-3, height = 0.35 } },
+  bar_law = trilith.menegotto_pinto { E = 200e9, yield = 500e6 } }
+column:plot { file = "out/column.svg", normal = { 0, -500e3 } }
+column:plot { file = "out/interaction.svg", of = "interaction" }]],
     ["body:hinges"] = [[
 m:material { name = "steel", density = 7850, E = 2.1e11, nu = 0.3 }
 local post = m:beam { name = "post", from = { 3, 0 }, to = { 3, 2 }, material = "steel", from_support = "fixed",

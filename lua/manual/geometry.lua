@@ -39,9 +39,20 @@ material      text?         default material
 abutment      table?        default keys of both abutments; back_wall_height counts from the underside of the deck
 pier          table?        default keys of all piers
 span          table?        default keys of all spans]], gives = "table" },
-  { "trilith.dxf", "Closed outlines of an ASCII DXF drawing as parts for m:add. Outlines are closed polylines, and "
-    .. "lines and open polylines of a layer whose ends meet. A part has its layer as name and group; blanks become "
-    .. "underscores. The fields open and skipped count open chains and entities of other types.",
+  { "model:level_ground", "Level ground under the whole model, in the plane and in space: one fixed body, ten times "
+    .. "as large as the model, so that no body reaches its end. Also m:ground { level = , ... }. Call it after the "
+    .. "bodies.",
+    also = "ground plane, floor, soil, infinite ground", keys = [[
+level     number m        height of its surface
+material  text            its material
+name      text = "ground"  name
+groups    names?          groups; default "ground"
+reach     number m?       distance from the bodies to its edges; default 10 times the size of the model  <above 0>]],
+    gives = "body" },
+  { "trilith.dxf", "Closed outlines of an ASCII DXF drawing as parts for m:add. Outlines are closed polylines, "
+    .. "circles, and lines, arcs and open polylines of a layer whose ends meet, also of inserted blocks. A part has "
+    .. "its layer as name and group; blanks become underscores. The fields open and skipped count open chains and "
+    .. "entities of other types.",
     also = "CAD, AutoCAD, drawing, facade, import", keys = [[
 file          text           path, from the current folder or from the folder of the script
 unit          text?          "mm", "cm", "dm", "m", "in" or "ft"; default: $INSUNITS of the file
@@ -57,6 +68,9 @@ file:write("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nstone\n90\n4\n70\n1\n10\n
   "\n10\n2\n20\n0\n10\n2\n20\n1\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n")
 file:close()
 m:add(trilith.dxf { file = path, unit = "m" }, { material = "stone" })]],
+    ["model:level_ground"] = [[
+m:block { name = "upper", width = 0.4, height = 0.5, at = { 0, 1 }, material = "stone" }
+m:level_ground { level = -1, material = "stone" }]],
     ["model:ground"] = [[
 m:ground { name = "valley", surface = { { 10, 0 }, { 20, -6 }, { 30, 0 } }, base_level = -10, material = "stone",
   support = "fixed" }]],

@@ -29,6 +29,11 @@ void Live::tell_event(const Event& event, const Instant<D>& now) {
   }
   // The report of a stage contains more than its last event.
   if (quiet_ || event.type == EventType::stage_ended) return;
+  if (event.type == EventType::stage_begun) unsettled_ = false;
+  if (event.type == EventType::stage_unsettled) {
+    unsettled_ = true;
+    return;
+  }
   const bool strong = severity_of(event.type) >= Severity::loss;
   for (const std::string& line : lines_.tell(event, now.model)) screen_.line(line, strong);
 }
@@ -74,7 +79,7 @@ void Live::stage_ended(const StageReport& report) {
   for (const std::string& line : lines_.rest()) screen_.line(line);
   screen_.line(fmt::format("{:10.3f} s  {:<15}  {}", report.ended - lines_.zero(), "stage ended",
                            stage_text(report, wall() - stage_began_)));
-  if (!report.reason.empty()) screen_.line(fmt::format("{:14}{}", "", report.reason));
+  if (!report.reason.empty() && !unsettled_) screen_.line(fmt::format("{:14}{}", "", report.reason));
 }
 
 void Live::line(const std::string& text, bool strong) {

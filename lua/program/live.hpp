@@ -43,6 +43,7 @@ class Live : public script::RunObserver {
   EventLines lines_;
   Pace pace_;
   bool quiet_;
+  bool unsettled_ = false;  // an error or the verdict gives the reason
   Clock::time_point started_ = Clock::now();
   double stage_began_ = 0, looked_ = 0, shown_ = 0;  // wall clock [s]
   int steps_ = 0, stride_ = 1;

@@ -53,6 +53,7 @@ draw::PictureStyle scene_style(const SceneOptions& options, int dim) {
   draw::PictureStyle style;
   style.units = options.units == "us" ? draw::LengthUnits::us : draw::LengthUnits::si;
   if (options.names != "auto") style.label_limit = options.names == "all" ? std::numeric_limits<int>::max() : 0;
+  style.fit_all = options.fit == "all";
   if (options.view.empty() || dim == 3) return style;
   const std::vector<std::string> ends = comma_list(options.view);
   if (ends.size() != 4)
@@ -63,17 +64,12 @@ draw::PictureStyle scene_style(const SceneOptions& options, int dim) {
 }
 
 draw::SceneChoice scene_choice(const SceneOptions& options, int dim) {
-  draw::SceneChoice choice{options.forces,
-                           options.ghost,
-                           options.cracks,
-                           options.stress,
-                           options.thrust,
-                           options.magnify,
-                           options.colour,
-                           {},
-                           {},
-                           std::nullopt,
-                           std::nullopt};
+  draw::SceneChoice choice;
+  choice.all_cracks = options.all_cracks;
+  choice.forces = options.forces, choice.ghost = options.ghost, choice.cracks = options.cracks;
+  choice.stress = options.stress, choice.thrust = options.thrust, choice.magnify = options.magnify;
+  choice.colour = options.colour;
+  choice.diagram = options.diagram, choice.envelope = options.envelope;
   if (dim == 3 && !options.view.empty()) choice.from = draw::view_direction(options.view);
   if (!options.cut.empty()) choice.cut = cut_plane(options.cut);
   return choice;
@@ -89,11 +85,18 @@ void add_scene_options(CLI::App& verb, SceneOptions& o, const std::string& times
   verb.add_flag("--forces", o.forces, "contact forces");
   verb.add_flag("--ghost", o.ghost, "positions of the bodies at the start");
   verb.add_flag("--cracks", o.cracks, "joints that have lost their bond, and dry joints, by opening or slip");
+  verb.add_flag("--all-cracks", o.all_cracks, "with --cracks: also between bodies that are no longer in their place");
   verb.add_option("--stress", o.stress,
-                  "colour bodies by their mean stress: smaller or larger principal, or a component")
+                  "colour bodies by their mean stress: minor or major principal stress, or a component")
       ->check(CLI::IsMember(draw::stress_names()));
   verb.add_option("--thrust", o.thrust, "the line of thrust through the bodies of this group, in their order")
       ->type_name("GROUP");
+  verb.add_option("--diagram", o.diagram,
+                  "section force along the members of frames: moment, shear or normal; in space also moment_y, "
+                  "moment_z, shear_y, shear_z or torque")
+      ->type_name("FORCE");
+  verb.add_flag("--envelope", o.envelope,
+                "with --diagram: the largest and smallest values of all frames, or of the frames of --stage");
   verb.add_option("--magnify", o.magnify, "factor on displacements since the start")
       ->type_name("FACTOR")
       ->check(CLI::Validator(is_positive, "", ""));
@@ -104,6 +107,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& o, const std::string& times
                   "the part to show, X0,Y0,X1,Y1 in metres; in space the direction: front, back, left, right, top, "
                   "iso, or AZIMUTH,ELEVATION in degrees; write --view=-3,0,5,4 if it begins with a minus")
       ->type_name("VIEW");
+  verb.add_option("--fit", o.fit,
+                  "the view is fitted to: the structure without bodies that have left it, or all bodies")
+      ->check(CLI::IsMember({"structure", "all"}))
+      ->capture_default_str();
   verb.add_option("--cut", o.cut, "in space: the section at a place on an axis, such as x=2.5, in metres")
       ->type_name("AXIS=PLACE");
   verb.add_option("--names", o.names, "names of bodies: auto (for at most 30), all or none")

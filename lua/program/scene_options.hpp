@@ -11,9 +11,11 @@ namespace trilith::program {
 struct SceneOptions {
   std::string result, stage, since, view, units = "si";
   bool forces = false, ghost = false, cracks = false;
-  std::string stress, thrust;
+  std::string stress, thrust, diagram;
+  bool envelope = false;
   double magnify = 1;
-  std::string colour = "group", cut, names = "auto";
+  std::string colour = "group", cut, names = "auto", fit = "structure";
+  bool all_cracks = false;
 };
 
 /// Adds the results file and the options to a verb. `times`: name of the times in the text of --stage.

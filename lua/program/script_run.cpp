@@ -21,11 +21,19 @@
 namespace trilith::program {
 namespace {
 
-/// Reports runs that are not reliable; true if there are any.
-bool report_untrusted_runs(const script::Host& host) {
+/// The verdict without the reason that the error already gave.
+std::string shortened(const std::string& line, const std::string& error) {
+  constexpr std::string_view no_rest = "did not come to rest";
+  const std::size_t at = line.find(no_rest);
+  const bool repeats = at != std::string::npos && error.find(no_rest) != std::string::npos;
+  return repeats ? line.substr(0, at + no_rest.size()) : line;
+}
+
+/// Reports runs that are not reliable; true if there are any. `error`: the message printed before.
+bool report_untrusted_runs(const script::Host& host, const std::string& error = "") {
   const std::vector<std::string> untrusted_runs = host.untrusted_runs();
   if (host.observer != nullptr) host.observer->clear();
-  for (const std::string& line : untrusted_runs) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : untrusted_runs) fmt::print(stderr, "{}\n", shortened(line, error));
   return !untrusted_runs.empty();
 }
 
@@ -34,7 +42,7 @@ int report_error(script::Host& host, const std::string& message) {
   if (host.observer != nullptr) host.observer->clear();
   host.finish(message);
   fmt::print(stderr, "{}\n", terminal_text(message));
-  return report_untrusted_runs(host) ? not_trusted : wrong_input;
+  return report_untrusted_runs(host, message) ? not_trusted : wrong_input;
 }
 
 /// The verdict where no run of the script has one of its own.

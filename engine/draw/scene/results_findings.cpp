@@ -75,12 +75,6 @@ void magnify_turns(const Header& header, Frame& frame, double factor) {
   }
 }
 
-std::string stress_label(std::string_view name) {
-  if (name == "major") return "larger principal stress";
-  if (name == "minor") return "smaller principal stress";
-  return fmt::format("stress {}", name);
-}
-
 /// The body outside of the chain with the largest force on its end, whatever lies on it, or -1: the body that the end
 /// springs from.
 int springer(const Frame& frame, const std::vector<int>& chain, int end) {
@@ -99,8 +93,14 @@ int springer(const Frame& frame, const std::vector<int>& chain, int end) {
 }  // namespace
 
 const std::vector<std::string>& stress_names() {
-  static const std::vector<std::string> names{"minor", "major", "xx", "yy", "xy"};
+  static const std::vector<std::string> names{"minor", "major", "xx", "yy", "xy", "zz", "yz", "zx"};
   return names;
+}
+
+std::string stress_label(std::string_view name, int dim) {
+  if (name == "major") return dim == 2 ? "larger principal stress" : "largest principal stress";
+  if (name == "minor") return dim == 2 ? "smaller principal stress" : "smallest principal stress";
+  return fmt::format("stress {}", name);
 }
 
 void magnify(const Header& header, Frame& frame, double factor) {
@@ -116,11 +116,13 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
   const auto& names = stress_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(fmt::format("there is no stress '{}'{}", name, name_hint(name, names)));
+  if (name.find('z') != std::string_view::npos)
+    throw InputError(fmt::format("a model in the plane has no stress '{}'; use minor, major, xx, yy or xy", name));
   const std::vector<double>& stress = frame.fields[find_field(header, "body_stress")];
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (scene.bodies[i].role == BodyRole::free)
       scene.bodies[i].value = pick(name, stress[3 * i], stress[3 * i + 1], stress[3 * i + 2]);
-  scene.value_label = stress_label(name);
+  scene.value_label = stress_label(name, 2);
   scene.value_unit = "Pa";
 }
 

@@ -14,8 +14,10 @@ namespace trilith::draw {
 /// position then.
 void magnify(const results::Header& header, results::Frame& frame, double factor);
 
-/// Names for colour_by_stress: "minor", "major", "xx", "yy", "xy".
+/// Names of stresses: "minor", "major", "xx", "yy", "xy", in space also "zz", "yz", "zx".
 const std::vector<std::string>& stress_names();
+/// Text of one of them in a legend.
+std::string stress_label(std::string_view name, int dim);
 
 /// Sets the value of each free body to its mean stress. Throws InputError for another name, and without stress in the
 /// file.

@@ -8,8 +8,11 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "draw/members/results_members.hpp"
+#include "draw/scene/results_colours.hpp"
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_solids.hpp"
+#include "draw/scene/structure.hpp"
 #include "model/event_list.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
@@ -80,38 +83,16 @@ Flatten flatten_for(const Header& header, const ViewAxes& view) {
 void add_bodies(const Header& header, const Frame& frame, Scene& scene) {
   const auto is_ground = [](const BodyRow& body) { return role_of(body.support) != BodyRole::free; };
   const bool few = std::count_if(header.bodies.begin(), header.bodies.end(), is_ground) <= few_grounds;
-  for (const BodyRow& body : header.bodies) {
+  std::vector<std::vector<std::vector<Vec2>>> parts = member_parts(header, frame);
+  for (std::size_t i = 0; i < header.bodies.size(); ++i) {
+    const BodyRow& body = header.bodies[i];
     std::vector<Vec2> outline;
     if (header.dim == 2) outline = outline_of(header, body, frame);
     // In a picture in space a name would not distinguish visible from hidden bodies.
     scene.bodies.push_back({header.dim == 2 ? body.name : "", std::move(outline), role_of(body.support),
                             group_of(body, few && is_ground(body))});
+    scene.bodies.back().parts = std::move(parts[i]);
   }
-}
-
-/// Displacement or speed of the first node of each free body as its value.
-void colour_bodies(const ResultsReader& reader, const Frame& frame, const std::string& by, Scene& scene) {
-  const Header& header = reader.header();
-  if (std::find(colour_names().begin(), colour_names().end(), by) == colour_names().end())
-    throw InputError(fmt::format("bodies cannot be coloured by '{}'{}", by, name_hint(by, colour_names())));
-  if (by == "group") return;
-  const bool speed = by == "speed";
-  if (speed && !header.with_velocity)
-    throw InputError(
-        fmt::format("'{}' has no velocities; record them with m:results{{velocities = true}}", reader.path().string()));
-  const std::vector<double>& to = speed ? frame.velocity : frame.position;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (scene.bodies[i].role != BodyRole::free) continue;
-    double square = 0;
-    for (int k = 0; k < header.dim; ++k) {
-      const auto at = static_cast<std::size_t>(header.dim * header.bodies[i].first_node + k);
-      const double part = to[at] - (speed ? 0 : header.node_position[at]);
-      square += part * part;
-    }
-    scene.bodies[i].value = std::sqrt(square);
-  }
-  scene.value_label = by;
-  scene.value_unit = speed ? "m/s" : "m";
 }
 
 bool touch(const Frame& frame, int a, int b) {
@@ -239,11 +220,6 @@ BodyRole role_of(const std::string& support) {
   return support.find("moved") != std::string::npos ? BodyRole::moved_ground : BodyRole::fixed_ground;
 }
 
-const std::vector<std::string>& colour_names() {
-  static const std::vector<std::string> names{"group", "displacement", "speed"};
-  return names;
-}
-
 namespace {
 
 /// Checks that the requested contents are available.
@@ -253,12 +229,18 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   if (!choice.stress.empty() && !choice.colour.empty() && choice.colour != "group")
     throw InputError(fmt::format("bodies cannot be coloured by their stress and by {} at once", choice.colour));
   const bool plane = reader.header().dim == 2;
+  if (choice.magnify != 1 && !choice.diagram.empty())
+    throw InputError("diagrams of section forces cannot be drawn with magnified displacements; leave one out");
+  const bool of_contacts = choice.colour == "pressure" || (!plane && !choice.stress.empty());
+  if (choice.magnify != 1 && of_contacts)
+    throw InputError("colours by contact forces cannot be drawn with magnified displacements; leave one of both out");
+  if (choice.envelope && choice.diagram.empty())
+    throw InputError("an envelope needs a section force, such as --diagram moment");
   if (plane && choice.cut)
     throw InputError(fmt::format("'{}' is of a model in the plane, which cannot be cut", reader.path().string()));
-  if (!plane && (!choice.stress.empty() || !choice.thrust.empty()))
-    throw InputError(
-        fmt::format("'{}' is of a model in space; stress and the line of thrust are drawn of models in the plane only",
-                    reader.path().string()));
+  if (!plane && !choice.thrust.empty())
+    throw InputError(fmt::format("'{}' is of a model in space; the line of thrust is drawn of models in the plane only",
+                                 reader.path().string()));
 }
 
 /// Contents of pictures of plane models only, drawn over their bodies.
@@ -273,15 +255,22 @@ void add_findings(const Header& header, const Frame& frame, const SceneChoice& c
 struct Moment {
   Frame frame;
   std::vector<bool> left;
+  std::vector<bool> crack_free;  ///< bodies without cracks: omitted, or no longer in place
 };
 
 Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
   require_time(reader, time, choice.origin);
-  const bool whole = choice.forces || choice.cracks || !choice.stress.empty() || !choice.thrust.empty();
+  const bool by_contacts = choice.colour == "pressure" || choice.colour == "damage";
+  const bool whole = choice.forces || choice.cracks || by_contacts || !choice.stress.empty() ||
+                     !choice.thrust.empty() || !choice.diagram.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
-  std::vector<bool> left = left_bodies(reader, frame.time);
-  return {std::move(frame), std::move(left)};
+  std::vector<bool> left = left_bodies(reader, frame.time), crack_free = left;
+  if (choice.cracks && !choice.all_cracks) {
+    const std::vector<bool> moved = displaced(reader.header(), frame);
+    for (std::size_t i = 0; i < left.size(); ++i) crack_free[i] = left[i] || moved[i];
+  }
+  return {std::move(frame), std::move(left), std::move(crack_free)};
 }
 
 /// Sets time, title and texts.
@@ -298,11 +287,21 @@ void add_words(const ResultsReader& reader, const Frame& frame, const SceneChoic
     scene.ghost_label = fmt::format("at t = {:.3g} s", reader.frame_times().front() - choice.origin.zero);
 }
 
-/// Common data of the pictures of a figure of a model in space.
-struct SharedSpace {
-  std::optional<SpaceBox> around;  ///< AABB of the free bodies in all of them
-  std::vector<SolidJoint> joints;
+/// Common data of the pictures of a figure.
+struct SharedData {
+  std::optional<SpaceBox> around;  ///< in space: AABB of the free bodies in all of them
+  std::vector<SolidJoint> joints;  ///< in space
+  std::optional<MemberEnvelope> envelope;
 };
+
+/// Hinges of members, and their diagrams.
+void add_members(const Header& header, const Moment& moment, const SceneChoice& choice, const Flatten& flat,
+                 const SharedData& shared, Scene& scene) {
+  add_hinges(header, moment.frame, moment.left, flat, scene);
+  if (choice.diagram.empty()) return;
+  const results::MemberQuantity& quantity = results::member_quantity(header.dim, choice.diagram);
+  add_diagrams(header, moment.frame, quantity, shared.envelope ? &*shared.envelope : nullptr, moment.left, flat, scene);
+}
 
 PairBonds bonds_at(const ResultsReader& reader, const Frame& frame) {
   PairBonds bonds;
@@ -314,32 +313,35 @@ PairBonds bonds_at(const ResultsReader& reader, const Frame& frame) {
 }
 
 void add_solids_at(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
-                   const SharedSpace& shared, Scene& scene) {
+                   const SharedData& shared, Scene& scene) {
   const Header& header = reader.header();
   SolidsView shown{choice.from, choice.cut, shared.around};
   if (!shared.joints.empty())
     shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame), bonds_at(reader, moment.frame),
-                                moment.left);
+                                moment.crack_free);
   add_solids(header, moment.frame, shown, moment.left, scene);
   if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
 }
 
-Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice,
-               const SharedSpace& shared) {
+Scene scene_of(const ResultsReader& reader, const Moment& moment, const SceneChoice& choice, const SharedData& shared) {
   const Header& header = reader.header();
   const Frame& frame = moment.frame;
   const Flatten flat = flatten_for(header, ViewAxes(choice.from));
   Scene scene;
   add_words(reader, frame, choice, scene);
   add_bodies(header, frame, scene);
+  const std::vector<bool> away = debris(header, frame);
+  for (std::size_t i = 0; i < away.size(); ++i) scene.bodies[i].is_debris = away[i];
   if (!choice.colour.empty()) colour_bodies(reader, frame, choice.colour, scene);
+  if (header.dim == 3 && !choice.stress.empty()) colour_by_space_stress(header, frame, choice.stress, scene);
   if (!header.bearings.empty()) add_bearings(header, frame, flat, scene);
   if (choice.forces) add_forces(header, frame, flat, scene);
+  add_members(header, moment, choice, flat, shared, scene);
   if (header.dim == 3) {
     add_solids_at(reader, moment, choice, shared, scene);
     return scene;
   }
-  add_findings(header, frame, choice, moment.left, scene);
+  add_findings(header, frame, choice, moment.crack_free, scene);
   const Frame start = reader.frame(0);
   if (choice.ghost) add_ghosts(header, start, moment.left, scene);
   for (std::size_t i = 0; i < header.bodies.size(); ++i)
@@ -376,7 +378,10 @@ std::vector<Scene> results_scenes(const ResultsReader& reader, const std::vector
   check_choice(reader, choice);
   std::vector<Moment> moments;
   const Header& header = reader.header();
-  SharedSpace shared{choice.around, {}};
+  SharedData shared{choice.around, {}, std::nullopt};
+  if (choice.envelope && !header.members.empty())
+    shared.envelope =
+        member_envelope(reader, results::member_quantity(header.dim, choice.diagram), choice.span[0], choice.span[1]);
   if (header.dim == 3 && choice.cracks) shared.joints = solid_joints(header);
   for (const double time : times) {
     moments.push_back(moment_at(reader, time, choice));

@@ -1,6 +1,8 @@
 // Pictures and charts of a results file: the structure at a moment, histories and energy.
 #pragma once
 
+#include <array>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,12 +23,17 @@ struct SceneChoice {
                                     ///< interpolation
   bool ghost = false;               ///< outlines in the first frame of bodies that have moved
   bool cracks = false;              ///< broken joints, by their larger displacement component
+  bool all_cracks = false;          ///< also between bodies that have moved by more than their size
   std::string stress = {};          ///< bodies coloured by their mean stress: see stress_names(); "": no
   std::string thrust = {};          ///< line of thrust through the bodies of this group; "": no
   double magnify = 1;               ///< factor of displacements from the start, without contact forces
   std::string colour = {};          ///< bodies coloured by one of colour_names(); "" means "group"
   ViewDirection from = {};          ///< of a model in space: view direction
   results::TimeOrigin origin = {};  ///< origin of the times in the caption
+  std::string diagram = {};         ///< section force of members: a name of results::member_quantities; "": no
+  bool envelope = false;            ///< diagrams of the largest and smallest values over `span`
+  std::array<double, 2> span{-std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::infinity()};  ///< [s]
   std::optional<CutPlane> cut = std::nullopt;     ///< of a model in space: the part on the eye's side is omitted
   std::optional<SpaceBox> around = std::nullopt;  ///< of a model in space: the ground is cut off around this AABB;
                                                   ///< none: around the free bodies of the figure
@@ -38,7 +45,7 @@ std::optional<SpaceBox> box_of_free_bodies(const results::ResultsReader& reader,
 /// Role of a body in a picture, by BodyRow::support.
 BodyRole role_of(const std::string& support);
 
-/// Quantities for colouring bodies: group, displacement (of the node from the start), speed.
+/// Quantities for colouring bodies: group, displacement (of the node from the start), speed, damage, pressure.
 const std::vector<std::string>& colour_names();
 
 /// The structure, in the plane or in space, at `time` [s], titled by its stage, and the latest important event if it

@@ -112,7 +112,9 @@ void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const Scene
       canvas.ball(page.place(face.centre), page.scale * face.radius, lit(own, 1), lit(own, -0.2));
       continue;
     }
-    draw_flat_face(canvas, face, lit(body_fill(view, body), face.light), points,
+    // Shading would change the colour of a value, so only a little of it remains.
+    const double light = body.role == BodyRole::free && body.value ? 0.8 + 0.2 * face.light : face.light;
+    draw_flat_face(canvas, face, lit(body_fill(view, body), light), points,
                    {body.role == BodyRole::free ? palette().outline : palette().ground_outline, edge_width});
     for (const SceneCrack& c : face.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
   }

@@ -7,6 +7,8 @@
 
 #include "base/quantity_text.hpp"
 #include "draw/chart/axis_ticks.hpp"
+#include "draw/members/scene_diagrams.hpp"
+#include "draw/scene/scene_faces.hpp"
 #include "draw/scene/scene_marks.hpp"
 
 namespace trilith::draw {
@@ -38,16 +40,28 @@ LegendItem scale_bar(double scale, const PictureStyle& style) {
                                         : quantity_text(shown, feet ? "ft" : "m")};
 }
 
+/// The colour of a solid as its faces show it, from full light to shade.
+void draw_shades(Canvas& canvas, const PagePoint& at, const Colour& fill) {
+  constexpr double lights[] = {1, 0.7, 0.4};
+  for (int i = 0; i < 3; ++i)
+    canvas.rectangle({at.x() + 13.0 * i / 3, at.y() - 4, at.x() + 13.0 * (i + 1) / 3, at.y() + 4}, lit(fill, lights[i]),
+                     std::nullopt);
+  canvas.rectangle({at.x(), at.y() - 4, at.x() + 13, at.y() + 4}, std::nullopt, Stroke{palette().outline, 0.5});
+}
+
 LegendItem swatch(const SceneView& view, const BodyGroup& group) {
   const Colour fill = group_fill(view, group);
   const bool ground = group.first != BodyRole::free && !view.has_faces;
   const double degrees = hatch_direction(view, group);
+  const bool shaded = view.has_faces;
   return {13,
           [=](Canvas& c, const PagePoint& at) {
             const double x = at.x(), y = at.y();
             const std::vector<PagePoint> box = {{x, y - 4}, {x + 13, y - 4}, {x + 13, y + 4}, {x, y + 4}};
             if (ground)
               draw_ground(c, box, degrees, {palette().ground_outline, 0.5});
+            else if (shaded)
+              draw_shades(c, at, fill);
             else
               c.polygon(box, fill, Stroke{palette().outline, 0.5});
           },
@@ -107,6 +121,26 @@ LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureSt
           unit.text.empty() ? scene.value_label : fmt::format("{} ({})", scene.value_label, unit.text)};
 }
 
+LegendItem hinge_item(HingeMark state) {
+  return {7, [=](Canvas& c, const PagePoint& at) { draw_hinge_mark(c, at + PagePoint(3.5, 0), state); },
+          hinge_text(state)};
+}
+
+/// A swatch of both signs and the largest value.
+LegendItem diagram_item(const SceneView& view, const Scene& scene) {
+  return {
+      22,
+      [](Canvas& c, const PagePoint& at) {
+        for (const double sign : {1.0, -1.0}) {
+          const double x = at.x() + (sign > 0 ? 0 : 11);
+          const PageBox box{x, at.y() - 4, x + 10, at.y() + 4};
+          c.rectangle(box, diagram_fill(sign), Stroke{diagram_line(sign), 0.5});
+          c.text({x + 5, at.y() + 2.4}, sign > 0 ? "+" : "−", {7, true, diagram_line(sign), Align::centre});
+        }
+      },
+      fmt::format("{} (largest {})", scene.diagram_label, quantity_text(view.largest_ordinate, scene.diagram_unit))};
+}
+
 LegendItem ghost_item(const std::string& text) {
   return {13,
           [](Canvas& c, const PagePoint& at) {
@@ -141,6 +175,12 @@ bool occurs(const std::vector<Scene>& scenes, BearingMark state) {
   });
 }
 
+bool occurs(const std::vector<Scene>& scenes, HingeMark state) {
+  return std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+    return std::any_of(scene.hinges.begin(), scene.hinges.end(), [&](const SceneHinge& h) { return h.state == state; });
+  });
+}
+
 }  // namespace
 
 std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const SceneView& view, double scale,
@@ -159,6 +199,11 @@ std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const Sce
   if (lines != scenes.end()) items.push_back(line_item(lines->line_label));
   for (const BearingMark state : {BearingMark::intact, BearingMark::yielded, BearingMark::changed, BearingMark::failed})
     if (occurs(scenes, state)) items.push_back(bearing_item(state));
+  for (const HingeMark state :
+       {HingeMark::elastic, HingeMark::fibres, HingeMark::yielded, HingeMark::lost, HingeMark::removed})
+    if (occurs(scenes, state)) items.push_back(hinge_item(state));
+  const auto drawn = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.diagrams.empty(); });
+  if (drawn != scenes.end()) items.push_back(diagram_item(view, *drawn));
   if (view.largest_force > 0) items.push_back(force_item(view, scale, style.units));
   return items;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/members/scene_diagrams.hpp"
 #include "draw/scene/scene_faces.hpp"
 
 namespace trilith::draw {
@@ -34,6 +35,16 @@ PageBox box_around(const PagePoint& a, const PagePoint& b, double room) {
           std::max(a.y(), b.y()) + room};
 }
 
+/// A frame: first the lines of all its polygons, then their fills, so that only the line around all of them remains.
+void draw_parts(Canvas& canvas, const SceneBody& body, const PageView& page, const Colour& fill, double width) {
+  std::vector<std::vector<PagePoint>> polygons;
+  for (const std::vector<Vec2>& part : body.parts)
+    if (std::vector<PagePoint> shown = page_outline(page, part); !shown.empty()) polygons.push_back(std::move(shown));
+  for (const std::vector<PagePoint>& polygon : polygons)
+    canvas.polygon(polygon, std::nullopt, Stroke{palette().outline, 2 * width});
+  for (const std::vector<PagePoint>& polygon : polygons) canvas.polygon(polygon, fill, Stroke{fill, 0.1});
+}
+
 void draw_bodies(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page, bool ground) {
   const double width = outline_width(scene, page);
   for (const SceneBody& body : scene.bodies) {
@@ -44,6 +55,7 @@ void draw_bodies(Canvas& canvas, const Scene& scene, const SceneView& view, cons
       draw_ground(canvas, outline, hatch_direction(view, {body.role, body.group}), {palette().ground_outline, 0.7});
     else
       canvas.polygon(outline, body_fill(view, body), Stroke{palette().outline, width});
+    if (!ground && !body.parts.empty()) draw_parts(canvas, body, page, body_fill(view, body), width);
   }
 }
 
@@ -222,6 +234,8 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
     for (const std::vector<Vec2>& line : scene.lines)
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
         canvas.line(page.place(line[i]), page.place(line[i + 1]), line_stroke());
+    draw_diagrams(canvas, scene, view, page, marks);
+    draw_hinges(canvas, scene, page, marks);
     draw_forces(canvas, scene, view, page, marks);
     draw_bearings(canvas, scene, page, marks);
   });

@@ -32,7 +32,28 @@ struct SceneBody {
   BodyRole role = BodyRole::free;
   std::string group = {};
   std::optional<double> value = std::nullopt;
+  bool is_debris = false;        ///< has left the structure: the view is not fitted to it, unless PictureStyle::fit_all
   std::vector<Vec2> start = {};  ///< outline at the start, for a fixed position of its name; may be empty
+  /// Polygons of the members of a frame and of its corners. They cover lines of `outline` inside of the frame, and
+  /// share one outer line with it.
+  std::vector<std::vector<Vec2>> parts = {};
+};
+
+/// A section force along a member, drawn from its axis.
+struct SceneDiagram {
+  std::vector<Vec2> axis;     ///< points along it [m]
+  std::vector<Vec2> towards;  ///< of each point: direction of values above 0, in the plane of the picture; its length
+                              ///< is below 1 where that direction is not parallel to the picture
+  std::vector<double> value;  ///< of each point, in Scene::diagram_unit
+};
+
+/// State of a plastic hinge, or of fibres that have yielded.
+enum class HingeMark { elastic, yielded, lost, removed, fibres };
+
+/// A hinge: the end of its member, and the direction into the member, of length 1 or 0 [m].
+struct SceneHinge {
+  Vec2 at = Vec2::Zero(), inward = Vec2::Zero();
+  HingeMark state = HingeMark::elastic;
 };
 
 /// State of a joint that has lost its bond: its present opening in three classes, or slid with an opening below the
@@ -96,6 +117,10 @@ struct Scene {
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};
   std::vector<SceneCrack> cracks = {};
+  std::vector<SceneHinge> hinges = {};
+  std::vector<SceneDiagram> diagrams = {};
+  std::string diagram_label = {};  ///< their text in the legend, such as "bending moment"
+  std::string diagram_unit = {};
   std::vector<std::vector<Vec2>> lines = {};  ///< drawn over the bodies, e.g. a line of thrust [m]
   std::string line_label = {};                ///< their text in the legend
   std::vector<std::vector<Vec2>> ghosts;      ///< outlines of an earlier configuration [m]
@@ -116,6 +141,7 @@ struct PictureStyle {
   double font_size = 7.5;  ///< pt
   LengthUnits units = LengthUnits::si;          ///< scale bar in m or ft, forces in N or kip
   std::optional<WorldBox> view = std::nullopt;  ///< [m]; none: fitted to the free bodies, with some ground
+  bool fit_all = false;                         ///< the view is fitted to all free bodies, wherever they are
   ForceMark force_mark = ForceMark::automatic;
   int label_limit = 30;          ///< names are drawn if at most this many bodies have one
   double pixels_per_inch = 220;  ///< PNG only

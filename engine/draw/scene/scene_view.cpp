@@ -65,6 +65,15 @@ void check_scene(const Scene& scene, const std::string& where) {
   }
   for (const SceneBearing& b : scene.bearings)
     for (const Vec2& p : {b.a, b.b}) check_point(p, where + ", bearing");
+  for (const SceneHinge& h : scene.hinges) check_point(h.at, where + ", hinge");
+  for (const SceneDiagram& d : scene.diagrams) {
+    if (d.axis.size() != d.value.size() || d.axis.size() != d.towards.size())
+      throw InputError(where + ": a diagram has different numbers of points and values");
+    for (std::size_t i = 0; i < d.axis.size(); ++i) {
+      check_point(d.axis[i], where + ", diagram");
+      require_finite(d.value[i], where + ", value of a diagram");
+    }
+  }
 }
 
 void check_style(const PictureStyle& style) {
@@ -82,11 +91,11 @@ void check_style(const PictureStyle& style) {
     throw InputError(fmt::format("view of the picture is {:g} x {:g} m, each must be above 0", v.width(), v.height()));
 }
 
-Extent free_extent(const std::vector<Scene>& scenes) {
+Extent free_extent(const std::vector<Scene>& scenes, bool fit_all) {
   Extent out;
   for (const Scene& scene : scenes) {
     for (const SceneBody& body : scene.bodies)
-      if (!is_ground(body.role)) out.add(body.outline);
+      if (!is_ground(body.role) && (fit_all || !body.is_debris)) out.add(body.outline);
     for (const auto& ghost : scene.ghosts) out.add(ghost);
     for (const SceneBearing& b : scene.bearings) out.add(b.a), out.add(b.b);
     for (const SceneForce& f : scene.forces) out.add(f.point);
@@ -117,7 +126,7 @@ WorldBox bulk(const std::vector<Scene>& scenes) {
   std::vector<std::pair<double, double>> x, y;
   for (const Scene& scene : scenes)
     for (const SceneBody& body : scene.bodies) {
-      if (is_ground(body.role)) continue;
+      if (is_ground(body.role) || body.is_debris) continue;
       const double weight = area_of(body.outline) / static_cast<double>(body.outline.size());
       for (const Vec2& p : body.outline) x.emplace_back(p.x(), weight), y.emplace_back(p.y(), weight);
     }
@@ -175,23 +184,43 @@ void set_forces(SceneView& view, const std::vector<Scene>& scenes, ForceMark mar
   view.longest_arrow = size * std::clamp(1.6 / std::sqrt(static_cast<double>(most) + 1), 0.05, 0.18);
 }
 
+/// The largest ordinate is about a seventh of the structure.
+void set_ordinates(SceneView& view, const std::vector<Scene>& scenes, const WorldBox& box, double size) {
+  for (const Scene& scene : scenes)
+    for (const SceneDiagram& d : scene.diagrams)
+      for (const double v : d.value) view.largest_ordinate = std::max(view.largest_ordinate, std::abs(v));
+  view.longest_ordinate = std::max(0.16 * size, 0.08 * std::max(box.width(), box.height()));
+}
+
+/// Includes the tips of the diagrams, with space for the texts beyond them.
+void add_ordinates(const SceneView& view, const std::vector<Scene>& scenes, Extent& content) {
+  if (!(view.largest_ordinate > 0)) return;
+  const double scale = view.longest_ordinate / view.largest_ordinate, space = 0.5 * view.longest_ordinate;
+  for (const Scene& scene : scenes)
+    for (const SceneDiagram& d : scene.diagrams)
+      for (std::size_t i = 0; i < d.axis.size(); ++i)
+        content.add(d.axis[i] + (scale * d.value[i] + std::copysign(space, d.value[i])) * d.towards[i]);
+}
+
 /// Includes all free bodies within the region of most of them, then arrows, a border of ground and a margin.
 void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureStyle& style) {
-  Extent content = free_extent(scenes);
+  Extent content = free_extent(scenes, style.fit_all);
   const Extent ground = ground_extent(scenes);
   if (!content.any) content = ground;
-  const WorldBox most = bulk(scenes);
+  const WorldBox most = style.fit_all ? content.box : bulk(scenes);
   content.box = {std::max(content.box.x0, most.x0), std::max(content.box.y0, most.y0),
                  std::min(content.box.x1, most.x1), std::min(content.box.y1, most.y1)};
   reach_ground(content.box, scenes);
   const double size = typical_size(style.view.value_or(content.box));
   set_forces(view, scenes, style.force_mark, size);
+  set_ordinates(view, scenes, style.view.value_or(content.box), size);
   view.world = style.view.value_or(content.box);
   if (style.view) return;
   if (view.largest_force > 0)
     for (const Scene& scene : scenes)
       for (const SceneForce& f : scene.forces)
         if (content.box.contains(f.point)) content.add(f.point + f.force * (view.longest_arrow / view.largest_force));
+  add_ordinates(view, scenes, content);
   // In space a large ground has been cut off already, where it does not look like an end of the ground.
   if (ground.any) take_ground(content.box, ground.box, view.has_faces ? most_metres : 0.16 * size);
   const double margin = 0.04 * size;

@@ -21,6 +21,8 @@ struct SceneView {
   double largest_force = 0;                    ///< N; 0 without forces
   double longest_arrow = 0;                    ///< m in the world, for `largest_force`
   bool bars = false;                           ///< forces as bars, not arrows
+  double largest_ordinate = 0;                 ///< largest magnitude of diagrams; 0 without diagrams
+  double longest_ordinate = 0;                 ///< m in the world, for `largest_ordinate`
   bool has_values = false;                     ///< some body has a value
   bool has_faces = false;                      ///< of polyhedra: ground is shaded, not hatched
   PanelCorner axes = PanelCorner::lower_left;  ///< corner of the world axes in all panels

@@ -11,6 +11,7 @@
 #include "base/nearest.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
+#include "results/reading/member_values.hpp"
 
 namespace trilith::results {
 namespace {
@@ -227,6 +228,45 @@ std::string bearings_text(const ResultsReader& reader, const std::vector<double>
   return out.take();
 }
 
+const char* state_name(MemberState state) {
+  constexpr const char* names[] = {"elastic", "yielded", "without moment", "removed"};
+  return names[static_cast<int>(state)];
+}
+
+/// A row for each end of each beam, with the distance from the start of the member.
+std::string members_text(const ResultsReader& reader, const std::vector<double>& times) {
+  const Header& header = reader.header();
+  CsvText out;
+  out.head("time", "s").cell("body").cell("member").cell("from").cell("to").head("along", "m");
+  out.axes("", "m", header.dim);
+  for (const MemberQuantity& q : member_quantities(header.dim)) out.head(q.name, q.unit == "N*m" ? "N m" : q.unit);
+  out.cell("state").cell("deformation [rad or 1/m]").end_row();
+  if (header.members.empty()) return out.take();
+  for (const double time : times) {
+    const Frame frame = reader.frame(reader.nearest_frame(time));
+    const Placement at(header, frame);
+    const MemberValues values(header, frame);
+    for (const MemberRow& member : header.members) {
+      double along = 0;
+      for (int i = member.first_beam; i < member.first_beam + member.beam_count; ++i) {
+        const BeamRow& beam = header.beams[static_cast<std::size_t>(i)];
+        for (const int end : {0, 1}) {
+          const double* const arm = end == 0 ? beam.arm_a : beam.arm_b;
+          out.cell(frame.time).cell(header.bodies[static_cast<std::size_t>(member.body)].name).cell(member.name);
+          out.cell(member.from).cell(member.to).cell(along + end * beam.length);
+          out.triple(at.at(end == 0 ? beam.node_a : beam.node_b, Vec3(arm[0], arm[1], arm[2])), header.dim);
+          for (const MemberQuantity& q : member_quantities(header.dim))
+            out.cell(values.force(static_cast<std::size_t>(i), end, q));
+          out.cell(state_name(values.state(static_cast<std::size_t>(i), end)));
+          out.cell(values.deformation(static_cast<std::size_t>(i), end)).end_row();
+        }
+        along += beam.length;
+      }
+    }
+  }
+  return out.take();
+}
+
 using Writer = std::function<std::string(const ResultsReader&, const std::vector<double>&)>;
 
 /// A table without moments.
@@ -242,6 +282,7 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
                                                                 {"stages", whole_run<stages_text>},
                                                                 {"bodies", bodies_text},
                                                                 {"bearings", bearings_text},
+                                                                {"members", members_text},
                                                                 {"modes", whole_run<modes_text>},
                                                                 {"notes", whole_run<notes_text>},
                                                                 {"parameters", whole_run<parameters_text>}};

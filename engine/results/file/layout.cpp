@@ -85,6 +85,10 @@ void write_model(hid_t file, const Header& header) {
   write_rows(file, {"/model/bearings", "", "bearings"}, header.bearings, header.dim);
   if (!header.joints.empty())
     write_rows(file, {"/model/joints", "", "faces that lie on each other at the start"}, header.joints, header.dim);
+  if (!header.members.empty()) {
+    write_rows(file, {"/model/members", "", "members of frames"}, header.members, header.dim);
+    write_rows(file, {"/model/beams", "", "beam elements of the members, in order"}, header.beams, header.dim);
+  }
   write_numbers(file, {"/model/node_position", "m", "position of each node at the start"}, Kind::real, {nodes, dim},
                 header.node_position.data());
   write_numbers(file,
@@ -201,6 +205,25 @@ void check_faces(const Header& header) {
   }
 }
 
+/// Members must own consecutive beams of existing nodes.
+void check_members(const Header& header) {
+  const auto bodies = static_cast<std::int32_t>(header.bodies.size()),
+             nodes = static_cast<std::int32_t>(header.node_count()),
+             members = static_cast<std::int32_t>(header.members.size());
+  for (const MemberRow& m : header.members) {
+    if (m.body < 0 || m.body >= bodies)
+      throw ResultsError(fmt::format("results header: member '{}' belongs to body {} of {}", m.name, m.body, bodies));
+    const std::int64_t end = std::int64_t{m.first_beam} + m.beam_count;
+    if (m.first_beam < 0 || m.beam_count < 1 || end > static_cast<std::int64_t>(header.beams.size()))
+      throw ResultsError(fmt::format("results header: member '{}' has beams outside the list", m.name));
+  }
+  for (const BeamRow& b : header.beams)
+    if (b.member < 0 || b.member >= members || std::min(b.node_a, b.node_b) < 0 ||
+        std::max(b.node_a, b.node_b) >= nodes || !(b.length > 0))
+      throw ResultsError(fmt::format("results header: a beam of member {} joins nodes {} and {} over {} m", b.member,
+                                     b.node_a, b.node_b, b.length));
+}
+
 }  // namespace
 
 void check_header(const Header& header) {
@@ -244,6 +267,7 @@ void check_header(const Header& header) {
     if (std::min(joint.body_a, joint.body_b) < 0 || std::max(joint.body_a, joint.body_b) >= bodies)
       throw ResultsError(
           fmt::format("results header: a joint of bodies {} and {} of {}", joint.body_a, joint.body_b, bodies));
+  check_members(header);
   check_names(header.histories, "history", {"time"});
   check_names(header.energy_terms, "energy term", {"time", "residual"});
 }

@@ -68,11 +68,12 @@ struct BodyRow {
   std::int32_t first_face = 0, face_count = 0;  ///< in space only; outer faces
 };
 
-/// A material, or a contact law between two materials or groups; `text` lists its parameters with units.
+/// A material, a contact law between two materials or groups, or the yielding section or hinge of members; `text` lists
+/// its parameters with units.
 struct LawRow {
   std::string name;
-  std::string role;    ///< "material" or "contact"
-  std::string first;   ///< contact: one side; material: empty
+  std::string role;    ///< "material", "contact" or "section"
+  std::string first;   ///< contact: one side; material: empty; section: names of members
   std::string second;  ///< contact: other side; material: empty
   std::string text;
 };
@@ -95,6 +96,24 @@ struct JointRow {
                                 ///< [m]
   double end_1[3] = {0, 0, 0};
   double area = 0;  ///< in space [m2]
+};
+
+/// A straight member of a frame. Its beams are consecutive rows of Header::beams.
+struct MemberRow {
+  std::string name, from, to;  ///< `from`, `to`: joints at its start and its end
+  std::string yields;          ///< "elastic", "hinges" or "fibres"
+  std::int32_t body = -1, first_beam = 0, beam_count = 0;
+  double yield_rotation[2] = {0, 0};  ///< of hinges at its start and its end: chord rotation at the yield moment in
+                                      ///< double bending, M L / (6 EI); 0: none [rad]
+};
+
+/// A beam element of a member, between two nodes.
+struct BeamRow {
+  std::int32_t member = -1, node_a = -1, node_b = -1;
+  double arm_a[3] = {0, 0, 0};  ///< from the node to the end of the beam, in the axes of the node; dim numbers are used
+  double arm_b[3] = {0, 0, 0};  ///< [m]
+  double up[3] = {0, 0, 0};     ///< unit vector to the top of the section, in the axes of node a
+  double length = 0;            ///< initial [m]
 };
 
 /// Values in every frame in addition to motion and contacts: one row of `width` for each of `rows` objects.
@@ -125,6 +144,8 @@ struct Header {
   std::vector<LawRow> laws;
   std::vector<BearingRow> bearings;
   std::vector<JointRow> joints;
+  std::vector<MemberRow> members;  ///< of frames; their forces in each frame are fields (run/record/member_fields.hpp)
+  std::vector<BeamRow> beams;
   std::vector<Field> fields;
   std::vector<Quantity> histories;
   std::vector<Quantity> energy_terms;

@@ -43,6 +43,10 @@ void read_model(hid_t file, Header& header) {
   header.bearings = read_table<BearingRow>(file, "/model/bearings", dim);
   if (H5Lexists(file, "/model/joints", H5P_DEFAULT) > 0)
     header.joints = read_table<JointRow>(file, "/model/joints", dim);
+  if (H5Lexists(file, "/model/members", H5P_DEFAULT) > 0) {
+    header.members = read_table<MemberRow>(file, "/model/members", dim);
+    header.beams = read_table<BeamRow>(file, "/model/beams", dim);
+  }
   header.node_position = read_all<double>(file, "/model/node_position", dim);
   header.node_rotation =
       read_all<double>(file, dim == 2 ? "/model/node_angle" : "/model/node_quaternion", rotation_width(dim));

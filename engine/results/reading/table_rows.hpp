@@ -67,8 +67,8 @@ void describe(A& a, typename A::template Of<BodyRow>& row) {
 template <class A>
 void describe(A& a, typename A::template Of<LawRow>& row) {
   a.text("name", row.name, 1, "name");
-  a.text("role", row.role, 1, "material or contact");
-  a.text("first", row.first, 1, "contact: material or group on one side");
+  a.text("role", row.role, 1, "material, contact or section");
+  a.text("first", row.first, 1, "contact: material or group on one side; section: members");
   a.text("second", row.second, 1, "contact: material or group on the other side");
   a.text("text", row.text, 1, "parameters with units");
 }
@@ -93,6 +93,30 @@ void describe(A& a, typename A::template Of<JointRow>& row) {
   a.vector("end_1_", row.end_1, "m", "the other end at the start, world axes");
   if (a.dim != 3) return;
   a.number("area", row.area, "m^2", "area that the faces share");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<MemberRow>& row) {
+  a.text("name", row.name, 1, "name");
+  a.text("from", row.from, 1, "joint at its start");
+  a.text("to", row.to, 1, "joint at its end");
+  a.text("yields", row.yields, 1, "elastic, hinges or fibres");
+  a.number("body", row.body, "1", "row of /model/bodies");
+  a.number("first_beam", row.first_beam, "1", "first of its rows of /model/beams");
+  a.number("beam_count", row.beam_count, "1", "number of its beams");
+  a.number("yield_rotation_from", row.yield_rotation[0], "rad", "chord rotation at yield of the hinge at its start");
+  a.number("yield_rotation_to", row.yield_rotation[1], "rad", "chord rotation at yield of the hinge at its end");
+}
+
+template <class A>
+void describe(A& a, typename A::template Of<BeamRow>& row) {
+  a.number("member", row.member, "1", "row of /model/members");
+  a.number("node_a", row.node_a, "1", "node that carries its start");
+  a.number("node_b", row.node_b, "1", "node that carries its end");
+  a.vector("arm_a_", row.arm_a, "m", "from node a to its start, in the axes of the node");
+  a.vector("arm_b_", row.arm_b, "m", "from node b to its end, in the axes of the node");
+  a.vector("up_", row.up, "1", "to the top of its section, in the axes of node a");
+  a.number("length", row.length, "m", "initial length");
 }
 
 template <class A>

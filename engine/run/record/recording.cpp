@@ -15,6 +15,7 @@
 #include "model/event_text.hpp"
 #include "model/pose.hpp"
 #include "results/file/extended.hpp"
+#include "run/record/member_fields.hpp"
 #include "run/record/recorded_texts.hpp"
 
 namespace trilith {
@@ -283,6 +284,7 @@ void Recording<D>::event(const Event& event, const Instant<D>& now) {
   if (row.has_place) row.place[0] = event.x, row.place[1] = event.y, row.place[2] = event.z;
   if (!info.value.name.empty()) row.first = {std::string(info.value.name), std::string(info.value.unit), event.value};
   if (has_trait(event.type, of_joint)) row.second = {"mode", "1", static_cast<double>(event.mode)};
+  if (event.type == EventType::member_yielded) row.second = figure_at_yield(now, event);
   row.cause = event.cause;
   row.text = event_text(event, now.model);
   writer_.append_event(std::move(row));

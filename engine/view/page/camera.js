@@ -18,15 +18,18 @@ export class Camera {
     if (fits) this.fit();
   }
 
-  /** Shows the whole of `home`. */
-  fit() {
-    const { x0, y0, x1, y1 } = this.home;
+  /** Shows the whole of `home`, or of another box. */
+  fit(box = this.home) {
+    const { x0, y0, x1, y1 } = box;
     const room = { width: Math.max(50, this.width - 48), height: Math.max(50, this.height - 110) };
     this.scale = Math.min(room.width / Math.max(1e-6, x1 - x0), room.height / Math.max(1e-6, y1 - y0));
     this.x = (x0 + x1) / 2;
     this.y = (y0 + y1) / 2;
-    this.isHome = true;
+    this.isHome = box === this.home;
   }
+
+  /** Larger side of the home view [m]. */
+  get extent() { return Math.max(this.home.x1 - this.home.x0, this.home.y1 - this.home.y0); }
 
   /** From the world [m] to the canvas [CSS px]. */
   place(x, y) {
@@ -66,6 +69,21 @@ export class Camera {
     this.y = y;
     this.isHome = false;
   }
+}
+
+/** AABB of all free bodies in their present position. */
+export function allBox(run) {
+  const box = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+  for (const body of run.bodies) {
+    if (!run.isThere(body) || (!body.free && run.bodies.some((b) => b.free))) continue;
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) {
+      box.x0 = Math.min(box.x0, run.pointX[v]);
+      box.x1 = Math.max(box.x1, run.pointX[v]);
+      box.y0 = Math.min(box.y0, run.pointY[v]);
+      box.y1 = Math.max(box.y1, run.pointY[v]);
+    }
+  }
+  return box.x1 > box.x0 ? box : homeBox(run);
 }
 
 /** AABB of all free bodies at the start and, if near, over the run; of all bodies if none is free.

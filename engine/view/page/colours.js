@@ -52,6 +52,35 @@ function compressions(run, frame) {
   });
 }
 
+/** Smallest principal value of a symmetric tensor [xx, yy, zz, xy, yz, zx] (O. K. Smith, Comm. ACM 4(4), 1961). */
+function least([xx, yy, zz, xy, yz, zx]) {
+  const mean = (xx + yy + zz) / 3, a = xx - mean, b = yy - mean, c = zz - mean;
+  const p = Math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + yz * yz + zx * zx)) / 6);
+  if (!(p > 0)) return mean;
+  const half = (a * (b * c - yz * yz) - xy * (xy * c - yz * zx) + zx * (xy * yz - b * zx)) / (2 * p * p * p);
+  return mean + 2 * p * Math.cos(Math.acos(Math.max(-1, Math.min(1, half))) / 3 + (2 * Math.PI) / 3);
+}
+
+/** Mean compression of rigid bodies in space from their contact forces [Pa]; see compressions(). */
+function spaceCompressions(run, frame) {
+  const sum = new Float64Array(6 * run.bodies.length), [first, last] = run.contactRows(frame);
+  const place = run.block("contact_place"), force = run.block("contact_force"), pair = run.block("contact_pair").values;
+  for (let k = first; k < last; k++) {
+    const row = (block) => [0, 1, 2].map((i) => block.quantum * block.values[3 * k + i]), at = row(place), f = row(force);
+    for (const side of [0, 1]) {
+      const index = pair[3 * k + side], body = run.bodies[index];
+      if (!body) continue;
+      const centre = run.centre(body, frame), sign = side ? -1 : 1, [x, y, z] = at.map((v, i) => sign * (v - centre[i]));
+      [x * f[0], y * f[1], z * f[2], (x * f[1] + y * f[0]) / 2, (y * f[2] + z * f[1]) / 2, (z * f[0] + x * f[2]) / 2]
+        .forEach((v, i) => (sum[6 * index + i] += v));
+    }
+  }
+  return run.bodies.map((body, i) => {
+    const volume = body.free && body.nodes === 1 ? run.volumeOf(body) : 0;
+    return volume > 0 ? Math.max(0, -least(Array.from(sum.subarray(6 * i, 6 * i + 6), (v) => v / volume))) : null;
+  });
+}
+
 /** Largest and smallest principal value of [xx, yy, xy]. */
 function principal([xx, yy, xy]) {
   const mean = (xx + yy) / 2, radius = Math.hypot((xx - yy) / 2, xy);
@@ -91,6 +120,8 @@ export function colourings(run) {
   out.push(...elementColourings(run));
   if (rigid && run.dim === 2 && run.block("contact_pair").rows)
     out.push({ id: run.block("stress").rows ? "compression" : "stress", label: "mean compression, from contact forces", unit: "N/m", values: (f) => compressions(run, f) });
+  if (rigid && run.dim === 3 && run.block("contact_pair").rows)
+    out.push({ id: "stress", label: "mean compression, from contact forces", unit: "Pa", values: (f) => spaceCompressions(run, f) });
   if (run.bodies.some((b) => b.bonds))
     out.push({ id: "damage", label: "damage: share of bonds lost", unit: "1", top: 1, values: free((b, f, t) => run.damage(b, t)) });
   for (const c of out) if ((c.values || c.cells) && !c.top) c.top = usualTop(run, c);

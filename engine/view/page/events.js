@@ -2,7 +2,8 @@
 import { upperBound } from "./run.js";
 import { byId, make, seconds } from "./words.js";
 
-const rowHeight = 44;
+const leastHeight = 32, lineHeight = 17;  // of a row, and of a line of its text [CSS px]
+const aside = 118;  // time, mark and margins, in addition to the text
 
 /** The colour of an event's mark, by its severity; impacts have their own. */
 export function eventColour(event, theme, palette) {
@@ -54,16 +55,32 @@ export class EventsPanel {
     this.rows = this.app.run.events.filter((e) => (!this.onlyNote || e.note) && !this.off.has(e.type) &&
       words.every((w) => `${e.text} ${e.type} ${e.heading}`.toLowerCase().includes(w)));
     this.times = this.rows.map((e) => e.time);
-    this.inner.style.height = `${this.rows.length * rowHeight}px`;
+    this.place();
     byId("event-count").textContent = `${this.rows.length} of ${this.app.run.events.length}`;
     this.current = -2;
     this.fill();
   }
 
+  /** Tops of all rows, for the present width of the list: each is as tall as its wrapped text. */
+  place() {
+    this.width = this.list.clientWidth || 360;
+    this.pen ??= document.createElement("canvas").getContext("2d");
+    this.pen.font = "13px system-ui, sans-serif";
+    const room = Math.max(80, this.width - aside);
+    this.tops = new Float64Array(this.rows.length + 1);
+    this.rows.forEach((e, i) => {
+      e.wide ??= this.pen.measureText(e.text).width;
+      const lines = Math.ceil((1.12 * e.wide) / room) || 1;  // words do not fill their lines
+      this.tops[i + 1] = this.tops[i] + Math.max(leastHeight, lines * lineHeight + 10);
+    });
+    this.inner.style.height = `${this.tops[this.rows.length]}px`;
+  }
+
   /** Creates the visible rows. */
   fill() {
-    const first = Math.max(0, Math.floor(this.list.scrollTop / rowHeight) - 4);
-    const last = Math.min(this.rows.length, first + Math.ceil((this.list.clientHeight || 600) / rowHeight) + 8);
+    if (this.list.clientWidth && this.list.clientWidth !== this.width) this.place();
+    const first = Math.max(0, upperBound(this.tops, this.list.scrollTop) - 5);
+    const last = Math.min(this.rows.length, upperBound(this.tops, this.list.scrollTop + (this.list.clientHeight || 600)) + 4);
     const focused = this.inner.contains(document.activeElement) ? Number(document.activeElement.dataset.row) : -1;
     this.inner.replaceChildren(...this.rows.slice(first, last).map((e, i) => this.row(e, first + i)));
     if (focused >= 0) this.inner.querySelector(`[data-row="${focused}"]`)?.focus({ preventScroll: true });
@@ -71,7 +88,7 @@ export class EventsPanel {
 
   row(event, index) {
     const colour = eventColour(event, this.app.theme, this.app.run.palette);
-    return make("button", { class: "event-row", style: `top:${index * rowHeight}px`, "data-row": index, "data-event": event.id,
+    return make("button", { class: "event-row", style: `top:${this.tops[index]}px;min-height:${this.tops[index + 1] - this.tops[index] - 2}px`, "data-row": index, "data-event": event.id,
       "data-type": event.type, "aria-current": index === this.current ? "true" : false, title: event.text, onclick: () => this.app.chooseEvent(event) },
     make("time", {}, seconds(event.time)), make("i", { style: `background:${colour}` }), make("span", {}, event.text));
   }
@@ -87,8 +104,8 @@ export class EventsPanel {
   }
 
   reveal(index) {
-    const top = index * rowHeight, height = this.list.clientHeight;
-    if (top < this.list.scrollTop || top + rowHeight > this.list.scrollTop + height)
+    const top = this.tops[index], height = this.list.clientHeight;
+    if (top < this.list.scrollTop || this.tops[index + 1] > this.list.scrollTop + height)
       this.list.scrollTop = Math.max(0, top - height / 2);
     this.fill();
   }

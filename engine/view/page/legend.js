@@ -1,8 +1,12 @@
 // Legend of colours and marks, and the scale bar.
+import { hingeColours, hingeNames, signColours } from "./members.js";
 import { crackColour } from "./scene.js";
 import { byId, make, quantity, roundBelow } from "./words.js";
 
 const mostGroups = 9;
+
+/** A solid in space shows its colour from full light to shade. */
+const shaded = (colour) => `linear-gradient(90deg, ${colour}, color-mix(in srgb, ${colour} 66%, black))`;
 
 function swatch(colour, text, shape = "") {
   return make("li", {}, make("i", { class: shape, style: `--swatch:${colour}` }), text);
@@ -21,7 +25,7 @@ export class Legend {
     const parts = [];
     if (colours.groups) {
       const all = [...colours.groups];
-      parts.push(make("ul", {}, ...all.slice(0, mostGroups).map(([name, colour]) => swatch(colour, name || "bodies")),
+      parts.push(make("ul", {}, ...all.slice(0, mostGroups).map(([name, colour]) => swatch(run.dim === 3 ? shaded(colour) : colour, name || "bodies")),
         all.length > mostGroups ? make("li", { class: "quiet" }, `and ${all.length - mostGroups} more`) : ""));
     } else {
       const [low, high] = colours.ends();
@@ -37,12 +41,29 @@ export class Legend {
       if (states.has(3)) marks.push(swatch(palette.changed, "changed", "box"));
       if (states.has(2) || states.has(3)) marks.push(swatch(dark ? "#ff6a3c" : palette.failed, "failed", "cross"));
     }
+    marks.push(...this.ofMembers(colours.theme, show));
     if (show.cracks)
       for (const mode of new Set(run.joints.map((j) => j.mode)))
         marks.push(swatch(crackColour(mode, colours.theme), mode ? `crack, ${mode}` : "crack: bond lost", "line"));
     if (show.forces) marks.push(swatch(colours.theme.force, `contact force; this long: ${quantity(this.app.scene.usualForce * (26 / this.app.scene.usualLength) ** 2, "N")}`, "line"));
     if (marks.length) parts.push(make("ul", {}, ...marks));
     this.element.replaceChildren(...parts);
+  }
+
+  /** Entries of hinges by their state, and of the diagram. */
+  ofMembers(theme, show) {
+    const { members, palette } = this.app.run, block = this.app.run.block("member_state"), out = [];
+    if (show.hinges && block.rows && members.list.some((m) => m.yields !== "elastic")) {
+      const states = new Set(block.values), fibres = members.list.some((m) => m.yields === "fibres");
+      if (members.list.some((m) => m.yields === "hinges"))
+        for (const s of [0, 1, 2, 3]) if (states.has(s)) out.push(swatch(hingeColours(theme, palette)[s], hingeNames[s], s === 3 ? "cross" : "dot"));
+      if (fibres && states.has(1)) out.push(swatch(palette.yielded, "fibres yielded", "dot small"));
+    }
+    if (!members.shown) return out;
+    const { quantity: q, envelope } = members.shown, [above, below] = signColours(theme);
+    const name = `${q.label}${envelope ? ", envelope" : ""}, largest ${quantity(members.extremes(q).largest, q.unit)}`;
+    out.push(swatch(above, `+ ${name}`, "line"), swatch(below, "−", "line"));
+    return out;
   }
 
   draw() {

@@ -1,11 +1,11 @@
 // Assembles the page.
 import { decode } from "./decode.js";
 import { Run } from "./run.js";
-import { Camera, homeBox } from "./camera.js";
+import { Camera, allBox, homeBox } from "./camera.js";
 import { BodyColours, colourings, themeColours } from "./colours.js";
 import { Scene } from "./scene.js";
 import { SpaceRun } from "./space_run.js";
-import { SpaceCamera, homeSpace, viewsAround } from "./space_camera.js";
+import { SpaceCamera, allSpace, homeSpace, viewsAround } from "./space_camera.js";
 import { SpaceScene } from "./space_scene.js";
 import { CutTool } from "./cut.js";
 import { listen } from "./picking.js";
@@ -16,8 +16,8 @@ import { Legend } from "./legend.js";
 import { Modes } from "./modes.js";
 import { byId, clock, make, seconds } from "./words.js";
 
-const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["bearings", "bearings", "bearing_state"],
-  ["names", "names", null], ["start", "start", null]];
+const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["debris", "cracks in debris", null], ["bearings", "bearings", "bearing_state"],
+  ["hinges", "hinges", "member_state"], ["names", "names", null], ["start", "start", null]];
 const states = { finished: "", running: "still in progress when this page was made", stopped: "stopped before its end: the page shows the part up to the last flush" };
 
 class App {
@@ -63,15 +63,17 @@ class App {
     by.append(...this.ways.map((w) => make("option", { value: w.id }, w.label)));
     by.addEventListener("change", () => this.colourBy(by.value));
     for (const [name, label, block] of toggles) {
-      const there = name === "cracks" ? this.run.joints.length : block ? this.run.block(block).rows : this.run.frames;
+      const there = name === "cracks" || name === "debris" ? this.run.joints.length : block ? this.run.block(block).rows : this.run.frames;
       if (!there) {
         this.scene.show[name] = false;
         continue;
       }
       byId("shown").append(make("button", { class: "chip", id: `show-${name}`, "aria-pressed": String(this.scene.show[name]), onclick: () => this.toggle(name) }, label));
     }
+    this.wireDiagram();
     if (this.scene.cut) this.cutTool = new CutTool(this.scene.cut, () => this.redraw());
     byId("fit").addEventListener("click", () => this.fit());
+    byId("fit-all").addEventListener("click", () => this.fitAll());
     byId("zoom-in").addEventListener("click", () => this.zoom(1.4));
     byId("zoom-out").addEventListener("click", () => this.zoom(1 / 1.4));
     const tip = byId("tip");
@@ -86,6 +88,32 @@ class App {
         tip.style.transform = `translate(${Math.round(x + 14)}px, ${Math.round(y + 14)}px)`;
       },
     });
+  }
+
+  /** The choice of a section force of members, at each time or as envelope of the run. */
+  wireDiagram() {
+    const { members } = this.run, menu = byId("diagram");
+    menu.parentElement.hidden = !members.quantities.length;
+    const choices = members.quantities.flatMap((quantity) => [{ quantity, envelope: false }, { quantity, envelope: true }]);
+    menu.append(make("option", { value: "-1" }, "none"),
+      ...choices.map((c, i) => make("option", { value: String(i) }, c.envelope ? `${c.quantity.label}, envelope` : c.quantity.label)));
+    menu.addEventListener("change", () => {
+      members.shown = choices[Number(menu.value)] ?? null;
+      this.makeRoom(members.shown);
+      this.legend.build(this.colours, this.scene.show);
+      this.redraw();
+    });
+  }
+
+  /** While a diagram is shown, the fitted view has space for it around the structure. */
+  makeRoom(diagram) {
+    const { camera, run } = this, wasHome = camera.isHome;
+    camera.home = run.dim === 3 ? homeSpace(run) : homeBox(run);
+    const room = diagram ? 0.13 * camera.extent : 0, { home } = camera;
+    camera.extentShown = camera.extent;
+    if (run.dim === 3) camera.home = { low: home.low.map((v) => v - room), high: home.high.map((v) => v + room) };
+    else camera.home = { x0: home.x0 - room, y0: home.y0 - room, x1: home.x1 + room, y1: home.y1 + room };
+    if (wasHome) camera.fit();
   }
 
   toggle(name) {
@@ -240,6 +268,12 @@ class App {
     this.redraw();
   }
 
+  /** Shows all free bodies where they are now, also debris. */
+  fitAll() {
+    this.camera.fit((this.run.dim === 3 ? allSpace : allBox)(this.run));
+    this.redraw();
+  }
+
   zoom(factor) {
     this.camera.zoom(factor);
     this.redraw();
@@ -303,7 +337,7 @@ class App {
       ArrowRight: () => (far ? this.player.seek(this.player.time + 1) : this.player.step(1)),
       ArrowLeft: () => (far ? this.player.seek(this.player.time - 1) : this.player.step(-1)),
       ArrowUp: () => this.player.faster(1), ArrowDown: () => this.player.faster(-1),
-      "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(),
+      "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4), f: () => this.fit(), F: () => this.fitAll(),
       n: () => this.player.toEvent(1), p: () => this.player.toEvent(-1), c: () => this.nextColour(), t: () => this.switchTheme(), v: () => this.nextView(),
       x: () => this.cutTool?.next(),
       "?": () => byId("help").showModal(), m: () => this.nextMode(), Escape: () => this.select(null),

@@ -129,15 +129,15 @@ export class Player {
     const x = (t) => inset + ((box.width - 2 * inset) * (t - run.begin)) / (run.end - run.begin || 1);
     run.stages.forEach((s, i) => {
       c.fillStyle = theme.line;
-      c.globalAlpha = i % 2 ? 0.9 : 0.45;
-      c.fillRect(x(s.begin), box.height - 7, x(s.ended ? s.end : run.end) - x(s.begin), 5);
+      c.globalAlpha = i % 2 ? 0.6 : 1;
+      c.fillRect(x(s.begin), box.height - 9, x(s.ended ? s.end : run.end) - x(s.begin), 4);
     });
     for (const e of [...this.notes].sort((a, b) => isLoss(a) - isLoss(b))) {
       if (e.type.startsWith("stage.")) continue;
       c.globalAlpha = isLoss(e) ? 1 : this.notes.length > 300 ? 0.3 : 0.75;
       c.fillStyle = eventColour(e, theme, run.palette);
-      const high = isLoss(e) ? box.height - 9 : (box.height - 9) * 0.6;
-      c.fillRect(x(e.time) - (isLoss(e) ? 1 : 0.5), box.height - 9 - high, isLoss(e) ? 2 : 1, high);
+      const high = (box.height - 20) * (isLoss(e) ? 1 : 0.6);
+      c.fillRect(x(e.time) - (isLoss(e) ? 1 : 0.5), box.height - 12 - high, isLoss(e) ? 2 : 1, high);
     }
     c.globalAlpha = 1;
   }

@@ -1,4 +1,5 @@
 // The run in the page: positions at a time, and the history of each body and bearing.
+import { Members } from "./members.js";
 
 const empty = { rows: 0, columns: 1, quantum: 1, values: new Int32Array(0) };
 export const isFree = (body) => body.support === "" || body.support.startsWith("free");
@@ -49,6 +50,7 @@ export class Run {
       ...s, times: this.samples(`${s.group}.time`), values: this.samples(s.block) }));
     this.elements = Array.from({ length: head.elements.length / 5 }, (_, i) => ({
       body: head.elements[5 * i], nodes: head.elements.slice(5 * i + 1, 5 * i + 5).filter((n) => n >= 0) }));
+    this.members = new Members(this, head);
     this.takeVertices(head);
     this.takeJoints(head.joints);
     this.pose(this.begin);
@@ -244,6 +246,36 @@ export class Run {
   damage(body, time) {
     if (!body.bonds) return null;
     return Math.min(1, upperBound(body.lost, time) / body.bonds);
+  }
+
+  /** For each body 1 if it has moved, relative to the ground, by more than its own size since the start. */
+  displaced(frame) {
+    if (this.displacedAt?.frame === frame) return this.displacedAt.list;
+    this.sizes ??= this.bodies.map((body) => this.sizeOf(body));
+    const way = (body) => this.centre(body, frame).map((v, k) => v - this.centre(body, 0)[k]);
+    const held = this.bodies.filter((b) => !b.free), ground = Array(this.dim).fill(0);
+    for (const body of held) way(body).forEach((v, k) => (ground[k] += v / held.length));
+    const list = this.bodies.map((body, i) => (body.free && Math.hypot(...way(body).map((v, k) => v - ground[k])) > this.sizes[i] ? 1 : 0));
+    this.displacedAt = { frame, list };
+    return list;
+  }
+
+  /** Diagonal of the box of a body's points in its axes [m]. */
+  sizeOf(body) {
+    const span = (values) => {
+      const own = values ? values.subarray(body.vertex, body.vertex + body.vertices) : [];
+      return own.length ? Math.max(...own) - Math.min(...own) : 0;
+    };
+    const around = this.radius ? 2 * this.radius[body.vertex] : 0;
+    return body.nodes > 1 ? Infinity : around + Math.hypot(span(this.vertexX), span(this.vertexY), span(this.vertexZ));
+  }
+
+  /** True if a crack is shown: its bodies are still in place, or all cracks are wanted. */
+  showsCrack(joint, all) {
+    if (!this.isThere(this.bodies[joint.body])) return false;
+    if (all) return true;
+    const moved = this.displaced(this.now.frame);
+    return !moved[joint.event.a] && !moved[joint.event.b];
   }
 
   stageAt(time) {

@@ -21,7 +21,7 @@ export class Scene {
     this.canvas = canvas;
     this.camera = camera;
     this.context = this.contextOf(canvas);
-    this.show = { forces: false, cracks: true, bearings: true, names: false, start: false };
+    this.show = { forces: false, cracks: true, debris: false, bearings: true, hinges: true, names: false, start: false };
     this.order = [...run.bodies].sort((a, b) => a.free - b.free);
     this.usualForce = this.findUsualForce();
     const areas = run.bodies.filter((b) => b.free && b.area > 0).map((b) => b.area).sort((a, b) => a - b);
@@ -75,6 +75,7 @@ export class Scene {
     else if (this.show.start) this.drawStart(theme);
     if (this.show.cracks) this.drawCracks(time, theme);
     if (this.show.forces && !run.mode) this.drawForces(theme);
+    this.drawMembers(theme);
     if (this.show.bearings) this.drawBearings(theme, selection);
     if (this.show.names) this.drawNames(theme);
     if (selection) this.drawSelection(selection, theme);
@@ -106,8 +107,32 @@ export class Scene {
     });
   }
 
+  /** A frame: the lines of all its polygons, then their fills, so that only the line around all of them remains. */
+  drawParts(parts, fill, theme, small) {
+    const { context: c, camera } = this;
+    const path = (points) => {
+      c.beginPath();
+      for (const p of points) c.lineTo(...camera.place(...p));
+      c.closePath();
+    };
+    c.strokeStyle = theme.outline;
+    c.lineWidth = small ? 1 : 2;
+    for (const part of parts) path(part), c.stroke();
+    c.fillStyle = c.strokeStyle = fill;
+    c.lineWidth = 0.3;
+    for (const part of parts) path(part), c.fill(), c.stroke();
+  }
+
+  /** Diagrams and hinges of members; not in a mode, which has no forces. */
+  drawMembers(theme) {
+    const { run } = this;
+    if (!run.members.list.length || run.mode) return;
+    run.members.drawDiagram(this, theme);
+    if (this.show.hinges) run.members.drawHinges(this, theme);
+  }
+
   drawBodies(fills, cells, theme) {
-    const { context: c } = this;
+    const { run, context: c } = this;
     c.lineJoin = "round";
     const small = this.camera.scale * this.usualSize < 14;
     const faint = (body) => (body.leaves <= this.run.now.time ? 0.25 : 1); // out of bounds
@@ -126,6 +151,7 @@ export class Scene {
       c.strokeStyle = body.free ? theme.outline : theme["ground-line"];
       c.lineWidth = body.free ? (small ? 0.5 : 1) : 1.2;
       c.stroke();
+      if (body.free) this.drawParts(run.members.parts(body), fills[body.index], theme, small);
     }
     c.globalAlpha = 1;
   }
@@ -161,7 +187,7 @@ export class Scene {
     for (const joint of run.joints) {
       if (joint.event.time > time) continue;
       const body = run.bodies[joint.body];
-      if (!run.isThere(body)) continue;
+      if (!run.showsCrack(joint, this.show.debris)) continue;
       const v = body.vertex + joint.edge, w = body.vertex + ((joint.edge + 1) % body.vertices);
       const at = (s) => camera.place(run.pointX[v] + s * (run.pointX[w] - run.pointX[v]), run.pointY[v] + s * (run.pointY[w] - run.pointY[v]));
       const fresh = time - joint.event.time < 0.15;

@@ -21,9 +21,9 @@ export class SpaceCamera extends Camera {
     this.toward = [ce * ca, ce * sa, se];
   }
 
-  /** Shows all of `home`, a box, in this direction. */
-  fit() {
-    const { low = [-1, -1, -1], high = [1, 1, 1] } = this.home;
+  /** Shows all of `home`, or of another box, in this direction. */
+  fit(box = this.home) {
+    const { low = [-1, -1, -1], high = [1, 1, 1] } = box;
     [this.x, this.y, this.z] = low.map((v, k) => (v + high[k]) / 2);
     let across = 0, upright = 0;
     for (let corner = 0; corner < 8; corner++) {
@@ -33,7 +33,7 @@ export class SpaceCamera extends Camera {
     }
     const wide = Math.max(50, this.width - 96), tall = Math.max(50, this.height - 150);
     this.scale = Math.min(wide / Math.max(1e-6, 2 * across), tall / Math.max(1e-6, 2 * upright));
-    this.isHome = true;
+    this.isHome = box === this.home;
   }
 
   /** Half of the diagonal of the home box [m]. */
@@ -41,6 +41,8 @@ export class SpaceCamera extends Camera {
     const { low, high } = this.home;
     return low ? 0.5 * Math.hypot(...high.map((v, k) => v - low[k])) : 1;
   }
+
+  get extent() { return 1.4 * this.radius; }
 
   along(axis, x, y, z) { return axis[0] * (x - this.x) + axis[1] * (y - this.y) + axis[2] * (z - this.z); }
   place(x, y, z) {
@@ -106,8 +108,22 @@ export function homeSpace(run) {
     run.pose(run.times[Math.round((i * (run.frames - 1)) / Math.max(1, steps - 1))]);
     const centres = some.map(centreOf);
     for (const p of centres) if (p.every((v, k) => v > far[0][k] && v < far[1][k])) grow(p);
+    // Debris does not count, but a model that moves as a whole is followed.
+    const away = centres.filter((p) => !p.every((v, k) => v > far[0][k] && v < far[1][k])).length;
+    if (2 * away <= centres.length) continue;
     const along = [0, 1, 2].map((k) => centres.map((p) => p[k]).sort((a, b) => a - b));
     for (const share of [0.1, 0.9]) grow(along.map((values) => values[Math.round(share * (values.length - 1))]));
   }
   return { low, high };
+}
+
+/** AABB of all free bodies in their present position. */
+export function allSpace(run) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const body of run.bodies) {
+    if (!run.isThere(body) || (!body.free && run.bodies.some((b) => b.free))) continue;
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++)
+      run.point(v).forEach((x, k) => ([low[k], high[k]] = [Math.min(low[k], x - run.radius[v]), Math.max(high[k], x + run.radius[v])]));
+  }
+  return high[0] > low[0] ? { low, high } : homeSpace(run);
 }

@@ -118,6 +118,20 @@ export class SpaceRun extends Run {
     return (a * b + b * c + c * a) / 3;
   }
 
+  /** Volume of a body from its outer faces and spheres [m3]; computed once. */
+  volumeOf(body) {
+    if (body.volume !== undefined) return body.volume;
+    const corner = (v) => [this.vertexX[v], this.vertexY[v], this.vertexZ[v]];
+    body.volume = 0;
+    for (const face of this.faces[body.index])
+      for (let i = 1; i + 1 < face.length; i++) {
+        const [a, b, c] = [face[0], face[i], face[i + 1]].map(corner);
+        body.volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+      }
+    for (let v = body.vertex; v < body.vertex + body.vertices; v++) body.volume += (4 / 3) * Math.PI * this.radius[v] ** 3;
+    return body.volume;
+  }
+
   centre(body, frame) {
     const { values, quantum } = this.block("position"), at = 3 * (frame * this.nodes + body.node);
     return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];

@@ -102,6 +102,7 @@ export class SpaceScene extends Scene {
     if (!run.frames) return;
     run.pose(time);
     this.measure();
+    this.shade = colours.groups ? 0.56 : 0.85;  // shading would change the colour of a value
     this.aim();
     this.fill(colours.at(run.now.frame, time));
     this.upload(run.pointX, run.pointY, run.pointZ);
@@ -116,6 +117,7 @@ export class SpaceScene extends Scene {
     if (run.mode) this.drawStood(theme);
     else if (this.show.start) this.drawStart(theme);
     if (this.show.forces && !run.mode) this.drawForces(theme);
+    this.drawMembers(theme);
     if (this.show.bearings) this.drawBearings(theme, selection);
     if (this.show.names) this.drawNames(theme);
     if (selection) this.drawSelection(selection, theme);
@@ -142,6 +144,7 @@ export class SpaceScene extends Scene {
     gl.uniform3f(this.at("scale"), (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height, deep);
     gl.uniform4fv(this.at("cut"), this.cut.plane());
     gl.uniform1i(this.at("isCut"), this.cut.isThere);
+    gl.uniform1f(this.at("shade"), this.shade);
   }
 
   /** A body's colour for each of its points. */
@@ -211,7 +214,7 @@ export class SpaceScene extends Scene {
   ribbons(time, mode) {
     const { run, camera } = this, points = [], nearer = 1 / camera.scale;
     for (const joint of run.joints) {
-      if (joint.mode !== mode || joint.event.time > time || !run.isThere(run.bodies[joint.body])) continue;
+      if (joint.mode !== mode || joint.event.time > time || !run.showsCrack(joint, this.show.debris)) continue;
       const half = (joint.broken ? 1.3 : 0.7) / camera.scale, outline = run.outlineOf(joint);
       outline.forEach((b, i) => {
         const a = outline[(i || outline.length) - 1], way = b.map((v, k) => v - a[k]);

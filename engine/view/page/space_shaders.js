@@ -22,6 +22,7 @@ export const pixelCode = `#version 300 es
 precision highp float;
 uniform vec4 line;  // of edges: their colour; opacity 0 where faces are drawn
 uniform bool isCut;
+uniform float shade;  // brightness of a face without light
 in vec3 fill, seen;
 in float above;
 out vec4 shown;
@@ -34,7 +35,7 @@ void main() {
   }
   vec3 n = normalize(cross(dFdx(seen), dFdy(seen)));
   float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.5, 0.8, 0.6)));
-  shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (0.56 + 0.44 * light), 1.0);
+  shown = line.a > 0.0 ? vec4(line.rgb, 1.0) : vec4(fill * (shade + (1.0 - shade) * light), 1.0);
 }`;
 
 // A sphere is a square of pixels about its centre: the disc within it, with the depth and the light of the sphere at

@@ -173,7 +173,8 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   virtual void lift_bonds() = 0;
   virtual void set_bonds() = 0;
   virtual void drop_step() = 0;
-  virtual void stop() = 0;
+  /// Ends the running stage at the next step border; `why`: for its report.
+  virtual void stop(const std::string& why) = 0;
 
   /// Runs a stage with `listener` wrapped by recording and observing; with `statics` a stage without time, with the
   /// load path `way`.
@@ -217,6 +218,7 @@ class ScriptModel : public std::enable_shared_from_this<ScriptModel> {
   int branches_ = 1;                      // number of results files so far
   std::vector<StageOptions> stages_run_;  // one for each event "stage.begun"
   std::size_t notes_shown_ = 0;
+  std::string stop_reason_;    // of the running stage, if a script or a signal ends it
   std::string broken_;         // reason for which the last stage was interrupted, if any
   std::size_t additions_ = 0;  // number of announced additions
 };

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "bindings/core/bindings.hpp"
+#include "bindings/laws/section_curves.hpp"
 
 namespace trilith::script {
 namespace {
@@ -76,7 +77,7 @@ std::span<const Property<SectionValue>> Kind<SectionValue>::properties() {
   return section_properties;
 }
 std::span<const Method> Kind<SectionValue>::methods() {
-  return {};
+  return section_methods();
 }
 std::string Kind<SectionValue>::title(const SectionValue& v) {
   return v.text;

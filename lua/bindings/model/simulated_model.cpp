@@ -367,8 +367,10 @@ StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& g
   if (std::none_of(host.verdicts.begin(), host.verdicts.end(), known)) host.verdicts.emplace_back(title(), verdict_);
   StageReport report;
   const auto begun = std::chrono::steady_clock::now();
+  stop_reason_.clear();
   try {
     report = go();
+    if (report.end == StageEnd::stopped && report.reason.empty()) report.reason = stop_reason_;
     broken_.clear();
   } catch (const std::exception& e) {
     broken_ = e.what();

@@ -93,7 +93,8 @@ class SimulatedModel : public ScriptModel {
   void lift_bonds() override { simulation().lift_bonds(); }
   void set_bonds() override { simulation().set_bonds(); }
   void drop_step() override { simulation().drop_step(); }
-  void stop() override {
+  void stop(const std::string& why) override {
+    stop_reason_ = why;
     if (simulation_) simulation_->stop();
   }
 

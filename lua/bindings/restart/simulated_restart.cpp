@@ -184,7 +184,7 @@ void SimulatedModel<D>::keep_checkpoint(const ScriptListener& listener, Host& ho
   store_restart(host);
   if (!ends) return;
   book.signalled = true;
-  simulation_->stop();
+  stop("by a signal, after a checkpoint");
 }
 
 template <int D>

@@ -85,8 +85,12 @@ void note_consolidation(lua_State* L, ScriptModel& m, const std::string& name, c
     if (host(L).observer != nullptr) host(L).observer->note(said);
   };
   if (!unused.empty()) note(fmt::format("{}: statics has no time steps, so it ignores {}", name, unused));
-  if (report.end == StageEnd::not_at_rest)
-    note(fmt::format("{} did not come to rest, but the run continues: {}", name, report.reason));
+  if (report.end == StageEnd::not_at_rest) {
+    // The line of the stage's end gives the reason in the terminal.
+    const std::string said = fmt::format("{} did not come to rest, but the run continues", name);
+    m.note(said + ": " + report.reason);
+    if (host(L).observer != nullptr) host(L).observer->note(said);
+  }
   if (report.end != StageEnd::unstable) return;
   const std::string said = fmt::format("{}: {}", name, report.reason);
   m.note(said), tell_note(L, m, said);  // in the file, and in m.notes

@@ -107,7 +107,7 @@ int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUnt
     add_push(changed, m.if_built()->state(), o.stage.name, std::move(rows), o.direction, motion);
   });
   const Watch<D> watch(m, [&](const Instant<D>& now) {
-    if (recorder.step(now)) m.stop();
+    if (recorder.step(now)) m.stop("limit of the pushover: " + recorder.limit());
   });
   const StageReport report = run_stage(L, m, o.stage, until);
   recorder.finish();

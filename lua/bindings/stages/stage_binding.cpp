@@ -249,7 +249,7 @@ int bounds(lua_State* L) {
 int stop(lua_State* L) {
   ScriptModel& m = this_model(L);
   if (!m.running()) throw InputError("stop: no stage runs; call it from a handler or a story while one does");
-  m.stop();
+  m.stop("by m:stop()");
   return 0;
 }
 

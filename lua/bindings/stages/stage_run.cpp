@@ -169,7 +169,7 @@ class Handlers {
   bool leaves() {
     if (model_.finishes_step()) return false;
     if (host_.console != nullptr || !interrupted()) return false;
-    model_.stop();
+    model_.stop("by a signal or an interruption");
     return true;
   }
 
@@ -272,10 +272,10 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
         inner(time, dt);
         if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true became true";
         if (met.empty() && fallen.look()) met = collapse_reason;
-        if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps)) model.stop();
+        if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps))
+          model.stop(met.empty() ? "after the given number of steps" : met);
       };
     StageReport report = model.run(options, listener, h);
-    if (report.end == StageEnd::stopped && !met.empty()) report.reason = met;
     return report;
   });
 }

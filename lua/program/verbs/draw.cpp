@@ -27,9 +27,10 @@ struct DrawOptions {
 std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const DrawOptions& options) {
   const SceneOptions& scene = options.scene;
   if (scene.forces || scene.ghost || scene.cracks || !scene.stress.empty() || !scene.thrust.empty() ||
-      scene.colour != "group")
+      !scene.diagram.empty() || scene.colour != "group")
     throw InputError(
-        "--mode: shows the shape alone; leave out --forces, --ghost, --cracks, --stress, --thrust, --colour");
+        "--mode: shows the shape alone; leave out --forces, --ghost, --cracks, --stress, --thrust, "
+        "--diagram, --colour");
   const bool last = options.at == "end" && scene.stage.empty();
   const std::vector<results::ModeRow> found =
       draw::modes_found(reader, last ? std::numeric_limits<double>::infinity()
@@ -50,6 +51,7 @@ std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const D
   if (!options.mode.empty()) return mode_scenes(reader, options);
   draw::SceneChoice choice = scene_choice(options.scene, reader.header().dim);
   const SceneWindow window = scene_window(reader, options.scene);
+  choice.span = {window.begin, window.end};
   choice.origin = window.origin;  // the caption uses the same origin as --at
   std::vector<double> times;
   for (const std::string& at : comma_list(options.at)) times.push_back(scene_time(reader, window, at, "--at"));

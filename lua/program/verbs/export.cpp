@@ -127,7 +127,7 @@ void add_export(CLI::App& app, int& code) {
       ->type_name("FROM:TO:EVERY");
   verb->add_option("--table", o->table, "csv: only one table")->check(CLI::IsMember(results::csv_table_names()));
   verb->add_option("--at", o->at,
-                   "csv: moments of the tables of bodies and bearings: seconds, 'start', 'end' or an event")
+                   "csv: moments of the tables of bodies, bearings and members: seconds, 'start', 'end' or an event")
       ->type_name("T[,T...]")
       ->capture_default_str();
   verb->callback([o, &code] { code = export_results(*o); });
