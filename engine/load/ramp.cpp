@@ -38,8 +38,8 @@ GroundMotion ramp_motion(double distance, double duration) {
   return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
 }
 
-/// Without a jump in velocity, which would be an impact. With two intervals to reach the speed and two to stop, 96 of
-/// 100 are at that speed; the first and last two count as one each in distance, hence 98 below.
+/// Without a jump in velocity, which would be an impact. Of 100 intervals, 2 `half` reach the speed and two stop. In
+/// distance they count as half as many.
 GroundMotion even_motion(double distance, double speed, double ramp) {
   check_distance(distance, "push");
   require_positive(speed, "push: the speed", "m/s");
@@ -47,11 +47,10 @@ GroundMotion even_motion(double distance, double speed, double ramp) {
   const double time = std::abs(distance) / speed, wanted = std::ceil(0.5 * intervals * ramp / time);
   const auto half = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(most)));
   std::array<double, intervals + 1> shape{};
-  for (std::size_t i = 1; i < 2 * half; ++i) {
-    const double share = 1 - std::abs(static_cast<double>(i) - static_cast<double>(half)) / static_cast<double>(half);
-    shape[i] = share, shape[intervals - i] = -share;
-  }
-  return to_distance(shape, time / static_cast<double>(intervals - 2 * half), distance,
+  for (std::size_t i = 1; i < 2 * half; ++i)
+    shape[i] = 1 - std::abs(static_cast<double>(i) - static_cast<double>(half)) / static_cast<double>(half);
+  shape[intervals - 1] = -static_cast<double>(half);
+  return to_distance(shape, time / static_cast<double>(intervals - 1 - half), distance,
                      fmt::format("by {:g} m at {:g} m/s", distance, speed));
 }
 

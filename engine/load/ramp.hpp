@@ -10,9 +10,9 @@ namespace trilith {
 /// remains at `distance`. Throws InputError for a distance that is 0 or not finite, and a duration not above 0.
 GroundMotion ramp_motion(double distance, double duration);
 
-/// Displacement by `distance` [m] at `speed` [m/s]. In the first and the last part of the time it accelerates and
-/// decelerates like ramp_motion. Each part takes `ramp` [s], at least 2 % and at most 20 % of the time. Either sign of
-/// distance; throws InputError as ramp_motion does.
+/// Displacement by `distance` [m] at `speed` [m/s]. At first it accelerates like ramp_motion, for `ramp` [s], at least
+/// 2 % and at most 20 % of the time. In the last 2 % it decelerates. Either sign of distance; throws InputError as
+/// ramp_motion does.
 GroundMotion even_motion(double distance, double speed, double ramp = 0);
 
 /// Displacement by `distance` [m] with acceleration over 20 % of the time at either end: at most `acceleration` [m/s2],

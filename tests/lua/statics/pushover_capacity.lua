@@ -94,7 +94,7 @@ for _, dim in ipairs { 2, 3 } do
   end
   local pushed = w:pushover { body = body, rate = 0.01, displacement = 5e-3 }
   local weight = body.mass*g
-  near("peak", pushed.peak_force, 0.4*weight, 0.06)
+  near("peak", pushed.peak_force, 0.4*weight, 0.1)
   near("friction of the weight alone", pushed.carried_at_peak, 0.4*weight, 0.03)
   assert(pushed.carried_at_peak < pushed.peak_force and not pushed.quasi_static)
   w:close()
