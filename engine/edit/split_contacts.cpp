@@ -1,7 +1,9 @@
 #include "edit/split_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "assembly/contact/contact_rows.hpp"
@@ -20,18 +22,25 @@ constexpr double same_line = 1e-6;
 template <class M>
 M turned_memory(M m) {
   if constexpr (requires { m.set[1]; }) std::swap(m.set[0], m.set[1]);
-  if constexpr (requires { m.damage[1]; }) std::swap(m.damage[0], m.damage[1]);
+  if constexpr (requires { m.damage[1]; }) std::reverse(std::begin(m.damage), std::end(m.damage));
   if constexpr (requires { m.crushed[1]; }) std::swap(m.crushed[0], m.crushed[1]);
   return m;
 }
 
-/// Values of both halves for the halves of the part [from, to]: means over the old halves that they cover.
-void take_means(double* halves, double from, double to) {
-  const double old[2] = {halves[0], halves[1]};
-  for (const int h : {0, 1}) {
-    const double low = from + 0.5 * h * (to - from), high = low + 0.5 * (to - from);
-    const double first = std::clamp((0.5 - low) / (high - low), 0.0, 1.0);
-    halves[h] = first * old[0] + (1 - first) * old[1];
+/// Values of equal cells for the cells of the part [from, to]: means over the old cells that they cover.
+template <std::size_t N>
+void take_means(double (&cells)[N], double from, double to) {
+  constexpr double size = 1.0 / N;
+  const double width = (to - from) * size;
+  std::array<double, N> old{};
+  std::copy(std::begin(cells), std::end(cells), old.begin());
+  for (std::size_t i = 0; i < N; ++i) {
+    const double low = from + static_cast<double>(i) * width, high = low + width;
+    cells[i] = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double start = static_cast<double>(k) * size;
+      cells[i] += std::max(0.0, std::min(high, start + size) - std::max(low, start)) / width * old[k];
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <concepts>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -44,6 +45,8 @@ struct StepControl {
   double accuracy = 0;      ///< allowed energy error of a step, as a share of the kinetic and stored energy; 0: any
   double shortest = 0;      ///< errors shorten no step below this length [s]
   double give_up = 0;       ///< the step fails rather than become shorter than this [s]
+  /// Called at each iteration; the step ends when it returns true. nullptr or empty: never stopped.
+  const std::function<bool()>* is_stopped = nullptr;
 };
 
 /// An instant that has been evaluated and committed, and the step from there.
@@ -64,7 +67,7 @@ struct StepInput {
 struct StepResult {
   bool done = true;
   double dt = 0;       ///< length of the step, or of the last attempt [s]
-  std::string reason;  ///< if it failed: the reason, the place, and advice
+  std::string reason;  ///< if it failed: the reason, the place, and advice; empty if it was stopped
 };
 
 template <class I>

@@ -38,16 +38,19 @@ GroundMotion ramp_motion(double distance, double duration) {
   return to_distance(shape, duration / 4, distance, fmt::format("ramp by {:g} within {:g} s", distance, duration));
 }
 
-/// Without a jump in velocity, which would be an impact.
-GroundMotion even_motion(double distance, double speed) {
+/// Without a jump in velocity, which would be an impact. Of 100 intervals, 2 `half` reach the speed and two stop. In
+/// distance they count as half as many.
+GroundMotion even_motion(double distance, double speed, double ramp) {
   check_distance(distance, "push");
   require_positive(speed, "push: the speed", "m/s");
-  // Two intervals to reach the speed, 96 at that speed and two to stop; the first and last two count as one each in
-  // distance, hence 98 below.
-  constexpr std::size_t intervals = 100;
+  constexpr std::size_t intervals = 100, most = 10;
+  const double time = std::abs(distance) / speed, wanted = std::ceil(0.5 * intervals * ramp / time);
+  const auto half = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(most)));
   std::array<double, intervals + 1> shape{};
-  shape[1] = 1, shape[intervals - 1] = -1;
-  return to_distance(shape, std::abs(distance) / speed / (intervals - 2), distance,
+  for (std::size_t i = 1; i < 2 * half; ++i)
+    shape[i] = 1 - std::abs(static_cast<double>(i) - static_cast<double>(half)) / static_cast<double>(half);
+  shape[intervals - 1] = -static_cast<double>(half);
+  return to_distance(shape, time / static_cast<double>(intervals - 1 - half), distance,
                      fmt::format("by {:g} m at {:g} m/s", distance, speed));
 }
 

@@ -10,9 +10,10 @@ namespace trilith {
 /// remains at `distance`. Throws InputError for a distance that is 0 or not finite, and a duration not above 0.
 GroundMotion ramp_motion(double distance, double duration);
 
-/// Displacement by `distance` [m] at `speed` [m/s], except for the first and the last 2 % of the time, in which it
-/// accelerates and decelerates like ramp_motion. Either sign of distance; throws InputError as ramp_motion does.
-GroundMotion even_motion(double distance, double speed);
+/// Displacement by `distance` [m] at `speed` [m/s]. At first it accelerates like ramp_motion, for `ramp` [s], at least
+/// 2 % and at most 20 % of the time. In the last 2 % it decelerates. Either sign of distance; throws InputError as
+/// ramp_motion does.
+GroundMotion even_motion(double distance, double speed, double ramp = 0);
 
 /// Displacement by `distance` [m] with acceleration over 20 % of the time at either end: at most `acceleration` [m/s2],
 /// and at least `duration` [s].

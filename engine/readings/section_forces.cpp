@@ -24,19 +24,6 @@ void add_about(const Vec2& centre, const SurfaceForce& f, Vec2& force, double& m
   moment += cross(Vec2(f.point - centre), f.force) + f.moment;
 }
 
-/// Gaps of the part [from, to] of a half, in units of the half.
-HalfGaps part_of_half(const HalfGaps& half, double from, double to) {
-  const double rise = half.g1 - half.g0, width = to - from;
-  HalfGaps part{half.g0 + from * rise, half.g0 + to * rise, {}};
-  const Filling<double>& f = half.filling;
-  const double begin = std::max(f.from, from), end = std::min(f.to, to);
-  if (!(end > begin)) return part;
-  const double slope = (f.w1 - f.w0) / (f.to - f.from);
-  part.filling.from = (begin - from) / width, part.filling.to = (end - from) / width;
-  part.filling.w0 = f.w0 + slope * (begin - f.from), part.filling.w1 = f.w0 + slope * (end - f.from);
-  return part;
-}
-
 /// Share of a half's shear that acts in its part [from, to]: shear is uniform where the half carries it.
 double shear_share(const HalfGaps& half, bool bonded, double from, double to) {
   PositivePart<double> carries(-half.g0, -half.g1);
@@ -78,10 +65,9 @@ FaceSums face_sums(const Model<2>& model, const Work<2>& work, int row, double f
       const double a = std::clamp((from - start) / half, 0.0, 1.0), b = std::clamp((to - start) / half, 0.0, 1.0);
       if (!(b > a)) continue;
       const auto side = static_cast<std::size_t>(h);
-      const double hold = law.hold(memory, own, h);
-      const HalfPressure p = law.pressure(part_of_half(gaps[side], a, b), (b - a) * half, hold);
+      const HalfPressure p = pressure_of_half(law, gaps[side], half, memory, own, h, a, b);
       out.normal += p.force;
-      out.moment += p.moment + (start + a * half - o.lo) * p.force;
+      out.moment += p.moment + (start - o.lo) * p.force;
       out.shear += memory.shear_total[h] * shear_share(gaps[side], memory.bonded(h), a, b);
     }
   });

@@ -169,17 +169,17 @@ void Simulation<D>::leave_failed_step() {
   state_.dt = next_.dt, state_.safety = next_.safety;
 }
 
-/// Steps from a committed instant to the next one. False if no step was found.
+/// Steps from a committed instant to the next one. False if no step was found, or if it was stopped.
 template <int D>
-bool Simulation<D>::take_step(double dt, const Energy& energy) {
+bool Simulation<D>::take_step(double dt, const Energy& energy, const RunListener<D>& listener) {
   const StageOptions& options = stage_->options;
   const StepControl control{options.tolerance, options.accuracy, shortest_for_energy * longest_controlled_step(options),
-                            options.may_change ? least_gain * options.safety * next_.longest : 0};
+                            options.may_change ? least_gain * options.safety * next_.longest : 0, &listener.is_stopped};
   const StepInput<D> input{model_, state_, work_, *tangent_, energy, dt, rest_, control, times_};
   const StepResult step = std::visit([&](const auto& scheme) { return scheme.step(input); }, integrator());
   stage_->report.shortest_dt = std::min(stage_->report.shortest_dt, step.dt);
   if (step.done) return true;
-  if (!options.may_change) {
+  if (!options.may_change || step.reason.empty()) {
     stuck_ = step.reason;
     return false;
   }
@@ -200,13 +200,13 @@ template const AnyIntegrator& Simulation<2>::integrator() const;
 template NextStep Simulation<2>::choose_step() const;
 template void Simulation<2>::choose_integrator();
 template void Simulation<2>::change_velocities(VelocityTimes);
-template bool Simulation<2>::take_step(double, const Energy&);
+template bool Simulation<2>::take_step(double, const Energy&, const RunListener<2>&);
 template VelocityTimes Simulation<3>::wanted_velocities() const;
 template const AnyIntegrator& Simulation<3>::integrator() const;
 template NextStep Simulation<3>::choose_step() const;
 template void Simulation<3>::choose_integrator();
 template void Simulation<3>::change_velocities(VelocityTimes);
-template bool Simulation<3>::take_step(double, const Energy&);
+template bool Simulation<3>::take_step(double, const Energy&, const RunListener<3>&);
 template void Simulation<2>::leave_failed_step();
 template void Simulation<3>::leave_failed_step();
 

@@ -307,12 +307,12 @@ bool Simulation<D>::ends(const RunListener<D>& listener, const Instant<D>& now) 
   return true;
 }
 
-/// Ends the stage if no step was found; the state is at the last complete step.
+/// Ends the stage if no step was found or the step was stopped; the state is at the last complete step.
 template <int D>
 void Simulation<D>::fail_stage(const RunListener<D>& listener) {
   refresh();
   const Instant<D> now = instant();
-  set_end(stage_->report, now, std::nullopt, StageEnd::not_converged);
+  set_end(stage_->report, now, std::nullopt, stuck_.empty() ? StageEnd::stopped : StageEnd::not_converged);
   stage_->report.reason = std::exchange(stuck_, {});
   stage_->over = true;
   tell_end(listener, now);
@@ -321,7 +321,7 @@ void Simulation<D>::fail_stage(const RunListener<D>& listener) {
 /// Takes one step with a constant number of threads, which is timed while the number is still open. False if no step
 /// was found.
 template <int D>
-bool Simulation<D>::step_in_time(double dt) {
+bool Simulation<D>::step_in_time(double dt, const RunListener<D>& listener) {
   using Clock = std::chrono::steady_clock;
   work_.threads = threads_.threads();
   const Clock::time_point began = threads_.is_open() ? Clock::now() : Clock::time_point{};
@@ -329,7 +329,7 @@ bool Simulation<D>::step_in_time(double dt) {
   const bool is_given = next_.safety == 0;
   const bool may_skip = watch_->bonds().near && !state_.implicit();
   commit(model_, state_, work_, times_);
-  if (!take_step(dt, before)) return false;
+  if (!take_step(dt, before, listener)) return false;
   refresh();
   if (may_skip) add_skipped_bonds(model_, state_, work_, is_given);
   if (threads_.is_open()) threads_.took(std::chrono::duration<double>(Clock::now() - began).count());
@@ -377,7 +377,7 @@ void Simulation<D>::pass(const RunListener<D>& listener) {
   state_.dt = next_.dt;
   state_.safety = next_.safety;
   evaluated_ = false;
-  if (!step_in_time(now.dt)) return fail_stage(listener);
+  if (!step_in_time(now.dt, listener)) return fail_stage(listener);
   tell_step(listener);
   if (times_ != nullptr) ++times_->steps;
   if (!listener.at_border) return;

@@ -188,8 +188,8 @@ class Simulation {
   void choose_integrator();
   void change_velocities(VelocityTimes to);
   void leave_failed_step();
-  bool take_step(double dt, const Energy& energy);
-  bool step_in_time(double dt);
+  bool take_step(double dt, const Energy& energy, const RunListener<D>& listener);
+  bool step_in_time(double dt, const RunListener<D>& listener);
   void fail_stage(const RunListener<D>& listener);
   [[nodiscard]] double whole_step() const;
   [[nodiscard]] double impact_accuracy() const;

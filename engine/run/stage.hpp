@@ -112,6 +112,9 @@ struct RunListener {
   std::function<bool(Model<D>&)> change_model;
   /// Called last, at the step border, where Simulation::edit_model, run_on, snapshot and restore are permitted.
   std::function<void()> at_border;
+  /// Called within steps that solve equations, at each iteration. When it returns true the stage ends as stopped, at
+  /// the last complete step. Leave it empty if not needed.
+  std::function<bool()> is_stopped;
 };
 
 }  // namespace trilith

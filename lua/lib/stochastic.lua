@@ -137,7 +137,9 @@ function trilith.stochastic_motion(options)
   if not factor then
     local most = 0
     for i = 1, count do most = math.max(most, math.abs(values[i])) end
-    factor = number(options, "pga", " m/s2")/most
+    local pga = number(options, "pga", " m/s2")
+    core.note_small_peak(owner, pga)
+    factor = pga/most
   end
   for i = 1, count do values[i] = factor*values[i] end
   return trilith.motion { acceleration = values, dt = s.dt, allow_drift = not e or nil }

@@ -211,6 +211,7 @@ TEST_CASE("arches that cannot be built are rejected") {
   CHECK(mentions(refusal_of([] { build_arch({.sub_edges = 2000}); }), "sub edges is 2000"));
   CHECK(mentions(refusal_of([] { build_arch({.abutment_depth = -1}); }), "abutment depth is -1 m"));
   CHECK(mentions(refusal_of([] { build_arch({.abutment_margin = 1}); }), "abutment margin is 1 m"));
+  CHECK(mentions(refusal_of([] { build_arch({.abutment_margin = -0.1}); }), "abutment margin is -0.1 m"));
   CHECK(
       mentions(refusal_of([] { build_arch({.radius = std::numeric_limits<double>::infinity()}); }), "radius is inf m"));
 }

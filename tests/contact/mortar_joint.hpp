@@ -49,13 +49,13 @@ struct MortarJoint {
       see();
     }
   }
-  [[nodiscard]] double damage() const { return std::max(own.damage[0], own.damage[1]); }
+  [[nodiscard]] double damage() const { return most_damage(own); }
   /// Elastic energy of the joint, uniformly open or closed [J].
   [[nodiscard]] double stored() const {
     double sum = 0;
     for (const int h : {0, 1}) {
       const double left = gap + own.crushed[h];
-      const double hold = left <= 0 ? 1 : memory.bonds[h] ? law.held(1 - own.damage[h]) : 0;
+      const double hold = left <= 0 ? 1 : memory.bonds[h] ? law.held(1 - law.damage(own, h)) : 0;
       sum += 0.5 * kn * hold * left * left * 0.5;
       if (memory.active[h] > 0)
         sum += 0.5 * memory.shear_elastic[h] * memory.shear_elastic[h] / (ks * memory.active[h]);

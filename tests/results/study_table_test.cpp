@@ -36,6 +36,25 @@ TEST_CASE("a study's column of whole numbers wider than their own bytes is rejec
   CHECK_THROWS_AS(results::read_study_table(path), results::ResultsError);
 }
 
+TEST_CASE("a study's column that lies outside of its rows is rejected, not read beyond memory") {
+  const Folder folder;
+  const std::filesystem::path path = folder / "study.h5";
+  const std::vector<std::int32_t> numbers{1, 2, 3};
+  results::write_study_table(path, {{"case", "1", "number", numbers}, {"status", "1", "code", numbers}}, {}, true);
+  CHECK(results::read_study_table(path).size() == 2);
+  // HDF5's encoding of a column: its name, padded to 8 bytes, and its place in the row.
+  const std::string column{"status\0\0\x04\0\0\0", 12};
+  std::string bytes = bytes_of(path);
+  const std::size_t at = bytes.find(column);
+  REQUIRE(at != std::string::npos);
+  for (const int byte : {8, 9, 10}) {
+    std::string damaged = bytes;
+    damaged[at + byte] = '\xff';
+    std::ofstream(path, std::ios::binary) << damaged;
+    CHECK_THROWS_AS(results::read_study_table(path), results::ResultsError);
+  }
+}
+
 namespace {
 
 /// Exit code of a child process that reads a table and exits in order, with the library's clean-up; 1000 plus the

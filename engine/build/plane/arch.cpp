@@ -174,8 +174,9 @@ void add_abutments(const Arch& arch, const std::string& owner, std::vector<Part>
   const double low = inner(arch), high = arch.radius + arch.thickness / 2;
   const double depth = arch.abutment_depth == 0 ? arch.thickness : arch.abutment_depth;
   require_positive(depth, owner + ": abutment depth", "m");
-  require_finite(arch.abutment_margin, owner + ": abutment margin");
-  const double margin = arch.abutment_margin < 0 ? std::min(arch.thickness, low) / 2 : arch.abutment_margin;
+  const double margin = arch.abutment_margin.value_or(std::min(arch.thickness, low) / 2);
+  if (!(margin >= 0))
+    throw InputError(fmt::format("{}: abutment margin is {:g} m, must be finite and not below 0", owner, margin));
   if (margin >= low)
     throw InputError(
         fmt::format("{}: abutment margin is {:g} m, must be below the inner radius of {:g} m", owner, margin, low));

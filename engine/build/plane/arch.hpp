@@ -23,15 +23,15 @@ struct Arch {
                       ///< below 0; above 0 the arch is pointed: radius/2 makes its mid line equilateral
   double key = 1;     ///< width of the middle voussoir of an odd number over the width of the others, above 0
   int sub_edges = 1;  ///< straight edges per voussoir and side, 1 to 1000; 1: straight-sided voussoirs
-  Vec2 centre = Vec2::Zero();   ///< of the circle; of a pointed arch: midway between the centres [m]
-  bool abutments = true;        ///< with a block behind each springing
-  double abutment_depth = 0;    ///< of the abutments, away from the arch [m]; 0: the thickness
-  double abutment_margin = -1;  ///< by which the abutments extend beyond intrados and extrados in the plane of the
-                                ///< springing joint [m], below the inner radius; negative: half of the thickness or
-                                ///< half of the inner radius, whichever is less
-  double jitter = 0;            ///< every joint between voussoirs, except at a pointed crown, is moved along the mid
-                                ///< line by up to this distance [m], below a quarter of a voussoir
-  int seed = 1;                 ///< seed of the jitter: the same number gives the same bits everywhere
+  Vec2 centre = Vec2::Zero();  ///< of the circle; of a pointed arch: midway between the centres [m]
+  bool abutments = true;       ///< with a block behind each springing
+  double abutment_depth = 0;   ///< of the abutments, away from the arch [m]; 0: the thickness
+  /// By which the abutments extend beyond intrados and extrados in the plane of the springing joint [m], not below 0
+  /// and below the inner radius. If absent: half of the thickness or of the inner radius, whichever is less.
+  std::optional<double> abutment_margin = std::nullopt;
+  double jitter = 0;  ///< every joint between voussoirs, except at a pointed crown, is moved along the mid
+                      ///< line by up to this distance [m], below a quarter of a voussoir
+  int seed = 1;       ///< seed of the jitter: the same number gives the same bits everywhere
   std::optional<double> span = std::nullopt, rise = std::nullopt;  ///< clear ones [m], above 0, instead of radius,
                                                                    ///< half_angle and offset: see with_span_and_rise
 
@@ -55,12 +55,8 @@ struct Arch {
         K::Flag{&Arch::abutments, "abutments", "make abutments"},
         K::Number{
             &Arch::abutment_depth, "abutment_depth", "m", "depth of the abutments", any_number, {"the thickness"}},
-        K::Number{&Arch::abutment_margin,
-                  "abutment_margin",
-                  "m",
-                  "width of the abutments beyond the ring",
-                  any_number,
-                  {"half the thickness"}},
+        K::MaybeNumber{&Arch::abutment_margin, "abutment_margin", "m",
+                       "width of the abutments beyond the ring; half the thickness if left out", not_below_zero},
         K::Number{&Arch::jitter, "jitter", "m", "largest random shift of joints", not_below_zero},
         K::Count{&Arch::seed, "seed", "of the random numbers"});
   }
@@ -84,12 +80,8 @@ struct ProfileKeys {
         K::Flag{&Arch::abutments, "abutments", "make abutments; not for cross vaults"},
         K::Number{
             &Arch::abutment_depth, "abutment_depth", "m", "depth of the abutments", any_number, {"the thickness"}},
-        K::Number{&Arch::abutment_margin,
-                  "abutment_margin",
-                  "m",
-                  "width of the abutments beyond the ring",
-                  any_number,
-                  {"half the thickness"}});
+        K::MaybeNumber{&Arch::abutment_margin, "abutment_margin", "m",
+                       "width of the abutments beyond the ring; half the thickness if left out", not_below_zero});
   }
 };
 

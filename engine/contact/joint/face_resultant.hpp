@@ -24,8 +24,8 @@ double pressing_energy(const FaceOverlap<double>& o, const ContactMemory& memory
                        const K& law) {
   if (!o.sane) return 0;
   const std::array<HalfGaps, 2> gaps = stressed_gaps(law, o, memory, own);
-  return law.stored(gaps[0], 0.5 * o.shared, law.hold(memory, own, 0)) +
-         law.stored(gaps[1], 0.5 * o.shared, law.hold(memory, own, 1));
+  return stored_in_half(law, gaps[0], 0.5 * o.shared, memory, own, 0) +
+         stored_in_half(law, gaps[1], 0.5 * o.shared, memory, own, 1);
 }
 
 /// `memory`: as respond_face_pair left it for these ends. The force equals the sum of the forces spread to the ends.
@@ -37,8 +37,8 @@ ContactResultant face_resultant(const FaceEnds<double>& a, const FaceEnds<double
   const FaceOverlap<double> o(a, b);
   const double half = 0.5 * o.shared, gap_mid = 0.5 * (o.gap_lo + o.gap_hi), middle = o.lo + half;
   const std::array<HalfGaps, 2> gaps = stressed_gaps(law, o, memory, own);
-  const HalfPressure first = law.pressure(gaps[0], half, law.hold(memory, own, 0));
-  const HalfPressure second = law.pressure(gaps[1], half, law.hold(memory, own, 1));
+  const HalfPressure first = pressure_of_half(law, gaps[0], half, memory, own, 0);
+  const HalfPressure second = pressure_of_half(law, gaps[1], half, memory, own, 1);
   ContactResultant out;
   out.normal = first.force + second.force + memory.damping_force[0];
   out.shear = memory.shear_total[0] + memory.shear_total[1];

@@ -1,5 +1,10 @@
-// Points of bonds in the plane: for each half of two faces, both ends in tension and the middle in shear.
+// Points of bonds in the plane: for each half of two faces, the middle in shear, and in tension the wider end of the
+// half, or of each of its parts once they have softened.
 #pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
 
 #include "assembly/contact/contact_rows.hpp"
 #include "integrate/explicit/bond_places.hpp"
@@ -21,17 +26,35 @@ inline FaceRates<double> bond_rates(const Work<2>& work, const NearPair& p, cons
   return {overlap, a, b};
 }
 
-/// Points of one half face of `length` [m]. `rate`: of the gap at both ends [m/s]; `slip`: slip rate at the middle
-/// [m/s].
-template <class K, class F>
-void bonds_of_half(const K& law, const HalfGaps& gaps, double strength, double elastic, double length,
-                   const std::array<double, 2>& rate, double slip, double dt_behind, PlacedBond bond, F&& f) {
-  const double end[2] = {gaps.g0 - gaps.filling.end0, gaps.g1 - gaps.filling.end1};
-  bond.curve = tension_curve(law, strength);
-  // Damage depends on the wider end.
-  const int wider = end[1] + dt_behind * rate[1] > end[0] + dt_behind * rate[0] ? 1 : 0;
+/// The ends of a half or of a part of it, with openings `end` [m] and their rates [m/s]: the wider end, and where the
+/// motion ahead is asked for, the faster one.
+template <class F>
+void bonds_of_ends(const std::array<double, 2>& end, const std::array<double, 2>& rate, double dt_behind,
+                   PlacedBond bond, F&& f) {
+  const std::size_t wider = end[1] + dt_behind * rate[1] > end[0] + dt_behind * rate[0] ? 1 : 0;
   bond.at = end[wider], bond.rate = rate[wider], f(bond);
   if (dt_behind == 0 && rate[1 - wider] > rate[wider]) bond.at = end[1 - wider], bond.rate = rate[1 - wider], f(bond);
+}
+
+/// Points of one half face of `length` [m]. `left`: remaining strength shares of its parts, or of all of it; `rate`: of
+/// the gap at both ends [m/s]; `slip`: slip rate at the middle [m/s].
+template <class K, class F>
+void bonds_of_half(const K& law, const HalfGaps& gaps, std::span<const double> left, double elastic, double length,
+                   const std::array<double, 2>& rate, double slip, double dt_behind, PlacedBond bond, F&& f) {
+  const std::array<double, 2> end = {gaps.g0 - gaps.filling.end0, gaps.g1 - gaps.filling.end1};
+  const double parts = static_cast<double>(left.size());
+  const double share = bond.share;
+  bond.share = share / parts;
+  double strength = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    strength += left[i] / parts;
+    if (!(left[i] > 0)) continue;
+    const double a = static_cast<double>(i) / parts, b = static_cast<double>(i + 1) / parts;
+    const auto at = [&](const std::array<double, 2>& v, double s) { return (1 - s) * v[0] + s * v[1]; };
+    bond.curve = tension_curve(law, left[i]);
+    bonds_of_ends({at(end, a), at(end, b)}, {at(rate, a), at(rate, b)}, dt_behind, bond, f);
+  }
+  bond.share = share;
   const double mean = 0.5 * (end[0] + end[1]);
   bond.curve = shear_curve(law, strength, std::max(-mean, 0.0), std::max(mean, 0.0));
   if (!(bond.curve.top > 0) || !(length > 0)) return;
@@ -63,10 +86,15 @@ void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work
           const std::array<double, 2> rate = {h == 0 ? r.gap_lo : middle, h == 0 ? middle : r.gap_hi};
           HalfGaps then = gaps[h];
           then.g0 -= back * rate[0], then.g1 -= back * rate[1];
-          double strength = 1;
-          if constexpr (K::softens) strength = 1 - own.damage[h];
+          std::array<double, K::parts> left;
+          left.fill(1);
+          if constexpr (K::softens)
+            for (int i = 0; i < K::parts; ++i) left[i] = 1 - own.damage[h * K::parts + i];
+          // While a half is intact its wider end reaches the strength first.
+          const bool is_intact = *std::min_element(left.begin(), left.end()) >= 1;
           const double slip = (h == 0 ? 0.75 : 0.25) * r.slip_lo + (h == 0 ? 0.25 : 0.75) * r.slip_hi;
-          bonds_of_half(law, then, strength, memory.shear_elastic[h], 0.5 * overlap.shared, rate, slip, back, bond, f);
+          bonds_of_half(law, then, {left.data(), is_intact ? 1 : left.size()}, memory.shear_elastic[h],
+                        0.5 * overlap.shared, rate, slip, back, bond, f);
         }
       }
     });

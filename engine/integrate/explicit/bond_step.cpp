@@ -31,8 +31,9 @@ constexpr double missed_share = 0.01;
 constexpr double skipped_share = 0.1;
 /// A step that is not given is reported where a bond opened by more than this multiple of the limit of the step.
 constexpr double far_beyond = 2;
-/// Energy that any step may miss, as a share of the kinetic energy of the relative motion of two bodies.
-constexpr double kinetic_share = 1e-4;
+/// Energy that any step may miss, as a share of the kinetic energy of the relative motion of two bodies. Steps that are
+/// not given stop at the shares of the fracture energy below, however fast the bodies are.
+constexpr double kinetic_share = 1e-4, most_share = 1.0 / 64, most_missed_share = 0.02;
 /// Bonds shorten no step below this share of its length.
 constexpr double shortest_share = 1e-4;
 /// Upper bound of the contribution of the angular acceleration to the acceleration of a point, over the acceleration of
@@ -50,11 +51,12 @@ double acceleration_of(const Model<D>& model, const Work<D>& work, int body) {
          angular_acceleration(work.moment[n], model.inertia[n]) * model.body_radius[body];
 }
 
-/// Allowed energy error of the bond at the given speed [m/s], as a share of its fracture energy.
+/// Allowed energy error of the bond at the given speed [m/s], as a share of its fracture energy: `share`, or more up to
+/// `most` while it stays within the share of the kinetic energy.
 template <int D>
-double allowed_share(const Work<D>& work, const PlacedBond& bond, double speed, double share) {
+double allowed_share(const Work<D>& work, const PlacedBond& bond, double speed, double share, double most) {
   const double mass = mass_of_both(work, bond), energy = bond.curve.energy * bond.size;
-  return energy > 0 ? std::max(share, kinetic_share * 0.5 * mass * speed * speed / energy) : share;
+  return energy > 0 ? std::max(share, std::min(most, kinetic_share * 0.5 * mass * speed * speed / energy)) : share;
 }
 
 /// Largest opening of a bond in one step at the given speed [m]. The step is also limited before the peak: if it is
@@ -63,10 +65,11 @@ template <int D>
 double way_of(const Work<D>& work, const PlacedBond& bond, double speed) {
   const BondCurve& c = bond.curve;
   const bool brittle = !(c.last > c.peak);
-  const double share = allowed_share(work, bond, speed, brittle ? past_brittle_peak : past_peak);
+  const double share = allowed_share(work, bond, speed, brittle ? past_brittle_peak : past_peak, most_share);
   const double past = share * c.whole, elastic = 0.5 * c.top * c.peak;
   if (!brittle && bond.at >= c.peak - past) return std::max(share, softening_share) * c.whole;
-  const double up = c.peak * std::sqrt(4 * allowed_share(work, bond, speed, shortened_share) * c.energy / elastic);
+  const double gain = allowed_share(work, bond, speed, shortened_share, most_share);
+  const double up = c.peak * std::sqrt(4 * gain * c.energy / elastic);
   return std::max(past, std::min(c.peak - bond.at, up));
 }
 
@@ -106,7 +109,8 @@ bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& roo
 template <int D>
 double followed_path(const Work<D>& work, const PlacedBond& bond) {
   const bool brittle = !(bond.curve.last > bond.curve.peak);
-  return allowed_share(work, bond, bond.rate, brittle ? past_brittle_peak : softening_share) * bond.curve.whole;
+  return allowed_share(work, bond, bond.rate, brittle ? past_brittle_peak : softening_share, most_share) *
+         bond.curve.whole;
 }
 
 template <int D>
@@ -157,7 +161,7 @@ double bond_miss(const Model<D>& model, const State<D>& state, const Work<D>& wo
   each_bond(model, state, work, false, dt, [&](const PlacedBond& bond) {
     const double missed = bond.curve.missed(bond.at, bond.at + bond.rate * dt);
     if (!(missed > 0) || !(bond.curve.energy > 0)) return;
-    const double allowed = allowed_share(work, bond, bond.rate, missed_share);
+    const double allowed = allowed_share(work, bond, bond.rate, missed_share, most_missed_share);
     most = std::max(most, missed / (bond.curve.energy * allowed));
   });
   return most;
@@ -172,7 +176,7 @@ void add_skipped_bonds(const Model<D>& model, const State<D>& state, Work<D>& wo
     joint.bond = bond;
     const double missing = bond.curve.missing(bond.at, bond.at + bond.rate * dt);
     if (missing == 0 || !(bond.curve.energy > 0)) return;
-    const double allowed = allowed_share(work, bond, bond.rate, skipped_share);
+    const double allowed = allowed_share(work, bond, bond.rate, skipped_share, unbounded);
     joint.missing += missing * bond.share * bond.size;
     joint.most = std::max(joint.most, std::abs(missing) / (bond.curve.energy * allowed));
     joint.longest = std::min(joint.longest, followed_path(work, bond) / bond.rate);

@@ -3,7 +3,7 @@
 // Explicit steps are predicted. If a bond reaches its peak within the step, the step ends there. Along the softening
 // line a step opens the bond by a share of its last opening (law/contact/bond_curve.hpp). Implicit steps are checked
 // after convergence and are halved if a bond has missed too much of its work. The allowed error is a share of the
-// fracture energy, or a share of the kinetic energy of the relative motion of the two bodies if that is much larger.
+// fracture energy. Between fast bodies it grows with the kinetic energy of their relative motion, up to 2 %.
 //
 // The explicit prediction checks all bonds. It repeats the full check only when the fastest bond may have reached the
 // vicinity of its peak. Intact walls therefore cost one comparison per step and a full check from time to time.

@@ -33,8 +33,10 @@ StepResult AlphaMethod::step(const StepInput<D>& in) const {
   how.scheme = scheme(), how.dt = in.dt;
   how.tolerance = in.control.tolerance, how.accuracy = in.control.accuracy;
   how.shortest = in.control.shortest, how.give_up = in.control.give_up;
+  how.is_stopped = in.control.is_stopped;
   const ImplicitStep step = advance_implicitly(in.model, in.state, in.work, in.energy, in.tangent, how, in.times);
-  return {step.converged, step.dt, step.converged ? "" : stuck_reason(in.model, in.state, step)};
+  const bool is_stuck = !step.converged && !step.stopped;
+  return {step.converged, step.dt, is_stuck ? stuck_reason(in.model, in.state, step) : ""};
 }
 
 template StepResult AlphaMethod::step(const StepInput<2>&) const;

@@ -8,8 +8,9 @@
 namespace trilith {
 namespace {
 
-/// Largest number of halvings of a step to converge, and to satisfy the energy limit.
-constexpr int most_cuts = 14, most_cuts_for_energy = 7;
+/// Largest number of halvings of a step to converge, to follow the bonds that break in it, and to satisfy the energy
+/// limit.
+constexpr int most_cuts = 14, most_cuts_for_bonds = 18, most_cuts_for_energy = 7;
 /// The next step may be longer if the error is below this share of the limit.
 constexpr double well_kept = 0.2;
 /// After this number of halvings, an error above `no_better` times the previous error does not depend on the step
@@ -28,11 +29,17 @@ ImplicitStep advance_implicitly(const Model<D>& model, State<D>& state, Work<D>&
   ImplicitTrial<D> trial(model, state, work, energy, tangent, options, times);
   ImplicitStep out;
   out.dt = options.dt;
-  for (; out.cuts <= most_cuts && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
+  int most = most_cuts;
+  for (; out.cuts <= most && (out.cuts == 0 || out.dt >= options.give_up); ++out.cuts, out.dt *= 0.5) {
     const int before = out.iterations;
-    if (!trial.attempt(out.dt, out) || trial.tunnels(out)) continue;
+    const bool converged = trial.attempt(out.dt, out);
+    if (out.stopped) break;
+    if (!converged || trial.tunnels(out)) continue;
     // The equation of motion at both ends does not detect a bond that breaks within the step without its work.
-    if (trial.bonds_missed() > (out.cuts < most_cuts ? 1 : largest_bond_miss)) continue;
+    if (trial.bonds_missed() > (out.cuts < most_cuts_for_bonds ? 1 : largest_bond_miss)) {
+      most = most_cuts_for_bonds;
+      continue;
+    }
     const Energy booked = trial.booked();
     const double last = std::exchange(out.missed, options.accuracy > 0 ? trial.missed(booked) : 0);
     const bool gains = out.cuts < cuts_that_tell || out.missed <= no_better * last;

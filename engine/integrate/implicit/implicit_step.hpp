@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "assembly/alpha_scheme.hpp"
 #include "assembly/step_times.hpp"
@@ -20,11 +21,14 @@ struct ImplicitOptions {
   double shortest = 0;  ///< errors halve no step below this length, as shares of small energies are arbitrary [s]
   double give_up = 0;   ///< no step is halved below this length for any reason; the step then fails [s]
   int most_iterations = 30;
+  const std::function<bool()>* is_stopped = nullptr;  ///< see StepControl
+  [[nodiscard]] bool stopped() const { return is_stopped != nullptr && *is_stopped && (*is_stopped)(); }
 };
 
 /// Result of a step.
 struct ImplicitStep {
   bool converged = false;
+  bool stopped = false;                ///< at the request of ImplicitOptions::is_stopped
   int iterations = 0;                  ///< sum over all attempts
   int cuts = 0;                        ///< number of halvings
   double dt = 0;                       ///< length of the accepted step [s]

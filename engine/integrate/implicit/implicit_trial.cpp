@@ -158,7 +158,7 @@ void ImplicitTrial<D>::improve(const Eigen::VectorXd& full) {
   move(full, 1);
   evaluate_trial();
   merit_ = residual();
-  for (int halvings = 0; !(merit_ < before) && halvings < 6; ++halvings) {
+  for (int halvings = 0; !(merit_ < before) && halvings < 6 && !options_.stopped(); ++halvings) {
     clock_.mark(StepPart::advance);
     move(full, -0.5 * share);
     share *= 0.5;
@@ -195,6 +195,10 @@ bool ImplicitTrial<D>::attempt(double dt, ImplicitStep& out) {
     out.left = share_left_, out.worst = worst_;
     if (share_left_ <= options_.tolerance) return true;
     if (!std::isfinite(merit_)) return false;
+    if (options_.stopped()) {
+      out.stopped = true;
+      return false;
+    }
     ++out.iterations;
     const double before = merit_;
     // A new tangent costs as much as some iterations, so it is computed only if the last one is not sufficient.

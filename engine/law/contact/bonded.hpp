@@ -89,7 +89,7 @@ struct Bonded::Kernel : Mortar {
     const JointFilling<double> mortar(own.set[0], own.set[1]);
     return {{{o.gap_lo, mid, mortar.half[0]}, {mid, o.gap_hi, mortar.half[1]}}};
   }
-  [[nodiscard]] static double hold(const ContactMemory& m, const Memory<double>& /*own*/, int half) {
+  [[nodiscard]] static double hold(const ContactMemory& m, const Memory<double>& /*own*/, int half, int /*part*/) {
     return m.bonded(half) ? 1 : 0;
   }
   [[nodiscard]] static JointChange change(const ContactMemory& before, const Memory<double>& /*own*/,

@@ -5,7 +5,8 @@
 // structures", J. Eng. Mech. 123(7), 1997). Softening is linear here, as in the bilinear law of Camanho and Davila,
 // NASA/TM-2002-211737. Opening reduces chi along tension chi = kn hold g, sliding by its slip over `last_slip`; each
 // alone dissipates its fracture energy. In between, an open bond unloads to the origin, with the share `hold` of its
-// stiffness, and shear unloads with ks. Each half of a face softens separately.
+// stiffness, and shear unloads with ks. Four parts of each half soften separately by their opening, and together by
+// their slip.
 //
 // Dilation (default off): sliding opens the joint by tan(angle) times the slip. It stops at the slip at which the
 // asperities are worn (limit as in Lourenco and Rots 1997) and where the faces separate.
@@ -20,7 +21,9 @@
 // part of the motion only. The crushed depth is kept while the two bodies are near each other.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "base/schema.hpp"
 #include "law/contact/mortar.hpp"
@@ -107,19 +110,22 @@ struct Cohesive::Kernel : Mortar {
 
   static constexpr bool crushes = true;
   static constexpr bool softens = true;
+  static constexpr int parts = bond_parts;
 
   template <class T>
   struct Memory {
-    T set[2]{};      ///< gaps at both ends of the shared length when the mortar set [m]
-    T damage[2]{};   ///< of a bonded half: lost share of its strength
-    T crushed[2]{};  ///< crushed depth of the mortar of each half [m]
+    T set[2]{};                  ///< gaps at both ends of the shared length when the mortar set [m]
+    T damage[2 * bond_parts]{};  ///< of the parts of both bonded halves: lost share of their strength
+    T crushed[2]{};              ///< crushed depth of the mortar of each half [m]
     /// 1: was a general contact after first touching, and no longer dilates. Negative: minus the opening by the slip of
     /// the last step [m].
     T worn{};
     T crushing_force{};  ///< general contact: force that crushes its mortar, 0 while intact [N]
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
-      two(set[0], set[1]), two(damage[0], damage[1]), two(crushed[0], crushed[1]), two(worn, crushing_force);
+      two(set[0], set[1]);
+      for (int i = 0; i < 2 * bond_parts; i += 2) two(damage[i], damage[i + 1]);
+      two(crushed[0], crushed[1]), two(worn, crushing_force);
     }
   };
 
@@ -156,8 +162,8 @@ struct Cohesive::Kernel : Mortar {
   [[nodiscard]] std::array<HalfGaps, 2> gaps(const FaceOverlap<double>& o, const ContactMemory& m,
                                              const Memory<double>& own) const;
   [[nodiscard]] static double opening_to_come(const Memory<double>& own) { return std::max(0.0, -own.worn); }
-  [[nodiscard]] double hold(const ContactMemory& m, const Memory<double>& own, int half) const {
-    return m.bonded(half) ? held(1 - own.damage[half]) : 0;
+  [[nodiscard]] double hold(const ContactMemory& m, const Memory<double>& own, int half, int part) const {
+    return m.bonded(half) ? held(1 - own.damage[half * bond_parts + part]) : 0;
   }
   [[nodiscard]] ShapeLoss leave_faces(const FaceOverlap<double>& o, const ContactMemory& m,
                                       const Memory<double>& own) const;
@@ -169,14 +175,19 @@ struct Cohesive::Kernel : Mortar {
     return left;
   }
   [[nodiscard]] static double crushed(const Memory<double>& own) { return std::max(own.crushed[0], own.crushed[1]); }
-  [[nodiscard]] static double damage(const Memory<double>& own, int half) { return own.damage[half]; }
+  /// Mean over a half.
+  [[nodiscard]] static double damage(const Memory<double>& own, int half) {
+    double sum = 0;
+    for (int i = 0; i < bond_parts; ++i) sum += own.damage[half * bond_parts + i];
+    return sum / bond_parts;
+  }
   [[nodiscard]] static JointChange change(const ContactMemory& before, const Memory<double>& own,
                                           const ContactMemory& now, const Memory<double>& after);
   static void set_bond(Memory<double>& own, double lo, double hi) {
     lift_bond(own);
     own.set[0] = lo + own.crushed[0], own.set[1] = hi + own.crushed[1];
   }
-  static void lift_bond(Memory<double>& own) { own.damage[0] = own.damage[1] = 0; }
+  static void lift_bond(Memory<double>& own) { std::fill(std::begin(own.damage), std::end(own.damage), 0.0); }
   /// Marks that its faces were in general contact.
   void wear(Memory<double>& own) const { own.worn = dilation > 0 ? 1 : own.worn; }
 
@@ -218,11 +229,18 @@ struct Cohesive::Kernel : Mortar {
   template <class T>
   TRILITH_INLINE T crush_half(HalfState<T>& h, T before) const;
   template <class T>
-  TRILITH_INLINE void soften_by_opening(HalfState<T>& h, T damage) const;
+  TRILITH_INLINE void soften_by_opening(HalfState<T>& h, const T* damage) const;
   template <class T>
-  TRILITH_INLINE T opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded, T last) const;
+  TRILITH_INLINE T opening_loss(const HalfState<T>& h, const T* damage, Mask<T> was_bonded, T last) const;
   template <class T>
-  TRILITH_INLINE T crushing_loss(const HalfState<T>& h, T deeper, T hold, T last) const;
+  TRILITH_INLINE T crushing_loss(const HalfState<T>& h, T deeper, const T* damage, Mask<T> was_bonded, T last) const;
+  template <class T>
+  TRILITH_INLINE LinearStress<T> bond_by_parts(const HalfState<T>& h, T c0, T c1, const HalfSpan<T>& closed,
+                                               LinearStress<T> stress) const;
+  template <class T>
+  TRILITH_INLINE T mean_overlap(const HalfState<T>& h, T g0, T g1, const T* strengths, Mask<T> bonded) const;
+  template <class T>
+  TRILITH_INLINE T overlap_before(const HalfState<T>& h, const T* damage, Mask<T> was_bonded, T last) const;
   [[nodiscard]] double stored_in_both(const FaceOverlap<double>& o, const ContactMemory& m,
                                       const Memory<double>& own) const;
 };

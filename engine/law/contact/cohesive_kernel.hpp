@@ -7,11 +7,47 @@ namespace trilith {
 
 // Opening.
 
-/// Reduces strength and stiffness of a half by its largest opening. `damage`: before.
+/// Mean of the parts of a half.
 template <class T>
-TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damage) const {
-  const T zero{}, one = zero + 1.0;
-  h.strength = strength_left(h.widest(), one - damage);
+TRILITH_INLINE T mean_of_parts(const T* parts) {
+  return (1.0 / bond_parts) * ((parts[0] + parts[1]) + (parts[2] + parts[3]));
+}
+
+/// True where some part of a half has lost strength.
+template <class T>
+TRILITH_INLINE Mask<T> lost_by_parts(const T* strengths) {
+  const T one = T{} + 1.0;
+  return smaller(smaller(strengths[0], strengths[1]), smaller(strengths[2], strengths[3])) < one;
+}
+
+/// Stress over kn that an intact bond adds to part i of a half with linear overlap from c0 to c1. It is the stress of
+/// the whole part and of the mortar that fills it, without the closed length.
+template <class T>
+TRILITH_INLINE LinearStress<T> beyond_closed(const HalfState<T>& h, T c0, T c1, const HalfSpan<T>& closed, int i) {
+  const T zero{}, begin = zero + part_start(i), end = zero + part_start(i + 1);
+  const T from = smaller(larger(closed.from, begin), end), to = larger(from, smaller(closed.to, end));
+  LinearStress<T> stress = HalfStress<T>::between(c0, c1, begin, end);
+  const LinearStress<T> pressed = HalfStress<T>::between(c0, c1, from, to);
+  const LinearStress<T> mortar = h.filling.within(part_start(i), part_start(i + 1)).stress();
+  stress.sum += mortar.sum - pressed.sum, stress.moment += mortar.moment - pressed.moment;
+  return stress;
+}
+
+/// Reduces strength and stiffness of a half by its openings. `damage`: of its parts before. Each part has the strength
+/// at which it carries the mean of the softening stresses over its open length.
+template <class T>
+TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, const T* damage) const {
+  const T zero{}, one = zero + 1.0, first = zero + first_opening();
+  for (int i = 0; i < bond_parts; ++i) h.strengths[i] = one - damage[i];
+  if (any(h.bonded & (h.widest() > first))) {
+    const T b0 = h.bond0(), rise = h.bond1() - b0;
+    for (int i = 0; i < bond_parts; ++i) {
+      const T from = b0 + rise * part_start(i), to = b0 + rise * part_start(i + 1);
+      const T left = strength_left_over(smaller(from, to), larger(from, to), h.strengths[i]);
+      h.strengths[i] = select(larger(from, to) > first, left, h.strengths[i]);
+    }
+  }
+  h.strength = mean_of_parts(h.strengths);
   h.bonded = h.bonded & (h.strength > zero);
   h.strength = select(h.bonded, h.strength, zero);
   h.hold = held(h.strength);
@@ -20,12 +56,17 @@ TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, T damag
 /// Energy dissipated by an open half as its stiffness falls: exact for the mean of the forces at both ends of the step
 /// [J]. `last`: opening by dilation that acts since this step [m].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, T damage, T strength, Mask<T> was_bonded,
+TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, const T* damage, Mask<T> was_bonded,
                                                 T last) const {
-  const T zero{}, one = zero + 1.0;
-  const T before = select(was_bonded, held(one - damage), zero);
-  const T fall = before - held(strength);
-  return 0.5 * kn * fall * open_product(h, h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last);
+  const T zero{}, one = zero + 1.0, p0 = h.g0 - dt * h.m0 + last, p1 = h.g1 - dt * h.m1 + last;
+  T lost = zero;
+  if (!any(was_bonded & lost_by_parts(h.strengths))) return lost;
+  for (int i = 0; i < bond_parts; ++i) {
+    const T before = select(was_bonded, held(one - damage[i]), zero);
+    const T fall = before - held(h.strengths[i]);
+    lost += 0.5 * kn * fall * open_product(h, p0, p1, part_start(i), part_start(i + 1));
+  }
+  return lost;
 }
 
 // Crushing.
@@ -46,22 +87,36 @@ TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
   return depth;
 }
 
-/// Mean elastic pressure over kn of a half with the gaps g0 and g1 at its ends. The bond carries the share `hold` over
-/// the whole half [m].
+/// Mean elastic pressure over kn of a half with the gaps g0 and g1 at its ends. Where `bonded`, the bond of each part
+/// carries its share over the whole part [m].
 template <class T>
-TRILITH_INLINE T mean_overlap(T g0, T g1, T hold, const Filling<T>& filling) {
-  const PositivePart<T> part(-g0, -g1);
-  const T rise = g0 - g1;
-  const LinearStress<T> closed(rise * part.from - g0, rise * part.to - g0, part.from, part.to);
-  return closed.sum + hold * (filling.stress().sum - 0.5 * (g0 + g1) - closed.sum);
+TRILITH_INLINE T Cohesive::Kernel::mean_overlap(const HalfState<T>& h, T g0, T g1, const T* strengths,
+                                                Mask<T> bonded) const {
+  const T zero{};
+  const PositivePart<T> closed(-g0, -g1);
+  T sum = HalfStress<T>::between(-g0, -g1, closed.from, closed.to).sum;
+  for (int i = 0; i < bond_parts; ++i)
+    sum += select(bonded, held(strengths[i]), zero) * beyond_closed<T>(h, -g0, -g1, {closed.from, closed.to}, i).sum;
+  return sum;
+}
+
+/// As above before the step; `last`: see opening_loss.
+template <class T>
+TRILITH_INLINE T Cohesive::Kernel::overlap_before(const HalfState<T>& h, const T* damage, Mask<T> was_bonded,
+                                                  T last) const {
+  const T one = T{} + 1.0;
+  T strengths[bond_parts];
+  for (int i = 0; i < bond_parts; ++i) strengths[i] = one - damage[i];
+  return mean_overlap(h, h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last, strengths, was_bonded);
 }
 
 /// Energy dissipated by a half whose crushed depth grows by `deeper` [m], with the mean pressure of both ends of the
-/// step; `hold`: of its bond before the step; `last`: see opening_loss [J].
+/// step. `damage`: of its bond before the step; `last`: see opening_loss [J].
 template <class T>
-TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, T hold, T last) const {
-  const T before = mean_overlap(h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last, hold, h.filling);
-  const T now = mean_overlap(h.g0, h.g1, h.hold, h.filling);
+TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper, const T* damage, Mask<T> was_bonded,
+                                                 T last) const {
+  const T before = overlap_before(h, damage, was_bonded, last);
+  const T now = mean_overlap(h, h.g0, h.g1, h.strengths, h.bonded);
   return 0.5 * kn * h.length * deeper * (before + now);
 }
 
@@ -102,12 +157,34 @@ TRILITH_INLINE T Cohesive::Kernel::begin(FaceHalves<T>& halves, const FaceMemory
   if (dilation > 0) halves.open_by(dilated(before.slip, own.worn));
   for (const int h : {0, 1}) {
     if (crushing > 0) after.crushed[h] = crush_half(halves.half[h], own.crushed[h]);
-    soften_by_opening(halves.half[h], own.damage[h]);
+    soften_by_opening(halves.half[h], own.damage + h * bond_parts);
   }
   return T{};
 }
 
-/// The bond's share acts over the whole half, the rest on the closed part only.
+/// Takes another stress where `which`.
+template <class T>
+TRILITH_INLINE void take(LinearStress<T>& stress, const LinearStress<T>& other, Mask<T> which) {
+  stress.sum = select(which, other.sum, stress.sum);
+  stress.moment = select(which, other.moment, stress.moment);
+}
+
+/// Stress over kn of a half with linear overlap from c0 to c1 whose parts hold different shares. `stress`: of its
+/// closed length.
+template <class T>
+TRILITH_INLINE LinearStress<T> Cohesive::Kernel::bond_by_parts(const HalfState<T>& h, T c0, T c1,
+                                                               const HalfSpan<T>& closed,
+                                                               LinearStress<T> stress) const {
+  for (int i = 0; i < bond_parts; ++i) {
+    const T hold = held(h.strengths[i]);
+    const LinearStress<T> more = beyond_closed(h, c0, c1, closed, i);
+    stress.sum += hold * more.sum, stress.moment += hold * more.moment;
+  }
+  return stress;
+}
+
+/// The bond's share acts over the whole half, the rest on the closed part only. Halves of equal strength take one
+/// share, others one for each part.
 template <class T>
 TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
   const T zero{}, one = zero + 1.0;
@@ -121,8 +198,16 @@ TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* activ
     LinearStress<T> bond(-half.g0, -half.g1, zero, one);
     LinearStress<T> bond_total(-half.g0 - beta * half.r0, -half.g1 - beta * half.r1, zero, one);
     add(bond, mortar, half.bonded), add(bond_total, mortar, half.bonded);
+    const HalfStress<T> closed = stress;
     mix(stress.elastic, bond, half.hold);
     mix(stress.total, bond_total, half.hold);
+    const Mask<T> by_parts = half.bonded & lost_by_parts(half.strengths);
+    if (any(by_parts)) {
+      const HalfSpan<T> shut{parts.closed.from[h], parts.closed.to[h]}, pressed{from, to};
+      take(stress.elastic, bond_by_parts(half, -half.g0, -half.g1, shut, closed.elastic), by_parts);
+      take(stress.total,
+           bond_by_parts(half, -half.g0 - beta * half.r0, -half.g1 - beta * half.r1, pressed, closed.total), by_parts);
+    }
     active[h] = select(half.bonded, one, parts.closed.to[h] - parts.closed.from[h]);
     stress.write(half, kn, out[h]);
   }
@@ -171,6 +256,10 @@ TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearB
   const SofteningSlider<T> slider(h, *this, out.normal, trial.compliance.now, sign * trial.kept, sign * trial.move);
   const Mask<T> slides = magnitude(trial.total) > slider.limit;
   end_shear(trial, active, before, slides, sign * slider.held, sign * slider.elastic, out);
+  // Slip takes the same share of the strength of all parts.
+  const T share = slider.strength * inverse_or_zero(h.strength);
+  if (any(slides & h.bonded))
+    for (T& part : h.strengths) part = select(slides, part * share, part);
   h.strength = select(slides, slider.strength, h.strength);
   const T cohesive = select(slides, slider.cohesive, zero);
   out.lost_friction -= cohesive;
@@ -184,13 +273,16 @@ TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMe
   const T zero{}, one = zero + 1.0, last = larger(zero, zero - own.worn);
   T lost = zero;
   for (const int k : {0, 1}) {
-    const HalfState<T>& h = halves.half[k];
+    HalfState<T> h = halves.half[k];
     const T deeper = after.crushed[k] - own.crushed[k];
-    if (crushing > 0 && any(deeper > zero))
-      lost += crushing_loss(h, deeper, select(before.bonds[k], held(one - own.damage[k]), zero), last);
-    lost += opening_loss(h, own.damage[k], h.strength, before.bonds[k], last);
+    const T* const damage = own.damage + k * bond_parts;
     memory.bonds[k] = h.bonded & (h.strength > zero);
-    after.damage[k] = select(memory.bonds[k], one - h.strength, zero);
+    for (int i = 0; i < bond_parts; ++i) {
+      h.strengths[i] = select(memory.bonds[k], h.strengths[i], zero);
+      after.damage[k * bond_parts + i] = select(memory.bonds[k], one - h.strengths[i], zero);
+    }
+    if (crushing > 0 && any(deeper > zero)) lost += crushing_loss(h, deeper, damage, before.bonds[k], last);
+    lost += opening_loss(h, damage, before.bonds[k], last);
   }
   return lost;
 }
@@ -206,16 +298,23 @@ TRILITH_INLINE T Cohesive::Kernel::lifting(const FaceHalves<T>& halves, const Fa
                                            const FaceMemory<T>& memory, const Memory<T>& own, const HalfResponse<T>* s,
                                            Memory<T>& after) const {
   if (!(dilation > 0)) return T{};
-  const T zero{}, one = zero + 1.0, opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
+  const T zero{}, opened = dilated(memory.slip, own.worn) - dilated(before.slip, own.worn);
   const T last = larger(zero, zero - own.worn);
   T pressure = s[0].normal - s[0].damping + s[1].normal - s[1].damping;
   for (const int k : {0, 1}) {
     const HalfState<T>& h = halves.half[k];
-    const T hold = select(before.bonds[k], held(one - own.damage[k]), zero);
-    pressure += kn * h.length * mean_overlap(h.g0 - dt * h.m0 + last, h.g1 - dt * h.m1 + last, hold, h.filling);
+    pressure += kn * h.length * overlap_before(h, own.damage + k * bond_parts, before.bonds[k], last);
   }
   after.worn = select(own.worn > zero, own.worn, zero - opened);
   return 0.5 * last * pressure;
+}
+
+/// Largest damage of all parts of a bond.
+template <class T>
+TRILITH_INLINE T most_damage(const Cohesive::Kernel::Memory<T>& m) {
+  T most{};
+  for (const T& part : m.damage) most = larger(most, part);
+  return most;
 }
 
 /// A bond lost, first damage of a bond, or first crushing.
@@ -224,7 +323,7 @@ TRILITH_INLINE Mask<T> Cohesive::Kernel::changes(const FaceMemory<T>& before, co
                                                  const FaceMemory<T>& memory, const Memory<T>& after) {
   const T none{};
   Mask<T> turns = (before.bonds[0] != memory.bonds[0]) | (before.bonds[1] != memory.bonds[1]);
-  turns |= (larger(own.damage[0], own.damage[1]) <= none) & (larger(after.damage[0], after.damage[1]) > none);
+  turns |= (most_damage(own) <= none) & (most_damage(after) > none);
   turns |= (larger(own.crushed[0], own.crushed[1]) <= none) & (larger(after.crushed[0], after.crushed[1]) > none);
   return turns;
 }
@@ -244,7 +343,8 @@ inline double Cohesive::Kernel::stored_in_both(const FaceOverlap<double>& o, con
                                                const Memory<double>& own) const {
   if (!o.sane) return 0;
   const std::array<HalfGaps, 2> g = stressed_gaps(*this, o, m, own);
-  return stored(g[0], 0.5 * o.shared, hold(m, own, 0)) + stored(g[1], 0.5 * o.shared, hold(m, own, 1));
+  return stored_in_half(*this, g[0], 0.5 * o.shared, m, own, 0) +
+         stored_in_half(*this, g[1], 0.5 * o.shared, m, own, 1);
 }
 
 /// Energy of two faces that their contact loses when it becomes a general one: by dilation, and by unequal crushing of
@@ -263,7 +363,7 @@ inline ShapeLoss Cohesive::Kernel::leave_faces(const FaceOverlap<double>& o, con
 
 inline JointChange Cohesive::Kernel::change(const ContactMemory& before, const Memory<double>& own,
                                             const ContactMemory& now, const Memory<double>& after) {
-  const auto damaged = [](const Memory<double>& m) { return m.damage[0] > 0 || m.damage[1] > 0; };
+  const auto damaged = [](const Memory<double>& m) { return most_damage(m) > 0; };
   JointChange change;
   change.broken = before.bonds != now.bonds;
   change.cracked = !change.broken && before.bonds != 0 && !damaged(own) && damaged(after);

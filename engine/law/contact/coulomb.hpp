@@ -77,6 +77,7 @@ struct Coulomb {
 
   static constexpr bool bonds = false;    ///< may transmit tension between faces
   static constexpr bool crushes = false;  ///< may lose depth permanently
+  static constexpr int parts = 1;         ///< of each half that soften separately
   static constexpr bool linear = true;    ///< pressure proportional to the overlap
   template <class T>
   using Memory = NoMemory<T>;
@@ -146,9 +147,9 @@ struct Coulomb {
   [[nodiscard]] static double opening_to_come(const M& /*own*/) {
     return 0;
   }
-  /// Stiffness share of a half's bond where open: 1 if intact, 0 without a bond.
+  /// Stiffness share of the bond of a part of a half where open: 1 if intact, 0 without a bond.
   template <class M>
-  [[nodiscard]] static double hold(const ContactMemory& /*m*/, const M& /*own*/, int /*half*/) {
+  [[nodiscard]] static double hold(const ContactMemory& /*m*/, const M& /*own*/, int /*half*/, int /*part*/) {
     return 0;
   }
   /// Elastic energy of one half [J].
@@ -192,6 +193,56 @@ template <class K, class M>
   const double to_come = law.opening_to_come(own);
   for (HalfGaps& half : gaps) half.g0 += to_come, half.g1 += to_come;
   return gaps;
+}
+
+/// Gaps of the part [from, to] of a half, in units of the half.
+inline HalfGaps part_of_half(const HalfGaps& half, double from, double to) {
+  const double rise = half.g1 - half.g0, width = to - from;
+  HalfGaps part{half.g0 + from * rise, half.g0 + to * rise, {}};
+  const Filling<double>& f = half.filling;
+  const double begin = std::max(f.from, from), end = std::min(f.to, to);
+  if (!(end > begin)) return part;
+  const double slope = (f.w1 - f.w0) / (f.to - f.from);
+  part.filling.from = (begin - from) / width, part.filling.to = (end - from) / width;
+  part.filling.w0 = f.w0 + slope * (begin - f.from), part.filling.w1 = f.w0 + slope * (end - f.from);
+  return part;
+}
+
+/// Calls f(gaps, start, width, hold) for each part of a half that softens separately, as far as it lies in [from, to].
+/// `start`, `width`: of this piece, in units of the half.
+template <class K, class M, class F>
+void each_part(const K& law, const HalfGaps& half, const ContactMemory& m, const M& own, int which, double from,
+               double to, F&& f) {
+  for (int part = 0; part < K::parts; ++part) {
+    const double a = std::max(from, static_cast<double>(part) / K::parts);
+    const double b = std::min(to, static_cast<double>(part + 1) / K::parts);
+    if (!(b > a)) continue;
+    const bool whole = a == 0 && b == 1;
+    f(whole ? half : part_of_half(half, a, b), a, b - a, law.hold(m, own, which, part));
+  }
+}
+
+/// Elastic energy of a half of `length` [m], with the bond of its memory [J].
+template <class K, class M>
+[[nodiscard]] double stored_in_half(const K& law, const HalfGaps& half, double length, const ContactMemory& m,
+                                    const M& own, int which) {
+  double sum = 0;
+  each_part(law, half, m, own, which, 0, 1, [&](const HalfGaps& gaps, double /*start*/, double width, double hold) {
+    sum += law.stored(gaps, width * length, hold);
+  });
+  return sum;
+}
+
+/// Elastic normal force of the part [from, to] of a half of `length` [m], and its moment about the start of the half.
+template <class K, class M>
+[[nodiscard]] HalfPressure pressure_of_half(const K& law, const HalfGaps& half, double length, const ContactMemory& m,
+                                            const M& own, int which, double from = 0, double to = 1) {
+  HalfPressure sum;
+  each_part(law, half, m, own, which, from, to, [&](const HalfGaps& gaps, double start, double width, double hold) {
+    const HalfPressure p = law.pressure(gaps, width * length, hold);
+    sum.force += p.force, sum.moment += p.moment + start * length * p.force;
+  });
+  return sum;
 }
 
 /// Normal stress of one half, of its springs and with its damping: linear over the closed and over the pressed part.

@@ -19,6 +19,13 @@
 
 namespace trilith {
 
+/// Equal parts of a half that soften separately.
+inline constexpr int bond_parts = 4;
+/// Start of a part, relative to its half. Its end is the start of the next part.
+inline constexpr double part_start(int part) {
+  return static_cast<double>(part) / bond_parts;
+}
+
 /// Linear stress p over [l0, l1] of a half, in units of the half: its integral and first moment.
 template <class T>
 struct LinearStress {
@@ -28,6 +35,12 @@ struct LinearStress {
     sum = 0.5 * width * (p0 + p1);
     moment = width * (p0 * (2.0 * l0 + l1) + p1 * (l0 + 2.0 * l1)) * (1.0 / 6.0);
   }
+};
+
+/// A part of a half, relative to it.
+template <class T>
+struct HalfSpan {
+  T from, to;
 };
 
 /// The part of [0, 1] where a linear function from f0 to f1 is positive; empty where from == to.
@@ -64,6 +77,16 @@ struct Filling {
   T end0{}, end1{};            ///< thickness at the ends of the half [m]
 
   [[nodiscard]] TRILITH_INLINE LinearStress<T> stress() const { return {w0, w1, from, to}; }
+  /// The filling within [a, b], relative to the half.
+  [[nodiscard]] TRILITH_INLINE Filling within(double a, double b) const {
+    const T zero{}, one = zero + 1.0, width = to - from;
+    const T slope = (w1 - w0) / select(width > zero, width, one);
+    Filling part = *this;
+    part.from = smaller(larger(from, zero + a), zero + b);
+    part.to = larger(part.from, smaller(to, zero + b));
+    part.w0 = w0 + slope * (part.from - from), part.w1 = w0 + slope * (part.to - from);
+    return part;
+  }
   /// Mean over the half of the thickness times a function that is linear from q0 to q1.
   [[nodiscard]] TRILITH_INLINE T times(T q0, T q1) const {
     const T a = q0 + (q1 - q0) * from, b = q0 + (q1 - q0) * to;
@@ -103,9 +126,10 @@ struct HalfState {
   T slip_mean;  ///< mean over the step of the slip rate [m/s]
   T length;     ///< [m]
   Mask<T> bonded;
-  T strength{};  ///< softening bond: remaining strength share
-  T hold{};      ///< stiffness share where open
+  T strength{};  ///< softening bond: remaining strength share, mean over the half
+  T hold{};      ///< stiffness share where open, at this strength
   Filling<T> filling{};
+  T strengths[bond_parts]{};  ///< softening bond: remaining strength share of each part
 
   /// Gaps relevant for the bond at both ends of the half, and the larger of them [m].
   [[nodiscard]] TRILITH_INLINE T bond0() const { return g0 - filling.end0; }

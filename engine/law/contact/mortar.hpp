@@ -49,16 +49,21 @@ struct Mortar : Coulomb {
 };
 
 /// Integral over a half of the product of two linear gaps as they act on a bond [m3]: the present gap, and the gap with
-/// the ends `p0`, `p1` [m]. The part where both are closed is excluded.
+/// the ends `p0`, `p1` [m]. They count where both are open; each may close at another place of the half. `begin`,
+/// `end`: part of the half over which it is integrated.
 template <class T>
-TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1) {
-  const T zero{}, one = zero + 1.0;
-  const T o0 = larger(h.g0, zero), o1 = larger(h.g1, zero), span = magnitude(h.g1 - h.g0);
-  const Mask<T> crosses = ((h.g0 < zero) | (h.g1 < zero)) & (o0 + o1 > zero);
-  const T share = select(crosses, (o0 + o1) / select(crosses, span, one), one);
-  const T mortar = h.filling.product(h.g0, h.g1, p0, p1);
-  p0 = larger(p0, zero), p1 = larger(p1, zero);
-  return h.length * (share * (2.0 * (p0 * o0 + p1 * o1) + p0 * o1 + p1 * o0) * (1.0 / 6.0) + mortar);
+TRILITH_INLINE T open_product(const HalfState<T>& h, T p0, T p1, double begin = 0, double end = 1) {
+  const T zero{};
+  const PositivePart<T> now(h.g0, h.g1), then(p0, p1);
+  const T from = larger(larger(now.from, then.from), zero + begin);
+  const T to = larger(from, smaller(smaller(now.to, then.to), zero + end));
+  const T rise = h.g1 - h.g0, rise_then = p1 - p0;
+  const T g_from = h.g0 + rise * from, g_to = h.g0 + rise * to;
+  const T p_from = p0 + rise_then * from, p_to = p0 + rise_then * to;
+  const T open = (to - from) * (2.0 * (p_from * g_from + p_to * g_to) + p_from * g_to + p_to * g_from) * (1.0 / 6.0);
+  const bool whole = begin == 0 && end == 1;
+  const Filling<T> filling = whole ? h.filling : h.filling.within(begin, end);
+  return h.length * (open + filling.product(h.g0, h.g1, p0, p1));
 }
 
 /// Mean over a half of the opening, counting closed parts as 0 [m].

@@ -170,6 +170,9 @@ void require_plain(hid_t type, std::string_view owner) {
     const int members = H5Tget_nmembers(type);
     for (unsigned i = 0; i < static_cast<unsigned>(std::max(members, 0)); ++i) {
       const Handle member(H5Tget_member_type(type, i), H5Tclose, fmt::format("unreadable column of {}", owner));
+      // HDF5 reads a column that begins or ends outside of its row without a check.
+      if (H5Tget_member_offset(type, i) + H5Tget_size(member.get()) > H5Tget_size(type))
+        throw Failure(fmt::format("{} is damaged: a column lies outside of its rows", owner));
       require_plain(member.get(), owner);
     }
     return;

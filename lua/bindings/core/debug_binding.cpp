@@ -6,6 +6,7 @@
 #include "assembly/contact/solid_resultants.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
+#include "bindings/loads/small_peak.hpp"
 #include "bindings/stages/stage_run.hpp"
 #include "run/record/body_forces.hpp"
 
@@ -284,6 +285,7 @@ void open_debug(lua_State* L) {
   set_function(L, "pause_reason", guarded<pause_reason>);
   set_function(L, "resume", guarded<resume>);
   set_function(L, "note", guarded<note>);
+  set_function(L, "note_small_peak", guarded<note_small_peak>);
   set_function(L, "save", guarded<save>);
   set_function(L, "records", guarded<records>);
   set_function(L, "timed", guarded<timed>);

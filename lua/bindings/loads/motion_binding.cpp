@@ -4,6 +4,7 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
+#include "bindings/loads/small_peak.hpp"
 #include "load/motion_check.hpp"
 #include "load/motion_measures.hpp"
 #include "load/motion_plain.hpp"
@@ -182,6 +183,17 @@ double number_argument(lua_State* L, int index, const char* what) {
   return lua_tonumber(L, index);
 }
 
+/// Peaks in this range [m/s2] hardly move a structure, but are usual ones in g.
+constexpr double least_peak_in_g = 0.05, most_peak_in_g = 0.6;
+
+/// A note on a peak acceleration that is probably meant in g.
+void tell_small_peak(lua_State* L, const char* owner, double pga) {
+  RunObserver* const observer = host(L).observer;
+  if (observer == nullptr || !(pga >= least_peak_in_g) || !(pga <= most_peak_in_g)) return;
+  observer->note(fmt::format("{}: 'pga' is {:g} m/s2, which is {:.2g} g; if {:g} g is meant, give pga = {:g}*9.80665",
+                             owner, pga, pga / standard_gravity, pga, pga));
+}
+
 int scale(lua_State* L) {
   const MotionValue& m = this_motion(L);
   Keys keys(L, 2, "scale");
@@ -194,6 +206,7 @@ int scale(lua_State* L) {
   if (!sa && (keys.has("period") || keys.has("damping_ratio")))
     keys.problem("'period' and 'damping_ratio' are for sa; give it too");
   keys.finish();
+  if (pga) tell_small_peak(L, "scale", *pga);
   if (sa && *sa != 0)
     push_motion(L, m.motion->scaled(factor_to_spectrum(*m.motion, {period, *sa}, damping)), m.steady);
   else
@@ -363,6 +376,11 @@ const std::array motion_methods{
 };
 
 }  // namespace
+
+int note_small_peak(lua_State* L) {
+  tell_small_peak(L, luaL_checkstring(L, 1), luaL_checknumber(L, 2));
+  return 0;
+}
 
 void open_motions(lua_State* L) {
   register_kind<MotionValue>(L);

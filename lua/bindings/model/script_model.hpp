@@ -45,6 +45,7 @@ struct ScriptListener {
   std::function<std::string()> kept, unkept;
   std::function<void()> watch_state;  ///< from the start of the stage
   std::function<void(const std::string&)> keep_again;
+  std::function<bool()> is_stopped;  ///< within a step: a signal ends it
 };
 
 /// Numbers of a simulation that are available without evaluation.

@@ -238,6 +238,7 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, Host
     script.on_step(now.state.time, now.state.last_dt);
   };
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
+  all.is_stopped = script.is_stopped;
   if (script.at_border || checkpoints.on || restart || step_check_)
     all.at_border = [this, &script, &host] {
       if (step_check_) step_check_->look(*simulation_);

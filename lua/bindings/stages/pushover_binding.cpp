@@ -65,17 +65,24 @@ struct Watch {
 /// the same stiffness along the push and the whole mass, but at most this time [s]. An elastic structure then
 /// oscillates about the static force by about 1 % of the largest force.
 constexpr double gentle_acceleration = 1e-3 * standard_gravity, gentle_periods = 10, longest_gentle = 100;
+/// A given rate is reached within this number of periods, and by this mean acceleration [m/s2], as the default rate is.
+constexpr double ramp_periods = 0.2 * gentle_periods, ramp_acceleration = 0.5 * gentle_acceleration;
+
+/// Period of a structure with the same stiffness along the push and the whole mass [s]; 0 if another push acts.
+template <int D>
+double push_period(const Simulation<D>& sim, const PushOrder<D>& o) {
+  if (!sim.model().pushes.empty()) return 0;
+  double mass = 0;
+  for (int n = 0; n < sim.model().nodes(); ++n) mass += sim.model().moves(n) ? sim.model().mass[n] : 0;
+  return 2 * M_PI * std::sqrt(mass * push_compliance(sim.model(), sim.state(), order_push(sim.model(), o)));
+}
 
 template <int D>
-GroundMotion gentle_push(const Simulation<D>& sim, const PushOrder<D>& o) {
-  double periods = 0;
-  if (sim.model().pushes.empty()) {
-    double mass = 0;
-    for (int n = 0; n < sim.model().nodes(); ++n) mass += sim.model().moves(n) ? sim.model().mass[n] : 0;
-    const double compliance = push_compliance(sim.model(), sim.state(), order_push(sim.model(), o));
-    periods = gentle_periods * 2 * M_PI * std::sqrt(mass * compliance);
-  }
-  return gentle_motion(o.displacement, gentle_acceleration, std::min(periods, longest_gentle));
+GroundMotion push_motion(const Simulation<D>& sim, const PushOrder<D>& o) {
+  const double period = push_period(sim, o);
+  if (o.rate != 0)
+    return even_motion(o.displacement, o.rate, std::max(ramp_periods * period, o.rate / ramp_acceleration));
+  return gentle_motion(o.displacement, gentle_acceleration, std::min(gentle_periods * period, longest_gentle));
 }
 
 /// A peak with a share of inertia and damping is not a capacity.
@@ -97,8 +104,7 @@ template <int D, class ModelOfScript>
 int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUntil& until) {
   const double usual = gentle_speed(gentle_motion(o.displacement, gentle_acceleration, 0));
   const bool gently = o.rate == 0;
-  const auto motion = std::make_shared<const GroundMotion>(gently ? gentle_push(m.evaluated(), o)
-                                                                  : even_motion(o.displacement, o.rate));
+  const auto motion = std::make_shared<const GroundMotion>(push_motion(m.evaluated(), o));
   if (gently) o.rate = gentle_speed(*motion);
   o.stage.duration = motion->duration();
   PushoverRecorder<D> recorder(o.stage.name, o.stage.duration / o.samples, o.limits, drift_reading<D>(m, o));

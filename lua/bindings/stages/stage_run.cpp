@@ -3,8 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "base/nearest.hpp"
@@ -81,6 +83,7 @@ class Handlers {
     l.on_event = [this](const Event& e) { event(e); };
     l.on_step = [this](double time, double dt) { step(time, dt); };
     l.on_history = [this] { sample_functions(); };
+    l.is_stopped = [this] { return leaves_step(); };
     l.replay = [this](const HandlerCall& c) {
       host_.silent = true;
       restore_script(c.kept);
@@ -173,6 +176,19 @@ class Handlers {
     return true;
   }
 
+  /// True if an interrupt or a signal ends the step itself, whose result is then dropped. A console waits for the end
+  /// of the step. So does a checkpoint, for a few seconds; then the one before counts.
+  bool leaves_step() {
+    if (host_.console != nullptr || !interrupted()) return false;
+    if (model_.finishes_step()) {
+      const auto now = std::chrono::steady_clock::now();
+      if (!heard_) heard_ = now;
+      if (now - *heard_ < wait_for_checkpoint) return false;
+      model_.restart->signalled = true;
+    }
+    return true;
+  }
+
   /// Calls the function that begin() and the arguments have put on the stack. False if an interrupt ended it, which is
   /// not a failure.
   bool run(int arguments, int results = 0) {
@@ -206,6 +222,8 @@ class Handlers {
   Host& host_;
   InterruptWatch watch_;
   int first_;
+  static constexpr std::chrono::seconds wait_for_checkpoint{5};
+  std::optional<std::chrono::steady_clock::time_point> heard_;  ///< first request to end a step
   std::exception_ptr broken_off_;  ///< error that an interrupt raised in a handler; raised again after the stage
 };
 

@@ -130,8 +130,6 @@ for dim = 2, 3 do
     name = dim == 2 and "double_cantilever" or "double_cantilever_in_space",
     title = ("double cantilever whose joint cracks, dim = %d"):format(dim),
     parameters = { { "size", dim == 2 and 0.0125 or 0.025, "m" }, { "dim", dim } }, checks = checks, slow = dim == 3,
-    known = dim == 2 and "a face in the plane has two halves, each with one damage: the force converges with the " ..
-      "size of the elements from below" or nil,
     run = arms,
   }
 end
@@ -169,8 +167,6 @@ for dim = 2, 3 do
           row[2] > 0 and ", notched to the half" or "", dim),
         parameters = { { "depth", row[1], "m" }, { "notch", row[2] }, { "elements", 16 }, { "dim", dim } },
         checks = { { "largest load", unit = "N", exact = row[3], tolerance = 0.03 } }, slow = dim == 3,
-        known = dim == 2 and "a face in the plane has two halves, each with one damage: the load converges with the " ..
-          "size of the elements from below" or nil,
         run = bent,
       }
     end

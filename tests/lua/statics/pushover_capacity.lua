@@ -78,8 +78,8 @@ near("force of a soft post", r.peak_force, 3*2.1e11*0.1^4/12/length^3*2e-3, 0.02
 assert(r.quasi_static and r.ended - r.begun > 5)
 m:close()
 
--- A block that lands while it is pushed slides at friction times more than its weight. The largest force is not a
--- capacity, and the part carried under its own weight is reported.
+-- A block that lands while its push begins is pressed by more than its weight. The push is slow then, so that its peak
+-- is the friction of the weight, and the part carried under this weight is reported.
 for _, dim in ipairs { 2, 3 } do
   local w = trilith.model { name = "landing", dim = dim }
   w:material { name = "stone", density = 2400 }
@@ -94,7 +94,8 @@ for _, dim in ipairs { 2, 3 } do
   end
   local pushed = w:pushover { body = body, rate = 0.01, displacement = 5e-3 }
   local weight = body.mass*g
-  assert(pushed.peak_force > 1.3*0.4*weight and not pushed.quasi_static, pushed.peak_force/weight)
-  near("friction of the weight alone", pushed.carried_at_peak, 0.4*weight, 0.1)
+  near("peak", pushed.peak_force, 0.4*weight, 0.1)
+  near("friction of the weight alone", pushed.carried_at_peak, 0.4*weight, 0.03)
+  assert(pushed.carried_at_peak < pushed.peak_force and not pushed.quasi_static)
   w:close()
 end
