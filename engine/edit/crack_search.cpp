@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
+#include "assembly/contact/solid_resultants.hpp"
+#include "base/rotation_3d.hpp"
+#include "geometry/space/face_overlap_3d.hpp"
 #include "law/contact/list.hpp"
 #include "readings/section_forces.hpp"
 
@@ -61,6 +66,51 @@ SectionUse section_use(const ContactLaw& law, double normal, double shear, doubl
 
 namespace {
 
+/// Mean over a section of the part of a stress above 0.
+double mean_positive(const CrackSection<3>& section, const SectionStress& stress, double sign) {
+  return integrals_in_contact(section.corners, sign * stress.mean, sign * stress.slope).first / section.area;
+}
+
+/// The corner of a section where `size` is largest, and this value.
+template <class Size>
+std::pair<Vec2, double> largest_at_corner(const CrackSection<3>& section, Size&& size) {
+  std::pair<Vec2, double> most{Vec2::Zero(), -unbounded};
+  for (const Vec2& p : section.corners)
+    if (const double at_p = size(p); at_p > most.second) most = {p, at_p};
+  return most;
+}
+
+}  // namespace
+
+SectionUse section_use(const ContactLaw& law, const CrackSection<3>& section, const SpaceForces& forces) {
+  const SectionStress stress = section_stress(section, forces);
+  SectionUse most;
+  const auto keep = [&](double share, JointMode mode, double size, const Vec2& at) {
+    if (share > most.share) most = {share, mode, size, 0, at};
+  };
+  with_kernel({law}, [&]<class K>(const K& kernel) {
+    if constexpr (K::bonds) {
+      const auto [pulled_at, pulled] = largest_at_corner(section, stress);
+      keep(pulled / kernel.tension, JointMode::tension, pulled, pulled_at);
+      const double twist = forces.torsion / section.polar();
+      const auto [slip_at, slip] = largest_at_corner(
+          section, [&](const Vec2& p) { return (forces.shear / section.area + twist * left_of(p)).norm(); });
+      const double strength = kernel.shear_strength(mean_positive(section, stress, -1) / kernel.kn,
+                                                    mean_positive(section, stress, 1) / kernel.kn);
+      keep(slip / std::max(strength, 1e-9 * kernel.cohesion), JointMode::shear, slip,
+           twist == 0 ? Vec2(Vec2::Zero()) : slip_at);
+      if constexpr (K::crushes)
+        if (kernel.crushing > 0) {
+          const auto [pressed_at, pressed] = largest_at_corner(section, [&](const Vec2& p) { return -stress(p); });
+          keep(pressed / (kernel.crushing * kernel.kn), JointMode::compression, pressed, pressed_at);
+        }
+    }
+  });
+  return most;
+}
+
+namespace {
+
 /// Present and free in all directions: the place at which a support acts on a rigid body is not known.
 template <int D>
 bool can_crack(const Model<D>& model, const State<D>& state, int body) {
@@ -70,72 +120,110 @@ bool can_crack(const Model<D>& model, const State<D>& state, int body) {
   return true;
 }
 
-/// [cracking body] sums of the forces on their surfaces, without regard to directions [N].
-std::vector<double> surface_loads(const Model<2>& model, const Work<2>& work, const Cracking<2>& cracking) {
-  std::vector<double> load;
-  load.reserve(cracking.bodies.size());
+/// Calls add(body, size) for the forces of contacts on cracking bodies [N].
+template <class Add>
+void contact_sizes(const Model<2>& model, const Work<2>& work, const Cracking<2>& cracking, Add&& add) {
   for (const CrackingBody<2>& c : cracking.bodies) {
     const Body& body = model.bodies[static_cast<std::size_t>(c.body)];
     double sum = 0;
     for (int s = body.first_skin; s < body.first_skin + body.skins; ++s)
       sum += std::abs(work.skin_force[static_cast<std::size_t>(s)].x()) +
              std::abs(work.skin_force[static_cast<std::size_t>(s)].y());
-    load.push_back(sum);
+    add(c.body, sum);
   }
-  const auto add = [&](int body, double force) {
+}
+template <class Add>
+void contact_sizes(const Model<3>& model, const Work<3>& work, const Cracking<3>& /*cracking*/, Add&& add) {
+  for (std::size_t i = 0; i < work.general_touching.size(); ++i) {
+    const NearPair& pair = work.pairs[static_cast<std::size_t>(work.general_touching[i].row)];
+    const double size = solid_force(work, i).lpNorm<1>();
+    add(model.piece_body[pair.piece_a], size), add(model.piece_body[pair.piece_b], size);
+  }
+}
+
+/// [cracking body] sums of the forces on their surfaces, without regard to directions [N].
+template <int D>
+std::vector<double> surface_loads(const Model<D>& model, const State<D>& state, const Work<D>& work,
+                                  const Cracking<D>& cracking) {
+  std::vector<double> load(cracking.bodies.size(), 0.0);
+  const auto row_of = [&](int body) {
     const auto at = std::lower_bound(cracking.bodies.begin(), cracking.bodies.end(), body,
-                                     [](const CrackingBody<2>& c, int b) { return c.body < b; });
-    if (at != cracking.bodies.end() && at->body == body)
-      load[static_cast<std::size_t>(at - cracking.bodies.begin())] += force;
+                                     [](const CrackingBody<D>& c, int b) { return c.body < b; });
+    return at != cracking.bodies.end() && at->body == body ? at - cracking.bodies.begin() : -1;
   };
+  const auto add = [&](int body, double force) {
+    if (const auto row = row_of(body); row >= 0) load[static_cast<std::size_t>(row)] += force;
+  };
+  contact_sizes(model, work, cracking, add);
   for (std::size_t i = 0; i < model.bearings.size() && i < work.bearing_force.size(); ++i) {
     const double force = work.bearing_force[i].norm();
     add(model.bearings[i].body_a, force), add(model.bearings[i].body_b, force);
   }
+  for_load_parts(model, [&](const auto& one, int part, const LoadPart& /*row*/) {
+    const auto row = row_of(one.body_of(part));
+    if (row < 0) return;
+    LoadSizes<D> on{{model, state, &work, &work.closed_joints}, load[static_cast<std::size_t>(row)]};
+    one.apply(on, part);
+  });
   return load;
 }
 
+SectionUse use_of(const ContactLaw& law, const CrackingBody<2>& body, const CrackSection<2>& section,
+                  const PlaneForces& f) {
+  return section_use(law, f.normal, f.shear, f.moment, section.length(), body.depth);
+}
+SectionUse use_of(const ContactLaw& law, const CrackingBody<3>& /*body*/, const CrackSection<3>& section,
+                  const SpaceForces& f) {
+  return section_use(law, section, f);
+}
+
+template <int D>
+using FoundForces = std::conditional_t<D == 2, SurfaceForces, SurfaceForces3>;
+
 /// The section of a body that uses most of its strength, and how much.
+template <int D>
 struct WorstSection {
   SectionUse use;
   int section = -1;
-  PlaneForces forces;
+  std::conditional_t<D == 2, PlaneForces, SpaceForces> forces;
 };
-WorstSection worst_section(const Model<2>& model, const CrackingBody<2>& body, const SurfaceForces& forces,
-                           std::size_t i) {
-  WorstSection worst;
+template <int D>
+WorstSection<D> worst_section(const Model<D>& model, const CrackingBody<D>& body, const FoundForces<D>& forces,
+                              std::size_t i) {
+  WorstSection<D> worst;
   for (std::size_t s = 0; s < body.sections.size(); ++s) {
-    const PlaneForces f = forces.in_section(i, body.sections[s]);
-    const SectionUse use = section_use(model.laws[static_cast<std::size_t>(body.law)], f.normal, f.shear, f.moment,
-                                       body.sections[s].length(), body.depth);
+    const auto f = forces.in_section(i, body.sections[s]);
+    const SectionUse use = use_of(model.laws[static_cast<std::size_t>(body.law)], body, body.sections[s], f);
     if (worst.section < 0 || use.share > worst.use.share) worst = {use, static_cast<int>(s), f};
   }
   return worst;
 }
 
 /// The crack of a body at the place of its largest stress.
-Crack<2> crack_of(const Model<2>& model, const State<2>& state, const CrackingBody<2>& body,
-                  const WorstSection& worst) {
-  const CrackSection<2>& section = body.sections[static_cast<std::size_t>(worst.section)];
+template <int D>
+Crack<D> crack_of(const Model<D>& model, const State<D>& state, const CrackingBody<D>& body,
+                  const WorstSection<D>& worst) {
+  const CrackSection<D>& section = body.sections[static_cast<std::size_t>(worst.section)];
   const auto n = static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body.body)].first_node);
-  const Vec2 at = section.middle() + worst.use.at * left_of(section.normal);
-  return {body.body,
-          worst.section,
-          worst.use.mode,
-          worst.use.stress,
-          state.position[n] + Turn(state.rotation[n]).apply(at),
-          worst.forces.normal,
-          worst.forces.shear,
-          worst.forces.moment};
+  Crack<D> crack;
+  crack.body = body.body, crack.section = worst.section;
+  crack.mode = worst.use.mode, crack.stress = worst.use.stress;
+  const auto turn = turn_of(state.rotation[n]);
+  if constexpr (D == 2) {
+    crack.normal = worst.forces.normal, crack.shear = worst.forces.shear, crack.moment = worst.forces.moment;
+    crack.place = state.position[n] + turn.apply(Vec2(section.middle() + worst.use.at * left_of(section.normal)));
+  } else {
+    crack.forces = worst.forces;
+    crack.place = state.position[n] + turn.apply(section.at(worst.use.in_space));
+  }
+  return crack;
 }
 
-}  // namespace
-
-CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                             const Cracking<2>& cracking) {
-  CrackSearch<2> found{{}, cracking.watch};
+template <int D>
+CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking) {
+  CrackSearch<D> found{{}, cracking.watch};
   found.watch.resize(cracking.bodies.size());
-  const std::vector<double> load = surface_loads(model, work, cracking);
+  const std::vector<double> load = surface_loads(model, state, work, cracking);
   std::vector<int> bodies, rows;
   for (std::size_t i = 0; i < cracking.bodies.size(); ++i) {
     const CrackWatch& watch = found.watch[i];
@@ -144,21 +232,27 @@ CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const
     bodies.push_back(cracking.bodies[i].body), rows.push_back(static_cast<int>(i));
   }
   if (bodies.empty()) return found;
-  SurfaceForces forces(model, state, work);
+  FoundForces<D> forces(model, state, work);
   forces.collect(bodies);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto row = static_cast<std::size_t>(rows[k]);
-    const WorstSection worst = worst_section(model, cracking.bodies[row], forces, k);
+    const WorstSection<D> worst = worst_section(model, cracking.bodies[row], forces, k);
     found.watch[row] = {state.step + steps_until_next(worst.use.share), load[row] * allowed_growth(worst.use.share)};
     if (worst.use.share > 1) found.cracks.push_back(crack_of(model, state, cracking.bodies[row], worst));
   }
   return found;
 }
 
-/// No body in space has planes yet.
-CrackSearch<3> search_cracks(const Model<3>& /*model*/, const State<3>& /*state*/, const Work<3>& /*work*/,
-                             const Cracking<3>& /*cracking*/) {
-  return {};
+}  // namespace
+
+CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                             const Cracking<2>& cracking) {
+  return search(model, state, work, cracking);
+}
+
+CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
+                             const Cracking<3>& cracking) {
+  return search(model, state, work, cracking);
 }
 
 }  // namespace trilith

@@ -1,8 +1,9 @@
 // Search for rigid bodies that crack, at the border of a step.
 //
 // The forces in a section (readings/section_forces.hpp) give a linear normal stress over its length and a mean shear
-// stress. They are compared with the strengths of a contact law with a bond. The edges have its tensile strength and
-// its compressive strength, if it has one. The mean shear stress has its shear strength at the mean normal stress.
+// stress. They are compared with the strengths of a contact law with a bond. The edges, in space the corners, have its
+// tensile strength and its compressive strength, if it has one. The mean shear stress has its shear strength at the
+// mean normal stress.
 //
 // Sections far from their strength are not computed at every step: see CrackWatch. A body is computed again when the
 // forces on its surface have grown by a quarter, or by more far from its strength. It is computed at the latest after a
@@ -16,6 +17,7 @@
 #include "model/event.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
+#include "readings/section_forces_space.hpp"
 
 namespace trilith {
 
@@ -23,21 +25,36 @@ namespace trilith {
 struct SectionUse {
   double share = 0;  ///< 1 at the strength
   JointMode mode{};
-  double stress = 0;  ///< of this mode [Pa]
-  double at = 0;      ///< place of this stress from the middle of the section, to the left of its normal [m]
+  double stress = 0;             ///< of this mode [Pa]
+  double at = 0;                 ///< place of this stress from the middle of the section, to the left of its normal [m]
+  Vec2 in_space = Vec2::Zero();  ///< the same in a section in space, along its axes [m]
 };
 
 /// Normal force and moment give a linear stress over `length` [m] times `depth` [m].
 SectionUse section_use(const ContactLaw& law, double normal, double shear, double moment, double length, double depth);
 
+/// In space the stress is linear over the polygon of the section, and shear stress is the sum of its mean and the stress of torsion,
+/// as in an intact joint of mortar. The place is `in_space`, along the axes of the section.
+SectionUse section_use(const ContactLaw& law, const CrackSection<3>& section, const SpaceForces& forces);
+
 /// A body that cracks now.
 template <int D>
-struct Crack {
+struct Crack;
+template <>
+struct Crack<2> {
   int body = -1, section = -1;  ///< the section is an index into CrackingBody::sections
   JointMode mode{};
   double stress = 0;                         ///< [Pa]
-  Vec<D> place = Vec<D>::Zero();             ///< where it begins [m]
-  double normal = 0, shear = 0, moment = 0;  ///< in the plane: its PlaneForces [N], [N], [N m]
+  Vec2 place = Vec2::Zero();                 ///< where it begins [m]
+  double normal = 0, shear = 0, moment = 0;  ///< its PlaneForces [N], [N], [N m]
+};
+template <>
+struct Crack<3> {
+  int body = -1, section = -1;
+  JointMode mode{};
+  double stress = 0;          ///< [Pa]
+  Vec3 place = Vec3::Zero();  ///< [m]
+  SpaceForces forces;         ///< of its section
 };
 
 /// For restart files, see base/bytes.hpp.
@@ -46,9 +63,14 @@ void each_field(File& file, Crack<2>& c) {
   file.item(c.body), file.item(c.section), file.item(c.mode), file.item(c.stress);
   file.item(c.place.x()), file.item(c.place.y()), file.item(c.normal), file.item(c.shear), file.item(c.moment);
 }
-/// No body in space has planes yet.
 template <class File>
-void each_field(File& /*file*/, Crack<3>& /*c*/) {}
+void each_field(File& file, Crack<3>& c) {
+  file.item(c.body), file.item(c.section), file.item(c.mode), file.item(c.stress);
+  for (int k = 0; k < 3; ++k) file.item(c.place[k]);
+  SpaceForces& f = c.forces;
+  file.item(f.normal), file.item(f.shear.x()), file.item(f.shear.y());
+  file.item(f.bending.x()), file.item(f.bending.y()), file.item(f.torsion);
+}
 
 template <int D>
 struct CrackSearch {

@@ -10,6 +10,7 @@
 #include "edit/deactivate.hpp"
 #include "edit/restart.hpp"
 #include "edit/split_contacts.hpp"
+#include "edit/split_contacts_space.hpp"
 #include "edit/split_parts.hpp"
 #include "law/contact/list.hpp"
 #include "statics/displacement_control.hpp"
@@ -17,7 +18,8 @@
 namespace trilith {
 namespace {
 
-Event split_event(const State<2>& state, EventType type, int body, const Vec2& at) {
+template <int D>
+Event split_event(const State<D>& state, EventType type, int body, const Vec<D>& at) {
   Event e;
   e.type = type;
   e.time = state.time;
@@ -28,8 +30,9 @@ Event split_event(const State<2>& state, EventType type, int body, const Vec2& a
 }
 
 /// Crack first, because the others follow from it.
-void append_events(const Model<2>& model, const State<2>& state, const Crack<2>& crack, const SplitBody& split,
-                   const CrackSection<2>& section, std::vector<Event>& events) {
+template <int D>
+void append_events(const Model<D>& model, const State<D>& state, const Crack<D>& crack, const SplitBody& split,
+                   const CrackSection<D>& section, std::vector<Event>& events) {
   Event cracked = split_event(state, EventType::unit_cracked, crack.body, crack.place);
   cracked.body_b = split.behind;
   cracked.mode = crack.mode;
@@ -45,12 +48,14 @@ void append_events(const Model<2>& model, const State<2>& state, const Crack<2>&
 }
 
 /// The planes of a body that cracks.
-const CrackingBody<2>& row_of(const std::vector<CrackingBody<2>>& bodies, const Crack<2>& crack) {
-  return *std::find_if(bodies.begin(), bodies.end(), [&](const CrackingBody<2>& c) { return c.body == crack.body; });
+template <int D>
+const CrackingBody<D>& row_of(const std::vector<CrackingBody<D>>& bodies, const Crack<D>& crack) {
+  return *std::find_if(bodies.begin(), bodies.end(), [&](const CrackingBody<D>& c) { return c.body == crack.body; });
 }
 
 /// A body that has split touches nothing, so its recent separations are forgotten.
-void forget_parted(const Model<2>& model, State<2>& state) {
+template <int D>
+void forget_parted(const Model<D>& model, State<D>& state) {
   std::erase_if(state.parted, [&](const Parted& p) {
     return state.left[static_cast<std::size_t>(model.piece_body[first_piece(p.contact)])] != 0 ||
            state.left[static_cast<std::size_t>(model.piece_body[second_piece(p.contact)])] != 0;
@@ -58,7 +63,8 @@ void forget_parted(const Model<2>& model, State<2>& state) {
 }
 
 /// Balance of the ledger after the split [J].
-double balance_after(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options) {
+template <int D>
+double balance_after(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options) {
   hold_left(model, state);
   work.drop();
   evaluate(model, state, work, state.last_dt);
@@ -90,24 +96,55 @@ Model<2> with_cracks(ModelBuilder& builder, const Model<2>& model, const std::ve
   return builder.with_parts(model);
 }
 
-template <>
-std::vector<Event> split(Model<2>& model, State<2>& state, Work<2>& work, const StepOptions& options, Model<2> grown,
-                         const std::vector<CrackingBody<2>>& bodies, std::span<const Crack<2>> cracks) {
-  const RestartedRun<2> anew(model, state, work);
+Model<3> with_cracks(SolidModelBuilder& builder, const Model<3>& model, const std::vector<CrackingBody<3>>& bodies,
+                     std::span<const Crack<3>> cracks) {
+  for (const Crack<3>& crack : cracks)
+    builder.crack(model, crack.body, row_of(bodies, crack).sections[static_cast<std::size_t>(crack.section)]);
+  return builder.with_parts(model);
+}
+
+namespace {
+
+std::vector<ContactRecord> records_of(const Model<2>& model, const State<2>& state, const Work<2>& work) {
+  return contact_records(model, state, work);
+}
+std::vector<SolidRecord> records_of(const Model<3>& model, const State<3>& state, const Work<3>& work) {
+  return solid_records(model, state, work);
+}
+
+std::vector<ContactRecord> divided(const Model<2>& model, const State<2>& state,
+                                   const std::vector<ContactRecord>& records, const SplitBody& parts,
+                                   const CrackSection<2>& /*section*/) {
+  return handed_over(model, state, records, parts);
+}
+std::vector<SolidRecord> divided(const Model<3>& model, const State<3>& state, const std::vector<SolidRecord>& records,
+                                 const SplitBody& parts, const CrackSection<3>& section) {
+  const auto n = static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(parts.body)].first_node);
+  const Turn3 turn(state.rotation[n]);
+  return handed_over(model, state, records, parts, state.position[n] + turn.apply(section.centre),
+                     turn.apply(section.normal));
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Event> split(Model<D>& model, State<D>& state, Work<D>& work, const StepOptions& options, Model<D> grown,
+                         const std::vector<CrackingBody<D>>& bodies, std::span<const Crack<D>> cracks) {
+  const RestartedRun<D> anew(model, state, work);
   const double before = energy_now(model, state, work, options).balance();
-  std::vector<ContactRecord> records = contact_records(model, state, work);
+  auto records = records_of(model, state, work);
   int next = static_cast<int>(model.bodies.size());
   model = std::move(grown);
   extend_state(state, model);
   std::vector<Event> events = anew.events();
-  for (const Crack<2>& crack : cracks) {
-    const CrackingBody<2>& row = row_of(bodies, crack);
+  for (const Crack<D>& crack : cracks) {
+    const CrackingBody<D>& row = row_of(bodies, crack);
     const SplitBody parts{crack.body, next, next + 1};
     next += 2;
-    const CrackSection<2>& section = row.sections[static_cast<std::size_t>(crack.section)];
+    const CrackSection<D>& section = row.sections[static_cast<std::size_t>(crack.section)];
     place_parts(model, state, parts);
     hand_over_links(model, parts, section);
-    records = handed_over(model, state, records, parts);
+    records = divided(model, state, records, parts, section);
     if (auto contact = crack_contact(model, state, parts, row, crack)) records.push_back(std::move(*contact));
     append_events(model, state, crack, parts, section, events);
   }
@@ -119,12 +156,9 @@ std::vector<Event> split(Model<2>& model, State<2>& state, Work<2>& work, const 
   return events;
 }
 
-/// No body in space has planes yet.
-template <>
-std::vector<Event> split(Model<3>& /*model*/, State<3>& /*state*/, Work<3>& /*work*/, const StepOptions& /*options*/,
-                         Model<3> /*grown*/, const std::vector<CrackingBody<3>>& /*bodies*/,
-                         std::span<const Crack<3>> /*cracks*/) {
-  return {};
-}
+template std::vector<Event> split(Model<2>&, State<2>&, Work<2>&, const StepOptions&, Model<2>,
+                                  const std::vector<CrackingBody<2>>&, std::span<const Crack<2>>);
+template std::vector<Event> split(Model<3>&, State<3>&, Work<3>&, const StepOptions&, Model<3>,
+                                  const std::vector<CrackingBody<3>>&, std::span<const Crack<3>>);
 
 }  // namespace trilith

@@ -7,6 +7,7 @@
 #include "edit/crack_search.hpp"
 #include "integrate/explicit/central_difference.hpp"
 #include "model/builder/builder.hpp"
+#include "model/space_builder/solid_model_builder.hpp"
 
 namespace trilith {
 
@@ -16,6 +17,9 @@ namespace trilith {
 /// Numer. Meth. Engng 58, 2003.
 Model<2> with_cracks(ModelBuilder& builder, const Model<2>& model, const std::vector<CrackingBody<2>>& bodies,
                      std::span<const Crack<2>> cracks);
+/// In space the faces stay in one plane, and the joint of the parts holds their distance: see crack_contact.
+Model<3> with_cracks(SolidModelBuilder& builder, const Model<3>& model, const std::vector<CrackingBody<3>>& bodies,
+                     std::span<const Crack<3>> cracks);
 
 /// Replaces the model by `grown`, which has two parts of each cracked body at the ends of its arrays: for each crack in
 /// turn the part behind its plane, then the part ahead. The parts continue the rigid motion of their body, so mass,

@@ -2,15 +2,18 @@
 #pragma once
 
 #include "edit/split_contacts.hpp"
+#include "model/crack_planes.hpp"
 #include "model/state.hpp"
 
 namespace trilith {
 
 /// Sets the motion of both parts to the rigid motion of their body, and deactivates the body at the present time.
-void place_parts(const Model<2>& model, State<2>& state, const SplitBody& split);
+template <int D>
+void place_parts(const Model<D>& model, State<D>& state, const SplitBody& split);
 
-/// Attaches bearings, seats, loads and displacement controls of the body to the part that holds their point. A face
-/// load that spans the plane becomes two.
-void hand_over_links(Model<2>& model, const SplitBody& split, const CrackSection<2>& section);
+/// Attaches bearings, seats, loads and displacement controls of the body to the part that holds their point. A load on
+/// a face that spans the plane is divided by its kind, see load/load_kind.hpp.
+template <int D>
+void hand_over_links(Model<D>& model, const SplitBody& split, const CrackSection<D>& section);
 
 }  // namespace trilith

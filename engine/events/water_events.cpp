@@ -23,8 +23,8 @@ void water_events(const Model<D>& model, State<D>& state, Work<D>& work) {
     const bool was = state.flooded[i] != 0;
     if (was ? joint.tip > 0 : joint.tip <= flooded_share * joint.length) continue;
     state.flooded[i] = was ? 0 : 1;
-    Event e = event_now(state, was ? EventType::joint_drained : EventType::joint_flooded, uplifts[i].body_of(0),
-                        uplifts[i].body_of(1));
+    Event e = event_now(state, was ? EventType::joint_drained : EventType::joint_flooded, uplifts[i].upper.front().body,
+                        uplifts[i].lower.front().body);
     e.value = joint.tip;
     e.set_place(Vec<D>(joint.heel + joint.tip * joint.along));
     e.text = uplifts[i].name;

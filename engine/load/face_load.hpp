@@ -1,9 +1,12 @@
 // Uniform pressure on faces of bodies in the plane. In space a face is a rigid plate, on which it is a point load.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "load/load_kind.hpp"
 
@@ -48,8 +51,42 @@ struct FaceLoad {
     const double now = curve.at(on.time());
     if (now == 0) return;
     const Vec2 full = now * whole_force(on.skin(skin_a), on.skin(skin_b));
-    on.push_skin(skin_a, share[0] * full);
-    on.push_skin(skin_b, share[1] * full);
+    std::array<double, 2> acting = share;
+    if constexpr (keeps_parts<Target>) acting = shares_of(on.kept(skin_a, skin_b));
+    on.push_skin(skin_a, acting[0] * full);
+    on.push_skin(skin_b, acting[1] * full);
+  }
+  /// A pressure that spans the plane of a crack becomes two.
+  template <class Parts>
+  void split(const Parts& parts, std::vector<FaceLoad>& out) const {
+    if (!parts.is_on(body)) {
+      out.push_back(*this);
+      return;
+    }
+    parts.for_face(SplitFace{body, skin_a, skin_b}, [&](const SplitFace& face) {
+      FaceLoad given = *this;
+      const double width = face.to - face.from;
+      const auto [at_a, at_b] = shares_of({face.from, face.to});
+      if (!(at_a + at_b > 0)) return;
+      // The same force, in terms of the new face.
+      const double sum = (at_a + at_b) / width, middle = (at_b / (at_a + at_b) - face.from) / width;
+      given.body = face.body, given.skin_a = face.skin_a, given.skin_b = face.skin_b;
+      given.share = {sum * (1 - middle), sum * middle};
+      given.dead = width * dead;
+      out.push_back(std::move(given));
+    });
+  }
+
+ private:
+  /// The shares of the force on the covered part of the face within `part`.
+  [[nodiscard]] std::array<double, 2> shares_of(const KeptPart& part) const {
+    const double covered = share[0] + share[1];
+    if (!(covered > 0)) return {0, 0};
+    const double centre = share[1] / covered;
+    const double from = std::max(part.from, centre - 0.5 * covered), to = std::min(part.to, centre + 0.5 * covered);
+    if (!(to > from)) return {0, 0};
+    const double middle = 0.5 * (from + to);
+    return {(to - from) * (1 - middle), (to - from) * middle};
   }
 };
 

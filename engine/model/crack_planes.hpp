@@ -23,7 +23,7 @@ struct CrackPlane {
 enum class CrackPattern : std::uint8_t {
   planes,    ///< given one by one
   equal,     ///< `count` planes across the longer axis that divide the body into equal lengths
-  diagonals  ///< the two diagonals of the rectangle around the body
+  diagonals  ///< the two diagonals of the rectangle around the body; of bodies in the plane
 };
 
 /// The planes of a body as a user gives them; none by default.
@@ -56,12 +56,32 @@ struct CrackSection<2> {
   [[nodiscard]] double length() const { return (to - from).norm(); }
 };
 
+/// In space the section is a convex polygon with axes x and y of its own, which with the normal are right-handed.
+template <>
+struct CrackSection<3> {
+  int number = 0;                 ///< of the plane in the whole body, from 1
+  Vec3 centre = Vec3::Zero();     ///< centroid of the section [m]
+  Vec3 normal = Vec3::UnitX();    ///< unit vector, from the part behind to the part ahead
+  Vec3 x = Vec3::UnitY();         ///< unit vector
+  Vec3 y = Vec3::UnitZ();         ///< unit vector
+  std::vector<Vec2> corners;      ///< along x and y from the centre, counter-clockwise about the normal [m]
+  double area = 0;                ///< [m2]
+  double xx = 0, xy = 0, yy = 0;  ///< second moments of area about the centre [m4]
+  double mass = 0;                ///< of the part behind [kg]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< of the part behind about its centroid [kg m2]
+  Vec3 centroid = Vec3::Zero();                       ///< of the part behind [m]
+
+  [[nodiscard]] const Vec3& middle() const { return centre; }
+  [[nodiscard]] Vec3 at(const Vec2& p) const { return centre + p.x() * x + p.y() * y; }
+  [[nodiscard]] double polar() const { return xx + yy; }
+};
+
 /// A rigid body that may crack.
 template <int D>
 struct CrackingBody {
   int body = -1;
   int law = -1;      ///< index into Model::laws
-  double depth = 1;  ///< thickness of its sections out of the plane [m]
+  double depth = 1;  ///< thickness of its sections out of the plane [m]; of bodies in the plane
   std::vector<CrackSection<D>> sections;
 };
 

@@ -85,7 +85,7 @@ void SurfaceForces::collect(std::span<const int> bodies) {
   bodies_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     BodyForces& b = bodies_[i];
-    b.body = bodies[i], b.points.clear(), b.faces.clear();
+    b.body = bodies[i], b.points.clear(), b.faces.clear(), b.loads.clear();
     slot_[static_cast<std::size_t>(b.body)] = static_cast<int>(i);
   }
   add_contacts();
@@ -96,6 +96,10 @@ void SurfaceForces::collect(std::span<const int> bodies) {
     b.sum = {centre, Vec2::Zero(), 0};
     for (const SurfaceForce& f : b.points) add_about(centre, f, b.sum.force, b.sum.moment);
     for (const FaceForce& f : b.faces) add_about(centre, f.whole, b.sum.force, b.sum.moment);
+    ForceSum<2> loads{centre};
+    WholeLoads<2> on{{model_, state_, &work_, &work_.closed_joints}, loads};
+    apply_parts(model_, b.loads, on);
+    b.sum.force += loads.force, b.sum.moment += loads.moment;
   }
 }
 
@@ -165,30 +169,13 @@ void SurfaceForces::add_bearings() {
   }
 }
 
+/// Loads are kept by kind, because the part of a pressure behind a plane follows from its kind.
 void SurfaceForces::add_loads() {
-  for (const PointLoad<2>& p : model_.loads.of<PointLoad<2>>()) {
-    if (slot_of(p.body) < 0) continue;
-    const double share = p.curve.at(state_.time);
-    const Pose at = pose_at(model_, state_, p.at);
-    const Vec2 force = p.follows ? Turn(at.rotation).apply(p.force) : p.force;
-    add_point(p.body, {at.place, share * force, share * p.moment});
-  }
-  for (const FaceLoad<2>& f : model_.loads.of<FaceLoad<2>>())
-    if (slot_of(f.body) >= 0) add_pressure(f);
+  for_load_parts(model_, [&](const auto& load, int part, const LoadPart& row) {
+    const int body = load.body_of(part);
+    if (body >= 0 && slot_of(body) >= 0) bodies_[static_cast<std::size_t>(slot_of(body))].loads.push_back(row);
+  });
   add_pushes();
-}
-
-/// A pressure acts as a row of forces, so that a plane divides it nearly where it meets the face.
-void SurfaceForces::add_pressure(const FaceLoad<2>& load) {
-  constexpr int parts = 64;
-  const double covered = load.share[0] + load.share[1], share = load.curve.at(state_.time);
-  if (!(covered > 0) || share == 0) return;
-  const SkinMotion<2>&a = work_.skin[load.skin_a], &b = work_.skin[load.skin_b];
-  const Vec2 start(a.x, a.y), end(b.x, b.y), face = end - start;
-  const Vec2 whole = share * covered * load.whole_force(start, end);
-  const double first = load.share[1] / covered - 0.5 * covered;
-  for (int i = 0; i < parts; ++i)
-    add_point(load.body, {start + (first + covered * (i + 0.5) / parts) * face, whole / parts, 0});
 }
 
 void SurfaceForces::add_pushes() {
@@ -222,6 +209,10 @@ PlaneForces SurfaceForces::in_section(std::size_t i, const CrackSection<2>& sect
     else if (start + 0.5 * (f.lo + f.hi) * slope <= 0)
       add_about(middle, f.whole, force, moment);
   }
+  ForceSum<2> loads{middle};
+  LoadsBehind<2> on{{model_, state_, &work_, &work_.closed_joints}, middle, normal, loads};
+  apply_parts(model_, b.loads, on);
+  force += loads.force, moment += loads.moment;
   const double turning = b.sum.moment / model_.inertia[n];
   const double spin = state_.spin[n] + (state_.implicit() ? 0.0 : 0.5 * state_.last_dt * turning);
   const Vec2 inert = section.mass * (b.sum.force / model_.mass[n] + cross(turning, arm) - spin * spin * arm);

@@ -9,8 +9,8 @@
 //     section force  = m_a e(r_a) - F_a                                   on the part a behind the plane
 //     section moment = I_a M / I + (r_a - r_s) x m_a e(r_a) - M_a         about the middle r_s of the section
 //
-// F_a and M_a are the contacts, bearings and loads on that part. The stresses of a contact that spans the plane are
-// integrated up to it. Nothing is elastic here, so the forces hold at the instant of the evaluation.
+// F_a and M_a are the contacts, bearings and loads on that part. The stresses of a contact or of a pressure that spans
+// the plane are integrated up to it. Nothing is elastic here, so the forces hold at the instant of the evaluation.
 #pragma once
 
 #include <span>
@@ -19,6 +19,7 @@
 #include "model/crack_planes.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
+#include "readings/section_loads.hpp"
 
 namespace trilith {
 
@@ -62,6 +63,7 @@ class SurfaceForces {
     int body = -1;
     std::vector<SurfaceForce> points;
     std::vector<FaceForce> faces;
+    std::vector<LoadPart> loads;
     SurfaceForce sum;
   };
 
@@ -70,7 +72,6 @@ class SurfaceForces {
   void add_bearings();
   void add_loads();
   void add_point(int body, const SurfaceForce& force);
-  void add_pressure(const FaceLoad<2>& load);
   void add_pushes();
   [[nodiscard]] int slot_of(int body) const { return slot_[static_cast<std::size_t>(body)]; }
   [[nodiscard]] SurfaceForce part_of(const FaceForce& face, double from, double to) const;

@@ -1,9 +1,11 @@
 // Static equilibrium as a stage of a run.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/flagged.hpp"
@@ -78,6 +80,30 @@ void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& l
   if (listener.on_step) listener.on_step(now);
 }
 
+/// An equilibrium in which bodies crack is followed by another one, with their parts. The events of each are reported.
+template <int D>
+std::optional<Divergence> Simulation<D>::find_rest(const EquilibriumOptions& how, const RunListener<D>& listener,
+                                                   const std::string& loads, Equilibrium& found) {
+  for (int steps = 0;; steps = found.steps) {
+    found = find_equilibrium(model_, state_, how);
+    found.steps += steps;
+    watch_->reset();
+    drop_work();
+    refresh();
+    for (const Event& e : found.events) tell(e, listener, instant());
+    if (std::optional<Divergence> diverged = watch_->look_at_strains(instant(), loads)) return diverged;
+    if (!found.converged || cracking_.bodies.empty() || !listener.change_model) return std::nullopt;
+    const std::size_t bodies = model_.bodies.size();
+    if (!listener.change_model(model_)) return std::nullopt;
+    unscale_masses(), edited();
+    const std::vector<Event> told = std::exchange(leaving_, {});
+    const auto is_crack = [](const Event& e) { return e.type == EventType::unit_cracked; };
+    refresh();
+    for (const Event& e : told) tell(e, listener, instant());
+    if (model_.bodies.size() == bodies || std::none_of(told.begin(), told.end(), is_crack)) return std::nullopt;
+  }
+}
+
 /// A stage without duration, between two evaluations of the same instant; the events that led to rest are reported at
 /// the second one. A structure strained beyond its limit at the start, as at the end of a load path, is not settled.
 template <int D>
@@ -98,15 +124,8 @@ StageReport Simulation<D>::settle(const StageOptions& options, const Equilibrium
     std::optional<Divergence> diverged =
         watch_->look_at_strains(instant(), way != nullptr ? loads_text(way) : "at the start of the stage");
     Equilibrium found;
-    if (!diverged) {
-      found = find_equilibrium(model_, state_, how);
-      watch_->reset();
-      drop_work();
-      refresh();
-      diverged = watch_->look_at_strains(instant(), loads_text(way));
-    }
+    if (!diverged) diverged = find_rest(how, listener, loads_text(way), found);
     const Instant<D> now = instant();
-    for (const Event& e : found.events) tell(e, listener, now);
     if (listener.on_step) listener.on_step(now);
     if (diverged && diverged->event) tell(*diverged->event, listener, now);
     report.steps = found.steps;

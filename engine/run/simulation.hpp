@@ -60,6 +60,8 @@ class ByteWriter;
 class Watch;
 template <int D>
 class Tangent;
+struct Divergence;
+struct Equilibrium;
 struct EquilibriumOptions;
 template <int D>
 struct LoadWay;
@@ -178,6 +180,8 @@ class Simulation {
   void see_off();
   bool ends(const RunListener<D>& listener, const Instant<D>& now);
   void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
+  std::optional<Divergence> find_rest(const EquilibriumOptions& how, const RunListener<D>& listener,
+                                      const std::string& loads, Equilibrium& found);
   void tell_point(const Waypoint<D>& point, const RunListener<D>& listener);
   void tell_samples(const RunListener<D>& listener, const Instant<D>& now, bool ends);
   [[nodiscard]] NextStep choose_step() const;

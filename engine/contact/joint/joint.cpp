@@ -208,6 +208,18 @@ double joint_energy(const JointMemory& joint, const LawInUse& use) {
   return with_kernel(use, [&](const auto& law) { return energy_of(joint, law); });
 }
 
+std::vector<PatchStress> patch_stresses(const JointMemory& joint, const LawInUse& use) {
+  return with_kernel(use, [&](const auto& law) {
+    std::vector<PatchStress> out;
+    const auto add = [&](const PatchStress& stress) { out.emplace_back().add(stress, law.kn); };
+    if (joint.sound)
+      add(intact_stress(*joint.plan, joint.moved));
+    else
+      for (std::size_t k = 0; k < joint.plan->patch.size(); ++k) add(stress_of(joint, k, law));
+    return out;
+  });
+}
+
 double carried_force(const JointMemory& joint, const SolidMemory& contact, const LawInUse& use) {
   const double pressing = with_kernel(use, [&](const auto& law) { return pressing_force(joint, law); });
   const Vec3& n = contact.normal;

@@ -13,6 +13,8 @@
 // if they are separated, have slid by a hundredth of their width, or are tilted more than faces that lie flat.
 #pragma once
 
+#include <vector>
+
 #include "contact/joint/joint_memory.hpp"
 #include "contact/joint/joint_plan.hpp"
 #include "contact/space/solid_contact.hpp"
@@ -33,6 +35,10 @@ JointResponse respond_joint(const BodyMotion& a, const BodyMotion& b, const Soli
 
 /// Elastic energy of a joint, of its pressure and of its shear [J].
 double joint_energy(const JointMemory& joint, const LawInUse& law);
+
+/// Normal stresses of a joint without damping, compression positive: force [N], and moment about the origin of the
+/// joint [N m]. One for each patch, or one for the whole joint while it is intact.
+std::vector<PatchStress> patch_stresses(const JointMemory& joint, const LawInUse& law);
 
 /// Magnitude of the joint's force in its last step [N]: pressure, shear and both dampings, minus the part that softened
 /// by sliding in that step. `contact`: the contact's memory before that step.

@@ -120,7 +120,7 @@ struct Uplift {
   double drain_at = 0;                   ///< distance of the drain from the heel [m]; 0: none
   double drain_efficiency = 0;           ///< [1]
   Attachment<D> heel, toe;               ///< on the lower body
-  std::vector<WetFace<D>> upper, lower;  ///< faces of both bodies at the joint
+  std::vector<WetFace<D>> upper, lower;  ///< faces of both bodies at the joint, and of their parts if they have split
 
   static constexpr std::string_view kind = "uplift", sentence = "water in a joint between two bodies";
   static constexpr bool in_space = true, is_water = true;
@@ -130,8 +130,12 @@ struct Uplift {
                       &U::drain_efficiency, &U::heel, &U::toe, &U::upper, &U::lower);
   }
   void scale(double factor) { density *= factor; }
-  [[nodiscard]] static constexpr int parts() { return 2; }  // the upper and the lower body
-  [[nodiscard]] int body_of(int part) const { return (part == 0 ? upper : lower).front().body; }
+  /// One part for each body: the upper one or its parts, then the lower one.
+  [[nodiscard]] int parts() const { return bodies_of(upper) + bodies_of(lower); }
+  [[nodiscard]] int body_of(int part) const {
+    const int above = bodies_of(upper);
+    return part < above ? nth_body(upper, part) : nth_body(lower, part - above);
+  }
   template <class See>
   void visit(int /*part*/, See&& see) const {
     for (const auto* faces : {&upper, &lower})
@@ -164,11 +168,37 @@ struct Uplift {
   void apply(Target& on, int part) const {
     const UpliftNow<D> joint = now(on);
     const double weight = density * on.gravity();
+    const bool onto_upper = part < bodies_of(upper);
+    const int body = body_of(part);
     for (const WetFace<D>& a : upper)
-      for (const WetFace<D>& b : lower) press(on, joint, weight, a, b, part == 0);
+      for (const WetFace<D>& b : lower)
+        if ((onto_upper ? a : b).body == body) press(on, joint, weight, a, b, onto_upper);
+  }
+  template <class Parts>
+  void split(const Parts& parts, std::vector<Uplift>& out) const {
+    Uplift given = *this;
+    split_faces(parts, upper, given.upper, false);
+    split_faces(parts, lower, given.lower, false);
+    int body = lower.front().body;
+    if (parts.is_on(body)) parts.give(given.heel, body), parts.give(given.toe, body);
+    out.push_back(std::move(given));
   }
 
  private:
+  /// Number of bodies of some faces, which are in the order of their bodies.
+  [[nodiscard]] static int bodies_of(const std::vector<WetFace<D>>& faces) {
+    int count = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (i == 0 || faces[i].body != faces[i - 1].body) ++count;
+    return count;
+  }
+  [[nodiscard]] static int nth_body(const std::vector<WetFace<D>>& faces, int n) {
+    std::size_t i = 0;
+    for (; n > 0 && i + 1 < faces.size(); ++i)
+      if (faces[i + 1].body != faces[i].body) --n;
+    return faces[i].body;
+  }
+
   [[nodiscard]] HeadLine head_line(const UpliftNow<D>& joint, double up, double down) const {
     HeadLine line;
     constexpr double far = HeadLine::far;
@@ -210,6 +240,22 @@ struct Uplift {
       }
   }
 
+  /// The part of two faces in the plane that the target keeps, in s.
+  template <class Target>
+  static std::array<double, 2> kept_span(const Target& on, const UpliftNow<2>& joint, const JointStretch& stretch,
+                                         const WetFace<2>& face, bool is_upper) {
+    const FaceOverlap<double>& o = stretch.overlap;
+    double lo = o.lo, hi = o.hi;
+    if constexpr (keeps_parts<Target>) {
+      const KeptPart kept = on.kept(face.skin_a, face.skin_b);
+      const auto along = [&](double at) { return is_upper ? at / o.inv_a : o.sb1 + (1 - at) / o.inv_b; };
+      const double p = along(kept.from), q = along(kept.to);
+      lo = std::clamp(std::min(p, q), o.lo, o.hi), hi = std::clamp(std::max(p, q), o.lo, o.hi);
+    }
+    const double p = joint.s_of(stretch.point(lo)), q = joint.s_of(stretch.point(hi));
+    return {std::min(p, q), std::max(p, q)};
+  }
+
   // Pressure of the joint on two faces, part by part of the head line.
 
   template <class Target>
@@ -221,9 +267,10 @@ struct Uplift {
     const double s_lo = joint.s_of(stretch.point(o.lo)), s_hi = joint.s_of(stretch.point(o.hi));
     if (s_lo == s_hi) return;
     EndShares on_a, on_b;
+    const auto [low, high] = kept_span(on, joint, stretch, onto_upper ? a : b, onto_upper);
     for (int i = 0; i < joint.head.count; ++i) {
       const HeadPart& part = joint.head.part[static_cast<std::size_t>(i)];
-      const double from = std::max(part.from, std::min(s_lo, s_hi)), to = std::min(part.to, std::max(s_lo, s_hi));
+      const double from = std::max(part.from, low), to = std::min(part.to, high);
       if (!(to > from)) continue;
       const auto along = [&](double s) { return o.lo + (s - s_lo) / (s_hi - s_lo) * o.shared; };
       double t0 = along(from), t1 = along(to), h0 = part.at(from), h1 = part.at(to);
@@ -252,7 +299,12 @@ struct Uplift {
                     bool onto_upper) {
     FaceOverlap3 shared;
     if (!overlap_of(on, a, b, shared)) return;
-    const WetPolygon polygon = polygon_of(shared);
+    WetPolygon polygon = polygon_of(shared);
+    if constexpr (keeps_parts<Target>) {
+      const std::vector<Vec3> kept = on.keep(polygon.corners());
+      polygon.count = 0;
+      for (const Vec3& x : kept) polygon.add(x);
+    }
     PressureSum sum;
     const double heel = joint.along.dot(joint.heel);
     for (int i = 0; i < joint.head.count; ++i) {

@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "load/load_kind.hpp"
@@ -68,7 +71,22 @@ struct PlacedWetFace {
 /// Adds the force of a pressure on a face in space, and its moment about the face's frame.
 template <class Target>
 void push_pressure(Target& on, const WetFace<3>& face, const PlacedWetFace& now, const PressureSum& sum) {
-  on.push(face.at, Vec3(-sum.force * now.normal), cross(Vec3(sum.first - sum.force * now.place), Vec3(-now.normal)));
+  const Vec3 force = -sum.force * now.normal;
+  const Vec3 moment = cross(Vec3(sum.first - sum.force * now.place), Vec3(-now.normal));
+  if constexpr (keeps_parts<Target>)
+    on.push_part(face.at, force, moment);
+  else
+    on.push(face.at, force, moment);
+}
+
+/// Adds a pressure over the part of a polygon that the target keeps, see PressureSum::add.
+template <class Target>
+void add_kept(const Target& on, PressureSum& sum, std::span<const Vec3> polygon, const Vec3& normal,
+              const LinearField& pressure, double sign) {
+  if constexpr (keeps_parts<Target>)
+    sum.add(on.keep(polygon), normal, pressure, sign);
+  else
+    sum.add(polygon, normal, pressure, sign);
 }
 
 /// Adds the pressure of water on a face.
@@ -78,7 +96,11 @@ void press_face(Target& on, const WetFace<2>& face, double level, double weight,
   if (std::min(a.y(), b.y()) >= level) return;
   const auto pressure = [&](double s) { return weight * (level - (a.y() + s * (b.y() - a.y()))); };
   EndShares ends;
-  const auto add = [&](double from, double to) { ends += pressed_ends(from, pressure(from), to, pressure(to)); };
+  const KeptPart kept = kept_part(on, face.skin_a, face.skin_b);
+  const auto add = [&](double from, double to) {
+    if constexpr (keeps_parts<Target>) from = std::max(from, kept.from), to = std::min(to, kept.to);
+    if (to > from) ends += pressed_ends(from, pressure(from), to, pressure(to));
+  };
   double done = face.from;
   if (sealed)
     for (const ClosedPart<2>& part : on.closed().of(face.key())) {
@@ -96,18 +118,74 @@ void press_face(Target& on, const WetFace<3>& face, double level, double weight,
   const LinearField pressure{weight * level, Vec3(0, 0, -weight)};
   const PlacedWetFace now(on, face);
   PressureSum sum;
-  sum.add(now.polygon.corners(), now.normal, pressure, 1);
+  add_kept(on, sum, now.polygon.corners(), now.normal, pressure, 1);
   if (sum.force == 0) return;
   const auto turn = on.turn_of(face.at);
   for (const std::vector<Vec3>& inner : face.inner) {
     WetPolygon covered;
     for (const Vec3& x : inner) covered.add(now.place + turn.apply(x));
-    sum.add(covered.corners(), now.normal, pressure, -1);
+    add_kept(on, sum, covered.corners(), now.normal, pressure, -1);
   }
   if (sealed)
     for (const ClosedPart<3>& part : on.closed().of(face.key()))
-      sum.add({on.closed().corner.data() + part.first, static_cast<std::size_t>(part.count)}, now.normal, pressure, -1);
+      add_kept(on, sum, {on.closed().corner.data() + part.first, static_cast<std::size_t>(part.count)}, now.normal,
+               pressure, -1);
   push_pressure(on, face, now, sum);
+}
+
+/// The part of a wet face on a part of a body that has split; a pair of positions or a polygon remains of the face.
+inline WetFace<2> wet_part(const WetFace<2>& whole, const SplitFace& part) {
+  const double width = part.to - part.from;
+  const auto on_part = [&](double at) { return std::clamp((at - part.from) / width, 0.0, 1.0); };
+  return {part.body, part.skin_a, part.skin_b, on_part(whole.from), on_part(whole.to), whole.depth};
+}
+inline const WetFace<3>& wet_part(const WetFace<3>& /*whole*/, const WetFace<3>& part) {
+  return part;
+}
+inline SplitFace split_face(const WetFace<2>& face) {
+  return {face.body, face.skin_a, face.skin_b};
+}
+inline const WetFace<3>& split_face(const WetFace<3>& face) {
+  return face;
+}
+inline bool has_extent(const WetFace<2>& face) {
+  return face.to > face.from;
+}
+inline bool has_extent(const WetFace<3>& face) {
+  return face.corners.size() > 2;
+}
+
+/// Replaces the faces of a body that has split by the faces of its parts. `enters`: the faces of the crack are added
+/// where it divides one of the faces. Bodies remain in the order of the faces.
+template <int D, class Parts>
+void split_faces(const Parts& parts, const std::vector<WetFace<D>>& faces, std::vector<WetFace<D>>& out, bool enters) {
+  out.clear();
+  std::vector<WetFace<D>> ahead;
+  bool reached = false;
+  double depth = 1;
+  for (const WetFace<D>& face : faces) {
+    if (!parts.is_on(face.body)) {
+      out.push_back(face);
+      continue;
+    }
+    if constexpr (D == 2) depth = face.depth;
+    int count = 0;
+    parts.for_face(split_face(face), [&](const auto& part) {
+      WetFace<D> given = wet_part(face, part);
+      if (!has_extent(given)) return;
+      ++count;
+      (parts.is_behind(given.body) ? out : ahead).push_back(std::move(given));
+    });
+    reached = reached || count > 1;
+  }
+  out.insert(out.end(), std::make_move_iterator(ahead.begin()), std::make_move_iterator(ahead.end()));
+  if (!enters || !reached) return;
+  parts.for_new_faces([&](const auto& face) {
+    if constexpr (D == 2)
+      out.push_back({face.body, face.skin_a, face.skin_b, 0, 1, depth});
+    else
+      out.push_back(face);
+  });
 }
 
 /// Water with a level [m], which is its load curve.
@@ -139,6 +217,13 @@ struct Water {
   template <class Target>
   void apply(Target& on, int part) const {
     press_face(on, face(part), curve.at(on.time()), density * on.gravity(), sealed);
+  }
+  /// Water that reaches the edge of a crack reaches its two faces as well.
+  template <class Parts>
+  void split(const Parts& parts, std::vector<Water>& out) const {
+    Water given = *this;
+    split_faces(parts, faces, given.faces, true);
+    out.push_back(std::move(given));
   }
 };
 

@@ -11,6 +11,7 @@
 #include "geometry/plane/polygon.hpp"
 #include "load/motion.hpp"
 #include "model/builder/bearing_spec.hpp"
+#include "model/builder/crack_rules.hpp"
 #include "model/builder/frame.hpp"
 #include "model/builder/node_support.hpp"
 #include "model/contact/contact_rules.hpp"
@@ -51,9 +52,6 @@ struct BodySpec {
   int first_part = -1;               ///< once it has cracked: the part behind its plane; the next body is the other
   CrackPlane<2> parted_at = {};      ///< this plane
 };
-
-/// Group of all parts of a body that has cracked, and of their parts.
-std::string pieces_group(const std::string& body);
 
 /// Area, centroid and second moment of the body's shape, after its check.
 PolygonMoments moments_of(const BodySpec& spec);

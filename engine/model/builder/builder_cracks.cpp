@@ -1,8 +1,6 @@
 // Bodies of a plane model that may crack, and their parts.
 #include <fmt/format.h>
 
-#include "base/nearest.hpp"
-#include "law/contact/list.hpp"
 #include "model/builder/builder.hpp"
 #include "model/builder/crack_sections.hpp"
 #include "model/builder/extend.hpp"
@@ -11,35 +9,8 @@
 namespace trilith {
 namespace {
 
-[[noreturn]] void refuse_cracks(const std::string& owner, const std::string& why) {
-  throw InputError(fmt::format("{}: cracks: {}", owner, why));
-}
-
-/// Contact laws that a crack can use have a bond with strength.
-bool has_strength(const ContactLaw& law) {
-  return with_kernel({law}, []<class K>(const K& kernel) {
-    if constexpr (K::bonds) return kernel.tension > 0 && kernel.cohesion > 0;
-    return false;
-  });
-}
-
-/// A name that no body has: "u17.a", or "u17.a'" if that is taken.
-std::string new_name(RowNames& known, const std::vector<BodySpec>& bodies, std::string name) {
-  while (known.contains(bodies, name)) name += "'";
-  return name;
-}
-
-}  // namespace
-
-namespace {
-
 const Polygon& solid_of(const BodySpec& spec) {
   return spec.solid.empty() ? spec.outline : spec.solid;
-}
-
-/// Number of the i-th plane in the whole body.
-int number_of(const CrackSpec<2>& cracks, std::size_t i) {
-  return cracks.numbers.empty() ? static_cast<int>(i) + 1 : cracks.numbers[i];
 }
 
 /// A part with all that it takes from its body: the planes that cut it, except plane `number`.
@@ -62,10 +33,6 @@ BodySpec part_spec(const BodySpec& whole, int number, const Polygon& solid) {
 
 }  // namespace
 
-std::string pieces_group(const std::string& body) {
-  return "pieces of " + body;
-}
-
 /// All that does not depend on laws, which may be added later.
 void ModelBuilder::check_cracks(const BodySpec& spec, const std::string& owner) {
   if (spec.cracks.empty()) return;
@@ -78,15 +45,7 @@ void ModelBuilder::check_cracks(const BodySpec& spec, const std::string& owner) 
     refuse_cracks(owner, "a rigid body of a mesh has no planes; give it an outline, or make its pieces bodies");
   if (spec.inertia)
     refuse_cracks(owner, "inertia is given, but the parts take theirs from their shapes; leave inertia out");
-  for (const Support s : spec.support)
-    if (s != Support::free)
-      refuse_cracks(owner,
-                    "the body is held, and where its support acts inside it is not known; hold another body, and join "
-                    "this one to it by a bonded contact or a bearing, or give cracks = false");
-  if (spec.cracks.law.empty())
-    refuse_cracks(owner,
-                  "crack_law is missing, the name of a contact law with tension and cohesion: trilith.bonded{...}, or "
-                  "trilith.cohesive{...} with fracture energies");
+  check_crack_support(spec.support, spec.cracks.law, owner);
   int number = 0;
   for (const CrackPlane<2>& plane : crack_planes(spec.cracks, spec.outline)) {
     ++number;
@@ -100,16 +59,7 @@ void ModelBuilder::check_cracks(const BodySpec& spec, const std::string& owner) 
 void ModelBuilder::check_crack_laws(std::vector<std::string>& faults) const {
   for (const BodySpec& spec : bodies_) {
     if (spec.cracks.empty()) continue;
-    const std::string& name = spec.cracks.law;
-    const int law = rules_.law_row(name);
-    std::string why;
-    if (law < 0)
-      why = fmt::format("there is no contact law '{}'{}", name, name_hint(name, rules_.law_names()));
-    else if (!has_strength(rules_.laws()[static_cast<std::size_t>(law)].second))
-      why = fmt::format(
-          "'{}' has no strength: a crack needs tension and cohesion above 0; give a bonded law, or a cohesive "
-          "law with fracture energies",
-          name);
+    const std::string why = crack_law_fault(rules_, spec.cracks.law);
     if (why.empty()) continue;
     faults.push_back(fmt::format("body '{}': crack_law: {}", spec.name, why));
     return;
@@ -149,7 +99,7 @@ void ModelBuilder::crack(const Model<2>& model, int body, const CrackSection<2>&
   const double mass = model.mass[static_cast<std::size_t>(model.bodies[at].first_node)];
   for (const std::size_t side : {0, 1}) {
     BodySpec part = part_spec(whole, section.number, (*solids)[side]);
-    part.name = new_name(body_names_known_, bodies_, whole.name + (side == 0 ? ".a" : ".b"));
+    part.name = new_part_name(body_names_known_, bodies_, whole.name + (side == 0 ? ".a" : ".b"));
     part.outline = (*skins)[side], part.solid = (*solids)[side];
     part.mass = side == 0 ? section.mass : mass - section.mass;
     part.cracked_from = body;

@@ -230,6 +230,8 @@ std::vector<PointLoad<3>> make_solid_pressure(const Model<3>& model, int body, c
       load.force = spec.value * area.norm() * spec.direction->normalized();
     else
       load.force = -spec.value * (spec.follows ? start.undo(area) : area);
+    const Body& owner_body = model.bodies[body];
+    if (owner_body.is_rigid() && owner_body.pieces == 1) load.face = face.face;
     loads.push_back(std::move(load));
   }
   return loads;

@@ -147,6 +147,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
     add_plausibility_note_once(notes_, owner, "least side", "m", 2 * sphere.radius);
   if (spec.frame) add_frame_plausibility_notes(*spec.frame, owner, notes_);
   if (spec.inertia) check_inertia(spec, owner);
+  check_cracks(spec, owner);
   note_held_solid(spec, owner, notes_);
   note_lone_piece(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
@@ -185,6 +186,7 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
                             spec.moments, spec.inertia});
     });
   rules_.check(bodies_, materials_, faults);
+  check_crack_laws(faults);
   if (!faults.empty()) return {};
   Model<3> model = space.build();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

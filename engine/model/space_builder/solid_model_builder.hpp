@@ -11,6 +11,7 @@
 #include "model/builder/bearing_spec.hpp"
 #include "model/builder/frame_rows.hpp"
 #include "model/contact/contact_rules.hpp"
+#include "model/crack_planes.hpp"
 #include "model/material.hpp"
 #include "model/model.hpp"
 #include "model/names.hpp"
@@ -40,6 +41,10 @@ struct SolidSpec {
   std::vector<SpaceNodeSupport> supports = {};  ///< for some nodes of a deformable body, or of a frame
   std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of the pieces' moments
   std::optional<Vec3> inertia = {};  ///< rigid body: about x, y, z through its centroid, at the start [kg m2]
+  CrackSpec<3> cracks = {};          ///< planes on which it may crack; rigid bodies of one piece only
+  int cracked_from = -1;             ///< the body that it is a part of, or -1
+  int first_part = -1;               ///< once it has cracked: the part behind its plane; the next body is the other
+  CrackPlane<3> parted_at = {};      ///< this plane
 
   [[nodiscard]] bool deforms() const { return mesh.has_value() || form.kind != BodyKind::rigid; }
   [[nodiscard]] BodyKind kind() const { return frame ? BodyKind::frame : mesh ? mesh_kind(*mesh) : form.kind; }
@@ -79,6 +84,10 @@ class SolidModelBuilder {
   /// As ModelBuilder::extended and ModelBuilder::shorten.
   Model<3> extended(const Model<3>& model, const State<3>& state);
   void shorten(std::size_t bodies, std::size_t bearings, std::size_t seats);
+  /// As ModelBuilder::cracking, ModelBuilder::crack and ModelBuilder::with_parts.
+  [[nodiscard]] std::vector<CrackingBody<3>> cracking(const Model<3>& model) const;
+  void crack(const Model<3>& model, int body, const CrackSection<3>& section);
+  [[nodiscard]] Model<3> with_parts(const Model<3>& model) const;
   /// All faults that prevent build(), a line for each. Empty if there is none.
   [[nodiscard]] std::vector<std::string> faults() const;
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
@@ -92,6 +101,8 @@ class SolidModelBuilder {
   [[nodiscard]] double density_of(const SolidSpec& spec) const;
   void check_frame(SolidSpec& spec, const std::string& owner) const;
   void check_mesh_body(SolidSpec& spec, const std::string& owner);
+  static void check_cracks(const SolidSpec& spec, const std::string& owner);
+  void check_crack_laws(std::vector<std::string>& faults) const;
   [[nodiscard]] SpaceMeshBody mesh_body(const SolidSpec& spec) const;
   [[nodiscard]] SpaceFrameBody frame_body(const SolidSpec& spec) const;
   [[nodiscard]] int require_body(const std::string& name, const std::string& owner) const;

@@ -97,15 +97,15 @@ LoadCurve read_level(Keys& keys, double now) {
   return curve;
 }
 
-/// Refuses a body with crack planes: the forces of water on it would be missing in its sections, and lost when it
-/// cracks.
+/// Refuses a body with crack planes: the forces of added mass follow from the accelerations of the step, and are not
+/// known at its sections.
 template <int D>
 void require_whole(SimulatedModel<D>& m, int body, std::string_view what) {
   for (const CrackingBody<D>& c : m.simulation().cracking().bodies)
     if (c.body == body)
       throw InputError(
-          fmt::format("{}: body '{}' has crack planes; water acts on bodies without them: give it "
-                      "cracks = false, or model its parts as bodies with a bond between them",
+          fmt::format("{}: body '{}' has crack planes, and the added mass of water is not known at its sections: give "
+                      "it cracks = false, or model its parts as bodies with a bond between them",
                       what, m.body_name(body)));
 }
 
@@ -127,7 +127,6 @@ int water_of(lua_State* L, SimulatedModel<D>& m) {
     throw InputError(
         fmt::format("water '{}': there is water of that name already; change its level by m:set_level", spec.name));
   std::vector<WetFace<D>> wet;
-  for (const int body : bodies) require_whole(m, body, "water");
   for (const int body : bodies)
     for (WetFace<D>& face : chosen_water_faces(model, body, faces)) wet.push_back(std::move(face));
   const std::vector made{make_water(model, spec, std::move(wet))};
@@ -221,7 +220,6 @@ int uplift_of(lua_State* L, M& m) {
   lua_pop(L, 1);
   keys.finish();
   if (spec.upper == spec.lower) throw InputError("uplift: 'upper' and 'lower' are the same body");
-  for (const int body : {spec.upper, spec.lower}) require_whole<D>(m, body, "uplift");
   if (spec.name.empty()) spec.name = free_load_name(m, "uplift");
   const std::vector made{make_uplift<D>(m.simulation().model(), spec)};
   m.change([made](Model<D>& changed) { changed.loads.add(made); });
@@ -248,7 +246,6 @@ int drag_of(lua_State* L, M& m) {
   spec.curve = read_load_curve(keys, m.time());
   keys.finish();
   if (spec.name.empty()) spec.name = free_load_name(m, "drag");
-  require_whole<D>(m, body, "drag");
   const std::vector made{make_drag<D>(m.simulation().model(), body, spec)};
   m.change([made](Model<D>& changed) { changed.loads.add(made); });
   return push_load_name(L, spec.name);

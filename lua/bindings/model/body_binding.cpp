@@ -244,7 +244,7 @@ int push_space_point(lua_State* L, SpaceModel& m, int body) {
   const Model<3>& model = run->model();
   if (is_of_elements(model.bodies[static_cast<std::size_t>(body)]))
     return push_place(L, element_place(model, run->state(), body, start)), 3;
-  const Attachment<3> attachment = tie_point(model, body, start);
+  const Attachment<3> attachment = tie_point(model, m.part_with(body, start), start);
   const trilith::BodyMotion now = trilith::motion_of(model, run->state(), attachment.node[0]);
   push_place(L, now.place + turn_of(now.rotation).apply(attachment.arm[0]));
   return 3;

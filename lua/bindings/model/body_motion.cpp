@@ -31,7 +31,22 @@ BodyMotion motion_in_plane(const PlaneModel& m, int body) {
   return {lifted(pose.place), lifted(moved), {0, 0, pose.rotation}, lifted(pose.velocity), {0, 0, pose.spin}};
 }
 
+/// As motion_on_part. The rotation is the rotation of the part from the start.
+BodyMotion motion_on_solid_part(const SpaceModel& m, int body, int part) {
+  const Simulation<3>& s = *m.if_built();
+  const Model<3>& model = s.model();
+  const auto start_of_body = [&](int b) {
+    return model.start_position[static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(b)].first_node)];
+  };
+  const Pose3 pose = body_pose(model, s.state(), part);
+  const Vec3 start = start_of_body(body);
+  const Vec3 arm = turn_of(pose.turned).apply(Vec3(start - start_of_body(part)));
+  const Vec3 place = pose.place + arm, velocity = pose.velocity + cross(pose.spin, arm);
+  return {place, Vec3(place - start), turn_reading(model, s.state(), part), velocity, pose.spin};
+}
+
 BodyMotion motion_in_space(const SpaceModel& m, int body) {
+  if (const int part = m.heir_of(body); part >= 0) return motion_on_solid_part(m, body, part);
   const Simulation<3>* s = m.has_body(body) ? m.if_built() : nullptr;
   if (s == nullptr) {
     const SolidSpec& spec = m.spec(body);

@@ -55,6 +55,10 @@ class BuiltModel : public SimulatedModel<D> {
     return this->built() ? standing_faults() : builder.faults();
   }
   [[nodiscard]] const Spec& spec(int body) const { return builder.bodies()[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] int first_part(int body) const override;
+  [[nodiscard]] int heir_of(int body) const override;
+  /// The part of a cracked body that holds its point at `at` at the start [m]; the body itself if it is whole.
+  [[nodiscard]] int part_with(int body, const Vec<D>& at) const;
 
  protected:
   [[nodiscard]] Model<D> built_model() override { return built_unjudged(builder); }
@@ -72,6 +76,12 @@ class BuiltModel : public SimulatedModel<D> {
     builder.shorten(model.bodies.size(), model.bearings.size(), model.seats.size());
   }
   [[nodiscard]] Model<D> lone_body(int body) const override;
+  [[nodiscard]] std::vector<CrackingBody<D>> cracking_bodies(const Model<D>& model) const override {
+    return builder.cracking(model);
+  }
+  [[nodiscard]] Model<D> cracked_model(const Model<D>& model, std::span<const Crack<D>> cracks) override {
+    return with_cracks(builder, model, this->if_built()->cracking().bodies, cracks);
+  }
 };
 extern template class BuiltModel<2>;
 extern template class BuiltModel<3>;
@@ -81,30 +91,11 @@ class PlaneModel final : public BuiltModel<2> {
   using BuiltModel::BuiltModel;
   /// Moment of inertia of a body about its centroid [kg m2], before and after building.
   [[nodiscard]] double inertia_of(int body);
-  [[nodiscard]] int first_part(int body) const override;
-  [[nodiscard]] int heir_of(int body) const override;
-  /// The part of a cracked body that holds its point at `at` at the start [m]; the body itself if it is whole.
-  [[nodiscard]] int part_with(int body, const Vec2& at) const;
-
- protected:
-  [[nodiscard]] std::vector<CrackingBody<2>> cracking_bodies(const Model<2>& model) const override {
-    return builder.cracking(model);
-  }
-  [[nodiscard]] Model<2> cracked_model(const Model<2>& model, std::span<const Crack<2>> cracks) override {
-    return with_cracks(builder, model, if_built()->cracking().bodies, cracks);
-  }
 };
 
 class SpaceModel final : public BuiltModel<3> {
  public:
   using BuiltModel::BuiltModel;
-
- protected:
-  [[nodiscard]] std::vector<CrackingBody<3>> cracking_bodies(const Model<3>& /*model*/) const override { return {}; }
-  /// No body in space has planes yet.
-  [[nodiscard]] Model<3> cracked_model(const Model<3>& model, std::span<const Crack<3>> /*cracks*/) override {
-    return model;
-  }
 };
 
 }  // namespace trilith::script

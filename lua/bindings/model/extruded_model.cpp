@@ -9,6 +9,7 @@
 #include "base/rotation_3d.hpp"
 #include "build/space/solid_part.hpp"
 #include "law/bearing/mirrored.hpp"
+#include "model/builder/crack_sections.hpp"
 #include "model/builder/extruded_frame.hpp"
 
 namespace trilith::script {
@@ -58,6 +59,19 @@ void hold_frame(const BodySpec& flat, bool held, SolidSpec& spec) {
   hold_nodes(flat, spec);
 }
 
+/// The planes of a body in the plane stand upright in space. Held bodies do not crack.
+void take_planes(const BodySpec& flat, bool held, SolidSpec& spec) {
+  if (flat.cracks.empty()) return;
+  if (held)
+    throw InputError(
+        fmt::format("extruded: body '{}' has crack planes, and a body that is held in its plane does not crack; give "
+                    "held = false, or cracks = false in the model in the plane",
+                    flat.name));
+  for (const CrackPlane<2>& plane : crack_planes(flat.cracks, flat.outline))
+    spec.cracks.planes.push_back({in_space(plane.point), in_space(plane.normal)});
+  spec.cracks.law = flat.cracks.law, spec.cracks.where_met = flat.cracks.where_met;
+}
+
 /// A counter-clockwise rotation in the plane is negative about y, which points away from the viewer.
 SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held) {
   const double half = flat.thickness.value_or(plane.builder.thickness) / 2;
@@ -84,6 +98,7 @@ SolidSpec extruded_body(const BodySpec& flat, const PlaneModel& plane, bool held
   } else {
     spec.pieces = prisms_between(flat.outline, OutlinePlane::upright, -half, half);
     hold_rigid(flat, held, spec);
+    take_planes(flat, held, spec);
   }
   return spec;
 }

@@ -8,6 +8,7 @@
 #include "bindings/geometry/part_reading.hpp"
 #include "bindings/geometry/solid_makers.hpp"
 #include "bindings/readings/body_reading.hpp"
+#include "bindings/readings/crack_reading.hpp"
 #include "build/space/gmsh.hpp"
 #include "build/space/solid_block.hpp"
 #include "model/space_builder/rigid_shape.hpp"
@@ -127,11 +128,7 @@ SolidSpec read_solid_spec(Keys& keys, const SolidSpec& preset) {
   s.spin = keys.vector("spin", preset.spin);
   s.load = keys.vector("load", preset.load);
   s.floating = keys.flag("floating", preset.floating);
-  for (const char* const key : {"cracks", "crack_law"})
-    keys.refuse(key,
-                fmt::format("'{}' is for models in the plane; in space make the halves two bodies, with a bonded or "
-                            "cohesive law between them",
-                            key));
+  read_cracks(keys, s.cracks);
   return s;
 }
 
@@ -173,6 +170,9 @@ SolidOptions read_solid_options(Keys& keys, bool several, const SpaceForm& prese
   if (!several) return o;
   o.fixed = keys.names("fixed");
   read_groups(keys, o);
+  // One plane may cross many parts; only the parts that it meets have it.
+  o.spec.cracks.where_met = true;
+  for (auto& [group, spec] : o.by_group) spec.cracks.where_met = true;
   return o;
 }
 
@@ -192,7 +192,7 @@ void add_solid(SpaceModel& m, const SolidPart& part, const SolidOptions& options
   spec.name = part.name, spec.pieces = part.pieces, spec.spheres = part.spheres;
   spec.groups.insert(spec.groups.begin(), part.groups.begin(), part.groups.end());
   if (std::any_of(own.begin(), own.end(), [&](const std::string& n) { return is_among(n, options.fixed); }))
-    spec.support.fill(Support::fixed);
+    spec.support.fill(Support::fixed), spec.cracks = {};
   m.builder.add_body(std::move(spec));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bindings/geometry/part_reading.hpp"
+#include "bindings/readings/crack_reading.hpp"
 
 namespace trilith::script {
 namespace {
@@ -24,78 +25,6 @@ void read_holds(Keys& keys, std::vector<NodeSupport>& holds) {
     hold.support = {support_at(own, "x", own.text("x", "fixed")), support_at(own, "y", own.text("y", "fixed"))};
     holds.push_back(hold);
   });
-}
-
-constexpr const char* wanted_cracks =
-    "\"mid\", \"quarter\", \"diagonals\", a number of planes, a list { { point = {x, y}, normal = {x, y} }, ... } or "
-    "false";
-
-/// { point = {x, y}, normal = {x, y} } or { {x, y}, {x, y} } on top of the stack.
-CrackPlane<2> plane_at(Keys& keys, lua_Integer number) {
-  lua_State* L = keys.lua();
-  Keys own(L, -1, fmt::format("plane {}", number));
-  CrackPlane<2> plane;
-  if (lua_rawlen(L, -1) == 0) {
-    plane = {own.point("point"), own.point("normal")};
-  } else {
-    own.allow_list();
-    for (const int i : {1, 2}) {
-      lua_rawgeti(L, -1, i);
-      const auto given = point_at(L, -1);
-      if (!given) own.problem("must be { point = {x, y}, normal = {x, y} }");
-      (i == 1 ? plane.point : plane.normal) = given.value_or(Vec2::UnitX());
-      lua_pop(L, 1);
-    }
-  }
-  own.finish();
-  return plane;
-}
-
-/// The list of planes on top of the stack.
-void read_planes(Keys& keys, CrackSpec<2>& cracks) {
-  lua_State* L = keys.lua();
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  if (count == 0) keys.wrong("cracks", wanted_cracks);
-  for (lua_Integer i = 1; i <= count; ++i) {
-    lua_rawgeti(L, -1, i);
-    try {
-      cracks.planes.push_back(plane_at(keys, i));
-    } catch (const InputError& e) {
-      keys.problem(fmt::format("cracks: {}", e.what()));
-    }
-    lua_pop(L, 1);
-  }
-}
-
-/// Planes by name or by number.
-void read_pattern(Keys& keys, CrackSpec<2>& cracks) {
-  lua_State* L = keys.lua();
-  const std::string name = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
-  const int count = name == "mid" ? 1 : name == "quarter" ? 3 : name.empty() ? count_at(L, -1).value_or(0) : 0;
-  cracks.pattern = name == "diagonals" ? CrackPattern::diagonals : CrackPattern::equal;
-  cracks.count = count;
-  if (name == "diagonals") return;
-  if (!name.empty() && count == 0) keys.problem(fmt::format("'cracks' is '{}', must be {}", name, wanted_cracks));
-  if (name.empty() && (count < 1 || count > 100))
-    keys.problem(fmt::format("'cracks' is {}, must be 1 to 100 planes, or {}", what_is(L, -1), wanted_cracks));
-}
-
-/// cracks = , crack_law = ; `cracks` remains unchanged where they are not given.
-void read_cracks(Keys& keys, CrackSpec<2>& cracks) {
-  lua_State* L = keys.lua();
-  const int type = keys.push("cracks");
-  const std::string law = cracks.law;
-  if (type != LUA_TNIL) cracks = {};
-  if (type == LUA_TTABLE)
-    read_planes(keys, cracks);
-  else if (type == LUA_TSTRING || type == LUA_TNUMBER)
-    read_pattern(keys, cracks);
-  else if (type != LUA_TNIL && (type != LUA_TBOOLEAN || lua_toboolean(L, -1) != 0))
-    keys.wrong("cracks", wanted_cracks);
-  lua_pop(L, 1);
-  cracks.law = keys.text("crack_law", law);
-  if (keys.has("crack_law") && cracks.empty() && type == LUA_TNIL)
-    keys.problem("'crack_law' is given without 'cracks', the planes that it acts on; give both");
 }
 
 /// Options of a body from `keys`; `preset` for missing ones.

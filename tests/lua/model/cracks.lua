@@ -40,7 +40,8 @@ refused("'cracks' is 'middle', must be \"mid\", \"quarter\", \"diagonals\"", blo
 refused("must be 1 to 100 planes", block, empty(), { cracks = 0 })
 do
   local m = empty { gravity = 9.80665 }
-  refused("water: body 'rod' has crack planes", m.water, m, { body = block(m), level = 1, side = "all" })
+  refused("added_mass: body 'rod' has crack planes, and the added mass of water is not known at its sections",
+    m.added_mass, m, { body = block(m), side = "left", level = 1, bed = 0 })
 end
 refused("'cracks' is true, must be \"mid\"", block, empty(), { cracks = true })
 refused("plane 1 through %(3, 0%) with the normal %(1, 0%) does not divide the body in two; the body is between",
@@ -53,9 +54,14 @@ for name, pattern in pairs { plan = "there is no contact law 'plan'; did you mea
   block(m, { crack_law = name })
   refused(pattern, function() m:run { duration = 0.01 } end)
 end
-refused("'cracks' is for models in the plane", function()
-  trilith.model { dim = 3 }:block { name = "a", size = { 1, 1, 1 }, density = 2000, cracks = "mid" }
-end)
+-- a load path by arc length does not crack bodies, and reports this
+do
+  local m = empty()
+  m:block { name = "floor", width = 4, height = 0.2, at = { -2, -0.2 }, material = "stone", support = "fixed" }
+  block(m)
+  refused("pushover: body 'rod' has crack planes, and a path by arc length does not crack bodies", m.pushover, m,
+    { body = "rod", direction = "x", control = "arc", displacement = 0.01 })
+end
 
 -- no planes: no change of a bit; planes that do not crack: none either
 local function fall(cracks)
