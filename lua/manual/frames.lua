@@ -33,9 +33,9 @@ cover_law  fibre law?      law of the cover; default: law of the core
 core       section?        shape of the core, instead of the shape inside the cover
 bars       list?           rows { area =, height = }: area of the row, height; in space count, across, spread
 bar_law    fibre law?      law of the bars, such as trilith.menegotto_pinto{...}]], gives = "section" },
-  { "section:moment_curvature", "Moment of a section of fibres under a constant normal force and a growing curvature, "
-    .. "as lists curvature, moment and axial (strain of the centroid), with yield_curvature, yield_moment (where the "
-    .. "first fibre yields), peak_moment, peak_curvature, and limit: why it ends.", keys = [[
+  { "section:moment_curvature", "Moment of a section of fibres under a constant normal force and a growing curvature. "
+    .. "Lists: curvature, moment, axial (strain of the centroid). Numbers: yield_curvature and yield_moment, where the "
+    .. "first fibre yields, peak_moment, peak_curvature. The text limit says why it ends.", keys = [[
 normal       number N = 0      normal force, tension above 0
 curvature    number 1/m?       largest curvature; below 0 the top is in tension; default: until a limit of the strain
 points       integer = 200     number of equal steps of the curvature  <2 to 10000>

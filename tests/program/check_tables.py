@@ -67,7 +67,8 @@ fallen = -9.80665 * 0.1**2 / 2  # an explicit fall is ahead of it by g t dt/2
 for name, axes in (("plane", "xy"), ("space", "xyz")):
     result = run_program("export", f"{name}.h5", "--to", "csv", "--at", "0,0.1,end")
     check(result.returncode == 0, result.stderr)
-    tables = ["histories", "energy", "events", "stages", "bodies", "bearings", "modes", "notes", "parameters"]
+    tables = ["histories", "energy", "events", "stages", "bodies", "bearings", "members", "modes", "notes",
+              "parameters"]
     check(result.stdout.splitlines() == [f"{name}_csv/{t}.csv" for t in tables], result.stdout)
     file = h5py.File(folder / f"{name}.h5")
     histories = rows_of(f"{name}_csv/histories.csv")
