@@ -9,7 +9,7 @@
 #include "assembly/single_terms.hpp"
 #include "base/team.hpp"
 #include "element/corotation.hpp"
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 
 namespace trilith {
 namespace {

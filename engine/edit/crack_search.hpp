@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "model/crack_planes.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
 #include "readings/section_forces_space.hpp"
@@ -33,8 +33,8 @@ struct SectionUse {
 /// Normal force and moment give a linear stress over `length` [m] times `depth` [m].
 SectionUse section_use(const ContactLaw& law, double normal, double shear, double moment, double length, double depth);
 
-/// In space the stress is linear over the polygon of the section, and shear stress is the sum of its mean and the stress of torsion,
-/// as in an intact joint of mortar. The place is `in_space`, along the axes of the section.
+/// In space the stress is linear over the polygon of the section, and shear stress is the sum of its mean and the
+/// stress of torsion, as in an intact joint of mortar. The place is `in_space`, along the axes of the section.
 SectionUse section_use(const ContactLaw& law, const CrackSection<3>& section, const SpaceForces& forces);
 
 /// A body that cracks now.

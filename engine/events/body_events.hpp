@@ -1,7 +1,7 @@
 // Events of bodies that do not depend on their contacts: rest.
 #pragma once
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"

@@ -73,7 +73,7 @@ struct SpaceElement {
   ElementShape shape = ElementShape::brick;
   std::array<int, max_space_nodes> node{};  ///< as many as the shape has
   int solid = -1;                           ///< index into Model::solids
-  int first_number = 0;  ///< index of its rows in Model::element_number, see model/space_element_rows.hpp
+  int first_number = 0;  ///< index of its rows in Model::element_number, see model/element/space_element_rows.hpp
   int first_point = -1;  ///< index of its rows in State::plastic, -1 if it is elastic
   double volume = 0;     ///< [m3]
 };
@@ -195,7 +195,7 @@ struct Model {
   std::vector<Element> elements;               ///< [element], body by body
   std::vector<ElementBatch> element_batches;   ///< all of them, in order
   std::vector<SpaceElement> space_elements;    ///< [element] of models in space, body by body
-  std::vector<double> element_number;          ///< see model/element_rows.hpp
+  std::vector<double> element_number;          ///< see model/element/element_rows.hpp
   std::vector<Member> members;                 ///< of frames, body by body
   std::vector<Beam> beams;                     ///< [beam] of frames, body by body
   std::vector<Beam3> beams_3d;                 ///< [beam] of frames in space, body by body

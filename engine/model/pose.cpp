@@ -13,7 +13,7 @@
 #include "geometry/plane/polygon.hpp"
 #include "geometry/space/face_distance.hpp"
 #include "model/contact/skin_places.hpp"
-#include "model/one_element.hpp"
+#include "model/element/one_element.hpp"
 
 namespace trilith {
 namespace {

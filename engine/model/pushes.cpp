@@ -9,7 +9,7 @@
 #include "load/load_curve.hpp"
 #include "model/builder/bearing_spec.hpp"
 #include "model/contact/skin_places.hpp"
-#include "model/element_place.hpp"
+#include "model/element/element_place.hpp"
 #include "model/loads.hpp"
 #include "model/pose.hpp"
 

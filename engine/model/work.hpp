@@ -19,7 +19,7 @@
 #include "model/contact/broad_phase_state.hpp"
 #include "model/contact/general_contacts.hpp"
 #include "model/contact/row_shares.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/quantity_text.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "report/sections.hpp"
 #include "results/reading/event_tree.hpp"
 

@@ -9,7 +9,7 @@
 #include "base/portable.hpp"
 #include "base/principal_axes.hpp"
 #include "element/solid/element_gradients.hpp"
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 
 namespace trilith {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 

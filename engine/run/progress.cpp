@@ -7,7 +7,7 @@
 
 #include "base/quantity_text.hpp"
 #include "element/rigid/rigid_turn.hpp"
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 
 namespace trilith {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "run/stage.hpp"
 
 namespace trilith {

@@ -7,7 +7,7 @@
 
 #include "integrate/explicit/mass_scaling.hpp"
 #include "integrate/list.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/work.hpp"
 
 namespace trilith {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "assembly/step_times.hpp"
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"

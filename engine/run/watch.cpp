@@ -7,8 +7,8 @@
 
 #include "base/portable.hpp"
 #include "base/quantity_text.hpp"
-#include "model/element_rows.hpp"
-#include "model/event_text.hpp"
+#include "model/element/element_rows.hpp"
+#include "model/event/event_text.hpp"
 #include "model/pose.hpp"
 #include "run/element_stretch.hpp"
 #include "run/record/body_forces.hpp"

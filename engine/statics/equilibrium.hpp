@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "statics/travel.hpp"

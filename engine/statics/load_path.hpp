@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "assembly/tangent/dof_graph.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "assembly/node_forces.hpp"
 #include "assembly/tangent/tangent.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 
 namespace trilith {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith::program {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "assembly/single_terms.hpp"
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 #include "near.hpp"
 #include "physics/space/solids.hpp"
 #include "physics/space/space_solids.hpp"

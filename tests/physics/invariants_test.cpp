@@ -12,7 +12,7 @@
 #include "integrate/explicit/central_difference.hpp"
 #include "integrate/explicit/mass_scaling.hpp"
 #include "integrate/explicit/stable_step.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "model/io/checkpoint.hpp"
 #include "physics/collapses.hpp"
 

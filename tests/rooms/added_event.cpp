@@ -2,7 +2,7 @@
 // it in a copy of the tree that has the row.
 #include <fmt/format.h>
 
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 #include "model/verdict.hpp"
 
 namespace {

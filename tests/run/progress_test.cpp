@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 #include "near.hpp"
 #include "run/falling_span.hpp"
 #include "run/listeners.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/quantity_text.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 
 namespace trilith {
 

@@ -39,8 +39,8 @@
 
 #include "assembly/node_forces.hpp"
 #include "assembly/step_options.hpp"
+#include "model/element/one_element.hpp"
 #include "model/model.hpp"
-#include "model/one_element.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "element/corotation_3d.hpp"
-#include "model/space_element_rows.hpp"
+#include "model/element/space_element_rows.hpp"
 
 namespace trilith {
 

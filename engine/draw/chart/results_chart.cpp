@@ -10,7 +10,7 @@
 #include "base/nearest.hpp"
 #include "draw/scene/results_picture.hpp"
 #include "model/energy.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "results/reading/largest_value.hpp"
 
 namespace trilith::draw {

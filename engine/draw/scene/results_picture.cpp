@@ -13,7 +13,7 @@
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_solids.hpp"
 #include "draw/scene/structure.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
 #include "results/reading/verdict.hpp"

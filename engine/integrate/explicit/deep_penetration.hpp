@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
 #include "model/work.hpp"

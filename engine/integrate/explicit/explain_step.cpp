@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "integrate/explicit/stable_step.hpp"
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 
 namespace trilith {
 namespace {

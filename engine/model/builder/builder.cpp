@@ -16,7 +16,7 @@
 #include "model/check/frame_plausibility.hpp"
 #include "model/check/small_gaps.hpp"
 #include "model/check/thickness.hpp"
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 #include "model/flatness.hpp"
 #include "model/names.hpp"
 #include "model/plausible_ranges.hpp"

@@ -20,7 +20,8 @@ std::vector<CrackPlane<3>> crack_planes(const CrackSpec<3>& spec, const Polyhedr
 std::optional<std::array<Polyhedron, 2>> parts_of(const Polyhedron& solid, const CrackPlane<3>& plane);
 
 /// The section of a plane through a rigid body of this solid and mass [kg], in its axes about its centroid; none where
-/// parts_of finds none. `axes`: rotate the axes of the world to the axes of the body at the start. `number`: of the plane.
+/// parts_of finds none. `axes`: rotate the axes of the world to the axes of the body at the start. `number`: of the
+/// plane.
 std::optional<CrackSection<3>> crack_section(const Polyhedron& solid, double mass, const UnitQuaternion& axes,
                                              const CrackPlane<3>& plane, int number);
 

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "geometry/space/face_overlap_3d.hpp"
 #include "model/builder/bearing_spec.hpp"
-#include "model/element_place.hpp"
+#include "model/element/element_place.hpp"
 #include "model/loads.hpp"
 #include "model/pose.hpp"
 

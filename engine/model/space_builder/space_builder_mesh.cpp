@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "model/element/space_element_rows.hpp"
 #include "model/space_builder/mesh_skin.hpp"
 #include "model/space_builder/space_builder.hpp"
-#include "model/space_element_rows.hpp"
 
 namespace trilith {
 namespace {

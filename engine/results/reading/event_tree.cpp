@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith::results {
 namespace {

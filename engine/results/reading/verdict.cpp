@@ -1,6 +1,6 @@
 #include "results/reading/verdict.hpp"
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith::results {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith {
 /// Numbers an event and sets its cause: the latest event of one of its bodies that can be a cause, otherwise the start

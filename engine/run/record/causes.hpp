@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 
 namespace trilith {
 

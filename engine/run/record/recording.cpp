@@ -12,7 +12,7 @@
 #include "assembly/bearing_motion.hpp"
 #include "assembly/contact/solid_resultants.hpp"
 #include "assembly/element/element_stress.hpp"
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 #include "model/pose.hpp"
 #include "results/file/extended.hpp"
 #include "run/record/member_fields.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/bytes.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 #include "run/stage_progress.hpp"
 
 namespace trilith {

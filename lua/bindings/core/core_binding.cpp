@@ -4,7 +4,7 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/model/model_binding.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith::script {
 namespace {

@@ -6,7 +6,7 @@
 #include "bindings/core/table_fields.hpp"
 #include "bindings/geometry/declared_reading.hpp"
 #include "build/list.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "model/plausible_ranges.hpp"
 
 namespace trilith::script {

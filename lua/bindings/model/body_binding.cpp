@@ -14,7 +14,7 @@
 #include "bindings/readings/body_reading.hpp"
 #include "bindings/readings/reaction_binding.hpp"
 #include "model/contact/skin_places.hpp"
-#include "model/element_place.hpp"
+#include "model/element/element_place.hpp"
 #include "model/pose.hpp"
 
 namespace trilith::script {

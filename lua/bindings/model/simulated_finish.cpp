@@ -24,7 +24,8 @@ std::string dissipated_text(const EnergyCheck& check) {
   for (int i = 0; i < energy_terms; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double share = check.input() > 0 ? check.last().value[k] / check.input() : 0;
-    if (energy_term_info[k].dissipated && share >= 5e-4) shares.emplace_back(share, means_of(energy_term_info[k].sentence));
+    if (energy_term_info[k].dissipated && share >= 5e-4)
+      shares.emplace_back(share, means_of(energy_term_info[k].sentence));
   }
   std::sort(shares.rbegin(), shares.rend());
   std::string text;

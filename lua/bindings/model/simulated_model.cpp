@@ -10,7 +10,7 @@
 #include "base/quantity_text.hpp"
 #include "integrate/explicit/stable_step.hpp"
 #include "model/check/missing_laws.hpp"
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 #include "model/io/motion_hash.hpp"
 #include "model/pose.hpp"
 #include "run/missed_bonds.hpp"

@@ -11,7 +11,7 @@
 
 #include "base/bytes.hpp"
 #include "bindings/restart/restart_files.hpp"
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 
 namespace trilith::script {
 

@@ -10,7 +10,7 @@
 
 namespace trilith {
 
-/// A new type comes before `count` and has a row in model/event_list.hpp.
+/// A new type comes before `count` and has a row in model/event/event_list.hpp.
 enum class EventType : int {
   stage_begun,
   stage_ended,

@@ -1,10 +1,10 @@
-// A row of the list of events (model/event_list.hpp).
+// A row of the list of events (model/event/event_list.hpp).
 #pragma once
 
 #include <array>
 #include <string_view>
 
-#include "model/event.hpp"
+#include "model/event/event.hpp"
 
 namespace trilith {
 
@@ -53,7 +53,7 @@ struct EventTypeInfo {
   std::string_view sentence;       ///< pattern of event_text; words in braces are among `event_words`
 };
 
-/// Words that a sentence may have in braces. model/event_text.cpp writes them.
+/// Words that a sentence may have in braces. model/event/event_text.cpp writes them.
 inline constexpr std::array<std::string_view, 12> event_words{
     "a",        ///< name of the body that moves, or of the first one
     "b",        ///< name of the other body

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 #include "model/model.hpp"
 
 namespace trilith {

@@ -1,4 +1,4 @@
-#include "model/event_text.hpp"
+#include "model/event/event_text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/quantity_text.hpp"
-#include "model/event_list.hpp"
+#include "model/event/event_list.hpp"
 
 namespace trilith {
 namespace {

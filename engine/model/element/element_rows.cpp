@@ -1,4 +1,4 @@
-#include "model/element_rows.hpp"
+#include "model/element/element_rows.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "model/element_place.hpp"
+#include "model/element/element_place.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "model/one_element.hpp"
+#include "model/element/one_element.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "model/space_element_rows.hpp"
+#include "model/element/space_element_rows.hpp"
 
 #include <algorithm>
 

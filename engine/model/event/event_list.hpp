@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "model/event_row.hpp"
+#include "model/event/event_row.hpp"
 
 namespace trilith {
 
