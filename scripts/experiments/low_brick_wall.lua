@@ -37,6 +37,7 @@ return {
     { "compression", "6.2 MPa", "strength of the masonry, Anthoine et al. 1995" },
     { "bricks", "compressive strength 26.9 MPa: tension 1.75 MPa", "Anthoine et al. 1995, and the rule below" },
     mortar.assumptions[1], mortar.assumptions[2], mortar.assumptions[3],
+    { "push", "1 mm/s", "chosen for the time of the computation; raised after first runs" },
   },
   cases = { {
     name = "brick_isp1", title = "wall ISP1", parameters = { { "N", 150, "kN" } },

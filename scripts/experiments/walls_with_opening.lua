@@ -31,6 +31,7 @@ return {
     { "compression", "10.5 MPa", "Lourenco 1996; there it softens with 5 N/mm" },
     { "bricks", "tension 2.0 MPa, 80 J/m2", "Lourenco 1996" },
     mortar.assumptions[1], mortar.assumptions[2], mortar.assumptions[3],
+    { "push", "2 mm/s", "chosen for the time of the computation; raised after first runs" },
   },
   cases = { {
     name = "opening_j2g", title = "walls J2G and J3G",
@@ -41,7 +42,7 @@ return {
     },
     known = "the vertical load of the locked top decides, and joints crush without softening. With half the " ..
       "compressive strength the peak is 34 kN, with bricks that cannot crack 70 kN, with a level top and constant N " ..
-      "22 kN",
+      "22 kN; the last two runs ended as not reliable",
     run = function()
       result = mortar.push(series, {}, setting.over)
       return { peak = result.peak/1e3, mechanism = result.mechanism, notes = mortar.notes(result) }
