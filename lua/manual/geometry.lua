@@ -70,7 +70,7 @@ file:close()
 m:add(trilith.dxf { file = path, unit = "m" }, { material = "stone" })]],
     ["model:level_ground"] = [[
 m:block { name = "upper", width = 0.4, height = 0.5, at = { 0, 1 }, material = "stone" }
-m:level_ground { level = -1, material = "stone" }]],
+m:level_ground { level = -1, material = "stone", name = "plain" }]],
     ["model:ground"] = [[
 m:ground { name = "valley", surface = { { 10, 0 }, { 20, -6 }, { 30, 0 } }, base_level = -10, material = "stone",
   support = "fixed" }]],

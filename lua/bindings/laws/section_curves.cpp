@@ -167,7 +167,7 @@ int plot_section(lua_State* L) {
   const SectionLimits limits = read_limits(keys);
   if (!curves)
     for (const char* key : {"normal", "curvature"})
-      keys.refuse(key, "is for of = \"moment_curvature\"; the interaction covers all normal forces");
+      keys.refuse(key, fmt::format("'{}' is for of = \"moment_curvature\"; the interaction covers all forces", key));
   const std::vector<double> forces = curves ? read_forces(keys, "normal") : std::vector<double>{};
   const double curvature = curves ? read_curvature(keys, section, limits) : 0;
   const int points = read_steps(keys, curves ? usual_steps : usual_forces, 3);
