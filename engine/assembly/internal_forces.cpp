@@ -9,6 +9,7 @@
 #include "assembly/single_terms.hpp"
 #include "base/team.hpp"
 #include "element/corotation.hpp"
+#include "field/field.hpp"
 #include "model/element/element_rows.hpp"
 
 namespace trilith {
@@ -18,7 +19,15 @@ struct ElementPass {
   const Model<2>& model;
   const State<2>& state;
   Work<2>& work;
+  FieldValues heat;  ///< of elements that expand; none: no element does
 };
+
+/// The temperatures of a model with thermal strain.
+FieldValues heat_in(const Model<2>& model, const State<2>& state) {
+  if (model.fields.empty()) return {};
+  const FieldValues heat = values_of(model.fields, state.fields, FieldKind::heat);
+  return heat && heat.field().expands() ? heat : FieldValues{};
+}
 
 /// True if four elements share their rows of Model::element_number.
 TRILITH_INLINE bool are_alike(const Element* four) {
@@ -89,6 +98,28 @@ TRILITH_INLINE T resist_elastic(const ElementPass& pass, const double* shape, do
   return 0.5 * twice;
 }
 
+/// An elastic element with a deformation without stress, d_0: h = k (d - d_0). Returns (d - d_0) . k (d - d_0) / 2 [J].
+template <int N>
+double resist_heated(const ElementPass& pass, const Element& e) {
+  const double* const shape = &pass.model.element_number[static_cast<std::size_t>(e.first_number)];
+  const Deformation<N> now(shape, columns_of<N>(pass.state.position, e));
+  std::array<double, 8> d = now.d;
+  if (const FreeShape* free = pass.heat.shape_of(static_cast<std::size_t>(&e - pass.model.elements.data())))
+    pass.heat.subtract_free(*free, d.data());
+  const std::array<double, 8> h = multiply<N>(shape + element_shape_numbers, d);
+  double twice = 0;
+  for (int j = 0; j < 2 * N; ++j) twice += h[j] * d[j];
+  subtract<N>(pass.work.element_force, e, now.forces(shape, h));
+  const double beta = pass.model.solids[static_cast<std::size_t>(e.solid)].damping();
+  if (beta > 0) add_damping<N, double>(pass, now, shape, beta, e);
+  return 0.5 * twice;
+}
+template <int N>
+void resist_heated(const ElementPass& pass, const ElementBatch& batch, ElementEnergy& energy) {
+  for (int i = batch.first; i < batch.first + batch.count; ++i)
+    energy.stored += resist_heated<N>(pass, pass.model.elements[static_cast<std::size_t>(i)]);
+}
+
 /// Consecutive elements of one shape are processed four at a time. Loop counts are fixed, so that a lane, a single
 /// element and copies for wide registers have the same bits.
 template <int N>
@@ -139,14 +170,15 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
     const double* const shape = &pass.model.element_number[e.first_number];
     const double* const k = shape + element_shape_numbers;
     const Deformation<N> now(shape, columns_of<N>(pass.state.position, e));
-    std::array<double, 8> h{};
+    std::array<double, 8> d = now.d, h{};
+    if (const FreeShape* free = pass.heat.shape_of(static_cast<std::size_t>(i)))
+      pass.heat.subtract_free(*free, d.data());
     for (int p = 0; p < points; ++p) {
       const double* const point = k + element_stiffness_numbers + p * element_point_numbers;
       const double volume = point[24];
       // Input: strain of the whole deformation, plastic strain of the last commit from State. The new plastic strain is
       // a trial value.
-      const PointResponse r =
-          respond_in_plane(law, plane, strain_at(point, now.d), pass.state.plastic[e.first_point + p]);
+      const PointResponse r = respond_in_plane(law, plane, strain_at(point, d), pass.state.plastic[e.first_point + p]);
       pass.work.plastic[e.first_point + p] = r.memory;
       // `volume` of the element at this point.
       energy.stored += volume * r.stored, energy.plastic += volume * r.dissipated;
@@ -161,11 +193,15 @@ void resist_inelastic(const ElementPass& pass, const ElementBatch& batch, const 
 void resist_batch(const ElementPass& pass, const ElementBatch& batch, ElementEnergy& energy) {
   std::visit(
       [&](const auto& law) {
-        if constexpr (std::decay_t<decltype(law)>::is_elastic)
-          batch.nodes == 4 ? resist_quads(pass, batch, energy) : resist_triangles(pass, batch, energy);
-        else
+        if constexpr (std::decay_t<decltype(law)>::is_elastic) {
+          if (pass.heat)
+            batch.nodes == 4 ? resist_heated<4>(pass, batch, energy) : resist_heated<3>(pass, batch, energy);
+          else
+            batch.nodes == 4 ? resist_quads(pass, batch, energy) : resist_triangles(pass, batch, energy);
+        } else {
           batch.nodes == 4 ? resist_inelastic<4>(pass, batch, law, energy)
                            : resist_inelastic<3>(pass, batch, law, energy);
+        }
       },
       pass.model.solids[batch.solid].law);
 }
@@ -233,7 +269,7 @@ void resist_elements(const ElementPass& pass, ElementEnergy& sums) {
 }  // namespace
 
 void element_forces(const Model<2>& model, const State<2>& state, Work<2>& work, int element) {
-  resist_stretch({model, state, work}, {element, 1});
+  resist_stretch({model, state, work, heat_in(model, state)}, {element, 1});
 }
 
 /// Batches of elements in their order, then beams. Stored energies refer to the instant; dissipated energies are added
@@ -249,7 +285,7 @@ void internal_forces(const Model<2>& model, const State<2>& state, Work<2>& work
   }
   work.plastic.resize(state.plastic.size());
   ElementEnergy sums;
-  resist_elements({model, state, work}, sums);
+  resist_elements({model, state, work, heat_in(model, state)}, sums);
   if (!model.beams.empty()) {
     work.element_moment.assign(nodes, 0);
     work.element_damping_moment.assign(nodes, 0);
@@ -271,14 +307,23 @@ ElementStress element_stress(const Model<2>& model, const State<2>& state, int e
     const Deformation<N> now(shape, columns_of<N>(state.position, e));
     return std::pair(now.d, std::pair(now.c, now.s));
   };
-  const auto [d, axes] = e.nodes == 4 ? deform.template operator()<4>() : deform.template operator()<3>();
+  auto [d, axes] = e.nodes == 4 ? deform.template operator()<4>() : deform.template operator()<3>();
+  const FieldValues heat = heat_in(model, state);
+  const FreeShape* const free = heat.shape_of(static_cast<std::size_t>(element));
+  if (free != nullptr) heat.subtract_free(*free, d.data());
+  // In plane strain, the expansion that is prevented across the plane.
+  const double across =
+      free != nullptr && solid.plane == Plane::strain
+          ? free->expansion * heat.mean_rise(*free) * std::visit([](const auto& law) { return law.young; }, solid.law)
+          : 0;
   const ElementStrain field = element_strain(corners, solid);
   const Eigen::Map<const Eigen::Matrix<double, 8, 1>> motion(d.data());
   ElementStress out;
   for (int p = 0; p < field.points; ++p) {
     const PlaneVector strain = field.matrix[p] * motion;
     const PlasticMemory none, &memory = e.first_point >= 0 ? state.plastic[e.first_point + p] : none;
-    const Stress s = point_stress(solid, strain, memory);
+    Stress s = point_stress(solid, strain, memory);
+    s.zz -= across;
     out.at_point[p] = s;
     out.points = field.points;
     const double share = field.area[p];

@@ -32,13 +32,14 @@ enum class EnergyTerm : int {
   added,         ///< energy of bodies and bearings added later, and of changed laws
   removed,       ///< energy of removed bodies and bearings
   water,         ///< work of the pressure and the drag of water
+  heat,          ///< elastic energy that changes of temperature put into bodies
 };
-inline constexpr int energy_terms = 22;
-/// Number of terms in every digest of a run. Later terms belong to models that change and to water. They are included
-/// where they are not 0, so the hashes of all other runs do not change.
+inline constexpr int energy_terms = 23;
+/// Number of terms in every digest of a run. Later terms belong to models that change, to water and to heat. They are
+/// included where they are not 0, so the hashes of all other runs do not change.
 inline constexpr std::size_t plain_energy_terms = 19;
-/// Number of terms without water.
-inline constexpr std::size_t dry_energy_terms = 21;
+/// Number of terms without water, and without heat.
+inline constexpr std::size_t dry_energy_terms = 21, cold_energy_terms = 22;
 
 struct EnergyTermInfo {
   std::string_view name, sentence;
@@ -71,6 +72,7 @@ inline constexpr std::array<EnergyTermInfo, energy_terms> energy_term_info{{
     {"added", "energy of bodies and bearings that were added, and of changed laws (input)", -1},
     {"removed", "energy of bodies and bearings that were removed", +1, true},
     {"water", "work of the pressure and the drag of water (input)", -1},
+    {"heat", "elastic energy that changes of temperature put into bodies (input)", -1},
 }};
 
 struct Energy {

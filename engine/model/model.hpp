@@ -31,6 +31,8 @@
 
 namespace trilith {
 
+struct Field;
+
 /// Support of one degree of freedom of a node.
 enum class Support : std::uint8_t { free, fixed, driven };
 
@@ -222,10 +224,11 @@ struct Model {
   std::vector<SetAside<D>> set_aside;                     ///< of nodes that are held because their body is deactivated
   Loads<D> loads;                                         ///< an array for each kind
   std::vector<Push<D>> pushes;
-  double impact_speed = 0.5;     ///< a contact that closes faster than this is an impact [m/s]
-  double apart_time = 0.02;      ///< a contact is lost when it has been open for this time [s]
-  double still_speed = 2.54e-7;  ///< a body slower than this for still_time is at rest [m/s]
-  double still_time = 0.5;       ///< [s]
+  std::vector<std::shared_ptr<const Field>> fields;  ///< see field/field.hpp; none: nothing is computed or stored
+  double impact_speed = 0.5;                         ///< a contact that closes faster than this is an impact [m/s]
+  double apart_time = 0.02;                          ///< a contact is lost when it has been open for this time [s]
+  double still_speed = 2.54e-7;                      ///< a body slower than this for still_time is at rest [m/s]
+  double still_time = 0.5;                           ///< [s]
 
   /// True if there is any load except weight and the steady forces of `load`.
   [[nodiscard]] bool loaded() const { return !(loads.empty() && pushes.empty()); }

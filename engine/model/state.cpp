@@ -68,6 +68,8 @@ std::uint64_t motion_hash(const State<D>& state) {
   }
   for (std::size_t k = 0; k < state.given.value.size(); ++k)
     if (k < plain_energy_terms || state.given.value[k] != 0) hash.add(state.given.value[k]);
+  for (const FieldState& field : state.fields)
+    for (const double v : field.value) hash.add(v);
   return hash.value();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/space.hpp"
+#include "field/field_state.hpp"
 #include "law/bearing/bearing.hpp"
 #include "law/material/space_point.hpp"
 #include "model/contact/contact_history.hpp"
@@ -74,6 +75,8 @@ struct State {
 
   std::vector<std::uint8_t>
       flooded;  ///< [uplift] 1: water is in the open part of the joint; empty before the first time
+
+  std::vector<FieldState> fields;  ///< [field] of Model::fields; empty, or shorter, before the first process
 
   Energy given;  ///< running sums of the ledger's terms that are not computed from the state
 

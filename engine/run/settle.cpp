@@ -109,6 +109,7 @@ std::optional<Divergence> Simulation<D>::find_rest(const EquilibriumOptions& how
 template <int D>
 StageReport Simulation<D>::settle(const StageOptions& options, const EquilibriumOptions& how,
                                   const RunListener<D>& listener, const LoadWay<D>* way) {
+  if (options.process) return process(options, how, listener);
   StageOptions asked = options;
   asked.must_rest = false;  // if no rest is found the state remains unchanged and valid
   begin_stage(asked);

@@ -57,6 +57,7 @@ struct NextStep {
 };
 class ByteReader;
 class ByteWriter;
+class FieldSolver;
 class Watch;
 template <int D>
 class Tangent;
@@ -85,10 +86,14 @@ class Simulation {
   StageReport run(const StageOptions& options, const RunListener<D>& listener = {});
   /// A stage without time: static equilibrium under the present weight and loads by Newton's method
   /// (statics/equilibrium.hpp). If no equilibrium is found the state is unchanged, and the report states the reason.
-  /// Only name and intervals of `options` are used. `way`: the load path that led here, with a frame and a sample at
+  /// Only name, intervals and the process of `options` are used; with a process, equilibrium is found after each of its
+  /// steps, and the stage lasts path_duration. `way`: the load path that led here, with a frame and a sample at
   /// each point; the stage then lasts path_duration (run/load_way.hpp).
   StageReport settle(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener = {},
                      const LoadWay<D>* way = nullptr);
+  /// Changes values of fields (State::fields has all rows) at this instant, between stages. The elastic energy that
+  /// this puts into bodies is booked as `heat`.
+  void change_fields(const std::function<void(State<D>&)>& change);
   /// Runs a restored stage to its end.
   StageReport resume(const RunListener<D>& listener = {});
   /// Within at_border of a running stage: takes further steps of that stage, up to `limit` or its end.
@@ -179,6 +184,11 @@ class Simulation {
   void pass(const RunListener<D>& listener);
   void see_off();
   bool ends(const RunListener<D>& listener, const Instant<D>& now);
+  StageReport process(const StageOptions& options, const EquilibriumOptions& how, const RunListener<D>& listener);
+  [[nodiscard]] Equilibrium process_step(const FieldProcess& process, double dt, FieldSolver& solver,
+                                         const EquilibriumOptions& how);
+  void tell_process_step(const Equilibrium& found, const RunListener<D>& listener, bool last);
+  void end_process(const Equilibrium& found, const EquilibriumOptions& how, const std::optional<Divergence>& diverged);
   void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
   std::optional<Divergence> find_rest(const EquilibriumOptions& how, const RunListener<D>& listener,
                                       const std::string& loads, Equilibrium& found);

@@ -20,6 +20,12 @@ constexpr const char* name_of(StageEnd e) {
   return names[static_cast<int>(e)];
 }
 
+/// A process of fields (run/process.cpp): their clock passes, and inertia does not act.
+struct FieldProcess {
+  double duration = 0, step = 0;  ///< of the clock of the fields [s]
+  bool mechanics = true;          ///< equilibrium is found after each step; false: the structure stays as it is
+};
+
 struct StageOptions {
   std::string name = "run";
   double duration = 0;  ///< longest time the stage may last [s], above 0
@@ -45,6 +51,8 @@ struct StageOptions {
   double still_speed = 2.54e-7;  ///< at rest: every skin point of every moving body is slower than this ... [m/s]
   double still_ratio = 1;        ///< ... and the unbalanced force is at most this share of the largest one carried ...
   double still_hold = 0.5;       ///< ... for this long [s]
+
+  std::optional<FieldProcess> process;  ///< of a stage without motion
 
   bool must_rest = false;  ///< with until_rest: the verdict of the run reports a stage without rest in place
   bool watched = true;     ///< unphysical speeds and energies end the stage as diverged.

@@ -238,6 +238,8 @@ Equilibrium find_equilibrium(const Model<D>& model, State<D>& state, const Equil
     out.end = EquilibriumEnd::unsettled;
     scale_all(model, static_cast<double>(i) / options.shares, loaded);
     search.trial().evaluate_here();
+    // A body that expands freely carries nothing at the end; its residual is a share of the forces before it has moved.
+    if (!model.fields.empty()) search.trial().keep_carried();
     if (!search.settle(out)) return out;
   }
   out.converged = true;

@@ -20,7 +20,7 @@ local type_of = {
   ["solid law"] = "trilith.solid_law", ["fibre law"] = "trilith.fibre_law", ["hinge law"] = "trilith.hinge_law",
   section = "trilith.section", ["text or integer"] = "string|integer",
   ["load curve"] = "number|table",
-  level = "number|table", planes = "string|integer|table[]|boolean",
+  level = "number|table", course = "number|table", planes = "string|integer|table[]|boolean",
   vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table",
   place = "number[]|string", ["two bodies"] = "table[]", ["table or body"] = "table|trilith.body|string",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",

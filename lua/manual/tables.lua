@@ -73,6 +73,7 @@ numerical         number J  dissipated by the numerical damping of implicit step
 added             number J  energy of bodies and bearings that were added, and of changed laws (input)
 removed           number J  energy of bodies and bearings that were removed
 water             number J  work of the pressure and the drag of water (input)
+heat              number J  elastic energy that changes of temperature put into bodies (input)
 residual          number J  error of the energy balance]],
     event = [[
 type        text      type, such as "bearing.failed"

@@ -27,7 +27,7 @@ SANE = {
     "list": ["{ a.body, a.base }", "{ { width = 1, height = 1 } }", "{ { body = a.base, x = a.motion } }",
              "{ { 0, 1 }, { 1, 2 } }", "{ { x = 1 }, { x = 2 } }"],
     "rest": ["true", "{ speed = 1e-3, hold = 0.01 }"], "load curve": ["0.5", "{ ramp = 0.1 }", "{ { 0, 0 }, { 1, 1 } }"],
-    "level": ["2", "{ { 0, 1 }, { 1, 2 } }"], "planes": ["\"mid\"", "2", "false", "{ { { 0, 0 }, { 1, 0 } } }"],
+    "level": ["2", "{ { 0, 1 }, { 1, 2 } }"], "course": ["2", "{ { 0, 1 }, { 1, 2 }, period = 3 }"], "planes": ["\"mid\"", "2", "false", "{ { { 0, 0 }, { 1, 0 } } }"],
     "body form": ['"rigid"', '"quad"', "{ mesh = { 2, 2 } }"],
     "contact law": ["a.law", '"dry"', '"none"'], "law": ["a.law"], "direction law": ["a.spring"],
     "hinge law": ["trilith.end_hinge { sagging = 1e4 }", "trilith.end_hinge { sagging = 1e4, across = 2e4, ultimate = 0.05 }"],

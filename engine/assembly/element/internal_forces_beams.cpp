@@ -1,6 +1,7 @@
 #include "assembly/element/internal_forces_beams.hpp"
 
 #include "assembly/element/beam_motion.hpp"
+#include "assembly/field/heated_beams.hpp"
 
 namespace trilith {
 namespace {
@@ -35,7 +36,8 @@ void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, d
   for (const Beam& beam : model.beams) {
     std::array<Vec2, 2> arm;
     const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
-    const BeamNow now(from, to, beam.length, beam.angle);
+    BeamNow now(from, to, beam.length, beam.angle);
+    relax_heated(model, state, beam, now);
     // On the nodes: the force adds its moment by the arm. M_0 and M_1 resist the bends, so the nodes receive their
     // opposite.
     const auto add = [&](const BeamStress& stress, std::vector<Vec2>& force, std::vector<double>& moment) {
@@ -53,7 +55,9 @@ void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, d
   }
 }
 
-BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now) {
+BeamStress beam_stress(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& position) {
+  BeamNow now = position;
+  relax_heated(model, state, beam, now);
   if (beam.yield == BeamYield::never) return stress_of(beam.stiffness, now.strain);
   const std::span before = memory_of(model, beam, std::span(state.beam_memory));
   std::vector<double> after(before.size());

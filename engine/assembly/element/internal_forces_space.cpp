@@ -6,9 +6,11 @@
 #include "assembly/element/internal_forces_beams.hpp"
 #include "assembly/element/space_element_now.hpp"
 #include "assembly/evaluate.hpp"
+#include "assembly/field/heated_beams.hpp"
 #include "assembly/single_terms.hpp"
 #include "base/team.hpp"
 #include "element/corotation_3d.hpp"
+#include "field/field.hpp"
 
 namespace trilith {
 namespace {
@@ -38,7 +40,8 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
                  work.element_damping_moment);
   };
   for (const Beam3& beam : model.beams_3d) {
-    const BeamNow3 now = now_of(state, beam);
+    BeamNow3 now = now_of(state, beam);
+    relax_heated(model, state, beam, now);
     if (beam.yield != BeamYield::never) {
       const BeamAnswer3 r =
           respond(model.yields_3d, beam, now.strain(), now.rate(), memory_of(model, beam, std::span(state.beam_memory)),
@@ -61,7 +64,9 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
   }
 }
 
-BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now) {
+BeamStress3 beam_stress(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& position) {
+  BeamNow3 now = position;
+  relax_heated(model, state, beam, now);
   if (beam.yield == BeamYield::never) return stress_of(beam.stiffness, now.strain());
   const std::span before = memory_of(model, beam, std::span(state.beam_memory));
   std::vector<double> after(before.size());
@@ -111,16 +116,26 @@ template <int N>
   const double* const k = number + 6 * N;
   const SpaceElementNow<N> now(number, e.node.data(), state.position, state.velocity);
   std::array<double, 3 * N> h;
+  const double* d = now.d.data();
+  std::array<double, 3 * N> stressed;  // the deformation less the one without stress, where temperatures cause one
+  if (!model.fields.empty()) {
+    const FieldValues heat = values_of(model.fields, state.fields, FieldKind::heat);
+    if (const FreeShape* free = heat.shape_of(static_cast<std::size_t>(&e - model.space_elements.data()))) {
+      stressed = now.d;
+      heat.subtract_free(*free, stressed.data());
+      d = stressed.data();
+    }
+  }
   out.stored = out.plastic = 0;
   std::visit(
       [&](const auto& law) {
         if constexpr (std::decay_t<decltype(law)>::is_elastic) {
-          multiply<N>(k, now.d.data(), h.data());
+          multiply<N>(k, d, h.data());
           double twice = 0;
-          for (int j = 0; j < 3 * N; ++j) twice += h[j] * now.d[j];
+          for (int j = 0; j < 3 * N; ++j) twice += h[j] * d[j];
           out.stored = 0.5 * twice;
         } else {
-          respond_at_points<N>(model, e, law, state, now.d.data(), work, h.data(), out);
+          respond_at_points<N>(model, e, law, state, d, work, h.data(), out);
         }
       },
       solid.law);

@@ -1,6 +1,7 @@
 // Stress in elements in space, for recordings and scripts.
 #include "assembly/element/element_stress.hpp"
 #include "assembly/element/space_element_now.hpp"
+#include "field/field.hpp"
 
 namespace trilith {
 namespace {
@@ -42,7 +43,9 @@ SpaceElementStress element_stress(const Model<3>& model, const State<3>& state, 
   for (int i = 0; i < nodes; ++i) places.emplace_back(shape[3 * i], shape[3 * i + 1], shape[3 * i + 2]);
   const SpaceElementStrain field = element_strain(e.shape, places, solid);
   SpaceElementStress out;
-  const Eigen::VectorXd d = deformation_of(model, e, state, out.axes);
+  Eigen::VectorXd d = deformation_of(model, e, state, out.axes);
+  const FieldValues heat = values_of(model.fields, state.fields, FieldKind::heat);
+  if (const FreeShape* free = heat.shape_of(static_cast<std::size_t>(element))) heat.subtract_free(*free, d.data());
   out.points = field.points;
   for (std::size_t p = 0; p < static_cast<std::size_t>(field.points); ++p) {
     const SpaceVector strain = field.matrix[p].leftCols(3 * nodes) * d;

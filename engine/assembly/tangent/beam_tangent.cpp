@@ -2,6 +2,7 @@
 
 #include "assembly/element/beam_motion.hpp"
 #include "assembly/element/internal_forces_beams.hpp"
+#include "assembly/field/heated_beams.hpp"
 #include "assembly/implicit_turn.hpp"
 
 namespace trilith {
@@ -82,7 +83,8 @@ void add_branches(const Model<2>& model, const State<2>& state, const Beam& beam
 BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt) {
   std::array<Vec2, 2> arm;
   const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
-  const BeamNow now(from, to, beam.length, beam.angle);
+  BeamNow now(from, to, beam.length, beam.angle);
+  relax_heated(model, state, beam, now);
   BeamTangent t = tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
   if (beam.band >= 0 && dt > 0) add_branches(model, state, beam, dt, t);
   const BeamShape shape = shape_of(now, arm, {from.spin, to.spin});
@@ -101,8 +103,9 @@ namespace {
 struct BeamNodes3 {
   std::array<Vec3, 2> place, velocity, spin;
   std::array<UnitQuaternion, 2> rotation;
+  std::optional<FreeStrain> free;
 
-  BeamNodes3(const State<3>& state, const Beam3& beam) {
+  BeamNodes3(const Model<3>& model, const State<3>& state, const Beam3& beam) : free(free_strain(model, state, beam)) {
     for (const std::size_t i : {0, 1}) {
       const auto n = static_cast<std::size_t>(beam.node[i]);
       place[i] = state.position[n], velocity[i] = state.velocity[n], spin[i] = state.spin[n];
@@ -122,7 +125,9 @@ struct BeamNodes3 {
   }
   [[nodiscard]] BeamNow3 beam_now(const Beam3& beam) const {
     const auto end = [&](std::size_t i) { return carried_end(beam, i, place[i], rotation[i], velocity[i], spin[i]); };
-    return {end(0), end(1), beam.length};
+    BeamNow3 now(end(0), end(1), beam.length);
+    if (free) now.subtract_free(free->stretch, free->bend);
+    return now;
   }
   /// Forces and moments on the nodes from the action on the beam's ends.
   [[nodiscard]] Eigen::Matrix<double, 12, 1> forces(const Beam3& beam, const BeamAction3& action) const {
@@ -226,7 +231,7 @@ BeamBlock3 block_by_differences(const BeamNodes3& now, const Beam3& beam, double
 }  // namespace
 
 BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt) {
-  const BeamNodes3 now(state, beam);
+  const BeamNodes3 now(model, state, beam);
   if (beam.yield == BeamYield::never)
     return block_by_differences(now, beam, rate, ElasticAnswer{beam, BandAnswer(model, state, beam, dt)});
   return block_by_differences(now, beam, rate, YieldingAnswer(model, state, beam, now.beam_now(beam), dt));

@@ -69,6 +69,10 @@ class BeamNow3 {
 
   [[nodiscard]] const BeamStrain3& strain() const { return strain_; }
   [[nodiscard]] const BeamStrain3& rate() const { return rate_; }
+  /// Subtracts a strain without stress: a stretch [m], and bends about z [rad].
+  void subtract_free(double stretch, const std::array<double, 2>& bend) {
+    strain_[0] -= stretch, strain_[2] -= bend[0], strain_[4] -= bend[1];
+  }
   /// Length of its chord [m].
   [[nodiscard]] double length() const { return length_; }
   /// The transpose of `rate`: the actions conjugate to a stress.

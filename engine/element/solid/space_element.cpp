@@ -125,6 +125,28 @@ Vec3 middle_of(ElementShape shape) {
   return shape == ElementShape::brick ? Vec3(Vec3::Zero()) : Vec3(0.25, 0.25, 0.25);
 }
 
+/// Shape functions of all nodes at a point.
+Eigen::RowVectorXd values_at(ElementShape shape, const Vec3& at) {
+  Eigen::RowVectorXd n = Eigen::RowVectorXd::Zero(shapes[static_cast<std::size_t>(shape)].nodes);
+  if (shape == ElementShape::brick) {
+    for (int i = 0; i < 8; ++i) {
+      const auto& c = corner_of[static_cast<std::size_t>(i)];
+      n[i] = 0.125 * (1 + at.x() * c[0]) * (1 + at.y() * c[1]) * (1 + at.z() * c[2]);
+    }
+  } else if (shape == ElementShape::wedge) {
+    const std::array<double, 3> l{1 - at.x() - at.y(), at.x(), at.y()};
+    for (int i = 0; i < 6; ++i) n[i] = 0.5 * (1 + (i < 3 ? -1 : 1) * at.z()) * l[static_cast<std::size_t>(i % 3)];
+  } else {
+    const std::array<double, 4> l{1 - at.x() - at.y() - at.z(), at.x(), at.y(), at.z()};
+    const bool quadratic = shape == ElementShape::quadratic_tetrahedron;
+    for (std::size_t i = 0; i < 4; ++i) n[static_cast<int>(i)] = quadratic ? l[i] * (2 * l[i] - 1) : l[i];
+    for (std::size_t e = 0; quadratic && e < 6; ++e)
+      n[static_cast<int>(4 + e)] =
+          4 * l[static_cast<std::size_t>(edge_of[e][0])] * l[static_cast<std::size_t>(edge_of[e][1])];
+  }
+  return n;
+}
+
 /// Rows: derivatives of the position by each natural coordinate.
 Eigen::Matrix3d jacobian_of(const Gradient& d, std::span<const Vec3> nodes) {
   Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
@@ -183,6 +205,14 @@ double least_jacobian(ElementShape shape, std::span<const Vec3> nodes) {
   for (const Vec3& p : watched_points(shape)) least = std::min(least, at(p));
   const double middle = std::abs(at(middle_of(shape)));
   return middle > 0 ? least / middle : 0;
+}
+
+Eigen::MatrixXd shape_values(ElementShape shape) {
+  const std::vector<GaussPoint> points = gauss_points(shape);
+  Eigen::MatrixXd out(static_cast<Eigen::Index>(points.size()), info_of(shape).nodes);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    out.row(static_cast<Eigen::Index>(p)) = values_at(shape, points[p].at);
+  return out;
 }
 
 /// Spatial gradients J^-1 d; det J times the weight is the volume weight of a point.

@@ -77,6 +77,9 @@ double least_jacobian(ElementShape shape, std::span<const Vec3> nodes);
 SpaceElementStrain plain_strain(ElementShape shape, std::span<const Vec3> nodes);
 SpaceElementStrain assumed_strain(ElementShape shape, std::span<const Vec3> nodes, const SpaceMatrix& elastic);
 
+/// Shape functions of the nodes, a column each, at the points of both strains, a row each.
+Eigen::MatrixXd shape_values(ElementShape shape);
+
 /// Integral of B' C B over the volume, of size 3 times the number of nodes [N/m].
 Eigen::MatrixXd element_stiffness(ElementShape shape, const SpaceElementStrain& strain, const SpaceMatrix& elastic);
 

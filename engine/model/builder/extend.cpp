@@ -34,6 +34,7 @@ void carry_conditions(const Model<D>& model, Model<D>& grown) {
   grown.set_aside = model.set_aside;
   grown.drives = model.drives;
   grown.loads = model.loads;
+  grown.fields = model.fields;
   grown.pushes = model.pushes;
   carry(model.laws, grown.laws);
   grown.bearings = model.bearings;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "field/field.hpp"
 
 namespace trilith {
 namespace {
@@ -85,6 +86,16 @@ void check_removed(const std::string& owner, const State<D>& s) {
     if (s.is_removed(b) && (s.removed_at[b] < 0 || s.left[b] == 0)) fail(owner, "marks a present body as removed");
 }
 
+/// A field has at most the cells of the model; cells added later are missing.
+template <int D>
+void check_fields(const std::string& owner, const Model<D>& model, const State<D>& s) {
+  if (s.fields.size() > model.fields.size()) fail(owner, "has a field that the model lacks");
+  for (std::size_t i = 0; i < s.fields.size(); ++i)
+    if (s.fields[i].value.size() > model.fields[i]->capacity.size() ||
+        s.fields[i].supplied.size() > model.fields[i]->surroundings.size())
+      fail(owner, "has a field with other numbers of cells than the model");
+}
+
 }  // namespace
 
 std::string damaged_state(const std::string& owner, std::string_view what) {
@@ -99,6 +110,7 @@ void check_state(const Model<D>& model, const State<D>& state, const std::string
   check_passed(owner, model, state);
   check_bearings(owner, state);
   check_removed(owner, state);
+  check_fields(owner, model, state);
 }
 
 template void check_state(const Model<2>&, const State<2>&, const std::string&);

@@ -1,6 +1,7 @@
 #include "model/io/fingerprint.hpp"
 
 #include "base/hash.hpp"
+#include "field/field.hpp"
 
 namespace trilith {
 namespace {
@@ -293,6 +294,7 @@ std::uint64_t conditions_of(const Model<D>& m) {
     add(hash, v);
   add(hash, m.support), add(hash, m.load), add(hash, m.drives), add(hash, m.drive_of);
   if (m.loaded()) add_loads(hash, m);
+  for (const auto& field : m.fields) hash.add(field->digest());
   return hash.value();
 }
 

@@ -62,7 +62,12 @@ class StateWriter {
   /// Whether there are data of water; they then follow.
   template <int D>
   [[nodiscard]] bool flooded(const State<D>& s) const {
-    return !s.flooded.empty() || s.given[EnergyTerm::water] != 0;
+    return !s.flooded.empty() || s.given[EnergyTerm::water] != 0 || heated(s);
+  }
+  /// Whether there are fields; they then follow.
+  template <int D>
+  [[nodiscard]] bool heated(const State<D>& s) const {
+    return !s.fields.empty() || s.given[EnergyTerm::heat] != 0;
   }
   /// Whether there are data of changing models or of mass scaling; they then follow.
   template <int D>
@@ -128,6 +133,10 @@ class StateReader {
   }
   template <int D>
   [[nodiscard]] bool flooded(const State<D>& s) const {
+    return changed(s);
+  }
+  template <int D>
+  [[nodiscard]] bool heated(const State<D>& s) const {
     return changed(s);
   }
   void done() const {

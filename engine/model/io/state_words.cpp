@@ -226,7 +226,15 @@ void walk_plastic(File& file, S& s) {
   }
 }
 
-/// Every field of a state, in order, for both writer and reader. `S`: State<D>, const or not.
+/// The clock, values and supplied heat of a field.
+template <class File, class F>
+void walk_field(File& file, F& field) {
+  file.number(field.clock);
+  for (std::size_t i = 0, n = file.open_count(field.value, 1); i < n; ++i) file.number(field.value[i]);
+  for (std::size_t i = 0, n = file.open_count(field.supplied, 1); i < n; ++i) file.number(field.supplied[i]);
+}
+
+/// Every member of a state, in order, for both writer and reader. `S`: State<D>, const or not.
 template <class File, class S>
 void walk(File& file, S& s) {
   file.number(s.time), file.whole(s.step), file.number(s.dt), file.number(s.safety), file.number(s.last_dt);
@@ -258,8 +266,11 @@ void walk(File& file, S& s) {
   if (!file.scaled(s)) return;
   for (std::size_t i = 0, n = file.open_count(s.added_share, 1); i < n; ++i) file.number(s.added_share[i]);
   if (!file.flooded(s)) return;
-  for (std::size_t k = dry_energy_terms; k < s.given.value.size(); ++k) file.number(s.given.value[k]);
+  for (std::size_t k = dry_energy_terms; k < cold_energy_terms; ++k) file.number(s.given.value[k]);
   for (std::size_t i = 0, n = file.open_count(s.flooded, 1); i < n; ++i) file.flag(s.flooded[i]);
+  if (!file.heated(s)) return;
+  file.number(s.given[EnergyTerm::heat]);
+  for (std::size_t i = 0, n = file.open_count(s.fields, 3); i < n; ++i) walk_field(file, s.fields[i]);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ std::span<const Method> stage_methods();     ///< run, consolidate, shake, drive
 std::span<const Method> load_methods();      ///< point_load
 std::span<const Method> pressure_methods();  ///< pressure
 std::span<const Method> water_methods();     ///< water, set_level, uplift, drag, added_mass, water_state
+std::span<const Method> heat_methods();  ///< heat, heat_exchange, heat_contact, set_temperature, temperature, process
 std::span<const Method> release_methods();   ///< fix, free, set_load, release
 std::span<const Method> pushover_methods();  ///< pushover
 std::span<const Method> finding_methods();   ///< joints, thrust_line

@@ -6,63 +6,12 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "bindings/loads/load_reading.hpp"
+#include "bindings/loads/side_faces.hpp"
 #include "model/water/added_mass.hpp"
 #include "model/water/water.hpp"
 
 namespace trilith::script {
 namespace {
-
-/// Direction to a side by name, in the plane and in space.
-struct WaterSide {
-  std::string_view name;
-  std::array<double, 2> plane;
-  std::array<double, 3> space;
-};
-constexpr std::array water_sides{WaterSide{"left", {-1, 0}, {-1, 0, 0}}, WaterSide{"right", {1, 0}, {1, 0, 0}},
-                                 WaterSide{"top", {0, 1}, {0, 0, 1}},    WaterSide{"bottom", {0, -1}, {0, 0, -1}},
-                                 WaterSide{"front", {0, 0}, {0, -1, 0}}, WaterSide{"back", {0, 0}, {0, 1, 0}}};
-
-/// The faces that water reaches: side = "left" ..., "all", or in the plane from =, to =.
-struct WaterFaces {
-  std::string side;
-  std::optional<Vec2> from, to;
-};
-
-template <int D>
-WaterFaces read_sides(Keys& keys) {
-  WaterFaces faces;
-  std::vector<std::string> names{"all"};
-  for (const WaterSide& s : water_sides)
-    if (D == 3 || s.plane != std::array<double, 2>{}) names.emplace_back(s.name);
-  faces.side = keys.text("side", "");
-  if (D == 2) {
-    faces.from = keys.maybe_point("from"), faces.to = keys.maybe_point("to");
-    if (faces.from.has_value() != faces.to.has_value())
-      keys.problem("give both 'from' and 'to', points of the outline");
-  }
-  if (faces.side.empty() == !faces.from.has_value())
-    keys.problem(fmt::format("a level needs the side of the bodies that the water reaches: give side = \"left\" ({}){}",
-                             fmt::join(names, ", "), D == 2 ? ", or 'from' and 'to' counter-clockwise" : ""));
-  if (!faces.side.empty() && std::find(names.begin(), names.end(), faces.side) == names.end())
-    keys.problem(fmt::format("'side' is '{}', must be one of {}{}", faces.side, fmt::join(names, ", "),
-                             name_hint(faces.side, names)));
-  return faces;
-}
-
-std::vector<WetFace<2>> chosen_water_faces(const Model<2>& model, int body, const WaterFaces& choice) {
-  if (choice.from) return wet_faces(model, body, faces_between(model, body, *choice.from, *choice.to, "water"));
-  if (choice.side == "all") return wet_faces(model, body, outline_faces(model, body));
-  for (const WaterSide& s : water_sides)
-    if (s.name == choice.side) return wet_faces(model, body, faces_on_side(model, body, Vec2(s.plane[0], s.plane[1])));
-  return {};
-}
-std::vector<WetFace<3>> chosen_water_faces(const Model<3>& model, int body, const WaterFaces& choice) {
-  if (choice.side == "all") return wet_faces(model, body, surface_faces(model, body));
-  for (const WaterSide& s : water_sides)
-    if (s.name == choice.side)
-      return wet_faces(model, body, faces_on_side(model, body, Vec3(s.space[0], s.space[1], s.space[2])));
-  return {};
-}
 
 /// `level`: a number, or { {time, level}, ..., smooth = true } with times from `now` on [m].
 LoadCurve read_level(Keys& keys, double now) {
@@ -117,7 +66,7 @@ int water_of(lua_State* L, SimulatedModel<D>& m) {
   if (!spec.name.empty()) keys.name_owner(spec.name);
   const std::vector<int> bodies = read_loaded_bodies(keys, m);
   spec.level = read_level(keys, m.time());
-  const WaterFaces faces = read_sides<D>(keys);
+  const SideFaces faces = read_sides<D>(keys, "a level needs the side of the bodies that the water reaches");
   spec.density = keys.number("density", "kg/m3", 1000);
   spec.sealed = keys.choice("joints", {"sealed", "wet"}, 0) == 0;
   keys.finish();
@@ -128,7 +77,7 @@ int water_of(lua_State* L, SimulatedModel<D>& m) {
         fmt::format("water '{}': there is water of that name already; change its level by m:set_level", spec.name));
   std::vector<WetFace<D>> wet;
   for (const int body : bodies)
-    for (WetFace<D>& face : chosen_water_faces(model, body, faces)) wet.push_back(std::move(face));
+    for (WetFace<D>& face : faces_of(model, body, faces, "water")) wet.push_back(std::move(face));
   const std::vector made{make_water(model, spec, std::move(wet))};
   m.change([made](Model<D>& changed) { changed.loads.add(made); });
   return push_load_name(L, spec.name);
@@ -273,7 +222,7 @@ int added_mass_of(lua_State* L, SimulatedModel<D>& m) {
     std::vector<std::string> names{"left", "right"};
     if (D == 3) names.insert(names.end(), {"front", "back"});
     const std::string side = keys.text("side", "");
-    for (const WaterSide& s : water_sides)
+    for (const FaceSide& s : face_sides)
       if (s.name == side && std::find(names.begin(), names.end(), side) != names.end())
         spec.side = Vec3(s.space[0], s.space[1], s.space[2]);
     if (spec.side.isZero())

@@ -187,9 +187,10 @@ std::vector<Method> model_methods() {
       {"explain_dt", guarded<explain_dt>},
       {"close", guarded<close_model>},
   };
-  for (const auto part : {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(),
-                          load_methods(), pressure_methods(), water_methods(), release_methods(), pushover_methods(),
-                          debug_methods(), change_methods(), finding_methods(), modes_methods(), reading_methods()})
+  for (const auto part :
+       {parts_methods(), bearing_methods(), bridge_methods(), frame_methods(), stage_methods(), load_methods(),
+        pressure_methods(), water_methods(), heat_methods(), release_methods(), pushover_methods(), debug_methods(),
+        change_methods(), finding_methods(), modes_methods(), reading_methods()})
     methods.insert(methods.end(), part.begin(), part.end());
   return methods;
 }

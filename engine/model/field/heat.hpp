@@ -1,0 +1,57 @@
+// Heat in bodies: cells, conduction, expansion, exchange with surroundings (field/field.hpp), from a model.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "field/field.hpp"
+#include "load/list.hpp"
+#include "model/model.hpp"
+
+namespace trilith {
+
+/// Thermal properties of a body.
+struct HeatSpec {
+  double conductivity = 0;   ///< not below 0 [W/(m K)]
+  double heat_capacity = 0;  ///< above 0 [J/(kg K)]
+  double expansion = 0;      ///< not below 0 [1/K]
+  double temperature = 0;    ///< at the start [degC]
+  double reference = 0;      ///< without thermal strain [degC]
+  double depth = 0;          ///< of the sections of a frame; required by frames [m]
+  double density = 0;        ///< of its material, for the area of the sections of a frame [kg/m3]
+};
+
+/// Gives a body cells. Throws InputError for numbers out of range, a body that has cells already, expansion of a rigid
+/// body, and a body without mass.
+template <int D>
+void add_heat(Field& field, const Model<D>& model, int body, const HeatSpec& spec);
+
+/// Exchange with a surrounding at faces at the start.
+struct HeatExchangeSpec {
+  std::string name;
+  FieldCourse course;
+  std::optional<double> exchange;  ///< above 0 [W/(m2 K)]; none: the faces have the temperature of the surrounding
+};
+
+/// Throws InputError for a name that exists, an invalid course, a body without cells, and no faces.
+template <int D>
+void add_heat_exchange(Field& field, const Model<D>& model, const HeatExchangeSpec& spec,
+                       const std::vector<WetFace<D>>& faces);
+/// The upper (`upper`) and the lower (`lower`) faces of a frame, as faces of the surrounding of that name, which is
+/// added if there is none.
+void add_frame_exchange(Field& field, const std::vector<double>& node_length, const HeatExchangeSpec& spec, int body,
+                        bool lower, bool upper);
+
+/// Half the length of the beams at each node of a frame [m].
+template <int D>
+std::vector<double> beam_lengths(const Model<D>& model, int body);
+
+/// The field of heat of a model, or nullptr.
+template <int D>
+std::shared_ptr<const Field> heat_of(const Model<D>& model);
+/// Replaces it, or adds it.
+template <int D>
+void set_heat(Model<D>& model, Field field);
+
+}  // namespace trilith

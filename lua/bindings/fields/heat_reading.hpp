@@ -1,0 +1,42 @@
+// Readers of the keys of heat.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bindings/core/keys.hpp"
+#include "bindings/model/simulated_model.hpp"
+#include "field/field.hpp"
+#include "model/field/heat.hpp"
+
+namespace trilith::script {
+
+/// A number, or { {time, value}, ..., period = } with times from `clock` on [s].
+FieldCourse read_course(Keys& keys, const char* key, double clock);
+
+/// The clock of the field of heat [s].
+template <int D>
+double heat_clock(const SimulatedModel<D>& m) {
+  const Simulation<D>* s = m.if_built();
+  return s == nullptr || s->state().fields.empty() ? 0 : s->state().fields.front().clock;
+}
+
+/// The field of heat, or InputError, beginning with `owner`.
+template <int D>
+const Field& require_heat(const Model<D>& model, const std::string& owner) {
+  for (const auto& field : model.fields)
+    if (field->kind == FieldKind::heat) return *field;
+  throw InputError(owner + ": no body has thermal properties; declare m:heat first");
+}
+
+/// Temperature of a body, the mean by heat capacity, or at a point at the start; `difference`: upper less lower face of
+/// the sections of a frame.
+struct BodyTemperature {
+  double value = 0, lowest = 0, highest = 0, difference = 0;
+};
+BodyTemperature temperature_of(const Model<2>& model, const FieldValues& heat, int body, const std::optional<Vec2>& at,
+                               const std::string& owner);
+BodyTemperature temperature_of(const Model<3>& model, const FieldValues& heat, int body, const std::optional<Vec3>& at,
+                               const std::string& owner);
+
+}  // namespace trilith::script
