@@ -3,7 +3,7 @@
 //     C_i d phi_i / dt + sum over links C_ij (d phi_j / dt - d phi_i / dt)
 //         = sum over links K_ij (phi_j - phi_i) + sum over surroundings K_io (phi_o(t) - phi_i)
 //
-// The couplings C_ij are half of those of the consistent capacity matrix: the mean of the lumped and the consistent one
+// The couplings C_ij are half of the entries of the consistent capacity matrix: the mean of the lumped and the consistent one
 // has a smaller error than either. They are 0 between bodies and in frames. C_i is the whole capacity of a cell, so the
 // content is the sum of C_i phi_i.
 //

@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// What the values of a field are.
+/// Quantity of a field.
 enum class FieldKind : std::uint8_t { heat };
 
 struct FieldKindInfo {

@@ -109,7 +109,7 @@ Eigen::VectorXd FieldSolver::solve(const Eigen::VectorXd& right, double clock) c
 }
 
 /// Adds the heat that surroundings supply by exchange over the share `share` of the step, at the flow of an instant. A
-/// held cell passes on what flows out of it (`flow`: into each cell).
+/// held cell supplies the flow out of it (`flow`: into each cell).
 void FieldSolver::book(const Eigen::VectorXd& value, const Eigen::VectorXd& flow, double clock, double share,
                        FieldState& state) const {
   for (const FieldExchange& e : field_->exchange) {

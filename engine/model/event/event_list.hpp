@@ -29,8 +29,7 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .severity = Severity::damage,
      .traits = has_place | of_joint | can_cause,
      .value = {"force", "N", "force of the bond at that time"},
-     .doc = "first damage of a softening bond (`cohesive`), or of one point of a bond that is lost point by point; a "
-            "brittle bond has only `bond.broken`",
+     .doc = "first damage of a softening bond (`cohesive`); a brittle one has only `bond.broken`",
      .sentence = "bond of {a} and {b} cracked{mode}"},
     {.type = EventType::bond_broken,
      .name = "bond.broken",

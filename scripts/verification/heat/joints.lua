@@ -47,8 +47,8 @@ return {
   formula = [[l = \sqrt{\frac{2 E I \kappa}{q}}, \qquad w = \frac{\kappa l^2}{4}, \qquad
 \Delta u = \frac{L \tan\beta}{\mu}\left(\alpha \Delta T - \frac{\rho g L (\mu\cos\beta - \sin\beta)}{E}\right)]],
   text = "A slab whose top is colder lifts its ends off the base. A plate on a slope walks down by a step in each " ..
-    "cycle, although friction would hold it at a constant temperature. The slip depends on its history, so the steps " ..
-    "are a hundredth of the rise.",
+    "cycle, although friction would hold it at a constant temperature. The slip depends on its history, so the " ..
+    "steps are a hundredth of the rise.",
   cases = {
     { name = "curled_slab", title = "slab with a cold top on a rigid base",
       parameters = { { "kn", 1e12, "Pa/m" }, { "difference", 10, "K" }, { "elements", 60 } },
