@@ -21,7 +21,7 @@ local type_of = {
   section = "trilith.section", ["text or integer"] = "string|integer",
   ["load curve"] = "number|table",
   level = "number|table", course = "number|table", planes = "string|integer|table[]|boolean",
-  vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table",
+  vector = "number[]", vectors = "number[][]", ["text or table"] = "string|table", ["table or number"] = "number|table",
   place = "number[]|string", ["two bodies"] = "table[]", ["table or body"] = "table|trilith.body|string",
   ["bearing or law"] = "trilith.bearing|trilith.contact_law|string", storeys = "integer|table[]",
 }

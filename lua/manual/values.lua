@@ -30,7 +30,7 @@ frequencies  numbers     their frequencies, in Hz]], gives = "table" },
     .. "units and joints in series: kn = 1/(h (1/E_wall - 1/E_unit)). Several moduli give kn as a power of the stress. "
     .. "Joints that open are softer than under vertical load. Returns { kn, ks, wall_modulus } in Pa/m and Pa.",
     also = "joint stiffness, calibration, modulus of masonry, Young's modulus, kn, ks", keys = [[
-wall_modulus   any           modulus of the wall, in Pa, or rows { {stress, modulus}, ... } in Pa
+wall_modulus   table or number  modulus of the wall, in Pa, or rows { {stress, modulus}, ... } in Pa
 unit_modulus   number Pa?    modulus of the units, above the wall's modulus; rigid units if left out  <above 0>
 course_height  number m      height of a course with its joint  <above 0>
 stress         number Pa?    with rows: stress at which the stiffness is wanted  <above 0>
