@@ -61,16 +61,16 @@ local cases = {
       { "friction in the year", unit = "J", exact = 3168, tolerance = 0.005 } },
     run = function(p)
       local m, deck, piers = span(trilith.linear { stiffness = 1e12 },
-        trilith.friction { stiffness = 1e11, mu = p.mu })
+        trilith.friction { stiffness = 1e10, mu = p.mu })
       local out = {}
       local function moved() return 1e3*(deck:point { 40, 0 } - 40) end
       local before = m.energy.bearing_inner
-      m:process { duration = year/4, step = day }
+      m:process { duration = 91*day, step = day }
       out["end at the warmest"] = moved()
       out["force on the pier"] = math.abs(piers[2].reaction_x)/1e3
-      m:process { duration = year/2, step = day }
+      m:process { duration = 183*day, step = day }
       out["end at the coldest"] = moved()
-      m:process { duration = year/4, step = day }
+      m:process { duration = 91*day, step = day }
       out["friction in the year"] = m.energy.bearing_inner - before
       return out
     end },
@@ -81,7 +81,7 @@ local cases = {
       { "right end", unit = "mm", exact = 3.3, tolerance = 0.005 } },
     run = function(p)
       local m, deck, piers = span(trilith.linear { stiffness = p.left }, trilith.linear { stiffness = p.right })
-      m:process { duration = year/4, step = day }
+      m:process { duration = 91*day, step = day }
       return { force = math.abs(piers[2].reaction_x)/1e3, ["left end"] = 1e3*(deck:point { 0, 0 }),
         ["right end"] = 1e3*(deck:point { 40, 0 } - 40) }
     end },

@@ -93,7 +93,8 @@ for _, dim in ipairs { 2, 3 } do
   m:set_temperature { body = beam, temperature = 20, gradient = 100 }
   m:consolidate { integrator = "static" }
   local place = { beam:point(to) }
-  near(place[1] - 4, 4*1.2e-5*20, 1e-2)
+  local curvature = 1.2e-5*100
+  near(place[1] - 4, 4*1.2e-5*20 - curvature^2*4^3/6, 1e-2) -- stretch less the shortening by bending
   near(place[dim], -1.2e-5*100*4^2/2, 1e-3)
   local mean, difference = m:temperature(beam)
   near(mean, 20, 1e-12)
@@ -108,7 +109,7 @@ end
 local m = pair(2)
 fails("its shape cannot change", m.heat, m, { body = "block", conductivity = 2, heat_capacity = 900, expansion = 1e-5 })
 fails("thermal properties already", m.heat, m, { body = "block", conductivity = 2, heat_capacity = 900 })
-fails("must be above 0", m.process, m, { duration = 0, step = 1 })
+fails("must be finite and above 0", m.process, m, { duration = 0, step = 1 })
 fails("give a longer step", m.process, m, { duration = 1e9, step = 1e-3 })
 fails("give side", m.heat_exchange, m, { body = "block", temperature = 5 })
 fails("must be {time, value}", m.heat_exchange, m, { body = "block", side = "top", temperature = { 1, 2 } })
