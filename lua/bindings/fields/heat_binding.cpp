@@ -16,9 +16,11 @@
 namespace trilith::script {
 namespace {
 
-/// Heat changes the model and the rows of the state between stages. Builds the model, with all bodies added so far.
-void require_between_stages(ScriptModel& m, const char* what) {
-  if (m.running()) throw InputError(fmt::format("{}: a stage runs; declare heat before it, or between stages", what));
+/// Heat changes the model and the rows of the state between stages. Ends the reading of keys, so that a wrong key is
+/// reported first, and builds the model with all bodies added so far.
+void finish_between_stages(Keys& keys, ScriptModel& m) {
+  if (m.running()) keys.problem("a stage runs; declare heat before it, or between stages");
+  keys.finish();
   m.build();
   m.catch_up();
 }
@@ -48,7 +50,6 @@ Field heat_copy(const Model<D>& model) {
 
 template <int D>
 int declare_heat(lua_State* L, SimulatedModel<D>& m) {
-  require_between_stages(m, "heat");
   Keys keys(L, 2, "heat");
   const std::vector<int> bodies = read_loaded_bodies(keys, m);
   HeatSpec spec;
@@ -58,7 +59,9 @@ int declare_heat(lua_State* L, SimulatedModel<D>& m) {
   spec.temperature = keys.number("temperature", "degC", 0);
   spec.reference = keys.number("reference", "degC", spec.temperature);
   spec.depth = keys.number("depth", "m", 0);
-  keys.finish();
+  if (keys.has("depth") && !(spec.depth > 0))
+    keys.problem(fmt::format("'depth' is {:g} m, must be above 0", spec.depth));
+  finish_between_stages(keys, m);
   Field field = heat_copy(m.simulation().model());
   for (const int body : bodies) {
     require_no_cracks(m, body);
@@ -109,7 +112,6 @@ void exchange_with(Field& field, const Model<D>& model, const HeatExchangeSpec& 
 
 template <int D>
 int declare_exchange(lua_State* L, SimulatedModel<D>& m) {
-  require_between_stages(m, "heat_exchange");
   Keys keys(L, 2, "heat_exchange");
   HeatExchangeSpec spec;
   spec.name = keys.text("name", "");
@@ -118,7 +120,7 @@ int declare_exchange(lua_State* L, SimulatedModel<D>& m) {
   spec.course = read_course(keys, "temperature", heat_clock(m));
   spec.exchange = keys.maybe_number("exchange", "W/(m2 K)");
   const SideFaces sides = read_sides<D>(keys, "the exchange needs the side of the bodies");
-  keys.finish();
+  finish_between_stages(keys, m);
   Field field = require_heat(m.simulation().model(), "heat_exchange");
   if (spec.name.empty()) spec.name = free_surrounding_name(field);
   exchange_with(field, m.simulation().model(), spec, bodies, sides);
@@ -134,7 +136,6 @@ int heat_exchange(lua_State* L) {
 
 template <int D>
 int declare_contact(lua_State* L, SimulatedModel<D>& m) {
-  require_between_stages(m, "heat_contact");
   Keys keys(L, 2, "heat_contact");
   const double conductance = keys.number("conductance", "W/(m2 K)");
   if (!(conductance >= 0))
@@ -143,7 +144,7 @@ int declare_contact(lua_State* L, SimulatedModel<D>& m) {
   const bool chosen = keys.push("body") != LUA_TNIL;
   lua_pop(L, 1);
   if (chosen) bodies = read_loaded_bodies(keys, m);
-  keys.finish();
+  finish_between_stages(keys, m);
   Field field = require_heat(m.simulation().model(), "heat_contact");
   if (!chosen) field.contacts.push_back({-1, -1, conductance});
   for (const int body : bodies) field.contacts.push_back({body, -1, conductance});
@@ -183,11 +184,10 @@ void set_body(const Field& field, const Model<D>& model, const FieldBody& row, d
 
 template <int D>
 int change_temperature(lua_State* L, SimulatedModel<D>& m) {
-  require_between_stages(m, "set_temperature");
   Keys keys(L, 2, "set_temperature");
   const std::vector<int> bodies = read_loaded_bodies(keys, m);
   const double temperature = keys.number("temperature", "degC"), gradient = keys.number("gradient", "K/m", 0);
-  keys.finish();
+  finish_between_stages(keys, m);
   const Model<D>& model = m.simulation().model();
   const Field& field = require_heat(model, "set_temperature");
   for (const int body : bodies) {
@@ -280,6 +280,10 @@ int process(lua_State* L) {
   process.duration = keys.number("duration", "s"), process.step = keys.number("step", "s");
   process.mechanics = keys.flag("mechanics", true);
   how.within = keys.number("within", "1", usual_travel), how.tolerance = keys.number("tolerance", "1", how.tolerance);
+  if (!(how.within > 0))
+    keys.problem(fmt::format("'within' is {:g}, must be above 0: a share of each body's size", how.within));
+  if (!(how.tolerance > 0 && how.tolerance <= 0.01))
+    keys.problem(fmt::format("'tolerance' is {:g}, must be above 0 and at most 0.01", how.tolerance));
   const bool goes_on = keys.flag("or_go_on", false);
   if (m.running()) keys.problem("a stage runs already; a process is a stage of its own");
   keys.finish();

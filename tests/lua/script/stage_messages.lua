@@ -96,7 +96,7 @@ given.check {
     "the energy balance has no 'kin'; did you mean 'kinetic'? Its terms are kinetic, gravity, contact_elastic, "
       .. "bearing_elastic, strain, contact_damping, contact_friction, contact_fracture, bearing_damping, "
       .. "bearing_inner, bearing_failure, plastic, element_damping, mass_damping, rest_damping, support, load, "
-      .. "left_bounds, numerical, added, removed, water, residual" },
+      .. "left_bounds, numerical, added, removed, water, heat, residual" },
   -- handlers and histories
   { function() m:on("bearing.faild", print) end,
     "on: there is no event 'bearing.faild'; did you mean 'bearing.failed'?" },
