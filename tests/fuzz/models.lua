@@ -24,6 +24,11 @@ local function add_laws(m)
   return law
 end
 
+local function fibre_section()
+  return trilith.fibre_section { shape = trilith.rectangle_section { width = 0.1, depth = 0.2 }, layers = 10,
+    law = trilith.bilinear_steel { E = 2e11, yield = 250e6 } }
+end
+
 local function fill_space(m)
   local law = add_laws(m)
   local base = m:block { name = "base", size = { 6, 6, 0.5 }, at = { -3, -3, -0.5 }, material = "stone",
@@ -42,7 +47,7 @@ local function fill_space(m)
   local history = m:history { name = "top", body = high, what = "z" }
   return { model = m, body = low, mesh = high, base = base, set = m:bodies { group = "pile" }, bearing = bearing,
     none = m:bodies { name = "zz*" }, seat = seat, history = history, law = law, spring = spring,
-    motion = trilith.ramp { by = 0.1, duration = 1 } }
+    motion = trilith.ramp { by = 0.1, duration = 1 }, section = fibre_section() }
 end
 
 local function fill(m)
@@ -60,7 +65,7 @@ local function fill(m)
   local history = m:history { name = "top", body = high, what = "y" }
   return { model = m, body = low, mesh = high, base = base, set = m:bodies { group = "pile" }, bearing = bearing,
     none = m:bodies { name = "zz*" }, seat = seat, history = history, law = law, spring = spring,
-    motion = trilith.ramp { by = 0.1, duration = 1 } }
+    motion = trilith.ramp { by = 0.1, duration = 1 }, section = fibre_section() }
 end
 
 -- A model with its handles, in the plane or in space. Each of its stages ends after some steps, whatever duration is

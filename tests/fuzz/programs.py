@@ -11,8 +11,9 @@ import declared
 import shared
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SUBJECTS = {"model": "a.model", "space": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body"}
-HANDLES = ["model", "body", "mesh", "base", "set", "bearing", "seat", "history", "motion", "law"]
+SUBJECTS = {"model": "a.model", "space": "a.model", "motion": "a.motion", "set": "a.set", "body": "a.body",
+            "section": "a.section"}
+HANDLES = ["model", "body", "mesh", "base", "set", "bearing", "seat", "history", "motion", "law", "section"]
 BODY = {"material", "name"}  # keys of most bodies
 LEARNING = 25     # number of programs to learn from, times four; fixed, so that a seed gives the same programs
 EACH = 25         # calls in each
