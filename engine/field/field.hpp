@@ -3,9 +3,9 @@
 //     C_i d phi_i / dt + sum over links C_ij (d phi_j / dt - d phi_i / dt)
 //         = sum over links K_ij (phi_j - phi_i) + sum over surroundings K_io (phi_o(t) - phi_i)
 //
-// The couplings C_ij are half of the entries of the consistent capacity matrix: the mean of the lumped and the consistent one
-// has a smaller error than either. They are 0 between bodies and in frames. C_i is the whole capacity of a cell, so the
-// content is the sum of C_i phi_i.
+// The couplings C_ij are half of the entries of the consistent capacity matrix: the mean of the lumped and the
+// consistent one has a smaller error than either. They are 0 between bodies and in frames. C_i is the whole capacity of
+// a cell, so the content is the sum of C_i phi_i.
 //
 // A cell is a rigid body, a node of a mesh, or a face of a section of a frame at one of its nodes. The conduction of
 // finite elements is a set of links too, because the rows of its matrix add up to 0; a link of a distorted element may
