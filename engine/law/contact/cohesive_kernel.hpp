@@ -188,12 +188,12 @@ TRILITH_INLINE LinearStress<T> Cohesive::Kernel::bond_by_parts(const HalfState<T
 template <class T>
 TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
   const T zero{}, one = zero + 1.0;
-  PressedHalves<T> parts(halves, beta);
-  if (crushing > 0) parts.apart(halves, beta);
+  PressedHalves<T> areas(halves, beta);
+  if (crushing > 0) areas.apart(halves, beta);
   for (const int h : {0, 1}) {
     const HalfState<T>& half = halves[h];
-    const T from = parts.from(h), to = parts.to(h);
-    HalfStress<T> stress(half, beta, parts.closed.from[h], parts.closed.to[h], from, to);
+    const T from = areas.from(h), to = areas.to(h);
+    HalfStress<T> stress(half, beta, areas.closed.from[h], areas.closed.to[h], from, to);
     const LinearStress<T> mortar = half.filling.stress();
     LinearStress<T> bond(-half.g0, -half.g1, zero, one);
     LinearStress<T> bond_total(-half.g0 - beta * half.r0, -half.g1 - beta * half.r1, zero, one);
@@ -203,12 +203,12 @@ TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* activ
     mix(stress.total, bond_total, half.hold);
     const Mask<T> by_parts = half.bonded & lost_by_parts(half.strengths);
     if (any(by_parts)) {
-      const HalfSpan<T> shut{parts.closed.from[h], parts.closed.to[h]}, pressed{from, to};
+      const HalfSpan<T> shut{areas.closed.from[h], areas.closed.to[h]}, pressed{from, to};
       take(stress.elastic, bond_by_parts(half, -half.g0, -half.g1, shut, closed.elastic), by_parts);
       take(stress.total,
            bond_by_parts(half, -half.g0 - beta * half.r0, -half.g1 - beta * half.r1, pressed, closed.total), by_parts);
     }
-    active[h] = select(half.bonded, one, parts.closed.to[h] - parts.closed.from[h]);
+    active[h] = select(half.bonded, one, areas.closed.to[h] - areas.closed.from[h]);
     stress.write(half, kn, out[h]);
   }
 }

@@ -286,10 +286,10 @@ struct PressedHalves {
 
 template <class T>
 TRILITH_INLINE void Coulomb::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
-  const PressedHalves<T> parts(halves, beta);
+  const PressedHalves<T> areas(halves, beta);
   for (const int h : {0, 1}) {
-    const HalfStress<T> stress(halves[h], beta, parts.closed.from[h], parts.closed.to[h], parts.from(h), parts.to(h));
-    active[h] = parts.closed.to[h] - parts.closed.from[h];
+    const HalfStress<T> stress(halves[h], beta, areas.closed.from[h], areas.closed.to[h], areas.from(h), areas.to(h));
+    active[h] = areas.closed.to[h] - areas.closed.from[h];
     stress.write(halves[h], kn, out[h]);
   }
 }
