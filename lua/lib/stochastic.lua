@@ -10,6 +10,8 @@ local owner = "stochastic_motion"
 local cos, sin, exp = trilith.math.cos, trilith.math.sin, trilith.math.exp
 local keys = { "seed", "duration", "dt", "rms", "pga", "ground_frequency", "ground_damping", "filter_frequency",
   "filter_damping", "envelope", "highest_frequency" }
+-- Every sample is a sum of cosines. This product of their numbers takes a few seconds.
+local most_terms = 2e8
 local envelope_keys = { "rise", "strong", "decay" }
 
 local function number(options, key, unit, preset)
@@ -109,6 +111,12 @@ local function checked(options)
   if s.highest_frequency > 0.5/s.dt or s.highest_frequency*s.duration < 10 then
     core.fail(("%s: 'highest_frequency' is %g Hz, must be from 10/duration = %g Hz to 0.5/dt = %g Hz"):format(owner,
       s.highest_frequency, 10/s.duration, 0.5/s.dt))
+  end
+  if s.duration/s.dt*2*s.highest_frequency*s.duration > most_terms then
+    local longest = math.sqrt(most_terms*s.dt/(2*s.highest_frequency))
+    core.fail(("%s: 'duration' is %g s, must be at most %.4g s with steps of %g s and frequencies up to %g Hz; "
+      .. "a longer dt or a smaller highest_frequency allows more"):format(owner, s.duration, longest, s.dt,
+      s.highest_frequency))
   end
   if (options.rms == nil) == (options.pga == nil) then
     core.fail(owner .. ": give one of 'rms' (standard deviation of the strong part, m/s2) and 'pga' (m/s2)")
