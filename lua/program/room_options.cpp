@@ -75,9 +75,10 @@ void add_room_options(CLI::App& verb, RoomOptions& options) {
           "--script-memory", [&options](const std::string& text) { options.memory = bytes_of(text); },
           "memory that the script's Lua code may hold; default 4 GiB, 0 for no limit")
       ->type_name("SIZE");
-  verb.add_option("--script-seconds", options.seconds,
-                  "time that the script, or one of its handlers, may run without a call into the engine [s]; default "
-                  "600, 0 for no limit")
+  verb.add_option(
+          "--script-seconds", options.seconds,
+          "time that the script, or one of its handlers, may run without a stage or another long computation of "
+          "the engine [s]; default 600, 0 for no limit")
       ->type_name("SECONDS")
       ->check(CLI::Validator(is_not_negative, "", ""));
   verb.add_option("--room", options.folders)

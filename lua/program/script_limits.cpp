@@ -28,7 +28,8 @@ struct Memory {
 struct Time {
   double most = 0;  ///< [s]; 0: no limit
   std::uint64_t crossings = 0;
-  std::timespec begun{};  ///< begin of the interval without a crossing
+  std::uint64_t calls = 0;  ///< guarded functions that had begun at the last look
+  std::timespec begun{};    ///< begin of the interval without a crossing
   timer_t timer{};
   bool runs = false;
 } script_time;
@@ -58,15 +59,18 @@ void* allocate(void*, void* block, std::size_t before, std::size_t wanted) {
   return found;
 }
 
-/// Time after the last crossing, as far as the clock was read [s]; restarts after a crossing.
+/// Time after the last crossing, as far as the clock was read [s]; restarts after a crossing, and while one function of
+/// the engine runs from one look to the next.
 double seconds_alone() {
   std::timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   const std::uint64_t crossings = script::engine_crossings();
-  if (crossings != script_time.crossings) {
+  const script::EngineCalls calls = script::engine_calls();
+  if (crossings != script_time.crossings || (calls.within && calls.begun == script_time.calls)) {
     script_time.crossings = crossings;
     script_time.begun = now;
   }
+  script_time.calls = calls.begun;
   return static_cast<double>(now.tv_sec - script_time.begun.tv_sec) +
          1e-9 * static_cast<double>(now.tv_nsec - script_time.begun.tv_nsec);
 }
@@ -81,7 +85,8 @@ void raise_at_limit(lua_State* L, lua_Debug*) {
   char message[1000];  // no object with a destructor may be alive where the error is raised
   {
     const std::string text = fmt::format(
-        "{}the script has run for more than {:g} s without a call into the engine; --script-seconds allows more",
+        "{}the script has run for more than {:g} s without a stage or another long computation of the engine; "
+        "--script-seconds allows more",
         script::user_place(L), script_time.most);
     message[text.copy(message, sizeof message - 1)] = '\0';
   }

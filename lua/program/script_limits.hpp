@@ -12,8 +12,8 @@ void limit_memory(lua_State* L, double bytes);
 /// The last rejected request, with the script's line; "" if there was none.
 std::string memory_refusal();
 
-/// Lua code of this thread can run for this time [s] without a call into the engine or back, while an InterruptScope
-/// lives; 0: no limit. An error that no script can catch reports the place.
+/// Lua code of this thread can run for this time [s] without a stage, a handler or a long call of the engine, while an
+/// InterruptScope lives; 0: no limit. An error that no script can catch reports the place.
 void limit_time(double seconds);
 
 }  // namespace trilith::program

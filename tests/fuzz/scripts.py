@@ -42,5 +42,5 @@ def fuzz(program, until, seed, findings):
         draw = random.Random(f"{seed} scripts {number}")
         name = draw.choice(sorted(scripts))
         text = SHORT + changed(draw, scripts[name]).replace("consolidate {", "consolidate { or_go_on = true,")
-        shared.attempt(shared.Job("script", f"{path} run -q {name}", {name: text}), findings)
+        shared.attempt(shared.Job("script", f"{path} run -q --script-seconds 5 {name}", {name: text}), findings)
     return f"{len(shared.in_parallel(until, work))} scripts of the project with a change"

@@ -88,6 +88,8 @@ def line(draw, verb, file=None, odd=0.15):
         words.append(flag)
         if takes or draw.random() < 0.02:
             words.append(draw.choice(ODD if draw.random() < odd else sane))
+    if verb.name == "verify" and "--list" not in words:
+        words.append("--list")  # the cases themselves take minutes
     if verb.name == "repair" and "--output" not in words:
         words += ["--output", "copy.h5"]
     if draw.random() < odd / 2:

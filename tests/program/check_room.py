@@ -98,6 +98,12 @@ WAYS = [
     ("a loop without an end", 'while true do end', "way.lua:2: the script has run for more than 0.3 s"),
     ("a loop that catches all",
      'while true do pcall(function() while true do end end) end', "has run for more than 0.3 s"),
+    ("a loop of short calls", 'while true do trilith.math.sin(1) end', "way.lua:2: the script has run for more than 0.3 s"),
+    ("a loop of short calls in a handler", """local m = trilith.model {}
+m:material { name = "stone", density = 2400 }
+m:block { name = "base", width = 1, height = 1, at = { 0, 0 }, material = "stone", support = "fixed" }
+m:on_step(function() while true do trilith.math.sin(1) end end)
+m:run { duration = 0.1 }""", "has run for more than 0.3 s"),
     ("a loop in a coroutine", 'coroutine.wrap(function() while true do end end)()', "has run for more than 0.3 s"),
     ("a loop in a handler", MODEL + 'm:on_step(function() while true do end end) m:run { duration = 0.01 }',
      "has run for more than 0.3 s"),

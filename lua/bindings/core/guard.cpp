@@ -28,6 +28,8 @@ constexpr std::string_view library_prefix = "=trilith/";
 /// Guarded functions that run in this thread, and objects they may still use.
 struct AtWork {
   int calls = 0;
+  int inner = 0;  ///< those begun after the innermost call of Lua code
+  std::uint64_t begun = 0;
   std::vector<std::shared_ptr<void>> kept;
 };
 thread_local AtWork at_work;
@@ -35,11 +37,11 @@ thread_local std::uint64_t crossings = 0;
 std::string (*limit_of_memory)() = nullptr;
 
 struct Call {
-  Call() { ++at_work.calls, ++crossings; }
+  Call() { ++at_work.calls, ++at_work.inner, ++at_work.begun; }
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
   ~Call() {
-    ++crossings;
+    --at_work.inner;
     if (--at_work.calls == 0 && !at_work.kept.empty()) std::exchange(at_work.kept, {}).clear();
   }
 };
@@ -137,6 +139,14 @@ std::uint64_t engine_crossings() {
   return crossings;
 }
 
+void count_crossing() {
+  ++crossings;
+}
+
+EngineCalls engine_calls() {
+  return {at_work.begun, at_work.inner > 0};
+}
+
 void keep_until_idle(std::shared_ptr<void> value) {
   if (at_work.calls > 0) at_work.kept.push_back(std::move(value));
 }
@@ -225,7 +235,9 @@ void call(lua_State* L, int arguments, int results) {
   lua_pushcfunction(L, trace_text);
   lua_insert(L, handler);
   ++crossings;
+  const int inner = std::exchange(at_work.inner, 0);
   const int status = lua_pcall(L, arguments, results, handler);
+  at_work.inner = inner;
   ++crossings;
   lua_remove(L, handler);
   if (status == LUA_OK) return;

@@ -41,8 +41,19 @@ int guarded(lua_State* L) {
 /// ScriptError if it fails, with the text and its traceback, or the error object as raised.
 void call(lua_State* L, int arguments, int results);
 
-/// Number of crossings between Lua and the engine in this thread, in either direction.
+/// Number of begins and ends of stages and of handlers in this thread. A short call, such as a reading or a function of
+/// trilith.math, does not count: a loop of such calls is work of the script.
 std::uint64_t engine_crossings();
+
+/// Counts the begin or the end of a stage.
+void count_crossing();
+
+/// Guarded functions of this thread: the number that began, and whether one runs now and has not called Lua code.
+struct EngineCalls {
+  std::uint64_t begun = 0;
+  bool within = false;
+};
+EngineCalls engine_calls();
 
 /// `text` returns an explanation of Lua's "not enough memory" if a limit was reached, otherwise "".
 void explain_lack_of_memory(std::string (*text)());

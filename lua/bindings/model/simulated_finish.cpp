@@ -1,11 +1,13 @@
-// The end of a recording: the results file, and a line on the energy balance.
+// The frame of a stage, and the end of a recording: the results file, and a line on the energy balance.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "base/quantity_text.hpp"
+#include "bindings/core/guard.hpp"
 #include "bindings/model/simulated_model.hpp"
 
 namespace trilith::script {
@@ -38,6 +40,46 @@ std::string dissipated_text(const EnergyCheck& check) {
 }  // namespace
 
 template <int D>
+StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& go, Host& host) {
+  struct Scope {
+    SimulatedModel& model;
+    explicit Scope(SimulatedModel& m) : model(m) {
+      model.running_ = true;
+      count_crossing();
+    }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope() {
+      count_crossing();
+      if (model.restart) model.restart->at_work = model.restart->replaying = false;
+      model.resumed_steps = 0;
+      *model.verdict_ = model.simulation_->verdict();
+      model.running_ = false;
+      model.pause_reason.clear();  // of a step border that this stage did not reach
+      model.changes_.clear();
+    }
+  } scope(*this);
+  const auto known = [&](const auto& entry) { return entry.second == verdict_; };
+  if (std::none_of(host.verdicts.begin(), host.verdicts.end(), known)) host.verdicts.emplace_back(title(), verdict_);
+  StageReport report;
+  const auto begun = std::chrono::steady_clock::now();
+  stop_reason_.clear();
+  try {
+    report = go();
+    if (report.end == StageEnd::stopped && report.reason.empty()) report.reason = stop_reason_;
+    broken_.clear();
+  } catch (const std::exception& e) {
+    broken_ = e.what();
+    if (restart && !(host.interrupted != nullptr && host.interrupted())) restart->off = "a stage failed";
+    throw;
+  }
+  host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (report.end == StageEnd::diverged) note(report.reason);
+  if (host.observer != nullptr) host.observer->stage_ended(report);
+  return report;
+}
+
+template <int D>
 std::string SimulatedModel<D>::finish(const std::string& error) {
   const bool modes_alone = !recording_ && !waiting_modes_.empty() && error.empty();
   if (modes_alone) begin_recording(*modes_host_);
@@ -65,6 +107,8 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
                      dissipated_text(check), fmt::join(seal_lines(seal), "\n"));
 }
 
+template StageReport SimulatedModel<2>::guarded_run(const std::function<StageReport()>&, Host&);
+template StageReport SimulatedModel<3>::guarded_run(const std::function<StageReport()>&, Host&);
 template std::string SimulatedModel<2>::finish(const std::string&);
 template std::string SimulatedModel<3>::finish(const std::string&);
 

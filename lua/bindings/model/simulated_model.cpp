@@ -349,42 +349,6 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
 }
 
 template <int D>
-StageReport SimulatedModel<D>::guarded_run(const std::function<StageReport()>& go, Host& host) {
-  struct Scope {
-    SimulatedModel& model;
-    explicit Scope(SimulatedModel& m) : model(m) { model.running_ = true; }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-    ~Scope() {
-      if (model.restart) model.restart->at_work = model.restart->replaying = false;
-      model.resumed_steps = 0;
-      *model.verdict_ = model.simulation_->verdict();
-      model.running_ = false;
-      model.pause_reason.clear();  // of a step border that this stage did not reach
-      model.changes_.clear();
-    }
-  } scope(*this);
-  const auto known = [&](const auto& entry) { return entry.second == verdict_; };
-  if (std::none_of(host.verdicts.begin(), host.verdicts.end(), known)) host.verdicts.emplace_back(title(), verdict_);
-  StageReport report;
-  const auto begun = std::chrono::steady_clock::now();
-  stop_reason_.clear();
-  try {
-    report = go();
-    if (report.end == StageEnd::stopped && report.reason.empty()) report.reason = stop_reason_;
-    broken_.clear();
-  } catch (const std::exception& e) {
-    broken_ = e.what();
-    if (restart && !(host.interrupted != nullptr && host.interrupted())) restart->off = "a stage failed";
-    throw;
-  }
-  host.profile.times.all += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  if (report.end == StageEnd::diverged) note(report.reason);
-  if (host.observer != nullptr) host.observer->stage_ended(report);
-  return report;
-}
-
-template <int D>
 void SimulatedModel<D>::run_on(const RunLimit& limit, const ScriptListener& listener, Host& host) {
   catch_up();
   paused_ = false;
