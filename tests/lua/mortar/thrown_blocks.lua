@@ -1,4 +1,4 @@
--- A bonded block is thrown off at 1 to 10 m/s, away from its joint or along it. The bond dissipates its fracture energy,
+-- A bonded block is thrown off at 1 to 10 m/s, away from its joint or along it. It dissipates its fracture energy,
 -- however large the kinetic energy is: in the plane and in space, by each integrator, brittle and softening, rigid or
 -- with elements. The energy balance gives its speed.
 local trilith = require "trilith"
