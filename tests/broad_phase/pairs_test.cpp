@@ -212,8 +212,9 @@ struct TakenFaces {
 }  // namespace
 
 TEST_CASE("bonded bricks that meet at a corner take no faces on their far sides") {
-  // The upper brick has its lower left corner beside and above the corner of the lower one. Its turn brings its far end
-  // below the top of the lower brick: the ends on the far sides, 0.375 m apart, share some micrometres of height.
+  // The upper brick has its lower left corner to the right of the corner of the lower one, and above it. Its turn
+  // brings its far end below the top of the lower brick: the ends on the far sides, 0.375 m apart, share some
+  // micrometres of height.
   const Vec2 beside(0.25 + 1e-7, brick_height + 3e-6);
   const Vec2 far_low = beside + Turn(brick_turn).apply(Vec2(0.125, 0)),
              far_high = beside + Turn(brick_turn).apply(Vec2(0.125, brick_height));
