@@ -62,7 +62,14 @@ std::vector<L> samples(const UsualNumbers& usual) {
     if (p.required() || number == p.preset) continue;
     L one = all.front();
     one.*(p.member) = number;
-    if (!is_allowed(one)) one.*(p.member) = p.most;  // a choice between its ends
+    if (!is_allowed(one)) {
+      L with_others = changed;  // a number that needs another one
+      with_others.*(p.member) = number;
+      if (is_allowed(with_others))
+        one = with_others;
+      else
+        one.*(p.member) = p.most;  // a choice between its ends
+    }
     changed.*(p.member) = one.*(p.member);
     all.push_back(one);
   }

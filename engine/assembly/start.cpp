@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/bonded_length.hpp"
 #include "assembly/contact/contact_rows.hpp"
 #include "assembly/evaluate.hpp"
 #include "broad_phase/pairs.hpp"
@@ -10,14 +11,6 @@
 
 namespace trilith {
 namespace {
-
-/// Faces that share less than this share of the smaller body's size are neighbours across a corner, displaced slightly
-/// by settlement; no mortar bonds them.
-constexpr double least_shared = 1e-3;
-
-double smaller_size(const Model<2>& model, const NearPair& p) {
-  return 2 * std::min(model.body_radius[model.piece_body[p.piece_a]], model.body_radius[model.piece_body[p.piece_b]]);
-}
 
 /// change(law, memory, law memory) modifies the memory of a contact of two faces whose law has bonds; the ledger
 /// receives the difference in elastic energy.
@@ -60,9 +53,9 @@ void set_bonds(const Model<2>& model, State<2>& state, double reach, int first_b
     if (!choose_face_pair(model, work, true, pair)) continue;
     const FaceOverlap<double> overlap = face_overlap(work, pair);
     // Length and gap of the joint are compared with the smaller of both bodies.
-    const double size = smaller_size(model, pair);
+    const double size = smaller_size(model, pair.piece_a, pair.piece_b);
     if (std::max(std::abs(overlap.gap_lo), std::abs(overlap.gap_hi)) > reach * size) continue;
-    if (overlap.shared < least_shared * size) continue;
+    if (overlap.shared < least_bonded_share * size) continue;
     change_bond(model, work, row, state, [&](const auto& law, ContactMemory& contact, auto& own) {
       contact.bonds = 3;
       contact.state |= contact_touching;

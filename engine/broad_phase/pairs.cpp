@@ -315,8 +315,33 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   return !same;
 }
 
+namespace {
+
+/// Mean of the corners of a piece, as Work is placed [m].
+Vec2 middle_of(const Model<2>& model, const Work<2>& work, int piece) {
+  Vec2 sum = Vec2::Zero();
+  const int first = model.piece_first[piece], count = model.corners_of(piece);
+  for (int c = first; c < first + count; ++c) {
+    const SkinMotion<2>& at = work.skin[model.corner_skin[c]];
+    sum += Vec2(at.x, at.y);
+  }
+  return sum / count;
+}
+
+/// False for opposed faces on the far sides of two pieces: then each piece lies behind the face of the other. Such
+/// faces share length where two pieces meet at a corner, and overlap by the whole of both.
+bool face_each_other(const Model<2>& model, const Work<2>& work, const FaceOverlap<double>& o, const NearPair& pair) {
+  if (-std::min(o.gap_lo, o.gap_hi) <= face_pair_max_depth * o.shared) return true;
+  const SkinMotion<2>&on_a = work.skin[pair.a0], &on_b = work.skin[pair.b0];
+  const Vec2 normal(o.dy, -o.dx);  // out of a
+  return normal.dot(middle_of(model, work, pair.piece_b) - Vec2(on_a.x, on_a.y)) > 0 ||
+         normal.dot(middle_of(model, work, pair.piece_a) - Vec2(on_b.x, on_b.y)) < 0;
+}
+
+}  // namespace
+
 /// Bonded faces stay a pair at any gap and tilt, so the pair with the smallest mean gap is returned without a test of
-/// contact and flatness. Otherwise the only pair that touches flatly is returned.
+/// contact and flatness, if its faces face each other. Otherwise the only pair that touches flatly is returned.
 ///
 /// If no pair touches, the last contact ends as a face contact where exactly one flat pair is within
 /// `BroadPhaseState::beside`, and as a general one where there are several. So the result does not depend on whether
@@ -338,9 +363,12 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
     const bool touches = overlap.shared > 0 && std::min(overlap.gap_lo, overlap.gap_hi) < 0;
     if (!bonded && touches && touching++ == 0) nearest = unbounded;  // prefer touching pairs
     if (gap >= nearest || (!bonded && !touches && touching > 0)) return true;
+    NearPair nearer = pair;
+    set_faces(nearer, a, b);
+    if (bonded && !face_each_other(model, work, overlap, nearer)) return true;
     nearest = gap;
     ++found;
-    set_faces(pair, a, b);
+    pair = nearer;
     return true;
   });
   // Two flat pairs that touch at once, such as a wedge in a notch, are one general contact.

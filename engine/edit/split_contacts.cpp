@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "assembly/bonded_length.hpp"
 #include "assembly/contact/contact_rows.hpp"
 #include "law/contact/list.hpp"
 #include "model/contact/skin_places.hpp"
@@ -232,8 +233,24 @@ class Divider {
     const double from = (std::max(whole.lo, std::min(p, q)) - whole.lo) / whole.shared;
     const double to = (std::min(whole.hi, std::max(p, q)) - whole.lo) / whole.shared;
     if (!(to - from > least_part)) return;
-    if (from > least_part || to < 1 - least_part) take_part(record, from, to, whole.shared, given);
+    if (from > least_part || to < 1 - least_part) {
+      take_part(record, from, to, whole.shared, given);
+      if ((to - from) * whole.shared < least_bonded_share * smaller_size(model_, given.piece_a, given.piece_b))
+        lift_bond(given);
+    }
     out.push_back(ordered(std::move(given)));
+  }
+
+  /// A part met the other body only by the settlement of its neighbour: it lies across a corner from it.
+  static void lift_bond(ContactRecord& record) {
+    record.memory.bonds = 0;
+    with_kernel_type(record.law, [&]<class K>() {
+      if constexpr (K::bonds) {
+        LawMemory<K> own = law_memory<K>(record.numbers.data());
+        K::lift_bond(own);
+        keep_law_memory<K>(own, record.numbers.data());
+      }
+    });
   }
 
   static void take_part(const ContactRecord& whole, double from, double to, double length, ContactRecord& part) {

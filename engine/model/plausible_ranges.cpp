@@ -23,6 +23,7 @@ constexpr std::array usual_ranges{
     PlausibleRange{"yield", "Pa", 5e3, 1e10, "is it in MPa? 420 MPa are 420e6 Pa"},
     PlausibleRange{"energy_tension", "J/m2", 0.1, 1e6, "is it in N/mm? 0.01 N/mm are 10 J/m2"},
     PlausibleRange{"energy_shear", "J/m2", 0.1, 1e7, "is it in N/mm? 0.1 N/mm are 100 J/m2"},
+    PlausibleRange{"crush_energy", "J/m2", 10, 1e7, "is it in N/mm? 5 N/mm are 5000 J/m2"},
     PlausibleRange{"opening", "m", 0, 1, "is it in mm? multiply it by trilith.units \"mm\""},
     PlausibleRange{"crushing_depth", "m", 0, 1, "is it in mm? multiply it by trilith.units \"mm\""},
     PlausibleRange{"slack", "m", 0, 5, "is it in mm? multiply it by trilith.units \"mm\""},

@@ -7,6 +7,7 @@
 #include "assembly/evaluate.hpp"
 #include "broad_phase/moving_piece.hpp"
 #include "geometry/plane/random_convex.hpp"
+#include "near.hpp"
 #include "physics/scene.hpp"
 
 using namespace trilith;
@@ -170,4 +171,67 @@ TEST_CASE("a common translation of all bodies triggers no new search") {
     evaluate(model, state, work, 1e-3);
   }
   CHECK(work.search.corner == corners);
+}
+
+namespace {
+
+constexpr double brick_height = 0.064, brick_turn = 1e-4;  // [m], [rad]
+
+/// A fixed brick of 0.25 m from the origin on, and a turned one of 0.125 m whose lower left corner is at `at`.
+Scene two_bricks(const Vec2& at, double turn) {
+  Scene scene(Cohesive{1.5e11, 6e10, 0.6, 0, 2e5, 1e5, 10, 50, 0, 0}, turn);
+  scene.fixed("lower", box(0, 0, 0.25, brick_height));
+  BodySpec upper;
+  upper.name = "upper", upper.mass = 10, upper.floating = true;
+  for (const Vec2& p : box(0, 0, 0.125, brick_height)) upper.outline.push_back(at + Turn(brick_turn).apply(p));
+  scene.add(upper);
+  return scene;
+}
+
+/// The faces that two bonded bricks take as their pair; none where they take none.
+struct TakenFaces {
+  bool any = false;
+  FaceOverlap<double> overlap;
+
+  TakenFaces(const Vec2& at, double turn) {
+    const Model<2> model = two_bricks(at, turn).builder.build();
+    State<2> state = initial_state(model);
+    Work<2> work;
+    evaluate(model, state, work, 1e-4);
+    REQUIRE(work.pairs.size() == 1);
+    NearPair pair = work.pairs.front();
+    any = choose_face_pair(model, work, true, pair);
+    const auto ends = [&](int s0, int s1) {
+      const SkinMotion<2>&p = work.skin[static_cast<std::size_t>(s0)], &q = work.skin[static_cast<std::size_t>(s1)];
+      return FaceEnds<double>{p.x, p.y, q.x, q.y, 0, 0, 0, 0};
+    };
+    if (any) overlap = {ends(pair.a0, pair.a1), ends(pair.b0, pair.b1)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("bonded bricks that meet at a corner take no faces on their far sides") {
+  // The upper brick has its lower left corner to the right of the corner of the lower one, and above it. Its turn
+  // brings its far end below the top of the lower brick: the ends on the far sides, 0.375 m apart, share some
+  // micrometres of height.
+  const Vec2 beside(0.25 + 1e-7, brick_height + 3e-6);
+  const Vec2 far_low = beside + Turn(brick_turn).apply(Vec2(0.125, 0)),
+             far_high = beside + Turn(brick_turn).apply(Vec2(0.125, brick_height));
+  const FaceOverlap<double> far({0, brick_height, 0, 0, 0, 0, 0, 0},
+                                {far_low.x(), far_low.y(), far_high.x(), far_high.y(), 0, 0, 0, 0});
+  REQUIRE(far.sane);
+  REQUIRE(far.gap_lo < -0.37);
+  for (const double turn : {0.0, 0.6, 1.5707963267948966, 2.2, -1.0}) {
+    CAPTURE(turn);
+    CHECK_FALSE(TakenFaces(beside, turn).any);
+    // On the lower brick, pressed or open, it lies on its bed.
+    for (const double gap : {-1e-3, -1e-6, 1e-6, 1e-3}) {
+      CAPTURE(gap);
+      const TakenFaces bed({0.2, brick_height + gap}, turn);
+      REQUIRE(bed.any);
+      CHECK(near(bed.overlap.shared, 0.05, 1e-2));
+      CHECK(near_zero(bed.overlap.gap_lo - gap, 1.5e-5));
+    }
+  }
 }

@@ -176,3 +176,38 @@ TEST_CASE("the joint of a crack with fracture energy carries the forces of the s
     CHECK(found == 1);
   }
 }
+
+TEST_CASE("a part of a cracked body is bonded to a neighbour on it and not to one across a corner") {
+  // The stone ends over the plane, or less than a micrometre beyond it. Then one part of the beam only touches it.
+  for (const bool stone_ahead : {true, false}) {
+    CAPTURE(stone_ahead);
+    Scene scene(joints[2]);
+    scene.builder.add_law("plane", softening());
+    scene.fixed("floor", box(-3, -1, 3, 0));
+    BodySpec beam;
+    beam.name = "beam", beam.outline = box(-0.5, 0, 0.7, 0.3), beam.mass = 700;
+    beam.cracks.planes = {planes.front()}, beam.cracks.law = "plane";
+    scene.add(beam);
+    const double beyond = 5e-7, middle = planes.front().point.x();
+    scene.block("stone", stone_ahead ? box(middle - beyond, 0.3, 0.6, 0.6) : box(-0.4, 0.3, middle + beyond, 0.6), 900);
+    Simulation<2> sim(scene.builder.build());
+    begin(scene, sim);
+    shake(sim);
+    sim.grow(Model<2>(sim.model()));
+    const double balance = sim.energy().balance();
+    split_now(scene, sim, crack_now(sim));
+    sim.refresh();
+    CHECK(near_zero(sim.energy().balance() - balance, 1e-9 * sim.energy()[EnergyTerm::contact_elastic]));
+    std::vector<TouchingContact> touching;
+    contact_resultants(sim.model(), sim.state(), sim.work(), touching);
+    const int stone = sim.model().find_body("stone"), behind = sim.model().find_body("beam.a"),
+              ahead = sim.model().find_body("beam.b");
+    int bonded = 0;
+    for (const TouchingContact& c : touching) {
+      if (c.body_a != stone && c.body_b != stone) continue;
+      const int part = c.body_a == stone ? c.body_b : c.body_a;
+      if (c.hold == ContactHold::bonded) CHECK(part == (stone_ahead ? ahead : behind)), ++bonded;
+    }
+    CHECK(bonded == 1);
+  }
+}

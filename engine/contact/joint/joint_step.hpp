@@ -37,7 +37,8 @@ double crushed_patch(const K& law, const JointPlan& plan, const JointPatch& p, c
   if constexpr (K::crushes) {
     return law.crush(before, [&](double depth) {
       const PatchStress pressed = where_closed(plan, p, f.raised(before - depth));
-      return pressed.area > 0 ? pressed.force / pressed.area - law.crushing : -law.crushing;
+      const double limit = law.crush_limit(depth);
+      return pressed.area > 0 ? pressed.force / pressed.area - limit : -limit;
     });
   }
   return before;

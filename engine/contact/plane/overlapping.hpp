@@ -107,12 +107,13 @@ struct Overlapping {
     return sums;
   }
   /// Mean overlap minus the overlap at which the mortar crushes [m]. `springs`: without damping. force / (kn length) is
-  /// the overlap of parallel faces with this mean pressure; law.crushing is fc / kn.
+  /// the overlap of parallel faces with this mean pressure; law.crush_limit is fc / kn.
   [[nodiscard]] TRILITH_INLINE double excess(const K& springs, double crushed) const {
     std::array<Vec2, most> on_a, on_b;  // required by the walk, unused
     on_a.fill(Vec2::Zero()), on_b.fill(Vec2::Zero());
     const OverlapSums sums = press(springs, crushed, on_a, on_b);
-    return sums.length > 0 ? sums.force / (springs.kn * sums.length) - springs.crushing : -springs.crushing;
+    const double limit = springs.crush_limit(crushed);
+    return sums.length > 0 ? sums.force / (springs.kn * sums.length) - limit : -limit;
   }
   /// The new crushed depth of the mortar, at which the mean spring pressure does not exceed its strength. Below a
   /// bearing that replaces the contact up to the depth `held`, nothing is crushed.

@@ -108,8 +108,8 @@ SolidPressure crushed_pressure(const MovingSolid& a, const MovingSolid& b, const
   const auto excess = [&](double depth) {
     pressed = solid_pressure(a, b, use, shared, depth, along);
     pressed.crushed = depth;
-    const double springs = (pressed.force - pressed.damping).norm();
-    return pressed.area > 0 ? springs / (law.kn * pressed.area) - law.crushing : -law.crushing;
+    const double springs = (pressed.force - pressed.damping).norm(), limit = law.crush_limit(depth);
+    return pressed.area > 0 ? springs / (law.kn * pressed.area) - limit : -limit;
   };
   const double depth = law.crush(before, excess);
   if (pressed.crushed != depth) excess(depth);

@@ -19,6 +19,10 @@
 // Mortar is thin: crushing ends at a greatest depth. Unloading and reloading up to it are elastic (the cap of Lourenco
 // and Rots without hardening and softening; each half counts as one integration point). The damping acts on the elastic
 // part of the motion only. The crushed depth is kept while the two bodies are near each other.
+//
+// With a crushing energy the strength falls with the crushed depth, on a line to a residual strength at which crushing
+// goes on. The energy per area is the work of crushing above the residual: (fc - fr)^2 / (2 G) is the fall of stress
+// per depth. The softening of a joint pressed from one end is stable if it falls by less than half of kn.
 #pragma once
 
 #include <algorithm>
@@ -43,6 +47,8 @@ struct Cohesive {
   double dilation_slip = 0;      ///< [m]
   double compression = 0;        ///< [Pa]; 0: it does not crush
   double crushing_depth = 2e-3;  ///< [m]
+  double crush_energy = 0;       ///< fracture energy in compression [J/m2]; 0: the strength stays
+  double crush_residual = 0.1;   ///< residual strength over the strength [1]
 
   static constexpr std::string_view name = "cohesive";
   static constexpr std::string_view sentence =
@@ -65,11 +71,18 @@ struct Cohesive {
         P{&Cohesive::compression, "compression", "Pa", 0, 0, unbounded, true,
           "compressive strength of the mortar; 0: no crushing"},
         P{&Cohesive::crushing_depth, "crushing_depth", "m", 2e-3, 0, unbounded, false,
-          "largest crushing depth, as a share of the joint thickness"}};
+          "largest crushing depth, as a share of the joint thickness"},
+        P{&Cohesive::crush_energy, "crush_energy", "J/m2", 0, 0, unbounded, true,
+          "fracture energy in compression, above the residual strength; 0: crushing does not soften"},
+        P{&Cohesive::crush_residual, "crush_residual", "1", 0.1, 0.01, 0.9, true,
+          "residual compressive strength over the strength, after softening"}};
   }
+  /// Number of parameters, from the first, that every fingerprint of a model contains; the others are in it where they
+  /// differ from their defaults.
+  static constexpr std::size_t always_in_fingerprint = 12;
 
-  /// Throws InputError where the fracture energy is below the elastic energy at the peak, which cannot soften. The
-  /// ranges above do not exclude this.
+  /// Throws InputError where a fracture energy is too small: an energy below the elastic energy at the peak cannot
+  /// soften. The ranges above do not exclude this.
   void check() const {
     const auto require = [](double energy, double strength, double stiffness, const char* of, const char* strength_name,
                             const char* k) {
@@ -82,6 +95,33 @@ struct Cohesive {
     };
     require(energy_tension, tension, kn, "tension", "tension", "kn");
     require(energy_shear, cohesion, ks, "shear", "cohesion", "ks");
+    check_crushing();
+  }
+  /// The same for the energy of crushing, with the depth over which it is spent.
+  void check_crushing() const {
+    if (!(crush_energy > 0)) {
+      if (crush_residual == 0.1) return;
+      throw InputError(
+          fmt::format("cohesive: crush_residual is {:g} without crush_energy; give crush_energy, the "
+                      "fracture energy in compression, or leave crush_residual out",
+                      crush_residual));
+    }
+    if (!(compression > 0))
+      throw InputError(
+          fmt::format("cohesive: crush_energy is {:g} J/m2 without compression; give compression, the "
+                      "compressive strength, or leave crush_energy out",
+                      crush_energy));
+    const double fall = (1 - crush_residual) * compression, least = fall / kn * fall;
+    if (!(crush_energy > least))
+      throw InputError(
+          fmt::format("cohesive: crush_energy is {:g} J/m2, must be above (fc - fr)^2/kn = {:g}, so that "
+                      "softening is stable; give more energy, or a stiffer joint, or leave it out",
+                      crush_energy, least));
+    if (const double depth = 2 * crush_energy / fall; !(depth <= crushing_depth))
+      throw InputError(
+          fmt::format("cohesive: crush_energy is {:g} J/m2, spent over a depth of {:g} m; crushing_depth "
+                      "is {:g} m, must not be below it; give less energy, or a larger crushing_depth",
+                      crush_energy, depth, crushing_depth));
   }
 
   struct Kernel;
@@ -95,6 +135,8 @@ struct Cohesive::Kernel : Mortar {
   double dilation_slip;   ///< slip up to which sliding opens the joint [m]
   double crushing;        ///< mean overlap at which a pressed joint crushes [m]; 0: never
   double crushing_depth;  ///< greatest depth of crushing [m]
+  double crush_slope;     ///< fall of that overlap per crushed depth [1]; 0: it stays
+  double crush_floor;     ///< least of that overlap, at the residual strength [m]
 
   Kernel(const Cohesive& law, double thickness, double step)
       : Mortar(law, thickness, step),
@@ -103,7 +145,15 @@ struct Cohesive::Kernel : Mortar {
         dilation(law.dilation),
         dilation_slip(law.dilation_slip),
         crushing(law.compression / law.kn),
-        crushing_depth(law.crushing_depth) {}
+        crushing_depth(law.crushing_depth),
+        crush_slope(law.crush_energy > 0 ? slope_of(law) : 0),
+        crush_floor(law.crush_energy > 0 ? law.crush_residual * law.compression / law.kn : 0) {}
+
+  /// (fc - fr)^2 / (2 G), over kn [1].
+  static double slope_of(const Cohesive& law) {
+    const double fall = (1 - law.crush_residual) * law.compression;
+    return fall / law.kn * fall / (2 * law.crush_energy);
+  }
 
   using FrictionRemains = Kernel;  ///< see law/contact/law_forms.hpp
   using JointForm = Kernel;
@@ -150,6 +200,8 @@ struct Cohesive::Kernel : Mortar {
     return larger(own.crushed[0], own.crushed[1]) > T{};
   }
 
+  /// Mean overlap at which a pressed joint crushes, after crushing by `depth` [m].
+  [[nodiscard]] double crush_limit(double depth) const { return std::max(crush_floor, crushing - crush_slope * depth); }
   /// General contact: returns the crushed depth after the step, `before` being the depth so far. At the returned depth
   /// `excess(depth)` [m] is 0: the mean overlap minus the overlap at which it crushes.
   template <class Excess>
@@ -226,6 +278,7 @@ struct Cohesive::Kernel : Mortar {
   }
 
  private:
+  [[nodiscard]] double up_to_residual(double depth, double deeper) const;
   template <class T>
   TRILITH_INLINE T crush_half(HalfState<T>& h, T before) const;
   template <class T>

@@ -77,7 +77,12 @@ template <class T>
 TRILITH_INLINE T Cohesive::Kernel::crush_half(HalfState<T>& h, T before) const {
   // Mortar that fills a half is also pressed in the filled part.
   const T c0 = select(h.bonded, -h.bond0(), -h.g0), c1 = select(h.bonded, -h.bond1(), -h.g1);
-  const T pressed_whole = 0.5 * (c0 + c1) - crushing, pressed_at_end = larger(c0, c1) - 2.0 * crushing;
+  T pressed_whole = 0.5 * (c0 + c1) - crushing, pressed_at_end = larger(c0, c1) - 2.0 * crushing;
+  if (crush_slope > 0) {
+    // The depth at which the mean overlap, which falls with it, meets the softened strength or its residual.
+    pressed_whole = smaller(pressed_whole * (1.0 / (1.0 - crush_slope)), 0.5 * (c0 + c1) - crush_floor);
+    pressed_at_end = smaller(pressed_at_end * (1.0 / (1.0 - 2.0 * crush_slope)), larger(c0, c1) - 2.0 * crush_floor);
+  }
   const T most = T{} + crushing_depth;
   const T depth = larger(before, smaller(larger(pressed_whole, pressed_at_end), most));
   const T rate = (depth - before) * (dt > 0 ? 1.0 / dt : 0.0);
@@ -120,15 +125,24 @@ TRILITH_INLINE T Cohesive::Kernel::crushing_loss(const HalfState<T>& h, T deeper
   return 0.5 * kn * h.length * deeper * (before + now);
 }
 
+/// An increase `deeper` of the crushed depth, cut where the strength reaches its residual: the search for the depth
+/// takes the slope of one side of it.
+inline double Cohesive::Kernel::up_to_residual(double depth, double deeper) const {
+  if (!(crush_slope > 0)) return deeper;
+  const double left = (crushing - crush_floor) / crush_slope - depth;
+  return left > 1e-9 * crushing ? std::min(deeper, left) : deeper;
+}
+
 template <class Excess>
 double Cohesive::Kernel::crush(double before, Excess&& excess) const {
   if (!(crushing > 0)) return before;
   double depth = before, over = excess(depth), fall = 1;
   for (int i = 0; i < 20 && over > 1e-9 * crushing; ++i) {
     // The mean overlap falls by as much as the depth grows where faces are parallel, by half as much at corners.
-    const double deeper = over / fall, left = excess(depth + deeper);
+    const double deeper = up_to_residual(depth, over / fall), left = excess(depth + deeper);
     fall = std::clamp((over - left) / deeper, 0.3, 1.0);
     depth += deeper, over = left;
+    if (crush_slope > 0 && !(crushing - crush_slope * depth > crush_floor)) fall = 1;  // it falls faster from here on
   }
   return std::max(before, std::min(depth, crushing_depth));
 }

@@ -77,7 +77,12 @@ void add(Hash& hash, const std::vector<T>& values) {
 template <Declared T>
 void add_law(Hash& hash, const T& law) {
   hash.add(T::name);
-  for (const Parameter<T>& p : T::parameters()) hash.add(law.*(p.member));
+  [[maybe_unused]] std::size_t place = 0;
+  for (const Parameter<T>& p : T::parameters()) {
+    if constexpr (requires { T::always_in_fingerprint; })
+      if (place++ >= T::always_in_fingerprint && law.*(p.member) == p.preset) continue;
+    hash.add(law.*(p.member));
+  }
 }
 
 void add(Hash& hash, const ContactLaw& law) {
