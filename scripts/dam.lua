@@ -4,6 +4,7 @@ local trilith = require "trilith"
 local s, g = trilith.units "s", trilith.units "g"
 local p = trilith.params {
   level = { 11, unit = "m", "of the reservoir above the base" },
+  base = { 9, unit = "m", "length of the base" },
   pga = { 0.15*g, unit = "m/s2", "of the ground motion" },
   duration = { 15*s, unit = "s", "of the shaking" },
   uplift = { true, "water in the joints" },
@@ -13,7 +14,7 @@ local m = trilith.model { name = "dam" }
 m:material { name = "concrete", density = 2400 }
 m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 2e10, ks = 1e10, mu = 0.75, beta = 4e-4 } }
 m:block { name = "rock", width = 32, height = 2, at = { -12, -2 }, material = "concrete", support = "fixed" }
-local height, base, crest, lifts = 12, 9, 2, 4
+local height, base, crest, lifts = 12, p.base, 2, 4
 local function width(z) return base - (base - crest)*z/height end
 local names = { [0] = "rock" }
 for i = 1, lifts do

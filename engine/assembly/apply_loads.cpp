@@ -1,5 +1,6 @@
 // Loads of the present instant on the nodes.
 #include "assembly/evaluate.hpp"
+#include "assembly/field/joint_water.hpp"
 #include "assembly/load_target.hpp"
 #include "assembly/water/closed_joints.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 /// and assemble_forces and the nodes read the arrays of the model.
 template <int D>
 bool begin_loads(const Model<D>& model, Work<D>& work) {
-  if (!model.loaded()) {
+  if (!model.loaded() && !has_joint_water(model)) {
     if (work.load.empty()) return false;
     work.load.clear(), work.load_moment.clear(), work.correction.clear(), work.correction_moment.clear();
     work.push_force.clear(), work.water.clear(), work.water_moment.clear();
@@ -27,7 +28,7 @@ bool begin_loads(const Model<D>& model, Work<D>& work) {
 template <int D>
 void apply_water(const Model<D>& model, const State<D>& state, Work<D>& work) {
   work.water.clear(), work.water_moment.clear();
-  if (!has_water(model)) return;
+  if (!has_water(model) && !has_joint_water(model)) return;
   work.water.assign(model.load.size(), Vec<D>::Zero());
   work.water_moment.assign(model.load.size(), nothing<Moment<D>>());
   find_closed_joints(model, work);
@@ -36,6 +37,7 @@ void apply_water(const Model<D>& model, const State<D>& state, Work<D>& work) {
     if constexpr (is_water<L>)
       for (int part = 0; part < load.parts(); ++part) load.apply(nodes, part);
   });
+  if constexpr (D == 2) press_joints(model, state, work, work.water, work.water_moment);
   for (std::size_t n = 0; n < work.water.size(); ++n)
     work.load[n] += work.water[n], work.load_moment[n] += work.water_moment[n];
 }

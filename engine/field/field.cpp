@@ -65,6 +65,31 @@ void add_surroundings(Hash& hash, const Field& f) {
   for (const FieldHeld& h : f.held) add_number(hash, h.cell), add_number(hash, h.surrounding);
 }
 
+void add_attachment(Hash& hash, const Attachment<2>& at) {
+  add_number(hash, at.nodes);
+  for (int i = 0; i < at.nodes; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    add_number(hash, at.node[k]), add_number(hash, at.weight[k]);
+    add_number(hash, at.arm[k].x()), add_number(hash, at.arm[k].y());
+  }
+}
+
+void add_flow(Hash& hash, const JointFlow& flow) {
+  for (const FlowJoint& j : flow.joints) {
+    hash.add(std::string_view(j.name));
+    for (const int v : {j.from, j.to, j.first_cell, j.cells}) add_number(hash, v);
+    for (const double v : {j.length, j.width, j.elevation[0], j.elevation[1], j.aperture[0], j.aperture[1],
+                           j.compliance, j.coupling, j.density, j.viscosity, j.bulk_modulus, j.weight})
+      add_number(hash, v);
+    for (const std::vector<FlowFace>* faces : {&j.upper, &j.lower})
+      for (const FlowFace& f : *faces)
+        add_number(hash, f.body), add_number(hash, f.skin_a), add_number(hash, f.skin_b), add_number(hash, f.depth);
+    add_attachment(hash, j.heel), add_attachment(hash, j.toe);
+  }
+  for (const FlowNode& n : flow.nodes)
+    hash.add(std::string_view(n.name)), add_number(hash, n.elevation), add_number(hash, n.surrounding);
+}
+
 }  // namespace
 
 std::uint64_t Field::digest() const {
@@ -80,6 +105,7 @@ std::uint64_t Field::digest() const {
   add_numbers(hash, free_shape_of), add_numbers(hash, free_number), add_numbers(hash, free_beam_of);
   for (const FreeBeam& b : free_beams)
     for (const double v : {b.reference, b.expansion, b.depth, b.length}) add_number(hash, v);
+  if (flow) add_flow(hash, *flow);
   return hash.value();
 }
 
@@ -109,6 +135,12 @@ FreeStrain FieldValues::strain_of(const FreeBeam& beam) const {
   const double l = beam.length;
   return {beam.expansion * l * 0.5 * (mean[0] + mean[1]),
           {-l * (curvature[0] / 3 + curvature[1] / 6), l * (curvature[0] / 6 + curvature[1] / 3)}};
+}
+
+int row_of(const Fields& fields, FieldKind kind) {
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (fields[i]->kind == kind) return static_cast<int>(i);
+  return -1;
 }
 
 FieldValues values_of(const Fields& fields, const std::vector<FieldState>& states, FieldKind kind) {

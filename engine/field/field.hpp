@@ -22,6 +22,7 @@
 #include "field/course.hpp"
 #include "field/field_kind.hpp"
 #include "field/field_state.hpp"
+#include "field/joint_flow.hpp"
 
 namespace trilith {
 
@@ -129,6 +130,7 @@ struct Field {
   std::vector<double> free_number;
   std::vector<int> free_beam_of;  ///< [beam of the model] row of free_beams; -1, or beyond the end: none
   std::vector<FreeBeam> free_beams;
+  std::shared_ptr<const JointFlow> flow;  ///< of water in joints; its cells have two values each, see JointFlow::cells
 
   [[nodiscard]] int cells() const { return static_cast<int>(capacity.size()); }
   /// The row of a body, or nullptr without cells.
@@ -180,6 +182,8 @@ class FieldValues {
 /// Fields of a model. Row i has its values in row i of State::fields.
 using Fields = std::vector<std::shared_ptr<const Field>>;
 
+/// Row of the field of a kind; -1: none.
+int row_of(const Fields& fields, FieldKind kind);
 /// The field of a kind with its values, or none.
 FieldValues values_of(const Fields& fields, const std::vector<FieldState>& states, FieldKind kind);
 

@@ -8,7 +8,7 @@
 namespace trilith {
 
 /// Quantity of a field.
-enum class FieldKind : std::uint8_t { heat };
+enum class FieldKind : std::uint8_t { heat, seepage };
 
 struct FieldKindInfo {
   std::string_view name, value, unit;  ///< of the field, of its value
@@ -16,7 +16,8 @@ struct FieldKindInfo {
 };
 
 /// In the order of FieldKind, whose numbers enter digests.
-inline constexpr std::array<FieldKindInfo, 1> field_kinds{{{"heat", "temperature", "degC", "J"}}};
+inline constexpr std::array<FieldKindInfo, 2> field_kinds{
+    {{"heat", "temperature", "degC", "J"}, {"seepage", "pressure head", "m", "m3"}}};
 
 constexpr const FieldKindInfo& info_of(FieldKind kind) {
   return field_kinds[static_cast<std::size_t>(kind)];

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "field/field.hpp"
+#include "field/joint_flow.hpp"
 
 namespace trilith {
 
@@ -23,6 +24,8 @@ class FieldSolver {
   /// to all cells. Throws InputError if the matrix is not positive definite.
   void advance(const std::shared_ptr<const Field>& field, std::span<const FieldLink> contacts, double dt,
                FieldState& state);
+  /// The solver of a field of water in joints.
+  [[nodiscard]] FlowSolver& flow() { return flow_; }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -40,6 +43,7 @@ class FieldSolver {
   std::vector<int> unknown_;  // [cell] -1: held
   std::vector<int> held_by_;  // [cell] surrounding, -1: free
   Eigen::SimplicialLDLT<Matrix> factors_;
+  FlowSolver flow_;
 };
 
 /// Extends a state to all cells and surroundings of a field.

@@ -13,8 +13,10 @@
 #include "base/flagged.hpp"
 #include "field/field_step.hpp"
 #include "model/field/heat.hpp"
+#include "model/field/seepage.hpp"
 #include "model/postpone.hpp"
 #include "run/load_way.hpp"
+#include "run/seepage_step.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
@@ -66,25 +68,30 @@ void Simulation<D>::change_fields(const std::function<void(State<D>&)>& change) 
   evaluated_ = false;
 }
 
-/// Takes a step of the field, then finds equilibrium. Without equilibrium the state is as before the step.
+/// Takes a step of the fields, then finds equilibrium; with water in joints between bodies both at once. Without
+/// equilibrium the state is as before the step.
 template <int D>
 Equilibrium Simulation<D>::process_step(const FieldProcess& process, double dt, FieldSolver& solver,
                                         const EquilibriumOptions& how) {
   Equilibrium found;
   found.converged = true, found.end = EquilibriumEnd::rests;
-  const std::shared_ptr<const Field> field = heat_of(model_);
+  const std::shared_ptr<const Field> heat = heat_of(model_), water = seepage_of(model_);
   if (!work_.valid || process.mechanics) refresh();
-  const std::vector<FieldLink> links = contact_links(*field, model_, work_);
-  const auto advance = [&](State<D>& state) { solver.advance(field, links, dt, state.fields.front()); };
-  if (!process.mechanics) {
-    change_fields(advance);
-    return found;
+  std::optional<State<D>> before;
+  if (process.mechanics) before = state_;
+  if (heat) {
+    const std::vector<FieldLink> links = contact_links(*heat, model_, work_);
+    const auto row = static_cast<std::size_t>(row_of(model_.fields, FieldKind::heat));
+    change_fields([&](State<D>& state) { solver.advance(heat, links, dt, state.fields[row]); });
   }
-  State<D> before = state_;
-  change_fields(advance);
-  found = find_equilibrium(model_, state_, how);
-  if (!found.converged) state_ = std::move(before);
-  drop_work();
+  if (water) {
+    state_.fields.resize(model_.fields.size());
+    found = seepage_step<D>({model_, *water, dt, process.mechanics, how}, solver.flow(), state_);
+  } else if (process.mechanics) {
+    found = find_equilibrium(model_, state_, how);
+  }
+  if (!found.converged && before) state_ = std::move(*before);
+  if (process.mechanics || water) drop_work();
   return found;
 }
 
@@ -96,7 +103,10 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
   const FieldProcess& process = *options.process;
   const std::string owner = fmt::format("process '{}'", options.name);
   const std::int64_t steps = steps_of(process, owner);
-  if (!heat_of(model_)) throw InputError(owner + ": no body has thermal properties; declare m:heat first");
+  if (model_.fields.empty())
+    throw InputError(owner +
+                     ": no body has thermal properties, and no joint has seepage; declare m:heat or m:seepage "
+                     "first");
   StageOptions asked = options;
   asked.must_rest = false;
   begin_stage(asked);
@@ -114,8 +124,10 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
     for (std::int64_t i = 1; i <= steps && found.converged && !diverged; ++i) {
       const double from = static_cast<double>(i - 1) * process.step,
                    dt = std::min(process.step, process.duration - from);
+      const std::vector<bool> flooded = flooded_joints(model_, state_);
       found = process_step(process, dt, solver, how);
       if (!found.converged) break;
+      add_flow_events(model_, state_, flooded, found.events);
       const double time = begun + path_duration * static_cast<double>(i) / static_cast<double>(steps);
       postpone_courses(model_, time - state_.time);
       kept_model_.reset();

@@ -261,6 +261,24 @@ Water<D> make_water(const Model<D>& model, const WaterSpec& spec, std::vector<We
 }
 
 template <int D>
+JointFaces<D> joint_faces(const Model<D>& model, int upper, int lower, const std::string& owner) {
+  JointFaces<D> out;
+  const std::vector<WetFace<D>> below = all_faces(model, lower);
+  for (const WetFace<D>& a : all_faces(model, upper))
+    for (const WetFace<D>& b : below) {
+      SharedFaces<D> shared;
+      if (!lie_on(model, a, b, shared)) continue;
+      add_once(out.upper, a), add_once(out.lower, b);
+      out.points.insert(out.points.end(), shared.points.begin(), shared.points.end());
+      out.normal += shared.normal;
+    }
+  if (out.points.empty())
+    throw InputError(fmt::format("{}: no faces of '{}' and '{}' lie on each other at the start", owner,
+                                 model.bodies[upper].name, model.bodies[lower].name));
+  return out;
+}
+
+template <int D>
 Uplift<D> make_uplift(const Model<D>& model, const UpliftSpec<D>& spec) {
   const std::string owner = owner_of("uplift", spec.name);
   const Water<D>& water = require_water(model, spec.upstream, "upstream", owner);
@@ -272,21 +290,9 @@ Uplift<D> make_uplift(const Model<D>& model, const UpliftSpec<D>& spec) {
   if (!(spec.drain_efficiency >= 0 && spec.drain_efficiency <= 1))
     throw InputError(
         fmt::format("{}: the efficiency of the drain is {:g}, must be from 0 to 1", owner, spec.drain_efficiency));
-  std::vector<Vec<D>> points;
-  Vec<D> normal = Vec<D>::Zero();
-  const std::vector<WetFace<D>> lower = all_faces(model, spec.lower);
-  for (const WetFace<D>& a : all_faces(model, spec.upper))
-    for (const WetFace<D>& b : lower) {
-      SharedFaces<D> shared;
-      if (!lie_on(model, a, b, shared)) continue;
-      add_once(out.upper, a), add_once(out.lower, b);
-      points.insert(points.end(), shared.points.begin(), shared.points.end());
-      normal += shared.normal;
-    }
-  if (points.empty())
-    throw InputError(fmt::format("{}: no faces of '{}' and '{}' lie on each other at the start", owner,
-                                 model.bodies[spec.upper].name, model.bodies[spec.lower].name));
-  set_ends<D>(model, spec, side_upstream(model, spec, water), points, normal.normalized(), owner, out);
+  const JointFaces<D> faces = joint_faces(model, spec.upper, spec.lower, owner);
+  out.upper = faces.upper, out.lower = faces.lower;
+  set_ends<D>(model, spec, side_upstream(model, spec, water), faces.points, faces.normal.normalized(), owner, out);
   return out;
 }
 
@@ -330,6 +336,7 @@ const Water<D>* find_water(const Model<D>& model, const std::string& name) {
 
 #define TRILITH_WATER(D)                                                                    \
   template Water<D> make_water(const Model<D>&, const WaterSpec&, std::vector<WetFace<D>>); \
+  template JointFaces<D> joint_faces(const Model<D>&, int, int, const std::string&);        \
   template Uplift<D> make_uplift(const Model<D>&, const UpliftSpec<D>&);                    \
   template Drag<D> make_drag(const Model<D>&, int, const DragSpec<D>&);                     \
   template int change_level(Model<D>&, const std::string&, double, double, double);         \

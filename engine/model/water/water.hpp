@@ -60,6 +60,16 @@ Water<D> make_water(const Model<D>& model, const WaterSpec& spec, std::vector<We
 /// follow from the faces upstream, and a drain outside of the joint.
 template <int D>
 Uplift<D> make_uplift(const Model<D>& model, const UpliftSpec<D>& spec);
+/// The faces of two bodies that lie on each other at the start.
+template <int D>
+struct JointFaces {
+  std::vector<WetFace<D>> upper, lower;
+  std::vector<Vec<D>> points;      ///< ends of their shared parts [m]
+  Vec<D> normal = Vec<D>::Zero();  ///< sum of the normals
+};
+/// Throws InputError, beginning with `owner`, if no faces lie on each other.
+template <int D>
+JointFaces<D> joint_faces(const Model<D>& model, int upper, int lower, const std::string& owner);
 /// Throws InputError for numbers out of range, and for a deformable body without a point of action.
 template <int D>
 Drag<D> make_drag(const Model<D>& model, int body, const DragSpec<D>& spec);

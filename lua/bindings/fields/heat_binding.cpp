@@ -6,6 +6,7 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
 #include "bindings/fields/heat_reading.hpp"
+#include "bindings/fields/seepage_binding.hpp"
 #include "bindings/loads/load_reading.hpp"
 #include "bindings/loads/side_faces.hpp"
 #include "bindings/stages/stage_reading.hpp"
@@ -201,7 +202,8 @@ int change_temperature(lua_State* L, SimulatedModel<D>& m) {
   }
   m.simulation().change_fields([&](State<D>& state) {
     for (const int body : bodies)
-      set_body(field, model, *field.find(body), temperature, gradient, state.fields.front());
+      set_body(field, model, *field.find(body), temperature, gradient,
+               state.fields[static_cast<std::size_t>(row_of(model.fields, FieldKind::heat))]);
   });
   return 0;
 }
@@ -247,7 +249,7 @@ template <int D>
 int read_heat(lua_State* L, SimulatedModel<D>& m) {
   const Field& field = require_heat(m.simulation().model(), "heat_state");
   FieldState state;
-  if (!m.simulation().state().fields.empty()) state = m.simulation().state().fields.front();
+  if (const FieldState* known = heat_values(m)) state = *known;
   extend_field(field, state);
   lua_createtable(L, 0, 4);
   set_number(L, "clock", state.clock), set_number(L, "content", content_of(field, state));
@@ -306,6 +308,9 @@ const std::array heat_method_list{
     Method{"temperature", guarded<temperature>},
     Method{"heat_state", guarded<heat_state>},
     Method{"process", guarded<process>},
+    Method{"seepage", guarded<seepage>},
+    Method{"seepage_head", guarded<seepage_head>},
+    Method{"seepage_state", guarded<seepage_state>},
 };
 
 }  // namespace

@@ -14,11 +14,20 @@ namespace trilith::script {
 /// A number, or { {time, value}, ..., period = } with times from `clock` on [s].
 FieldCourse read_course(Keys& keys, const char* key, double clock);
 
+/// The values of the field of heat; nullptr before the first process.
+template <int D>
+const FieldState* heat_values(const SimulatedModel<D>& m) {
+  const Simulation<D>* s = m.if_built();
+  const int row = s == nullptr ? -1 : row_of(s->model().fields, FieldKind::heat);
+  const auto at = static_cast<std::size_t>(row);
+  return row < 0 || at >= s->state().fields.size() ? nullptr : &s->state().fields[at];
+}
+
 /// The clock of the field of heat [s].
 template <int D>
 double heat_clock(const SimulatedModel<D>& m) {
-  const Simulation<D>* s = m.if_built();
-  return s == nullptr || s->state().fields.empty() ? 0 : s->state().fields.front().clock;
+  const FieldState* values = heat_values(m);
+  return values == nullptr ? 0 : values->clock;
 }
 
 /// The field of heat, or InputError, beginning with `owner`.

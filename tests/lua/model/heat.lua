@@ -120,6 +120,6 @@ fails("has one temperature", m.set_temperature, m, { body = "block", temperature
 fails("must not be below 0", m.heat_contact, m, { conductance = -1 })
 local bare = model(2)
 bare:block { name = "block", width = 1, height = 1, at = { 0, 0 }, material = "stone", support = "fixed" }
-fails("declare m:heat first", bare.process, bare, { duration = 1, step = 1 })
+fails("declare m:heat or m:seepage first", bare.process, bare, { duration = 1, step = 1 })
 fails("declare m:heat first", bare.heat_contact, bare, { conductance = 1 })
 fails("declare m:heat first", bare.temperature, bare, "block")

@@ -1,0 +1,142 @@
+#include "assembly/field/joint_water.hpp"
+
+#include <algorithm>
+
+#include "assembly/load_target.hpp"
+
+namespace trilith {
+namespace {
+
+/// Least aperture of a joint between bodies, as a share of the one without load.
+constexpr double least_aperture = 0.01;
+
+/// Two faces of a joint with the coordinate s from the heel to the toe.
+struct FacingPair {
+  JointStretch stretch;
+  Vec2 onto_a, onto_b;  // depth times length times normal into the body [m2]
+  int a0, a1, b0, b1;   // skin points
+  double s_lo = 0, s_hi = 0;
+
+  template <class Places>
+  FacingPair(const Places& on, const FlowFace& a, const FlowFace& b, const Vec2& heel, const Vec2& along)
+      : stretch(on, WetFace<2>{a.body, a.skin_a, a.skin_b}, WetFace<2>{b.body, b.skin_a, b.skin_b}),
+        onto_a(a.depth * left_of(Vec2(stretch.a1 - stretch.a0))),
+        onto_b(b.depth * left_of(Vec2(stretch.b1 - stretch.b0))),
+        a0(a.skin_a),
+        a1(a.skin_b),
+        b0(b.skin_a),
+        b1(b.skin_b) {
+    s_lo = along.dot(stretch.point(stretch.overlap.lo) - heel);
+    s_hi = along.dot(stretch.point(stretch.overlap.hi) - heel);
+  }
+  [[nodiscard]] bool faces() const { return bool(stretch.overlap.sane) && s_lo != s_hi; }
+  [[nodiscard]] double first() const { return std::min(s_lo, s_hi); }
+  [[nodiscard]] double last() const { return std::max(s_lo, s_hi); }
+  /// Coordinate along the common direction of the faces.
+  [[nodiscard]] double along(double s) const {
+    return stretch.overlap.lo + (s - s_lo) / (s_hi - s_lo) * stretch.overlap.shared;
+  }
+  [[nodiscard]] double gap(double s) const { return stretch.gap(along(s)); }
+};
+
+/// A joint in its present place.
+struct PlacedJoint {
+  double length;
+  std::vector<FacingPair> pairs;
+
+  PlacedJoint(const LoadPlaces<2>& on, const FlowJoint& joint) {
+    const Vec2 heel = on.place_of(joint.heel), all = on.place_of(joint.toe) - heel;
+    length = all.norm();
+    const auto is_gone = [&](const FlowFace& f) { return on.state.left[static_cast<std::size_t>(f.body)] != 0; };
+    for (const FlowFace& a : joint.upper)
+      for (const FlowFace& b : joint.lower) {
+        if (is_gone(a) || is_gone(b)) continue;
+        const FacingPair pair(on, a, b, heel, Vec2(all / length));
+        if (pair.faces()) pairs.push_back(pair);
+      }
+  }
+  /// The gap at `s`; none: 0.
+  [[nodiscard]] double gap(double s) const {
+    for (const FacingPair& pair : pairs)
+      if (s >= pair.first() && s <= pair.last()) return pair.gap(s);
+    return 0;
+  }
+};
+
+/// Presses the cells of a joint onto the skins of the upper and the lower body.
+template <class Push>
+void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldValues& water, bool upper, bool lower,
+                 Push&& push) {
+  const PlacedJoint now(on, joint);
+  for (const FacingPair& pair : now.pairs) {
+    EndShares on_a, on_b;
+    for (int i = 0; i < joint.cells; ++i) {
+      const double p = joint.weight * water.at(joint.first_cell + i);
+      const double from = std::max(pair.first(), now.length * i / joint.cells);
+      const double to = std::min(pair.last(), now.length * (i + 1) / joint.cells);
+      if (p <= 0 || !(to > from)) continue;
+      const double t = pair.along(from), u = pair.along(to), t0 = std::min(t, u), t1 = std::max(t, u);
+      on_a += pressed_ends(pair.stretch.on_a(t0), p, pair.stretch.on_a(t1), p);
+      on_b += pressed_ends(pair.stretch.on_b(t1), p, pair.stretch.on_b(t0), p);
+    }
+    if (upper) push(pair.a0, on_a.a * pair.onto_a), push(pair.a1, on_a.b * pair.onto_a);
+    if (lower) push(pair.b0, on_b.a * pair.onto_b), push(pair.b1, on_b.b * pair.onto_b);
+  }
+}
+
+}  // namespace
+
+template <int D>
+bool has_joint_water(const Model<D>& model) {
+  for (const auto& field : model.fields)
+    if (field->flow && field->flow->has_bodies()) return true;
+  return false;
+}
+template bool has_joint_water(const Model<2>&);
+template bool has_joint_water(const Model<3>&);
+
+Apertures joint_apertures(const JointFlow& flow, const FieldState& state, const Model<2>& model,
+                          const State<2>& positions) {
+  Apertures out = own_apertures(flow, state);
+  const LoadPlaces<2> on{model, positions};
+  for (const FlowJoint& joint : flow.joints) {
+    if (!joint.has_bodies()) continue;
+    const PlacedJoint now(on, joint);
+    const double inside = 1e-9 / joint.cells;
+    for (int i = 0; i < joint.cells; ++i)
+      for (const int end : {0, 1}) {
+        const double n = joint.cells, s = (i + end) / n + (end == 0 ? inside : -inside);
+        const double own = joint.aperture_at((i + end) / n);
+        out[static_cast<std::size_t>(joint.first_cell + i)][static_cast<std::size_t>(end)] =
+            std::max(least_aperture * own, own + now.gap(s * now.length));
+      }
+  }
+  return out;
+}
+
+Apertures joint_apertures(const JointFlow& flow, const FieldState& state, const Model<3>& /*model*/,
+                          const State<3>& /*positions*/) {
+  return own_apertures(flow, state);
+}
+
+void press_joints(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Vec2>& force,
+                  std::vector<double>& moment) {
+  const FieldValues water = values_of(model.fields, state.fields, FieldKind::seepage);
+  if (!water || !water.field().flow->has_bodies()) return;
+  LoadTarget<2> nodes{{model, state, &work}, force, moment};
+  for (const FlowJoint& joint : water.field().flow->joints)
+    if (joint.has_bodies())
+      press_joint(nodes, joint, water, true, true, [&](int skin, const Vec2& f) { nodes.push_skin(skin, f); });
+}
+
+JointThrust thrust_on_upper(const FlowJoint& joint, const Model<2>& model, const State<2>& state) {
+  JointThrust out;
+  const LoadPlaces<2> on{model, state};
+  const FieldValues water = values_of(model.fields, state.fields, FieldKind::seepage);
+  if (joint.has_bodies())
+    press_joint(on, joint, water, true, false,
+                [&](int skin, const Vec2& f) { out.force += f, out.moment += cross(on.skin(skin), f); });
+  return out;
+}
+
+}  // namespace trilith
