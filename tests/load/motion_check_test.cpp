@@ -48,7 +48,7 @@ TEST_CASE("ground that still moves at the end is rejected above 10 % of PGV, wha
   CHECK_NOTHROW(check_usable(kicked_to(0.11), Drift::allow));
 }
 
-TEST_CASE("the drift of a usable motion is told above 1 % of PGV, with its velocity and displacement") {
+TEST_CASE("the drift of a usable motion is reported above 1 % of PGV, with its velocity and displacement") {
   const auto ending_at = [](double part) {
     std::vector<double> a(100, 1.0);
     a.insert(a.end(), 100, -(1 - part));
