@@ -138,6 +138,18 @@ void hand_on(const Model<D>& model, const State<D>& state, Work<D>& work, std::s
   work.valid = false;  // the contact of the two pieces follows another law from now on
 }
 
+/// A horizontal displacement of a bearing below this value does not count as yielding [m]. A slider without load has no
+/// friction, so rounding moves it before the weight of the structure arrives.
+constexpr double least_yielding = 1e-6;
+
+/// True if the bearing yields in a horizontal direction and has not been displaced noticeably.
+template <int D>
+bool yields_unnoticed(const Work<D>& work, std::size_t i, std::uint32_t direction) {
+  const bool level =
+      direction == Directions<3>::horizontal || direction < static_cast<std::uint32_t>(Directions<D>::axial);
+  return level && std::abs(failed_displacement(work.bearing_displacement[i], direction)) < least_yielding;
+}
+
 template <int D>
 void bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, std::size_t i) {
   const BearingStatus before = state.bearing[i].status;
@@ -147,8 +159,13 @@ void bearing_event(const Model<D>& model, const State<D>& state, Work<D>& work, 
   const auto push = [&](EventType type, std::uint32_t direction) {
     push_bearing_event(model, state, work, i, type, direction);
   };
-  if (after.status == BearingStatus::yielded)
-    push(EventType::bearing_yielded, yielded_direction(b, state.bearing[i], after));
+  if (after.status == BearingStatus::yielded) {
+    const std::uint32_t direction = yielded_direction(b, state.bearing[i], after);
+    if (yields_unnoticed(work, i, direction))
+      after.status = before;
+    else
+      push(EventType::bearing_yielded, direction);
+  }
   if (after.status != BearingStatus::failed) return;
   push(EventType::bearing_failed, after.failed_direction);
   if (b.becomes_bearing < 0 && !b.alters_contact()) return;

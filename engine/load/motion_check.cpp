@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/quantity_text.hpp"
 #include "load/motion_measures.hpp"
 
 namespace trilith {
@@ -51,6 +52,14 @@ std::string drift_of(const GroundMotion& motion) {
 double balanced_start_velocity(const GroundMotion& motion) {
   const double offset = motion.samples().back().displacement - motion.start().displacement;
   return motion.start().velocity - offset / motion.duration();
+}
+
+std::string end_drift(const GroundMotion& motion) {
+  const double pgv = std::abs(motion_peaks(motion).velocity.value), end = motion.samples().back().velocity;
+  if (!(std::abs(end) > end_velocity_negligible * pgv)) return "";
+  const double offset = motion.samples().back().displacement - motion.start().displacement;
+  return fmt::format("the ground still moves at {} at the end ({:.2g} % of PGV), {} from its start",
+                     quantity_text(end, "m/s"), 100 * std::abs(end) / pgv, quantity_text(offset, "m"));
 }
 
 std::string why_not_usable(const GroundMotion& motion, Drift drift) {

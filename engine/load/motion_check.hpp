@@ -24,6 +24,10 @@ std::string why_not_usable(const GroundMotion& motion, Drift drift = Drift::refu
 /// Throws InputError with the text of why_not_usable unless it is empty.
 void check_usable(const GroundMotion& motion, Drift drift = Drift::refuse);
 
+/// "" for a motion that ends at rest, within 1 % of PGV. Otherwise how fast the ground still moves at the end, and how
+/// far it is from its start, in words for a note; also for a usable motion.
+std::string end_drift(const GroundMotion& motion);
+
 /// The start velocity [m/s] for which the motion's mean velocity is zero: a first estimate if a record does not contain
 /// it.
 double balanced_start_velocity(const GroundMotion& motion);

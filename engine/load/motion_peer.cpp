@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "load/motion_samples.hpp"
 #include "load/text_lines.hpp"
 
@@ -66,14 +69,34 @@ void read_counts(std::string_view line, PeerHeader& header, TextLines& lines) {
   if (!(header.step > 0)) lines.fail(fmt::format("DT is {:g} s, must be above 0", header.step));
 }
 
-/// The component follows the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180".
+/// True for an azimuth in degrees, a compass direction or a name of the vertical: "180", "N90E", "NS", "UP".
+bool is_component(std::string_view word) {
+  constexpr std::array<std::string_view, 18> names{"n",   "s",  "e",  "w",   "z",  "v",    "ns",  "n-s",  "ew",
+                                                   "e-w", "up", "dn", "dwn", "ud", "down", "ver", "vert", "vertical"};
+  const std::string lower = lower_case(word);
+  if (std::find(names.begin(), names.end(), lower) != names.end()) return true;
+  std::string_view digits = lower;
+  if (digits.size() == 4 && (digits[0] == 'n' || digits[0] == 's') && (digits[3] == 'e' || digits[3] == 'w'))
+    digits = digits.substr(1, 2);
+  const bool is_number = digits.find_first_not_of("0123456789") == std::string_view::npos;
+  return is_number && !digits.empty() && digits.size() <= 3;
+}
+
+/// The component follows the last comma of the title, as in "EL CENTRO, 5/19/1940, ARRAY #9, 180". Text in brackets
+/// after it is left out; "" if the last part of the title is something else.
+std::string component_of(std::string_view title) {
+  const auto comma = title.rfind(',');
+  if (comma == std::string_view::npos) return "";
+  const std::string_view last = trimmed(title.substr(comma + 1)), word = trimmed(last.substr(0, last.find('(')));
+  return is_component(word) ? std::string(word) : "";
+}
+
 PeerHeader read_header(TextLines& lines, bool skip_empty) {
   PeerHeader header;
   do header.source.agency = header_line(lines);
   while (skip_empty && header.source.agency.empty());
   header.source.title = header_line(lines);
-  const auto comma = header.source.title.rfind(',');
-  if (comma != std::string::npos) header.source.component = trimmed(header.source.title.substr(comma + 1));
+  header.source.component = component_of(header.source.title);
   const std::string_view third = header_line(lines);
   require_units_of_g(third, lines);
   header.source.notes.emplace_back(third);

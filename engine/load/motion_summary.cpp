@@ -87,7 +87,8 @@ std::string motion_summary(const GroundMotion& motion) {
   const MotionAt& end = motion.samples().back();
   lines.add("end", plain(end.velocity / cm, 3) + " cm/s, " + plain(end.displacement / cm, 3) + " cm");
   const std::string why = why_not_usable(motion);
-  lines.add("usable", why.empty() ? "yes" : "no: " + why);
+  const std::string drift = end_drift(motion);
+  lines.add("usable", !why.empty() ? "no: " + why : drift.empty() ? "yes" : "yes; " + drift);
   return std::move(lines).take();
 }
 

@@ -8,6 +8,17 @@
 namespace trilith {
 namespace {
 
+// Each bound lies far outside of the values of real structures, so that a note means a wrong unit.
+// - mu: rough rock joints reach about 1 (Barton and Choubey 1977).
+// - kn and ks: mortar joints have 1 to 500 N/mm3 (Lourenco 1996). Dry joints of small tests have 0.01 N/mm3.
+// - tension and cohesion: mortar joints have 0.01 to 1 MPa (van der Pluijm 1999), rock has up to 50 MPa.
+// - strength and yield in Pa: soft soil has 5 kPa, steel wire 3 GPa.
+// - energy_tension and energy_shear: mortar joints have 5 to 500 J/m2 (van der Pluijm 1999).
+// - sagging, hogging and across: a steel tube of 40 x 40 x 3 mm yields at about 1 kN m, and in tension at about 100 kN.
+// - strength, yield and reference_load in N: the smallest bolt of a structure, M6, shears at some kN.
+// - speed: structures move at up to 3 m/s in earthquakes.
+// - rate: sliders have 20 to 100 s/m (Constantinou, Mokha and Reinhorn 1990).
+// - capping, ultimate and softening: hinges rotate by at most about 0.2 rad (FEMA 356, chapters 5 and 6).
 constexpr std::array usual_ranges{
     PlausibleRange{"mu", "1", 0, 2, "it is the tangent of the friction angle, as in math.tan(35*deg)"},
     PlausibleRange{
@@ -35,6 +46,20 @@ constexpr std::array usual_ranges{
                    "is it in degrees or percent? multiply it by trilith.units \"deg\", or by 0.01"},
     PlausibleRange{"ultimate", "rad", 0, 1,
                    "is it in degrees or percent? multiply it by trilith.units \"deg\", or by 0.01"},
+    PlausibleRange{"softening", "rad", 0, 1,
+                   "is it in degrees or percent? multiply it by trilith.units \"deg\", or by 0.01"},
+    PlausibleRange{"wear", "rad", 0, 10, "is it in percent? multiply it by 0.01"},
+    PlausibleRange{"sagging", "N m", 100, unbounded, "is it in kN m? 100 kN m are 100e3 N m"},
+    PlausibleRange{"hogging", "N m", 100, unbounded, "is it in kN m? 100 kN m are 100e3 N m"},
+    PlausibleRange{"across", "N m", 100, unbounded, "is it in kN m? 100 kN m are 100e3 N m"},
+    PlausibleRange{"tension", "N", 1e3, unbounded, "is it in kN? 500 kN are 500e3 N"},
+    PlausibleRange{"compression", "N", 1e3, unbounded, "is it in kN? 500 kN are 500e3 N"},
+    PlausibleRange{"strength", "N", 10, unbounded, "is it in MN or kN? 2 MN are 2e6 N"},
+    PlausibleRange{"yield", "N", 10, unbounded, "is it in MN or kN? 2 MN are 2e6 N"},
+    PlausibleRange{"reference_load", "N", 10, unbounded, "is it in MN or kN? 2 MN are 2e6 N"},
+    PlausibleRange{"speed", "m/s", 0, 20, "is it in mm/s? 100 mm/s are 0.1 m/s"},
+    PlausibleRange{"rate", "s/m", 1, 1e4, "is it in s/mm? 0.05 s/mm are 50 s/m"},
+    PlausibleRange{"dilation_slip", "m", 0, 1, "is it in mm? multiply it by trilith.units \"mm\""},
     PlausibleRange{"section area", "m2", 1e-7, 300, "are its sides in mm? multiply them by trilith.units \"mm\""},
     PlausibleRange{"density", "kg/m3", 25, unbounded, "is it in t/m3 or g/cm3? 2.4 t/m3 are 2400 kg/m3"},
     PlausibleRange{"least side", "m", 0, 40,

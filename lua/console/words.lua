@@ -1,4 +1,5 @@
 -- Commands of the console: continue, stop, quit, where, frame, save. Each is a function; alone on a line it is called.
+-- `print` shows the content of tables.
 local console, core, terminal = ...
 
 local function frame_line(session, i)
@@ -56,6 +57,19 @@ function console.add_words(session)
     terminal.write(("%s contains the instant %.6g s; trilith -i --from %s opens it\n"):format(file, model.time, file))
   end
 
+  --- Prints its arguments as the built-in function does, and plain tables with their content.
+  function words.print(...)
+    local texts = table.pack(...)
+    for i = 1, texts.n do
+      local value, meta = texts[i], debug.getmetatable(texts[i])
+      local is_plain = type(value) == "table" and not (meta and (meta.__tostring or meta.__name))
+      texts[i] = is_plain and console.show(value) or tostring(value)
+    end
+    terminal.write(table.concat(texts, "\t") .. "\n")
+  end
+
   console.add_help(session)
-  for _, word in pairs(words) do session.acts[word] = word end
+  for name, word in pairs(words) do
+    if name ~= "print" then session.acts[word] = word end -- "print" alone on a line is a value
+  end
 end

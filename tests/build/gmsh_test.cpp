@@ -71,14 +71,68 @@ TEST_CASE("a Gmsh file gives its triangles and quadrilaterals and the nodes they
   CHECK(check_mesh(mesh, "body").outline == 5);
 }
 
+/// The mesh of `two_elements` in version 2.2, with physical groups as tags of elements.
+const std::string two_elements_2_2 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "stone"
+$EndPhysicalNames
+$Nodes
+6
+9 -5 -5 0
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 2 0.5 0
+$EndNodes
+$Elements
+3
+1 1 2 7 1 1 2
+2 3 2 1 1 1 2 3 4
+3 2 3 1 1 4 2 5 3
+$EndElements
+)";
+
+TEST_CASE("a Gmsh file of version 2.2 gives the same mesh as one of version 4.1") {
+  const Mesh blocks = parse_gmsh(two_elements, "mesh"), list = parse_gmsh(two_elements_2_2, "mesh");
+  CHECK(list.node == blocks.node);
+  CHECK(list.element == blocks.element);
+  CHECK(message_of(with(two_elements_2_2, "3 2 3 1 1 4 2 5 3", "3 2 3 1 1 4 2 5 8"))
+            .find("line 21: a triangle names node 8") != std::string::npos);
+  CHECK(message_of(with(two_elements_2_2, "5 2 0.5 0", "4 2 0.5 0")).find("node 4 is given twice") !=
+        std::string::npos);
+  CHECK(message_of(with(two_elements_2_2, "$Nodes\n6", "$Nodes\n7")) != "");
+  CHECK(message_of(with(two_elements_2_2, "$Elements\n3", "$Elements\n2")).find("instead of $EndElements") !=
+        std::string::npos);
+}
+
+/// A triangle of six nodes, with the node of its first side at (x, y).
+std::string second_order(const std::string& middle) {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 " + middle +
+         " 0\n5 1 1 0\n6 0 1 0\n$EndNodes\n$Elements\n1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n";
+}
+
+TEST_CASE("second-order elements of a Gmsh file give their corners if their sides are straight") {
+  const Mesh mesh = parse_gmsh(second_order("1 0"), "mesh");
+  CHECK(mesh.node == std::vector<Vec2>{{0, 0}, {2, 0}, {0, 2}});
+  CHECK(mesh.element == decltype(mesh.element){{0, 1, 2, -1}});
+  CHECK(message_of(second_order("1 0.019")) == "");
+  CHECK(message_of(second_order("1 0.021")).find("curved side") != std::string::npos);
+  CHECK(message_of(second_order("1.5 0")).find("not its middle") != std::string::npos);
+}
+
 TEST_CASE("errors of a Gmsh file have their line") {
   CHECK(message_of("") == "mesh 'x.msh': line 1: it does not begin with $MeshFormat, so it is not a Gmsh mesh");
-  CHECK(message_of(with(two_elements, "4.1 0 8", "2.2 0 8")).find("line 2: the format has version '2.2'") !=
+  CHECK(message_of(with(two_elements, "4.1 0 8", "3.0 0 8")).find("line 2: the format has version '3.0'") !=
         std::string::npos);
   CHECK(message_of(with(two_elements, "4.1 0 8", "4.1 1 8")).find("binary") != std::string::npos);
   CHECK(message_of(with(two_elements, "2 1 3 1\n2 1 2 3 4", "2 1 3 1\n2 1 2 3 7")).find("names node 7") !=
         std::string::npos);
-  CHECK(message_of(with(two_elements, "2 1 2 1\n3", "2 1 9 1\n3")).find("type 9 cannot be used") != std::string::npos);
+  CHECK(message_of(with(two_elements, "2 1 2 1\n3", "2 1 21 1\n3")).find("type 21 cannot be used") !=
+        std::string::npos);
   CHECK(message_of(with(two_elements, "1 1 0\n0 1", "1 1 0.5\n0 1")).find("z = 0 to 0.5") != std::string::npos);
   CHECK(message_of(with(two_elements, "2 0.5 0", "2 nan 0")).find("line 23: y of a node is 'nan'") !=
         std::string::npos);
@@ -92,7 +146,7 @@ TEST_CASE("a truncated or corrupted Gmsh file is read or rejected without a cras
   std::mt19937 random(7);
   const auto any = [&](std::size_t below) { return static_cast<std::size_t>(random() % below); };
   for (int round = 0; round < 20000; ++round) {
-    std::string text = two_elements;
+    std::string text = round % 2 == 0 ? two_elements : two_elements_2_2;
     for (std::size_t i = 0, edits = 1 + any(4); i < edits; ++i) {
       const std::size_t at = any(text.size());
       switch (any(4)) {

@@ -48,6 +48,22 @@ TEST_CASE("ground that still moves at the end is rejected above 10 % of PGV, wha
   CHECK_NOTHROW(check_usable(kicked_to(0.11), Drift::allow));
 }
 
+TEST_CASE("the drift of a usable motion is reported above 1 % of PGV, with its velocity and displacement") {
+  const auto ending_at = [](double part) {
+    std::vector<double> a(100, 1.0);
+    a.insert(a.end(), 100, -(1 - part));
+    a.insert(a.end(), 200, 0.0);
+    return GroundMotion(a, 0.01);
+  };
+  // The change of sign takes one interval, in which the velocity keeps 0.5 % of a second's gain; PGV is 0.99 m/s.
+  CHECK(end_drift(ending_at(0.01)) == "");
+  const GroundMotion drifting = ending_at(0.03);
+  CHECK(why_not_usable(drifting) == "");
+  CHECK(contains(end_drift(drifting), "25 mm/s at the end (2.5 % of PGV)"));
+  CHECK(contains(end_drift(drifting.reversed()), "25 mm/s at the end (2.5 % of PGV)"));
+  CHECK(end_drift(GroundMotion(fling(200), 0.01)) == "");
+}
+
 TEST_CASE("ground that travels one way is rejected above 5 % of PGV") {
   const auto travelling_at = [](double part) {
     std::vector<double> a(100, 1.0);

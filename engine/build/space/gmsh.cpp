@@ -93,8 +93,14 @@ struct ElementType {
   int nodes;
   const char* name;
 };
-constexpr std::array<ElementType, 4> known_types{
-    {{1, 2, "line"}, {2, 3, "triangle"}, {3, 4, "quadrilateral"}, {15, 1, "point"}}};
+constexpr std::array<ElementType, 8> known_types{{{1, 2, "line"},
+                                                  {2, 3, "triangle"},
+                                                  {3, 4, "quadrilateral"},
+                                                  {8, 3, "line of three nodes"},
+                                                  {9, 6, "triangle of six nodes"},
+                                                  {10, 9, "quadrilateral of nine nodes"},
+                                                  {15, 1, "point"},
+                                                  {16, 8, "quadrilateral of eight nodes"}}};
 
 /// Element types of a mesh in space; for elements of its surface only the number of nodes is needed, to skip them.
 constexpr std::array<ElementType, 10> types_in_space{{{4, 4, "tetrahedron"},
@@ -114,14 +120,30 @@ struct GmshNodes {
   std::vector<double> height;
 };
 
-void read_format(Words& words) {
+enum class GmshVersion { v2_2, v4_1 };
+
+GmshVersion read_format(Words& words) {
   const std::string_view version = words.word("the version");
-  if (version != "4.1")
-    words.fail(
-        fmt::format("the format has version '{}', must be 4.1; save it as Version 4 ASCII", version.substr(0, 20)));
+  if (version != "4.1" && version != "2.2" && version != "2")
+    words.fail(fmt::format("the format has version '{}', must be 4.1 or 2.2; save it as Version 4 ASCII",
+                           version.substr(0, 20)));
   if (words.whole("the file type") != 0) words.fail("the file is binary, must be text; save it as Version 4 ASCII");
   words.whole("the data size");
   words.expect("$EndMeshFormat");
+  return version == "4.1" ? GmshVersion::v4_1 : GmshVersion::v2_2;
+}
+
+/// Nodes of version 2.2: one list of tag, x, y, z.
+void read_node_list(Words& words, GmshNodes& nodes) {
+  const std::int64_t all = words.count("the number of nodes");
+  for (std::int64_t i = 0; i < all; ++i) {
+    const std::int64_t tag = words.whole("a node tag");
+    if (!nodes.index.emplace(tag, static_cast<int>(i)).second) words.fail(fmt::format("node {} is given twice", tag));
+    const double x = words.number("x of a node"), y = words.number("y of a node");
+    nodes.place.emplace_back(x, y);
+    nodes.height.push_back(words.number("z of a node"));
+  }
+  words.expect("$EndNodes");
 }
 
 /// Blocks of nodes: first all their tags, then all their positions x y z and, if the block has parameters, as many of
@@ -160,14 +182,50 @@ const ElementType& known_type(const Words& words, const std::array<ElementType, 
   words.fail(fmt::format("elements of type {} cannot be used; use {}", type, usable));
 }
 
-/// Points and lines serve the construction of the mesh and are skipped.
-void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, Mesh& mesh) {
-  if (type.nodes < 3) return;
-  mesh.element.push_back({node[0], node[1], node[2], type.nodes > 3 ? node[3] : -1});
+/// Corners of an element in the plane; 0 for points and lines, which serve the construction of the mesh and are
+/// skipped.
+int corners_of_type(const ElementType& type) {
+  switch (type.type) {
+    case 2:
+    case 9:
+      return 3;
+    case 3:
+    case 10:
+    case 16:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+/// Elements of the plane have straight sides. Of a second-order element the corners are used, if each node of a side is
+/// its middle.
+void require_straight(const Words& words, const ElementType& type, int corners,
+                      const std::array<int, max_space_nodes>& node, const GmshNodes& nodes) {
+  constexpr double slack = 0.01;  // of the length of a side
+  if (type.nodes < 2 * corners) return;
+  const auto place = [&](int k) { return nodes.place[static_cast<std::size_t>(node[static_cast<std::size_t>(k)])]; };
+  for (int k = 0; k < corners; ++k) {
+    const Vec2 a = place(k), b = place((k + 1) % corners), middle = place(corners + k);
+    if ((middle - 0.5 * (a + b)).norm() > slack * (b - a).norm())
+      words.fail(
+          fmt::format("a {} has a curved side, or a node of a side that is not its middle; elements of the plane "
+                      "have straight sides, so save the mesh with order 1 and more elements",
+                      type.name));
+  }
+}
+
+void add_element(const Words& words, const ElementType& type, const std::array<int, max_space_nodes>& node,
+                 const GmshNodes& nodes, Mesh& mesh) {
+  const int corners = corners_of_type(type);
+  if (corners == 0) return;
+  require_straight(words, type, corners, node, nodes);
+  mesh.element.push_back({node[0], node[1], node[2], corners > 3 ? node[3] : -1});
 }
 
 /// In space surfaces are skipped too. Nodes are in Gmsh's order, which is the order of element/solid/space_element.hpp.
-void add_element(const ElementType& type, const std::array<int, max_space_nodes>& node, SpaceMesh& mesh) {
+void add_element(const Words& /*words*/, const ElementType& type, const std::array<int, max_space_nodes>& node,
+                 const GmshNodes& /*nodes*/, SpaceMesh& mesh) {
   constexpr std::array<std::pair<int, ElementShape>, 4> shapes{{{4, ElementShape::tetrahedron},
                                                                 {5, ElementShape::brick},
                                                                 {6, ElementShape::wedge},
@@ -177,7 +235,7 @@ void add_element(const ElementType& type, const std::array<int, max_space_nodes>
 }
 
 const ElementType& type_for(const Words& words, const Mesh& /*mesh*/, std::int64_t type) {
-  return known_type(words, known_types, "triangles (2) and quadrilaterals (3) of first order in the plane", type);
+  return known_type(words, known_types, "triangles (2, 9) and quadrilaterals (3, 10, 16) in the plane", type);
 }
 const ElementType& type_for(const Words& words, const SpaceMesh& /*mesh*/, std::int64_t type) {
   return known_type(words, types_in_space,
@@ -185,6 +243,35 @@ const ElementType& type_for(const Words& words, const SpaceMesh& /*mesh*/, std::
                     type);
 }
 
+/// The nodes of an element, as indices; then the element is added.
+template <class AnyMesh>
+void read_element(Words& words, const GmshNodes& nodes, const ElementType& type, AnyMesh& mesh) {
+  std::array<int, max_space_nodes> element{};
+  for (int k = 0; k < type.nodes; ++k) {
+    const std::int64_t tag = words.whole("a node of an element");
+    const auto node = nodes.index.find(tag);
+    if (node == nodes.index.end()) words.fail(fmt::format("a {} names node {}, which does not exist", type.name, tag));
+    element[k] = node->second;
+  }
+  add_element(words, type, element, nodes, mesh);
+}
+
+/// Elements of version 2.2: one list of tag, type, number of further tags (physical group, entity, partitions), these
+/// tags, nodes.
+template <class AnyMesh>
+void read_element_list(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
+  const std::int64_t all = words.count("the number of elements");
+  for (std::int64_t i = 0; i < all; ++i) {
+    words.whole("an element tag");
+    const ElementType& type = type_for(words, mesh, words.whole("an element type"));
+    const std::int64_t tags = words.count("the number of tags of an element");
+    for (std::int64_t k = 0; k < tags; ++k) words.whole("a tag of an element");
+    read_element(words, nodes, type, mesh);
+  }
+  words.expect("$EndElements");
+}
+
+/// Elements of version 4.1, in blocks of one type.
 template <class AnyMesh>
 void read_elements(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
   const std::int64_t blocks = words.count("the number of element blocks"), all = words.count("the number of elements");
@@ -197,15 +284,7 @@ void read_elements(Words& words, const GmshNodes& nodes, AnyMesh& mesh) {
     found += count;
     for (std::int64_t i = 0; i < count; ++i) {
       words.whole("an element tag");
-      std::array<int, max_space_nodes> element{};
-      for (int k = 0; k < type.nodes; ++k) {
-        const std::int64_t tag = words.whole("a node of an element");
-        const auto node = nodes.index.find(tag);
-        if (node == nodes.index.end())
-          words.fail(fmt::format("a {} names node {}, which does not exist", type.name, tag));
-        element[k] = node->second;
-      }
-      add_element(type, element, mesh);
+      read_element(words, nodes, type, mesh);
     }
   }
   if (found != all) words.fail(fmt::format("the header announces {} elements, the file has {}", all, found));
@@ -243,19 +322,22 @@ void read_file(std::string_view text, std::string_view owner, GmshNodes& nodes, 
   Words words(text, owner);
   if (words.at_end() || words.word("$MeshFormat") != "$MeshFormat")
     words.fail("it does not begin with $MeshFormat, so it is not a Gmsh mesh");
-  read_format(words);
+  const bool in_blocks = read_format(words) == GmshVersion::v4_1;
   bool has_nodes = false, has_elements = false;
   while (!words.at_end()) {
     const std::string_view section = words.word("a section");
     if (section.size() < 2 || section[0] != '$') words.fail("a section should begin here, with '$' and its name");
-    if (section == "$Nodes" && !has_nodes)
-      read_nodes(words, nodes), has_nodes = true;
-    else if (section == "$Elements" && has_nodes && !has_elements)
-      read_elements(words, nodes, mesh), has_elements = true;
-    else if (section == "$Nodes" || section == "$Elements")
+    if (section == "$Nodes" && !has_nodes) {
+      in_blocks ? read_nodes(words, nodes) : read_node_list(words, nodes);
+      has_nodes = true;
+    } else if (section == "$Elements" && has_nodes && !has_elements) {
+      in_blocks ? read_elements(words, nodes, mesh) : read_element_list(words, nodes, mesh);
+      has_elements = true;
+    } else if (section == "$Nodes" || section == "$Elements") {
       words.fail(fmt::format("{} appears twice or before $Nodes", section));
-    else
+    } else {
       words.skip_section(section.substr(1));
+    }
   }
   if (!has_elements) words.fail("the file ends without $Nodes and $Elements");
 }

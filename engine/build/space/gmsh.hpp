@@ -1,4 +1,4 @@
-// Reader of meshes in the Gmsh format, version 4.1, ASCII.
+// Reader of meshes in the Gmsh format, versions 4.1 and 2.2, ASCII.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,11 @@
 
 namespace trilith {
 
-/// Reads the triangles (type 2) and quadrilaterals (type 3) of a mesh in the plane, of all surfaces; points and lines
-/// are skipped. Unused nodes are removed. Throws InputError with the line and the error: another version or a binary
-/// file, elements of higher order or of three dimensions, nodes outside one plane z = constant, inconsistent counts,
-/// tags or numbers. `owner` begins every message.
+/// Reads the triangles (types 2 and 9) and quadrilaterals (types 3, 10 and 16) of a mesh in the plane, of all surfaces;
+/// points and lines are skipped. Elements of second order give their corners. Unused nodes are removed. Throws
+/// InputError with the line and the error: another version or a binary file, elements of second order with curved
+/// sides, of higher order or of three dimensions, nodes outside one plane z = constant, inconsistent counts, tags or
+/// numbers. `owner` begins every message.
 Mesh parse_gmsh(std::string_view text, std::string_view owner);
 
 /// Reads a file. Throws InputError if it cannot be read, and as parse_gmsh.

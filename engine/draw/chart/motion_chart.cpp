@@ -18,14 +18,23 @@ std::vector<double> in_units(std::vector<double> values, double unit) {
   return values;
 }
 
+/// The title of the record without the component at its end, which the line below it shows.
+std::string title_of(const GroundMotion& motion) {
+  const std::string &title = motion.source().title, component = ", " + motion.source().component;
+  const std::size_t at = title.rfind(component);
+  const bool ends_with_it = at != std::string::npos && at > 0 && title.find(',', at + 1) == std::string::npos;
+  if (motion.source().component.empty() || !ends_with_it) return title.empty() ? motion.description() : title;
+  return title.substr(0, at) + title.substr(at + component.size());
+}
+
 }  // namespace
 
 Chart motion_chart(const GroundMotion& motion) {
   const MotionTraces traces = motion_traces(motion);
   const MotionPeaks peaks = motion_peaks(motion);
   Chart chart;
-  chart.title = motion.source().title.empty() ? motion.description() : motion.source().title;
-  chart.subtitle = motion.source().component;
+  chart.title = title_of(motion);
+  if (!motion.source().component.empty()) chart.subtitle = "component " + motion.source().component;
   chart.x = {"Time", "s"};
   chart.panels = {
       {{"Acceleration", "g"},

@@ -11,9 +11,13 @@
 namespace trilith {
 namespace {
 
+/// A smaller displacement is rounding noise [m].
+constexpr double least_displacement = 1e-9;
+
 /// Magnitude of a displacement in a readable unit.
 std::string size_text(double metres) {
   const double size = std::abs(metres);
+  if (size < least_displacement) return "0 mm";
   return size < 0.1 ? fmt::format("{:.3g} mm", 1e3 * size) : fmt::format("{:.3g} m", size);
 }
 
@@ -61,6 +65,11 @@ std::string ended_text(const std::string& text) {
   return fmt::format("{} ended ({})", text.substr(0, at), text.substr(at + 2));
 }
 
+/// True for a value that says something: not 0, and no displacement of rounding noise.
+bool has_value(const Event& e) {
+  return std::abs(e.value) >= (info_of(e.type).value.unit == "m" ? least_displacement : 0) && e.value != 0;
+}
+
 std::string value_text(const Event& e) {
   const std::string_view unit = info_of(e.type).value.unit;
   if (unit == "m") return size_text(e.value);
@@ -80,7 +89,7 @@ std::string word_text(std::string_view word, const Event& e, const Model<D>& mod
   if (word == "bearing") return e.bearing >= 0 ? model.bearings[e.bearing].name : "?";
   if (word == "text") return e.text;
   if (word == "value") return value_text(e);
-  if (word == "at") return e.value != 0 ? " at " + value_text(e) : "";
+  if (word == "at") return has_value(e) ? " at " + value_text(e) : "";
   if (word == "mode") return joint_text(e);
   if (word == "becomes") return becomes_text(e, model);
   if (word == "strain") return strain_text(e.value);

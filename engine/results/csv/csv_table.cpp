@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "model/event/event.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
 #include "results/reading/member_values.hpp"
@@ -92,10 +93,18 @@ std::string energy_text(const ResultsReader& reader) {
   return columns_text(energy.time, heads, columns);
 }
 
+/// The word for the number of a failure mode; "" for a number of a later version.
+std::string_view joint_mode(double code) {
+  for (const JointMode mode : {JointMode::tension, JointMode::shear, JointMode::compression})
+    if (code == static_cast<double>(mode)) return name_of(mode);
+  return "";
+}
+
 std::string events_text(const ResultsReader& reader) {
   CsvText out;
-  for (const char* name : {"id", "time [s]", "step", "stage", "type", "body_a", "body_b", "bearing", "x [m]", "y [m]",
-                           "z [m]", "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2", "cause", "text"})
+  for (const char* name :
+       {"id",    "time [s]", "step",     "stage",   "type",   "body_a",   "body_b",  "bearing", "x [m]", "y [m]",
+        "z [m]", "mode",     "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2",  "cause", "text"})
     out.cell(name);
   out.end_row();
   for (const EventRow& e : reader.events()) {
@@ -107,7 +116,9 @@ std::string events_text(const ResultsReader& reader) {
       else
         out.cell("");
     }
-    for (const Figure& f : {e.first, e.second}) {
+    const bool of_joint = e.second.name == "mode";
+    out.cell(of_joint ? joint_mode(e.second.value) : "");
+    for (const Figure& f : {e.first, of_joint ? Figure{} : e.second}) {
       if (f.name.empty())
         out.cell("").cell("").cell("");
       else

@@ -12,6 +12,7 @@
 #include "assembly/bearing_motion.hpp"
 #include "assembly/contact/solid_resultants.hpp"
 #include "assembly/element/element_stress.hpp"
+#include "load/list.hpp"
 #include "model/event/event_text.hpp"
 #include "model/pose.hpp"
 #include "results/file/extended.hpp"
@@ -60,6 +61,19 @@ Vec2 displacement_of(const Model<2>& model, const State<2>& state, std::size_t i
 }
 Vec3 displacement_of(const Model<3>& model, const State<3>& state, std::size_t i) {
   return bearing_motion(model, state, i).translation();
+}
+
+/// Word for a stage in the table of stages. A push in time, and the loads of a load path, have the name of their stage.
+/// A stage with local damping that does not seek rest is dynamic.
+template <int D>
+std::string_view kind_of_stage(const Instant<D>& now) {
+  const StageOptions& stage = now.stage;
+  if (stage.process) return "process";
+  const auto of_stage = [&](const auto& row) { return row.name == stage.name; };
+  const auto& loads = loads_of<PointLoad<D>>(now.model);
+  if (std::any_of(now.model.pushes.begin(), now.model.pushes.end(), of_stage)) return "pushover";
+  if (!stage.until_rest && std::any_of(loads.begin(), loads.end(), of_stage) && stage.rest_share > 0) return "pushover";
+  return stage.rest_share > 0 && stage.until_rest ? "consolidation" : "dynamic";
 }
 
 /// View of numbers, vectors and quaternions as a contiguous array, as the file requires.
@@ -300,7 +314,7 @@ void Recording<D>::event(const Event& event, const Instant<D>& now) {
 template <int D>
 void Recording<D>::begin_stage(const Event& event, const Instant<D>& now) {
   if (stage_open_) end_stage(event.time, "broken off");
-  stage_ = writer_.begin_stage(now.stage.name, now.stage.rest_share > 0 ? "consolidation" : "dynamic", event.time);
+  stage_ = writer_.begin_stage(now.stage.name, kind_of_stage(now), event.time);
   stage_open_ = true;
   note_drives(now.model);
 }

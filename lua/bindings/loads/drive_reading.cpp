@@ -98,6 +98,17 @@ double speed_lost(const GroundMotion& motion) {
   return end > abrupt_speed && end > abrupt_share * std::abs(motion_peaks(motion).velocity.value) ? end : 0;
 }
 
+/// Notes a usable motion that does not end at rest.
+void tell_end_drift(ScriptModel& m, const std::string& owner, const char* name, const GroundMotion& motion,
+                    Host& host) {
+  if (std::abs(motion.samples().back().velocity) < abrupt_speed) return;
+  if (const std::string drift = end_drift(motion); !drift.empty())
+    m.note_at_once(fmt::format("{}: '{}': motion '{}': {}. To end it at rest, correct its baseline, as by "
+                               "motion:baseline(1)",
+                               owner, name, motion.description(), drift),
+                   host);
+}
+
 }  // namespace
 
 void tell_abrupt_ends(ScriptModel& m, const std::string& owner, const std::vector<DriveOrder>& orders, Host& host) {
@@ -106,6 +117,7 @@ void tell_abrupt_ends(ScriptModel& m, const std::string& owner, const std::vecto
     for (std::size_t k = 0; k < names.size(); ++k) {
       if (!order.motion[k] || order.bodies.empty()) continue;
       const double lost = speed_lost(*order.motion[k]);
+      if (lost == 0) tell_end_drift(m, owner, names[k], *order.motion[k], host);
       if (lost == 0) continue;
       const std::string others = order.bodies.size() == 1 ? "" : fmt::format(" and {} more", order.bodies.size() - 1);
       m.note_at_once(

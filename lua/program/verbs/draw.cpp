@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 #include "base/error.hpp"
 #include "draw/scene/results_modes.hpp"
 #include "draw/scene/results_picture.hpp"
+#include "draw/scene/view_direction.hpp"
 #include "program/comma_list.hpp"
 #include "program/newer_run.hpp"
 #include "program/output_folder.hpp"
@@ -47,15 +50,61 @@ std::vector<draw::Scene> mode_scenes(const results::ResultsReader& reader, const
   return scenes;
 }
 
+/// The first event of a type in the window that has a place.
+const results::EventRow* placed_event(const std::vector<results::EventRow>& events, const SceneWindow& window,
+                                      const std::string& type) {
+  const auto found = std::find_if(events.begin(), events.end(), [&](const results::EventRow& e) {
+    return e.type == type && e.time >= window.begin && e.time <= window.end;
+  });
+  return found != events.end() && found->has_place ? &*found : nullptr;
+}
+
+/// Diagonal of the rectangle around the free bodies of a scene [m].
+double extent(const draw::Scene& scene) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  Vec2 low(far, far), high(-far, -far);
+  const auto add = [&](const std::vector<Vec2>& outline) {
+    for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  };
+  const auto is_free = [&](std::size_t body) { return scene.bodies[body].role == draw::BodyRole::free; };
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (is_free(i)) add(scene.bodies[i].outline);
+  for (const draw::SceneFace& face : scene.faces)
+    if (is_free(static_cast<std::size_t>(face.body))) add(face.outline);
+  return high.x() > low.x() ? (high - low).norm() : 1;
+}
+
+/// A ring around the place of an event, with the type of the event in the legend.
+void mark_event(const results::EventRow& event, const draw::SceneChoice& choice, int dim, draw::Scene& scene) {
+  constexpr int corners = 48;
+  const Vec3 place(event.place[0], event.place[1], event.place[2]);
+  const Vec2 centre = dim == 2 ? Vec2(place.x(), place.y()) : draw::ViewAxes(choice.from).flat(place);
+  const double radius = 0.03 * extent(scene);
+  std::vector<Vec2> ring;
+  for (int i = 0; i <= corners; ++i) {
+    const double turn = 2 * std::numbers::pi * i / corners;
+    ring.emplace_back(centre + radius * Vec2(std::cos(turn), std::sin(turn)));
+  }
+  scene.lines.push_back(std::move(ring));
+  if (scene.line_label.empty()) scene.line_label = "place of " + event.type;
+}
+
 std::vector<draw::Scene> scenes_of(const results::ResultsReader& reader, const DrawOptions& options) {
   if (!options.mode.empty()) return mode_scenes(reader, options);
   draw::SceneChoice choice = scene_choice(options.scene, reader.header().dim);
   const SceneWindow window = scene_window(reader, options.scene);
   choice.span = {window.begin, window.end};
   choice.origin = window.origin;  // the caption uses the same origin as --at
+  const std::vector<std::string> moments = comma_list(options.at);
   std::vector<double> times;
-  for (const std::string& at : comma_list(options.at)) times.push_back(scene_time(reader, window, at, "--at"));
-  return draw::results_scenes(reader, times, choice);
+  for (const std::string& at : moments) times.push_back(scene_time(reader, window, at, "--at"));
+  std::vector<draw::Scene> scenes = draw::results_scenes(reader, times, choice);
+  if (choice.magnify != 1 || !choice.thrust.empty()) return scenes;  // a ring would be misplaced, or share a label
+  const std::vector<results::EventRow> events = reader.events();
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    if (const results::EventRow* event = placed_event(events, window, moments[i]))
+      mark_event(*event, choice, reader.header().dim, scenes[i]);
+  return scenes;
 }
 
 int draw(const DrawOptions& options) {

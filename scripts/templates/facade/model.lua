@@ -35,9 +35,9 @@ if p.record == 0 then
   print(("target displacement %.1f mm, ultimate %.1f mm"):format(1e3*b.target, 1e3*b.ultimate_displacement))
   return { capacity = b.yield_force, target = b.target }
 end
-local files = { "elcentro_1940_rest_ns.csv", "elcentro_1940_rest_ew.csv", "elcentro_1940_rest_ns.csv" }
-local motion = trilith.motion(files[p.record]):match { spectrum = spectrum, from = 0.2, to = 2 }
-if p.record == 3 then motion = motion:reverse() end
+local ns, ew = trilith.motion "elcentro_1940_rest_ns.csv", trilith.motion "elcentro_1940_rest_ew.csv"
+local records = { ns, ew, ns:rotate(ew, math.pi/4) } -- the third one is the motion at 45 degrees between both
+local motion = records[p.record]:match { spectrum = spectrum, from = 0.2, to = 2 }
 m:shake { body = "ground.1", x = motion, duration = p.duration }
 print(("peak %.2f g, the top has moved by %.1f mm"):format(motion.pga/g, 1e3*math.abs(top.ux)))
 return { pga = motion.pga, top = math.abs(top.ux) }

@@ -70,6 +70,15 @@ for _, dim in ipairs { 2, 3 } do
   expect(frame(dim, fibres(30e6, 200e9, 420)), "yield = 420 Pa", true, "yield in MPa")
   local hinged = { from_hinge = trilith.end_hinge { sagging = 1e5, across = 1e5, ultimate = 2 } }
   expect(frame(dim, square, hinged), "ultimate = 2 rad", true, "rotation in percent")
+  for _, row in ipairs { { "sagging", 50, "N m" }, { "hogging", 50, "N m" }, { "across", 50, "N m" },
+    { "tension", 500, "N" }, { "compression", 500, "N" }, { "softening", 5, "rad" } } do
+    local numbers = { sagging = 1e5, hogging = 1e5, across = 1e5, tension = 1e6, compression = 1e6 }
+    hinged.from_hinge = trilith.end_hinge(numbers)
+    assert(#frame(dim, square, hinged).notes == 0)
+    numbers[row[1]], numbers.capping = row[2], row[1] == "softening" and 0.02 or nil
+    hinged.from_hinge = trilith.end_hinge(numbers)
+    expect(frame(dim, square, hinged), ("%s = %g %s is"):format(table.unpack(row)), true, row[1])
+  end
   hinged.from_hinge = trilith.end_hinge { sagging = 1e5, across = 1e5, ultimate = 0.02 }
   assert(#frame(dim, square, hinged).notes == 0)
 end
@@ -100,6 +109,28 @@ for _, dim in ipairs { 2, 3 } do
     m:bearing { name = "link", between = { "a", "b" }, at = at, along = trilith.linear { stiffness = 1e6 },
       limit = { along = limit } }
     expect(m, "limit = 100 m", limit == 100, "limit")
+  end
+end
+
+-- Laws of bearings in other units: { law, numbers, key, number in a wrong unit, text }.
+for _, row in ipairs {
+  { trilith.friction, { mu = 0.1, stiffness = 1e6, mu_fast = 0.2, rate = 50 }, "rate", 0.05,
+    "rate = 0.05 s/m is below" },
+  { trilith.friction, { mu = 0.1, stiffness = 1e6, load_exponent = 0.9, reference_load = 1e6 }, "reference_load", 1,
+    "reference_load = 1 N is below" },
+  { trilith.viscous, { force = 1e5, speed = 0.1 }, "speed", 100, "speed = 100 m/s is above" },
+  { trilith.lead_rubber, { strength = 5e4, post_stiffness = 1e6 }, "strength", 0.05, "strength = 0.05 N is below" },
+  { trilith.elastic_plastic, { stiffness = 1e6, yield = 5e4 }, "yield", 0.05, "yield = 0.05 N is below" } } do
+  local law, numbers, key, wrong, text = table.unpack(row)
+  for _, value in ipairs { numbers[key], wrong } do
+    local m = model(2)
+    m:contact { between = { "*", "*" }, law = "none" }
+    m:block { name = "a", width = 1, height = 1, at = { 0, -1 }, material = "stone", support = "fixed" }
+    m:block { name = "b", width = 1, height = 1, at = { 0, 0 }, material = "stone" }
+    numbers[key] = value
+    m:bearing { name = "link", between = { "a", "b" }, at = { 0.5, 0 }, along = law(numbers),
+      axial = trilith.linear { stiffness = 1e7 } }
+    expect(m, text, value == wrong, key)
   end
 end
 
