@@ -85,7 +85,8 @@ return {
   formula = [[\sigma_x = \frac{2 p}{\pi}\left(\sin 2\alpha - \alpha\right), \qquad
 \sigma_y = -\frac{2 p}{\pi}\left(\sin 2\alpha + \alpha\right)]],
   text = "A disc of 0.1 m under 50 kN on arcs of 10 degrees. Its halves are meshes that are joined along the loaded " ..
-    "diameter. With a joint of 6 MPa the first crack is in the middle; the load grows so slowly that waves matter little.",
+    "diameter. With a joint of 6 MPa the first crack is in the middle; the load grows so slowly " ..
+    "that waves matter little.",
   cases = { { name = "disc_stress", title = "stress in the middle",
     parameters = { { "rings", 18 }, { "tension", 1e9, "Pa" } },
     checks = { { "stress across", unit = "Pa", exact = 6.3017e6, tolerance = 0.02 },
