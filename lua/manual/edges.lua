@@ -19,7 +19,8 @@ to          vector?        in space: its opposite corner
 divisions   table?         in space: number of dashpots along both of its sides, such as { 4, 10 }
 name        text?          name; default: body and edge]], gives = "table",
     beside = { from = true, to = true, divisions = true },
-    example = 'm:block { name = "soil", width = 4, height = 2, at = { 20, 0 }, material = "stone", floating = true,\n'
+    example = 'm:material { name = "soil", density = 1800, E = 1.8e8, nu = 0.25, plane = "strain" }\n'
+      .. 'm:block { name = "soil", width = 4, height = 2, at = { 20, 0 }, material = "soil", floating = true,\n'
       .. '  body = { mesh = { 8, 4 } } }\n'
       .. 'm:absorbing_boundary { body = "soil", edge = "bottom", density = 1800, cs = 200, cp = 346,\n'
       .. '  motion = { { 0, 0 }, { 0.05, 0.1 }, { 0.1, 0 } } }' },
