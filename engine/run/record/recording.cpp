@@ -70,9 +70,12 @@ std::string_view kind_of_stage(const Instant<D>& now) {
   const StageOptions& stage = now.stage;
   if (stage.process) return "process";
   const auto of_stage = [&](const auto& row) { return row.name == stage.name; };
-  const auto& loads = loads_of<PointLoad<D>>(now.model);
+  bool has_load = false;
+  now.model.loads.for_each([&](const auto& load) {
+    if constexpr (requires { load.name; }) has_load = has_load || of_stage(load);
+  });
   if (std::any_of(now.model.pushes.begin(), now.model.pushes.end(), of_stage)) return "pushover";
-  if (!stage.until_rest && std::any_of(loads.begin(), loads.end(), of_stage) && stage.rest_share > 0) return "pushover";
+  if (!stage.until_rest && has_load && stage.rest_share > 0) return "pushover";
   return stage.rest_share > 0 && stage.until_rest ? "consolidation" : "dynamic";
 }
 

@@ -41,11 +41,11 @@ int guarded(lua_State* L) {
 /// ScriptError if it fails, with the text and its traceback, or the error object as raised.
 void call(lua_State* L, int arguments, int results);
 
-/// Number of begins and ends of stages and of handlers in this thread. A short call, such as a reading or a function of
+/// Number of starts and ends of stages and of handlers in this thread. A short call, such as a reading or a function of
 /// trilith.math, does not count: a loop of such calls is work of the script.
 std::uint64_t engine_crossings();
 
-/// Counts the begin or the end of a stage.
+/// Counts the start or the end of a stage.
 void count_crossing();
 
 /// Guarded functions of this thread: the number that began, and whether one runs now and has not called Lua code.

@@ -32,7 +32,7 @@ local function throw(direction, dim, law, form, integrator, speed)
   block("top", 0.1, { support = "fixed" })
   local velocity = {}
   for i, v in ipairs(velocities[direction][dim - 1]) do velocity[i] = v*speed end
-  -- Along the joint, only this motion is free: the centroid is beside the joint.
+  -- Along the joint, only this motion is free: the centroid is not on the joint.
   block("block", 0, { mass = mass, velocity = velocity, support = direction == "sheared" and supports[dim - 1] or nil,
                       body = form == "mesh" and { mesh = dim == 2 and { 1, 1 } or { 1, 1, 1 } } or nil })
   m:run { duration = 4e-4*(direction == "sheared" and 10 or 4)/speed, integrator = integrator }
