@@ -12,9 +12,9 @@ namespace trilith {
 
 /// Reads the triangles (types 2 and 9) and quadrilaterals (types 3, 10 and 16) of a mesh in the plane, of all surfaces;
 /// points and lines are skipped. Elements of second order give their corners. Unused nodes are removed. Throws
-/// InputError with the line and the error: another version or a binary file; curved sides; elements of a higher order
-/// or of three dimensions; nodes outside one plane z = constant. Inconsistent counts, tags or numbers are errors too.
-/// `owner` begins every message.
+/// InputError with the line and the error: another version or a binary file, inconsistent counts, tags or numbers. It
+/// also throws for elements of second order with curved sides, of higher order or of three dimensions, and for nodes
+/// outside one plane z = constant. `owner` begins every message.
 Mesh parse_gmsh(std::string_view text, std::string_view owner);
 
 /// Reads a file. Throws InputError if it cannot be read, and as parse_gmsh.

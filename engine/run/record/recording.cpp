@@ -12,8 +12,8 @@
 #include "assembly/bearing_motion.hpp"
 #include "assembly/contact/solid_resultants.hpp"
 #include "assembly/element/element_stress.hpp"
-#include "load/list.hpp"
 #include "model/event/event_text.hpp"
+#include "model/loads.hpp"
 #include "model/pose.hpp"
 #include "results/file/extended.hpp"
 #include "run/record/member_fields.hpp"
@@ -69,14 +69,13 @@ template <int D>
 std::string_view kind_of_stage(const Instant<D>& now) {
   const StageOptions& stage = now.stage;
   if (stage.process) return "process";
-  const auto of_stage = [&](const auto& row) { return row.name == stage.name; };
-  bool has_load = false;
-  now.model.loads.for_each([&](const auto& load) {
-    if constexpr (requires { load.name; }) has_load = has_load || of_stage(load);
-  });
-  if (std::any_of(now.model.pushes.begin(), now.model.pushes.end(), of_stage)) return "pushover";
-  if (!stage.until_rest && has_load && stage.rest_share > 0) return "pushover";
-  return stage.rest_share > 0 && stage.until_rest ? "consolidation" : "dynamic";
+  const auto& pushes = now.model.pushes;
+  const auto of_stage = [&](const Push<D>& push) { return push.name == stage.name; };
+  if (std::any_of(pushes.begin(), pushes.end(), of_stage)) return "pushover";
+  if (!(stage.rest_share > 0)) return "dynamic";
+  if (stage.until_rest) return "consolidation";
+  const std::vector<std::string> loads = load_names(now.model);
+  return std::find(loads.begin(), loads.end(), stage.name) != loads.end() ? "pushover" : "dynamic";
 }
 
 /// View of numbers, vectors and quaternions as a contiguous array, as the file requires.
