@@ -8,8 +8,8 @@
 -- nonlinear viscoelastic materials", 1976.
 --
 -- In each step c is computed for the force at the beginning. After equilibrium it is computed again for a force that
--- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the bearing's law, which
--- it is part of the model, so a continued run repeats it.
+-- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the bearing's law. This
+-- law is part of the model, so a continued run repeats it.
 local trilith, core = ...
 local methods = core.members "model"
 local exp = trilith.math.exp
