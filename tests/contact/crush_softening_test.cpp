@@ -17,31 +17,33 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double fc = 2e6, energy = 8000, residual = 0.2;  // [Pa], [J/m2], [1]
-constexpr double kn = MortarJoint::kn, fr = residual * fc;
-constexpr double softened = 2 * energy / (fc - fr);  // crushed depth at the residual strength [m]
+constexpr double peak_stress = 2e6, crush_given = 8000, residual_share = 0.2;  // [Pa], [J/m2], [1]
+constexpr double bed_kn = MortarJoint::kn, left_stress = residual_share * peak_stress;
+constexpr double softened_depth =
+    2 * crush_given / (peak_stress - left_stress);  // crushed depth at the residual strength [m]
 
 Cohesive softening_mortar() {
   Cohesive law = MortarJoint::mortar();
-  law.compression = fc, law.crushing_depth = 0.03, law.crush_energy = energy, law.crush_residual = residual;
+  law.compression = peak_stress, law.crushing_depth = 0.03, law.crush_energy = crush_given,
+  law.crush_residual = residual_share;
   law.check();
   return law;
 }
 
 /// The law at a point: stress at an overlap that has only grown [Pa].
-double stress_at(double overlap) {
-  if (kn * overlap <= fc) return kn * std::max(overlap, 0.0);
-  const double slope = (fc - fr) / softened;
-  return std::max(fr, fc - slope * (overlap - fc / kn) / (1 - slope / kn));
+double crushed_stress(double overlap) {
+  if (bed_kn * overlap <= peak_stress) return bed_kn * std::max(overlap, 0.0);
+  const double slope = (peak_stress - left_stress) / softened_depth;
+  return std::max(left_stress, peak_stress - slope * (overlap - peak_stress / bed_kn) / (1 - slope / bed_kn));
 }
 /// Overlap at the crushed depth z [m].
-double overlap_at(double z) {
-  return z + std::max(fr, fc - (fc - fr) * z / softened) / kn;
+double crushed_overlap(double z) {
+  return z + std::max(left_stress, peak_stress - (peak_stress - left_stress) * z / softened_depth) / bed_kn;
 }
 
 /// Energy of crushing to the depth z, per area [J/m2].
-double spent(double z) {
-  return fr * z + energy * (z < softened ? (2 - z / softened) * z / softened : 1);
+double crush_spent(double z) {
+  return left_stress * z + crush_given * (z < softened_depth ? (2 - z / softened_depth) * z / softened_depth : 1);
 }
 
 MortarJoint softening_joint() {
@@ -56,26 +58,26 @@ TEST_CASE("crushed mortar softens to its residual strength, spends its energy, a
   for (const int steps : {300, 3000}) {
     MortarJoint joint = softening_joint();
     double peak = 0;
-    for (const double z : {0.25 * softened, 0.75 * softened, softened, 1.3 * softened}) {
-      joint.lead(-overlap_at(z), 0, steps, [&] { peak = std::max(peak, -joint.normal); });
+    for (const double z : {0.25 * softened_depth, 0.75 * softened_depth, softened_depth, 1.3 * softened_depth}) {
+      joint.lead(-crushed_overlap(z), 0, steps, [&] { peak = std::max(peak, -joint.normal); });
       CHECK(near(joint.own.crushed[0], z, 1e-9));
-      CHECK(near(-joint.normal, stress_at(overlap_at(z)), 1e-9));
+      CHECK(near(-joint.normal, crushed_stress(crushed_overlap(z)), 1e-9));
       // The step in which crushing begins is partly elastic.
-      CHECK(near(joint.fracture, spent(z), 30.0 / (steps * steps) + 0.3 / steps));
+      CHECK(near(joint.fracture, crush_spent(z), 30.0 / (steps * steps) + 0.3 / steps));
       CHECK(near(joint.work, joint.fracture + joint.stored(), 1e-9));
       const double here = joint.normal;
-      joint.lead(joint.gap - 0.5 * here / kn, 0, 10);
+      joint.lead(joint.gap - 0.5 * here / bed_kn, 0, 10);
       CHECK(near(joint.normal, 0.5 * here, 1e-9));
-      joint.lead(-overlap_at(z), 0, 10);
+      joint.lead(-crushed_overlap(z), 0, 10);
     }
-    CHECK(peak <= fc * (1 + 1e-12));
-    CHECK(near(peak, fc, 20.0 / steps));
+    CHECK(peak <= peak_stress * (1 + 1e-12));
+    CHECK(near(peak, peak_stress, 20.0 / steps));
   }
 }
 
 TEST_CASE("without a crushing energy the strength stays, to the bit") {
   Cohesive plain = MortarJoint::mortar();
-  plain.compression = fc, plain.crushing_depth = 0.03;
+  plain.compression = peak_stress, plain.crushing_depth = 0.03;
   const Cohesive::Kernel law(plain, 1, 1e-4);
   for (const double z : {0.0, 1e-5, 3e-3, 0.03}) CHECK(law.crush_limit(z) == law.crushing);
   CHECK(law.crush_slope == 0);
@@ -91,15 +93,15 @@ TEST_CASE("an energy of crushing that cannot soften is refused with its limit") 
     return false;
   };
   Cohesive law = softening_mortar();
-  const double least = (fc - fr) * (fc - fr) / kn;
+  const double least = (peak_stress - left_stress) * (peak_stress - left_stress) / bed_kn;
   law.crush_energy = 1.001 * least;
   CHECK_NOTHROW(law.check());
   law.crush_energy = 0.999 * least;
   CHECK(refused(law, "must be above (fc - fr)^2/kn = 2560"));
   law = softening_mortar();
-  law.crushing_depth = 1.001 * softened;
+  law.crushing_depth = 1.001 * softened_depth;
   CHECK_NOTHROW(law.check());
-  law.crushing_depth = 0.999 * softened;
+  law.crushing_depth = 0.999 * softened_depth;
   CHECK(refused(law, "larger crushing_depth"));
   law = softening_mortar();
   law.compression = 0;
@@ -146,7 +148,7 @@ struct PointSums {
   PointSums(double overlap, double slope) {
     constexpr int points = 4000;
     for (int i = 0; i < points; ++i) {
-      const double x = (i + 0.5) / points - 0.5, stress = stress_at(overlap + slope * x) / points;
+      const double x = (i + 0.5) / points - 0.5, stress = crushed_stress(overlap + slope * x) / points;
       force += stress, moment += stress * x;
     }
   }
@@ -157,9 +159,9 @@ struct PointSums {
 TEST_CASE("the energy of crushing does not depend on the division of a face") {
   for (const int count : {1, 3, 8}) {
     DividedFace face(count);
-    for (int i = 1; i <= 2000; ++i) face.to(overlap_at(1.2 * softened) * i / 2000, 0);
-    CHECK(near(face.fracture, spent(1.2 * softened), 1e-4));
-    CHECK(near(face.force, fr, 1e-9));
+    for (int i = 1; i <= 2000; ++i) face.to(crushed_overlap(1.2 * softened_depth) * i / 2000, 0);
+    CHECK(near(face.fracture, crush_spent(1.2 * softened_depth), 1e-4));
+    CHECK(near(face.force, left_stress, 1e-9));
   }
 }
 
@@ -176,7 +178,7 @@ TEST_CASE("a face turned while it is pressed has the force and moment of the law
         const double share = i / 2000.0, overlap = 1e-3, slope = side * 0.03 * share;
         face.to(overlap, slope);
         const PointSums law(overlap, slope);
-        worst = std::max(worst, std::abs(face.moment - law.moment) / (fc / 6));
+        worst = std::max(worst, std::abs(face.moment - law.moment) / (peak_stress / 6));
         most = std::max(most, side * face.moment), most_by_law = std::max(most_by_law, side * law.moment);
       }
       MESSAGE("in ", count, " contacts: moment at most ", most, " N m, by the law ", most_by_law, ", worst difference ",
@@ -240,17 +242,17 @@ std::vector<double> steps_to(double overlap, int count) {
 
 TEST_CASE("contacts of any shape spend the energy of crushing in the plane and in space") {
   // Strips along the edges, where a side of the block is nearer than the surface, are as wide as the depth.
-  for (const double z : {0.3 * softened, 0.9 * softened, 1.2 * softened})
+  for (const double z : {0.3 * softened_depth, 0.9 * softened_depth, 1.2 * softened_depth})
     for (const bool space : {false, true}) {
       CAPTURE(z);
       CAPTURE(space);
       PressedBlock block;
-      space ? block.solids(softening_mortar(), steps_to(overlap_at(z), 200))
-            : block.polygons(softening_mortar(), steps_to(overlap_at(z), 400));
-      const double strips = (space ? 4 : 2) * overlap_at(z);
+      space ? block.solids(softening_mortar(), steps_to(crushed_overlap(z), 200))
+            : block.polygons(softening_mortar(), steps_to(crushed_overlap(z), 400));
+      const double strips = (space ? 4 : 2) * crushed_overlap(z);
       CHECK(near(block.depth, z, 2 * strips));
-      CHECK(near(block.force, stress_at(overlap_at(z)) * block.length, 2 * strips));
-      CHECK(near(block.fracture, spent(z), 2 * strips));
+      CHECK(near(block.force, crushed_stress(crushed_overlap(z)) * block.length, 2 * strips));
+      CHECK(near(block.fracture, crush_spent(z), 2 * strips));
     }
 }
 
@@ -258,39 +260,40 @@ TEST_CASE("a joint in space spends the energy of crushing over its area and unlo
   const double x = 0.6, y = 0.4, area = x * y;
   HeldJoint joint(softening_mortar(), x, y);
   double peak = 0;
-  for (const double z : {0.5 * softened, softened, 1.2 * softened}) {
+  for (const double z : {0.5 * softened_depth, softened_depth, 1.2 * softened_depth}) {
     for (int i = 1; i <= 500; ++i) {
       joint.to(Vec3(0, 0,
-                    -(z == 0.5 * softened ? overlap_at(z) * i / 500
-                                          : overlap_at(z - 0.2 * softened) +
-                                                (overlap_at(z) - overlap_at(z - 0.2 * softened)) * i / 500)));
+                    -(z == 0.5 * softened_depth
+                          ? crushed_overlap(z) * i / 500
+                          : crushed_overlap(z - 0.2 * softened_depth) +
+                                (crushed_overlap(z) - crushed_overlap(z - 0.2 * softened_depth)) * i / 500)));
       peak = std::max(peak, joint.last.force.z());
     }
     CHECK(near(joint.joint().most_crushed(), z, 1e-9));
-    CHECK(near(joint.last.force.z(), stress_at(overlap_at(z)) * area, 1e-9));
-    CHECK(near(joint.fracture, spent(z) * area, 1e-2));
+    CHECK(near(joint.last.force.z(), crushed_stress(crushed_overlap(z)) * area, 1e-9));
+    CHECK(near(joint.fracture, crush_spent(z) * area, 1e-2));
     CHECK(near_zero(joint.put_in + joint.stored_at_first - joint.stored() - joint.fracture, 1e-6 * joint.put_in));
   }
-  CHECK(peak <= fc * area * (1 + 1e-12));
-  CHECK(near(peak, fc * area, 0.02));
+  CHECK(peak <= peak_stress * area * (1 + 1e-12));
+  CHECK(near(peak, peak_stress * area, 0.02));
   const double here = joint.last.force.z();
-  joint.to(Vec3(0, 0, -overlap_at(1.2 * softened) + 0.5 * fr / kn));
+  joint.to(Vec3(0, 0, -crushed_overlap(1.2 * softened_depth) + 0.5 * left_stress / bed_kn));
   CHECK(near(joint.last.force.z(), 0.5 * here, 1e-9));
 }
 
 TEST_CASE("a pair pressed beyond its strength carries the same in every geometry that crushes") {
   const Cohesive law = softening_mortar();
-  for (const double overlap : {1.5 * fc / kn, 3 * fc / kn})
+  for (const double overlap : {1.5 * peak_stress / bed_kn, 3 * peak_stress / bed_kn})
     for (const double tilt : {0.0, 1e-4}) {
       CAPTURE(overlap);
       CAPTURE(tilt);
       const Lie lie{overlap, tilt, 0.2, 1e-3};
       const Carried faces = as_plane_faces<Cohesive::Kernel>(law, lie),
                     polygons = as_polygons<Cohesive::Kernel>(law, lie), solids = as_solids(law, lie, true);
-      CHECK(faces.normal < 0.98 * fc);
+      CHECK(faces.normal < 0.98 * peak_stress);
       // Strips along the edges as above.
       CHECK(near(polygons.normal, faces.normal, 4 * overlap));
       CHECK(near(solids.normal, faces.normal, 8 * overlap));
-      CHECK(near(faces.normal, stress_at(overlap), 1e-9 + tilt));
+      CHECK(near(faces.normal, crushed_stress(overlap), 1e-9 + tilt));
     }
 }
