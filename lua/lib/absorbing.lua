@@ -316,9 +316,8 @@ end
 function methods.absorbing_boundary(model, o)
   core.check_keys(owner, o, keys)
   local dim = model.dim
-  local body = type(o.body) == "string" and model:body(o.body) or o.body
-  if type(body) ~= "userdata" then fail("'body' is %s, must be a body or its name",
-    body == nil and "missing" or core.what_is(body)) end
+  if o.body == nil then fail "'body' is missing, must be a body or its name" end
+  local body = model:body(core.name_of(model, "body", o.body, owner))
   core.one_of(owner, "edge", o.edge, side_names(dim))
   local axis, sign = table.unpack(sides(dim)[o.edge])
   local s = { body = body, axis = axis, sign = sign, ground = medium(o, owner), directions = read_directions(o, dim),

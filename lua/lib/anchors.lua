@@ -38,10 +38,7 @@ local function bodies_of(model, o)
   end
   local out = {}
   for i, body in ipairs(o.bodies) do
-    if type(body) == "string" then body = model:body(body) end
-    if type(body) ~= "userdata" then fail("entry %d of 'bodies' is %s, must be a body or its name", i,
-      core.what_is(body)) end
-    out[i] = body
+    out[i] = model:body(core.name_of(model, "body", body, owner))
   end
   return out
 end

@@ -8,8 +8,13 @@
 -- nonlinear viscoelastic materials", 1976.
 --
 -- In each step c is computed for the force at the beginning. After equilibrium it is computed again for a force that
+<<<<<<< HEAD
 -- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the bearing's law. This
 -- law is part of the model, so a continued run repeats it.
+=======
+-- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the law of the bearing.
+-- So it is part of the model, and a continued run repeats it.
+>>>>>>> 4b59307643e97ae11d59273394a960efec154777
 local trilith, core = ...
 local methods = core.members "model"
 local exp = trilith.math.exp
@@ -23,12 +28,11 @@ local function directions(dim)
 end
 
 local function bearing_of(model, owner, given)
-  if type(given) == "userdata" and core.kind_of(given) == "bearing" then return given end
-  if type(given) ~= "string" then
+  if type(given) ~= "userdata" and type(given) ~= "string" then
     core.fail(("%s: 'bearing' is %s, must be a bearing or its name"):format(owner,
       given == nil and "missing" or core.what_is(given)))
   end
-  return model.bearings[given]
+  return model.bearings[core.name_of(model, "bearing", given, owner)]
 end
 
 function methods.creep(model, o)

@@ -39,6 +39,20 @@ local _, bits_of_two = left_after(200, 2)
 assert(bits == bits_of_two, "other bits with two threads")
 assert(left_after(800) > 0.05 and left_after(50) > 0.05, "a half space of another stiffness reflects nothing")
 
+-- A wave given by a ground motion: the surface moves twice as far as the wave.
+do
+  local m, soil = soil_model()
+  local wave = trilith.motion { acceleration = { 0, 2, 0, -2, 0, 0 }, dt = 0.02, allow_drift = true }
+  m:absorbing_boundary { body = soil, edge = "bottom", density = 1800, cs = 200, cp = 346, directions = "x",
+    motion = { x = wave } }
+  m:fix(soil, "y")
+  m:run { duration = 0.3 }
+  local _, _, far = wave:at(1)
+  local moved = soil:point { 0, 10 }
+  assert(far > 0 and math.abs(moved - 2*far) < 0.01*far, ("the surface moves by %g, the wave by %g"):format(moved, far))
+  m:close()
+end
+
 -- Wrong input of boundaries.
 local m, soil = soil_model()
 local edge = { body = soil, edge = "bottom", density = 1800, cs = 200, cp = 346 }
