@@ -8,13 +8,8 @@
 -- nonlinear viscoelastic materials", 1976.
 --
 -- In each step c is computed for the force at the beginning. After equilibrium it is computed again for a force that
-<<<<<<< HEAD
 -- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the bearing's law. This
 -- law is part of the model, so a continued run repeats it.
-=======
--- changes linearly, and the equation is integrated exactly. With m:change c moves the origin of the law of the bearing.
--- So it is part of the model, and a continued run repeats it.
->>>>>>> 4b59307643e97ae11d59273394a960efec154777
 local trilith, core = ...
 local methods = core.members "model"
 local exp = trilith.math.exp
