@@ -26,6 +26,12 @@ EXCEPTIONS = {
     ("exchange", "W/(m2 K)"): "still air and water differ by more than a factor of 1000",
     ("expansion", "1/K"): "materials differ by more than a factor of 1000",
     ("heat_capacity", "J/(kg K)"): "m:heat has no notes",
+    ("bond", "N/m2"): "m:bolt has no notes",
+    ("bond_strength", "Pa"): "m:bolt has no notes",
+    ("dowel", "N/m2"): "m:bolt has no notes",
+    ("bulk_modulus", "Pa"): "m:seepage has no notes",
+    ("stiffness", "Pa/m"): "m:seepage has no notes",
+    ("viscosity", "Pa s"): "m:seepage has no notes",
     ("reference", "degC"): "any temperature is usual",
     ("temperature", "degC"): "any temperature is usual",
 }

@@ -121,7 +121,7 @@ int declare_seepage(lua_State* L, SimulatedModel<D>& m) {
     read_fissure(keys, spec);
   else
     keys.problem("give upper and lower, the bodies of a joint, or length, of a fissure [m]");
-  keys.know({"heel"});
+  keys.know({"upper", "lower", "heel", "length", "width", "elevation", "stiffness"});
   spec.aperture = read_ends(keys, "aperture", "m", true);
   spec.divisions = keys.count("divisions", 32);
   spec.from = keys.text("from", spec.name + ".from"), spec.to = keys.text("to", spec.name + ".to");
