@@ -206,7 +206,9 @@ TEST_CASE("a part of a cracked body is bonded to a neighbour on it and not to on
     for (const TouchingContact& c : touching) {
       if (c.body_a != stone && c.body_b != stone) continue;
       const int part = c.body_a == stone ? c.body_b : c.body_a;
-      if (c.hold == ContactHold::bonded) CHECK(part == (stone_ahead ? ahead : behind)), ++bonded;
+      if (c.hold != ContactHold::bonded) continue;
+      CHECK(part == (stone_ahead ? ahead : behind));
+      ++bonded;
     }
     CHECK(bonded == 1);
   }
