@@ -180,6 +180,7 @@ constexpr double brick_height = 0.064, brick_turn = 1e-4;  // [m], [rad]
 /// A fixed brick of 0.25 m from the origin on, and a turned one of 0.125 m whose lower left corner is at `at`.
 Scene two_bricks(const Vec2& at, double turn) {
   Scene scene(Cohesive{1.5e11, 6e10, 0.6, 0, 2e5, 1e5, 10, 50, 0, 0}, turn);
+  scene.builder.overlap_allowed = 0.01;
   scene.fixed("lower", box(0, 0, 0.25, brick_height));
   BodySpec upper;
   upper.name = "upper", upper.mass = 10, upper.floating = true;
