@@ -232,7 +232,7 @@ TEST_CASE("a motion that starts with a later stage is noted") {
   Recording<2> recording(folder / "shaken.h5", simulation.model(), simulation.state(), options());
   StageOptions o = fall_stage(0.1);
   o.name = "consolidation";
-  o.rest_share = 0.8;
+  o.rest_share = 0.8, o.until_rest = true;
   simulation.run(o, recording.listener());
   const std::vector<double> samples{0, 1, -1, -1, 1, 0};
   set_drive(simulation.edit_model(), 0, 0, std::make_shared<GroundMotion>(samples, 0.02), 0.1, 0);
