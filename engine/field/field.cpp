@@ -143,6 +143,20 @@ int row_of(const Fields& fields, FieldKind kind) {
   return -1;
 }
 
+std::shared_ptr<const Field> field_of(const Fields& fields, FieldKind kind) {
+  const int row = row_of(fields, kind);
+  return row < 0 ? nullptr : fields[static_cast<std::size_t>(row)];
+}
+
+void set_field(Fields& fields, Field field) {
+  const int row = row_of(fields, field.kind);
+  auto made = std::make_shared<const Field>(std::move(field));
+  if (row < 0)
+    fields.push_back(std::move(made));
+  else
+    fields[static_cast<std::size_t>(row)] = std::move(made);
+}
+
 FieldValues values_of(const Fields& fields, const std::vector<FieldState>& states, FieldKind kind) {
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (fields[i]->kind == kind) return {fields[i].get(), i < states.size() ? &states[i] : nullptr};

@@ -184,6 +184,10 @@ using Fields = std::vector<std::shared_ptr<const Field>>;
 
 /// Row of the field of a kind; -1: none.
 int row_of(const Fields& fields, FieldKind kind);
+/// The field of a kind, or nullptr.
+std::shared_ptr<const Field> field_of(const Fields& fields, FieldKind kind);
+/// Replaces the field of the same kind, or adds it.
+void set_field(Fields& fields, Field field);
 /// The field of a kind with its values, or none.
 FieldValues values_of(const Fields& fields, const std::vector<FieldState>& states, FieldKind kind);
 

@@ -52,7 +52,7 @@ std::string clock_text(double seconds) {
 template <int D>
 void Simulation<D>::change_fields(const std::function<void(State<D>&)>& change) {
   state_.fields.resize(model_.fields.size());
-  const std::shared_ptr<const Field> field = heat_of(model_);
+  const std::shared_ptr<const Field> field = field_of(model_.fields, FieldKind::heat);
   if (!field || !field->expands()) {
     change(state_);
     evaluated_ = false;
@@ -75,7 +75,8 @@ Equilibrium Simulation<D>::process_step(const FieldProcess& process, double dt, 
                                         const EquilibriumOptions& how) {
   Equilibrium found;
   found.converged = true, found.end = EquilibriumEnd::rests;
-  const std::shared_ptr<const Field> heat = heat_of(model_), water = seepage_of(model_);
+  const std::shared_ptr<const Field> heat = field_of(model_.fields, FieldKind::heat),
+                                     water = field_of(model_.fields, FieldKind::seepage);
   if (!work_.valid || process.mechanics) refresh();
   std::optional<State<D>> before;
   if (process.mechanics) before = state_;

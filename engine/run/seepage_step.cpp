@@ -119,7 +119,7 @@ void add_flow_events(const Model<D>& model, const State<D>& state, const std::ve
                      std::vector<Event>& events) {
   const std::vector<bool> after = flooded_joints(model, state);
   if (after == before) return;
-  const Field& field = *seepage_of(model);
+  const Field& field = *field_of(model.fields, FieldKind::seepage);
   for (std::size_t i = 0; i < after.size(); ++i) {
     const FlowJoint& j = field.flow->joints[i];
     if (before[i] == after[i] || !j.has_bodies()) continue;

@@ -39,36 +39,51 @@ struct FacingPair {
   [[nodiscard]] double gap(double s) const { return stretch.gap(along(s)); }
 };
 
-/// A joint in its present place.
+/// A joint in its present place. Each loop computes the pairs of faces again, so that a step allocates nothing.
 struct PlacedJoint {
+  const LoadPlaces<2>& on;
+  const FlowJoint& joint;
+  Vec2 heel, all;
   double length;
-  std::vector<FacingPair> pairs;
 
-  PlacedJoint(const LoadPlaces<2>& on, const FlowJoint& joint) {
-    const Vec2 heel = on.place_of(joint.heel), all = on.place_of(joint.toe) - heel;
-    length = all.norm();
-    const auto is_gone = [&](const FlowFace& f) { return on.state.left[static_cast<std::size_t>(f.body)] != 0; };
+  PlacedJoint(const LoadPlaces<2>& places, const FlowJoint& placed)
+      : on(places),
+        joint(placed),
+        heel(places.place_of(placed.heel)),
+        all(places.place_of(placed.toe) - heel),
+        length(all.norm()) {}
+
+  /// Calls f(pair) for each pair of faces that overlap.
+  template <class F>
+  void for_pairs(F&& f) const {
+    const auto is_gone = [&](const FlowFace& face) { return on.state.left[static_cast<std::size_t>(face.body)] != 0; };
     for (const FlowFace& a : joint.upper)
       for (const FlowFace& b : joint.lower) {
         if (is_gone(a) || is_gone(b)) continue;
         const FacingPair pair(on, a, b, heel, Vec2(all / length));
-        if (pair.faces()) pairs.push_back(pair);
+        if (pair.faces()) f(pair);
       }
   }
-  /// The gap at `s`; none: 0.
-  [[nodiscard]] double gap(double s) const {
-    for (const FacingPair& pair : pairs)
-      if (s >= pair.first() && s <= pair.last()) return pair.gap(s);
-    return 0;
+  [[nodiscard]] std::vector<FacingPair> pairs() const {
+    std::vector<FacingPair> out;
+    for_pairs([&](const FacingPair& pair) { out.push_back(pair); });
+    return out;
   }
 };
+
+/// The gap at `s`; without overlapping faces there: 0.
+double gap_at(const std::vector<FacingPair>& pairs, double s) {
+  for (const FacingPair& pair : pairs)
+    if (s >= pair.first() && s <= pair.last()) return pair.gap(s);
+  return 0;
+}
 
 /// Presses the cells of a joint onto the skins of the upper and the lower body.
 template <class Push>
 void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldValues& water, bool upper, bool lower,
                  Push&& push) {
   const PlacedJoint now(on, joint);
-  for (const FacingPair& pair : now.pairs) {
+  now.for_pairs([&](const FacingPair& pair) {
     EndShares on_a, on_b;
     for (int i = 0; i < joint.cells; ++i) {
       const double p = joint.weight * water.at(joint.first_cell + i);
@@ -81,7 +96,7 @@ void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldVal
     }
     if (upper) push(pair.a0, on_a.a * pair.onto_a), push(pair.a1, on_a.b * pair.onto_a);
     if (lower) push(pair.b0, on_b.a * pair.onto_b), push(pair.b1, on_b.b * pair.onto_b);
-  }
+  });
 }
 
 }  // namespace
@@ -102,13 +117,14 @@ Apertures joint_apertures(const JointFlow& flow, const FieldState& state, const 
   for (const FlowJoint& joint : flow.joints) {
     if (!joint.has_bodies()) continue;
     const PlacedJoint now(on, joint);
+    const std::vector<FacingPair> pairs = now.pairs();
     const double inside = 1e-9 / joint.cells;
     for (int i = 0; i < joint.cells; ++i)
       for (const int end : {0, 1}) {
         const double n = joint.cells, s = (i + end) / n + (end == 0 ? inside : -inside);
         const double own = joint.aperture_at((i + end) / n);
         out[static_cast<std::size_t>(joint.first_cell + i)][static_cast<std::size_t>(end)] =
-            std::max(least_aperture * own, own + now.gap(s * now.length));
+            std::max(least_aperture * own, own + gap_at(pairs, s * now.length));
       }
   }
   return out;

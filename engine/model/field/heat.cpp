@@ -260,30 +260,10 @@ std::vector<double> beam_lengths(const Model<D>& model, int body) {
   return length;
 }
 
-template <int D>
-std::shared_ptr<const Field> heat_of(const Model<D>& model) {
-  for (const auto& field : model.fields)
-    if (field->kind == FieldKind::heat) return field;
-  return nullptr;
-}
-
-template <int D>
-void set_heat(Model<D>& model, Field field) {
-  const auto made = std::make_shared<const Field>(std::move(field));
-  for (auto& known : model.fields)
-    if (known->kind == FieldKind::heat) {
-      known = made;
-      return;
-    }
-  model.fields.push_back(made);
-}
-
 #define TRILITH_HEAT(D)                                                                                              \
   template void add_heat(Field&, const Model<D>&, int, const HeatSpec&);                                             \
   template void add_heat_exchange(Field&, const Model<D>&, const HeatExchangeSpec&, const std::vector<WetFace<D>>&); \
-  template std::vector<double> beam_lengths(const Model<D>&, int);                                                   \
-  template std::shared_ptr<const Field> heat_of(const Model<D>&);                                                    \
-  template void set_heat(Model<D>&, Field);
+  template std::vector<double> beam_lengths(const Model<D>&, int);
 TRILITH_HEAT(2)
 TRILITH_HEAT(3)
 #undef TRILITH_HEAT

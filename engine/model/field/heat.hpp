@@ -47,11 +47,4 @@ void add_frame_exchange(Field& field, const std::vector<double>& node_length, co
 template <int D>
 std::vector<double> beam_lengths(const Model<D>& model, int body);
 
-/// The field of heat of a model, or nullptr.
-template <int D>
-std::shared_ptr<const Field> heat_of(const Model<D>& model);
-/// Replaces it, or adds it.
-template <int D>
-void set_heat(Model<D>& model, Field field);
-
 }  // namespace trilith

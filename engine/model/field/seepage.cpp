@@ -174,28 +174,10 @@ std::vector<double> seepage_heads(const Field& field, const Model<D>& model, dou
   return out;
 }
 
-template <int D>
-std::shared_ptr<const Field> seepage_of(const Model<D>& model) {
-  const int row = row_of(model.fields, FieldKind::seepage);
-  return row < 0 ? nullptr : model.fields[static_cast<std::size_t>(row)];
-}
-
-template <int D>
-void set_field(Model<D>& model, Field field) {
-  const int row = row_of(model.fields, field.kind);
-  const auto made = std::make_shared<const Field>(std::move(field));
-  if (row < 0)
-    model.fields.push_back(made);
-  else
-    model.fields[static_cast<std::size_t>(row)] = made;
-}
-
 #define TRILITH_SEEPAGE(D)                                                                              \
   template void add_seepage(Field&, const Model<D>&, const SeepageSpec&);                               \
   template void add_seepage_head(Field&, const Model<D>&, const std::string&, const FieldSurrounding&); \
-  template std::vector<double> seepage_heads(const Field&, const Model<D>&, double, double);            \
-  template std::shared_ptr<const Field> seepage_of(const Model<D>&);                                    \
-  template void set_field(Model<D>&, Field);
+  template std::vector<double> seepage_heads(const Field&, const Model<D>&, double, double);
 TRILITH_SEEPAGE(2)
 TRILITH_SEEPAGE(3)
 #undef TRILITH_SEEPAGE

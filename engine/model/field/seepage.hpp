@@ -41,11 +41,4 @@ void add_seepage_head(Field& field, const Model<D>& model, const std::string& no
 template <int D>
 std::vector<double> seepage_heads(const Field& field, const Model<D>& model, double clock, double time);
 
-/// The field of seepage of a model, or nullptr.
-template <int D>
-std::shared_ptr<const Field> seepage_of(const Model<D>& model);
-/// Replaces a field of the same kind, or adds it.
-template <int D>
-void set_field(Model<D>& model, Field field);
-
 }  // namespace trilith

@@ -17,15 +17,6 @@
 namespace trilith::script {
 namespace {
 
-/// Heat changes the model and the rows of the state between stages. Ends the reading of keys, so that a wrong key is
-/// reported first, and builds the model with all bodies added so far.
-void finish_between_stages(Keys& keys, ScriptModel& m) {
-  if (m.running()) keys.problem("a stage runs; declare heat before it, or between stages");
-  keys.finish();
-  m.build();
-  m.catch_up();
-}
-
 template <int D>
 void require_no_cracks(SimulatedModel<D>& m, int body) {
   for (const CrackingBody<D>& c : m.simulation().cracking().bodies)
@@ -45,7 +36,7 @@ double density_of(const ScriptModel& m, int body) {
 /// A copy of the field of heat to change, or an empty one.
 template <int D>
 Field heat_copy(const Model<D>& model) {
-  const auto known = heat_of(model);
+  const auto known = field_of(model.fields, FieldKind::heat);
   return known ? *known : Field{};
 }
 
@@ -62,14 +53,14 @@ int declare_heat(lua_State* L, SimulatedModel<D>& m) {
   spec.depth = keys.number("depth", "m", 0);
   if (keys.has("depth") && !(spec.depth > 0))
     keys.problem(fmt::format("'depth' is {:g} m, must be above 0", spec.depth));
-  finish_between_stages(keys, m);
+  finish_between_stages(keys, m, "heat");
   Field field = heat_copy(m.simulation().model());
   for (const int body : bodies) {
     require_no_cracks(m, body);
     spec.density = density_of(m, body);
     add_heat(field, m.simulation().model(), body, spec);
   }
-  m.change([field](Model<D>& changed) { set_heat(changed, field); });
+  m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return 0;
 }
 
@@ -121,11 +112,11 @@ int declare_exchange(lua_State* L, SimulatedModel<D>& m) {
   spec.course = read_course(keys, "temperature", heat_clock(m));
   spec.exchange = keys.maybe_number("exchange", "W/(m2 K)");
   const SideFaces sides = read_sides<D>(keys, "the exchange needs the side of the bodies");
-  finish_between_stages(keys, m);
+  finish_between_stages(keys, m, "heat");
   Field field = require_heat(m.simulation().model(), "heat_exchange");
   if (spec.name.empty()) spec.name = free_surrounding_name(field);
   exchange_with(field, m.simulation().model(), spec, bodies, sides);
-  m.change([field](Model<D>& changed) { set_heat(changed, field); });
+  m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return push_load_name(L, spec.name);
 }
 
@@ -145,11 +136,11 @@ int declare_contact(lua_State* L, SimulatedModel<D>& m) {
   const bool chosen = keys.push("body") != LUA_TNIL;
   lua_pop(L, 1);
   if (chosen) bodies = read_loaded_bodies(keys, m);
-  finish_between_stages(keys, m);
+  finish_between_stages(keys, m, "heat");
   Field field = require_heat(m.simulation().model(), "heat_contact");
   if (!chosen) field.contacts.push_back({-1, -1, conductance});
   for (const int body : bodies) field.contacts.push_back({body, -1, conductance});
-  m.change([field](Model<D>& changed) { set_heat(changed, field); });
+  m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return 0;
 }
 
@@ -188,7 +179,7 @@ int change_temperature(lua_State* L, SimulatedModel<D>& m) {
   Keys keys(L, 2, "set_temperature");
   const std::vector<int> bodies = read_loaded_bodies(keys, m);
   const double temperature = keys.number("temperature", "degC"), gradient = keys.number("gradient", "K/m", 0);
-  finish_between_stages(keys, m);
+  finish_between_stages(keys, m, "heat");
   const Model<D>& model = m.simulation().model();
   const Field& field = require_heat(model, "set_temperature");
   for (const int body : bodies) {

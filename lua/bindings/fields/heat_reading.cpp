@@ -84,6 +84,13 @@ int node_near(const Model<D>& model, int body, const Vec<D>& at) {
 
 }  // namespace
 
+void finish_between_stages(Keys& keys, ScriptModel& m, const char* what) {
+  if (m.running()) keys.problem(fmt::format("a stage runs; declare {} before it, or between stages", what));
+  keys.finish();
+  m.build();
+  m.catch_up();
+}
+
 FieldCourse read_course(Keys& keys, const char* key, double clock) {
   lua_State* L = keys.lua();
   FieldCourse course;

@@ -1,4 +1,4 @@
-// Readers of the keys of heat.
+// Readers of the keys of fields.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,10 @@
 #include "model/field/heat.hpp"
 
 namespace trilith::script {
+
+/// Fields change the model and the rows of the state between stages. Ends the reading of keys, so that a wrong key is
+/// reported first, and builds the model with all bodies added so far. `what`: the field, for the message.
+void finish_between_stages(Keys& keys, ScriptModel& m, const char* what);
 
 /// A number, or { {time, value}, ..., period = } with times from `clock` on [s].
 FieldCourse read_course(Keys& keys, const char* key, double clock);

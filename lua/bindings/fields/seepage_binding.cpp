@@ -14,14 +14,6 @@
 namespace trilith::script {
 namespace {
 
-/// Seepage changes the model between stages. Ends the reading of keys, and builds the model.
-void finish_seepage(Keys& keys, ScriptModel& m) {
-  if (m.running()) keys.problem("a stage runs; declare seepage before it, or between stages");
-  keys.finish();
-  m.build();
-  m.catch_up();
-}
-
 /// A number, or {number, number} for both ends.
 std::array<double, 2> read_ends(Keys& keys, const char* key, const char* unit, bool must_be_given) {
   lua_State* L = keys.lua();
@@ -40,24 +32,6 @@ std::array<double, 2> read_ends(Keys& keys, const char* key, const char* unit, b
   return out;
 }
 
-/// A body by the key; -1 without one, or if it is wrong, which Keys::finish reports.
-int read_seepage_body(Keys& keys, const char* key, const ScriptModel& m) {
-  int body = -1;
-  if (keys.push(key) != LUA_TNIL) {
-    try {
-      const std::vector<int> bodies = some_bodies_at(keys.lua(), -1, m, key);
-      if (bodies.size() == 1)
-        body = bodies.front();
-      else
-        keys.problem(fmt::format("'{}' is {} bodies, must be one", key, bodies.size()));
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  }
-  lua_pop(keys.lua(), 1);
-  return body;
-}
-
 void read_fissure(Keys& keys, SeepageSpec& spec) {
   spec.length = keys.number("length", "m"), spec.width = keys.number("width", "m", 1);
   spec.elevation = read_ends(keys, "elevation", "m", false);
@@ -66,9 +40,7 @@ void read_fissure(Keys& keys, SeepageSpec& spec) {
 }
 
 void read_joint(Keys& keys, const ScriptModel& m, SeepageSpec& spec) {
-  spec.upper = read_seepage_body(keys, "upper", m), spec.lower = read_seepage_body(keys, "lower", m);
-  if (!keys.has("upper")) keys.missing("upper", "a body or its name");
-  if (!keys.has("lower")) keys.missing("lower", "a body or its name");
+  spec.upper = read_one_body(keys, "upper", m), spec.lower = read_one_body(keys, "lower", m);
   if (spec.upper >= 0 && spec.upper == spec.lower) keys.problem("'upper' and 'lower' are the same body");
   if (m.dim() == 2)
     spec.heel = keys.maybe_point("heel");
@@ -97,7 +69,7 @@ std::string free_seepage_name(const Field& field) {
 
 template <int D>
 Field seepage_copy(const Model<D>& model) {
-  const auto known = seepage_of(model);
+  const auto known = field_of(model.fields, FieldKind::seepage);
   return known ? *known : Field{};
 }
 
@@ -128,7 +100,7 @@ int declare_seepage(lua_State* L, SimulatedModel<D>& m) {
   spec.filled = keys.flag("filled", true);
   spec.density = keys.number("density", "kg/m3", 1000), spec.viscosity = keys.number("viscosity", "Pa s", 1e-3);
   spec.bulk_modulus = keys.number("bulk_modulus", "Pa", 2.2e9);
-  finish_seepage(keys, m);
+  finish_between_stages(keys, m, "seepage");
   const Model<D>& model = m.simulation().model();
   Field field = seepage_copy(model);
   if (spec.name.empty()) spec.name = free_seepage_name(field);
@@ -137,7 +109,7 @@ int declare_seepage(lua_State* L, SimulatedModel<D>& m) {
     throw InputError(
         fmt::format("seepage '{}': water flows already; declare all joints before the first process", spec.name));
   add_seepage(field, model, spec);
-  m.change([field](Model<D>& changed) { set_field(changed, field); });
+  m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return push_load_name(L, spec.name);
 }
 
@@ -160,11 +132,11 @@ int declare_head(lua_State* L, SimulatedModel<D>& m) {
     head.name = keys.text("water");
   else
     head.name = node, head.course = read_course(keys, "head", values == nullptr ? 0 : values->clock);
-  finish_seepage(keys, m);
+  finish_between_stages(keys, m, "seepage");
   const Model<D>& model = m.simulation().model();
   Field field = require_seepage(model, "seepage_head");
   add_seepage_head(field, model, node, head);
-  m.change([field](Model<D>& changed) { set_field(changed, field); });
+  m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return 0;
 }
 

@@ -48,6 +48,25 @@ LoadCurve read_curve_table(Keys& keys, double now) {
 
 }  // namespace
 
+int read_one_body(Keys& keys, const char* key, const ScriptModel& m) {
+  int body = -1;
+  if (keys.push(key) == LUA_TNIL) {
+    keys.missing(key, "a body or its name");
+  } else {
+    try {
+      const std::vector<int> bodies = some_bodies_at(keys.lua(), -1, m, key);
+      if (bodies.size() == 1)
+        body = bodies.front();
+      else
+        keys.problem(fmt::format("'{}' is {} bodies, must be one", key, bodies.size()));
+    } catch (const InputError& e) {
+      keys.problem(e.what());
+    }
+  }
+  lua_pop(keys.lua(), 1);
+  return body;
+}
+
 std::vector<int> read_loaded_bodies(Keys& keys, const ScriptModel& m) {
   std::vector<int> bodies;
   if (keys.push("body") == LUA_TNIL) {

@@ -15,6 +15,9 @@ namespace trilith::script {
 /// `body`: a body, a set or a name; none if that is wrong, which Keys::finish reports.
 std::vector<int> read_loaded_bodies(Keys& keys, const ScriptModel& m);
 
+/// One body by the key; -1 if it is missing or wrong, which Keys::finish reports.
+int read_one_body(Keys& keys, const char* key, const ScriptModel& m);
+
 /// `load_curve`: nothing (full value at once, constant), a share, { ramp = T }, { smooth = T } or { {t, share}, ... ,
 /// smooth = true } with times from `now` on [s].
 LoadCurve read_load_curve(Keys& keys, double now);

@@ -124,26 +124,6 @@ std::optional<Vec3> maybe_water_point(Keys& keys, const char* key, SpaceModel& /
   return keys.vector(key);
 }
 
-/// One body by the key; -1 if it is wrong, which Keys::finish reports.
-int read_one_body(Keys& keys, const char* key, const ScriptModel& m) {
-  int body = -1;
-  if (keys.push(key) == LUA_TNIL) {
-    keys.missing(key, "a body or its name");
-  } else {
-    try {
-      const std::vector<int> bodies = some_bodies_at(keys.lua(), -1, m, key);
-      if (bodies.size() == 1)
-        body = bodies.front();
-      else
-        keys.problem(fmt::format("'{}' is {} bodies, must be one", key, bodies.size()));
-    } catch (const InputError& e) {
-      keys.problem(e.what());
-    }
-  }
-  lua_pop(keys.lua(), 1);
-  return body;
-}
-
 template <int D, class M>
 int uplift_of(lua_State* L, M& m) {
   Keys keys(L, 2, "uplift");
