@@ -260,12 +260,11 @@ std::vector<double> beam_lengths(const Model<D>& model, int body) {
   return length;
 }
 
-#define TRILITH_HEAT(D)                                                                                              \
-  template void add_heat(Field&, const Model<D>&, int, const HeatSpec&);                                             \
-  template void add_heat_exchange(Field&, const Model<D>&, const HeatExchangeSpec&, const std::vector<WetFace<D>>&); \
-  template std::vector<double> beam_lengths(const Model<D>&, int);
-TRILITH_HEAT(2)
-TRILITH_HEAT(3)
-#undef TRILITH_HEAT
+template void add_heat(Field&, const Model<2>&, int, const HeatSpec&);
+template void add_heat(Field&, const Model<3>&, int, const HeatSpec&);
+template void add_heat_exchange(Field&, const Model<2>&, const HeatExchangeSpec&, const std::vector<WetFace<2>>&);
+template void add_heat_exchange(Field&, const Model<3>&, const HeatExchangeSpec&, const std::vector<WetFace<3>>&);
+template std::vector<double> beam_lengths(const Model<2>&, int);
+template std::vector<double> beam_lengths(const Model<3>&, int);
 
 }  // namespace trilith
