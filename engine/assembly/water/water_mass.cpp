@@ -1,6 +1,6 @@
 #include "assembly/water/water_mass.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 
@@ -41,32 +41,32 @@ DirectedMass<3> directed_mass(const Model<3>& /*model*/, const State<3>& state, 
 
 namespace {
 
-/// M^-1 f of a node along its free directions.
-Dofs<2> divided_by_mass(const Model<2>& model, const State<2>& /*state*/, int n, const Dofs<2>& f) {
+/// Calls add(k, l, value) for the entries of the mass matrix of a node. A direction without an entry does not move
+/// freely.
+template <class Add>
+void each_mass_entry(const Model<2>& model, const State<2>& /*state*/, int n, Add&& add) {
   const auto i = static_cast<std::size_t>(n);
-  Dofs<2> out{};
   for (std::size_t k = 0; k < 2; ++k)
-    if (model.support[i][k] == Support::free) out[k] = f[k] / model.mass[i];
-  if (model.support[i][2] == Support::free && model.inertia[i] > 0) out[2] = f[2] / model.inertia[i];
-  return out;
+    if (model.support[i][k] == Support::free) add(k, k, model.mass[i]);
+  if (model.support[i][2] == Support::free && model.inertia[i] > 0) add(2, 2, model.inertia[i]);
 }
-Dofs<3> divided_by_mass(const Model<3>& model, const State<3>& state, int n, const Dofs<3>& f) {
+template <class Add>
+void each_mass_entry(const Model<3>& model, const State<3>& state, int n, Add&& add) {
   const auto i = static_cast<std::size_t>(n);
   const auto& support = model.support[i];
-  Dofs<3> out{};
   for (std::size_t k = 0; k < 3; ++k)
-    if (support[k] == Support::free) out[k] = f[k] / model.mass[i];
-  if (!(model.inertia[i].minCoeff() > 0)) return out;
+    if (support[k] == Support::free) add(k, k, model.mass[i]);
+  if (!(model.inertia[i].minCoeff() > 0)) return;
   if (support[3] == Support::free && support[4] == Support::free && support[5] == Support::free) {
-    const Turn3 turn(state.rotation[i]);
-    const Vec3 rise = turn.apply(Vec3(turn.undo(about_of(f)).cwiseQuotient(model.inertia[i])));
-    for (std::size_t k = 0; k < 3; ++k) out[3 + k] = rise[static_cast<Eigen::Index>(k)];
-    return out;
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Vec3 column = momentum_of(model.inertia[i], state.rotation[i], Vec3::Unit(static_cast<Eigen::Index>(l)));
+      for (std::size_t k = 0; k < 3; ++k) add(3 + k, 3 + l, column[static_cast<Eigen::Index>(k)]);
+    }
+    return;
   }
   const Dofs<3> mass = mass_of(model, state, n);
   for (std::size_t k = 3; k < 6; ++k)
-    if (support[k] == Support::free) out[k] = f[k] / mass[k];
-  return out;
+    if (support[k] == Support::free) add(k, k, mass[k]);
 }
 
 /// Accelerations of the driven directions of a node.
@@ -81,24 +81,95 @@ Dofs<D> driven_rise(const Model<D>& model, const State<D>& state, int n) {
   return out;
 }
 
-template <std::size_t dofs>
-std::array<double, dofs> sum_of(const std::array<double, dofs>& a, const std::array<double, dofs>& b) {
-  std::array<double, dofs> out;
-  for (std::size_t k = 0; k < dofs; ++k) out[k] = a[k] + b[k];
-  return out;
-}
-
-/// Entry of C M^-1 C' for two rows.
+/// (M + W) a = F for the free directions of the nodes at which water acts, with W from all points.
 template <int D>
-double coupling_of(const Model<D>& model, const State<D>& state, const DirectedMass<D>& a, const DirectedMass<D>& b) {
-  double sum = 0;
-  for (int i = 0; i < a.count; ++i)
-    for (int j = 0; j < b.count; ++j) {
-      const auto k = static_cast<std::size_t>(i), l = static_cast<std::size_t>(j);
-      if (a.node[k] == b.node[l]) sum += dot(a.along[k], divided_by_mass(model, state, a.node[k], b.along[l]));
+class MovingWater {
+ public:
+  MovingWater(const Model<D>& model, const State<D>& state)
+      : model_(model), state_(state), first_(model.mass.size(), -1) {
+    for_water_masses(model, state, [&](const DirectedMass<D>& row) { add_row(row); });
+  }
+  /// Forces of the points along their directions. `force` gives all other forces on a node.
+  template <class Force>
+  [[nodiscard]] std::vector<double> forces(Force&& force) {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(size_);
+    for (const int n : nodes_) place(n, force(n), right);
+    const Eigen::VectorXd rise = solved(right);
+    std::vector<double> out;
+    for (const DirectedMass<D>& row : rows_)
+      out.push_back(-row.mass * (row.times([&](int n) { return free_part(n, rise); }) + driven(row)));
+    return out;
+  }
+
+ private:
+  static constexpr int dofs = static_cast<int>(std::tuple_size_v<Dofs<D>>);
+
+  void add_row(const DirectedMass<D>& row) {
+    rows_.push_back(row);
+    for (int i = 0; i < row.count; ++i) {
+      const int n = row.node[static_cast<std::size_t>(i)];
+      if (first_[static_cast<std::size_t>(n)] >= 0) continue;
+      first_[static_cast<std::size_t>(n)] = size_, size_ += dofs;
+      nodes_.push_back(n);
     }
-  return sum;
-}
+  }
+  [[nodiscard]] int position(int n, std::size_t k) const {
+    return first_[static_cast<std::size_t>(n)] + static_cast<int>(k);
+  }
+  [[nodiscard]] bool moves(int n, std::size_t k) const { return moves_[static_cast<std::size_t>(position(n, k))]; }
+  [[nodiscard]] double driven(const DirectedMass<D>& row) const {
+    return row.times([&](int n) { return driven_rise(model_, state_, n); });
+  }
+  [[nodiscard]] Dofs<D> free_part(int n, const Eigen::VectorXd& of) const {
+    Dofs<D> out;
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = of[position(n, k)];
+    return out;
+  }
+  void place(int n, const Dofs<D>& f, Eigen::VectorXd& right) const {
+    for (std::size_t k = 0; k < f.size(); ++k) right[position(n, k)] = f[k];
+  }
+  void add_masses() {
+    moves_.assign(static_cast<std::size_t>(size_), false);
+    for (const int n : nodes_)
+      each_mass_entry(model_, state_, n, [&](std::size_t k, std::size_t l, double value) {
+        entries_.emplace_back(position(n, k), position(n, l), value);
+        moves_[static_cast<std::size_t>(position(n, k))] = true;
+      });
+    for (int i = 0; i < size_; ++i)  // held and driven directions keep an acceleration of zero in this system
+      if (!moves_[static_cast<std::size_t>(i)]) entries_.emplace_back(i, i, 1);
+  }
+  /// Adds m c c' and, on the right, the inertia of the driven directions.
+  void add_water(const DirectedMass<D>& row, Eigen::VectorXd& right) {
+    const double given = driven(row);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(row.count); ++i)
+      for (std::size_t k = 0; k < row.along[i].size(); ++k) {
+        const double c = row.mass * row.along[i][k];
+        if (c == 0 || !moves(row.node[i], k)) continue;
+        right[position(row.node[i], k)] -= c * given;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(row.count); ++j)
+          for (std::size_t l = 0; l < row.along[j].size(); ++l)
+            if (row.along[j][l] != 0 && moves(row.node[j], l))
+              entries_.emplace_back(position(row.node[i], k), position(row.node[j], l), c * row.along[j][l]);
+      }
+  }
+  Eigen::VectorXd solved(Eigen::VectorXd& right) {
+    add_masses();
+    for (int i = 0; i < size_; ++i)
+      if (!moves_[static_cast<std::size_t>(i)]) right[i] = 0;
+    for (const DirectedMass<D>& row : rows_) add_water(row, right);
+    Eigen::SparseMatrix<double> system(size_, size_);
+    system.setFromTriplets(entries_.begin(), entries_.end());
+    return Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(system).solve(right);
+  }
+
+  const Model<D>& model_;
+  const State<D>& state_;
+  std::vector<DirectedMass<D>> rows_;
+  std::vector<int> nodes_, first_;  // touched nodes; [node] position of their unknowns, -1 without
+  std::vector<bool> moves_;         // [unknown]
+  std::vector<Eigen::Triplet<double>> entries_;
+  int size_ = 0;
+};
 
 }  // namespace
 
@@ -107,23 +178,8 @@ template <int D>
 void add_water_inertia(const Model<D>& model, const State<D>& state, Work<D>& work, const StepOptions& options) {
   work.added_system.clear();
   if (state.implicit() || !has_water_mass(model)) return;
-  std::vector<DirectedMass<D>> rows;
-  for_water_masses(model, state, [&](const DirectedMass<D>& row) { rows.push_back(row); });
-  const auto size = static_cast<Eigen::Index>(rows.size());
   const NodeMotions<D> nodes(model, state, work, options);
-  Eigen::MatrixXd system(size, size);
-  Eigen::VectorXd right(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const DirectedMass<D>& row = rows[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j <= i; ++j)
-      system(i, j) = system(j, i) = coupling_of(model, state, row, rows[static_cast<std::size_t>(j)]);
-    system(i, i) += 1 / row.mass;
-    right[i] = -row.times([&](int n) {
-      return sum_of(divided_by_mass(model, state, n, nodes.forces(n).force), driven_rise(model, state, n));
-    });
-  }
-  const Eigen::VectorXd y = system.llt().solve(right);
-  work.added_system.assign(y.data(), y.data() + y.size());
+  work.added_system = MovingWater<D>(model, state).forces([&](int n) { return nodes.forces(n).force; });
   const std::vector<Dofs<D>> added = water_inertia(model, state, work);
   for (std::size_t n = 0; n < added.size(); ++n)
     work.force[n] += along_of(added[n]), work.moment[n] += about_of(added[n]);

@@ -5,10 +5,12 @@
 // along its direction, with the coefficients c_k of the nodes k, and acts on them with -m a c_k. Its kinetic energy is
 // m (sum c_k . v_k)^2 / 2. Terms of the square of the velocity, from the rotation of the direction, are left out.
 //
-// Explicit steps divide by the masses M of the nodes. With F, the forces without the water, and with the rows C of
-// all points, the forces of the water are C' y with
+// Explicit steps need the accelerations a, on which the forces of the water depend:
 //
-//     (diag(1/m) + C M^-1 C') y = -C M^-1 F - C a of driven nodes.
+//     (M + C' diag(m) C) a = F,    y = -diag(m) C a,    forces C' y,
+//
+// with the masses M of the nodes, F, the forces without the water, and the rows C of all points. The system has the
+// free directions of the touched nodes only: it falls into blocks of single rigid bodies, and is banded along a mesh.
 //
 // Implicit steps and modes have the entries m c_i c_j in their mass matrix.
 #pragma once
