@@ -69,20 +69,25 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
 /// Adds the response of the fibres with one law to `out`. Strain e = e_0 - y k of each fibre; N += s A, M -= s A y, and
 /// their derivatives by e_0 and k.
 template <UniaxialLawType L>
-void respond_part(const L& law, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
+void respond_part(const L& given, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
                   double* after, SectionResponse& out) {
+  const L law = given;  // `after` cannot point into a copy: what depends on the law alone is computed once
+  double normal = out.normal, moment = out.moment, axial = out.tangent(0, 0), coupled = out.tangent(0, 1),
+         bending = out.tangent(1, 1), stored = out.stored, dissipated = out.dissipated;
+  bool yielding = out.yielding;
   for (const Fibre& f : fibres) {
     typename L::Memory memory;
-    std::copy_n(before, L::memory_size, memory.begin());
+    for (double& m : memory) m = *before++;
     const UniaxialResponse<L::memory_size> r = law.respond(strain.axial - f.height * strain.curvature, memory);
-    std::copy_n(r.memory.begin(), L::memory_size, after);
-    before += L::memory_size, after += L::memory_size;
+    for (const double m : r.memory) *after++ = m;
     const double force = r.stress() * f.area, stiffness = r.tangent * f.area, arm = -f.height;
-    out.normal += force, out.moment += arm * force;
-    out.tangent(0, 0) += stiffness, out.tangent(0, 1) += arm * stiffness, out.tangent(1, 1) += arm * arm * stiffness;
-    out.stored += r.stored * f.area, out.dissipated += r.dissipated * f.area;
-    out.yielding = out.yielding || r.yielding;
+    normal += force, moment += arm * force;
+    axial += stiffness, coupled += arm * stiffness, bending += arm * arm * stiffness;
+    stored += r.stored * f.area, dissipated += r.dissipated * f.area;
+    yielding = yielding || r.yielding;
   }
+  out.normal = normal, out.moment = moment, out.stored = stored, out.dissipated = dissipated, out.yielding = yielding;
+  out.tangent(0, 0) = axial, out.tangent(0, 1) = coupled, out.tangent(1, 1) = bending;
 }
 
 }  // namespace

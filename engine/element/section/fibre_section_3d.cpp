@@ -117,20 +117,22 @@ std::vector<Fibre3> bars_of(const FibreSpec& spec, double below, double width) {
 /// Adds the response of the fibres with one law to `out`. With a = (1, z, -y): e = a . strain, stress += s A a, tangent
 /// += E A a a'.
 template <UniaxialLawType L>
-void respond_part(const L& law, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
+void respond_part(const L& given, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
                   double* after, SectionResponse3& out) {
+  const L law = given;  // `after` cannot point into a copy: what depends on the law alone is computed once
+  SectionResponse3 sum = out;
   for (const Fibre3& f : fibres) {
     typename L::Memory memory;
-    std::copy_n(before, L::memory_size, memory.begin());
+    for (double& m : memory) m = *before++;
     const Eigen::Vector3d arm(1, f.across, -f.up);
     const UniaxialResponse<L::memory_size> r = law.respond(arm.dot(strain), memory);
-    std::copy_n(r.memory.begin(), L::memory_size, after);
-    before += L::memory_size, after += L::memory_size;
-    out.stress += r.stress() * f.area * arm;
-    out.tangent += r.tangent * f.area * (arm * arm.transpose());
-    out.stored += r.stored * f.area, out.dissipated += r.dissipated * f.area;
-    out.yielding = out.yielding || r.yielding;
+    for (const double m : r.memory) *after++ = m;
+    sum.stress += r.stress() * f.area * arm;
+    sum.tangent += r.tangent * f.area * (arm * arm.transpose());
+    sum.stored += r.stored * f.area, sum.dissipated += r.dissipated * f.area;
+    sum.yielding = sum.yielding || r.yielding;
   }
+  out = sum;
 }
 
 }  // namespace

@@ -49,12 +49,13 @@ struct ConcreteCycle {
     return stored_on_line(m, plastic(law, m[squeezed], law.envelope(m[squeezed]).stress));
   }
 
-  /// The envelope may be expensive: it is evaluated once at the greatest compression and once at the present strain.
+  /// The envelope may be expensive. A fibre that was last at its greatest compression has its stress in the memory.
   static UniaxialResponse<concrete_memory> respond(const L& law, double strain, const Memory& before) {
     UniaxialResponse<concrete_memory> out;
     Memory& m = out.memory = before;
     m[last_strain] = strain;
-    const double most = before[squeezed], on_envelope = law.envelope(most).stress;
+    const double most = before[squeezed],
+                 on_envelope = -before[last_strain] == most ? -before[last_stress] : law.envelope(most).stress;
     const double left_before = plastic(law, most, on_envelope);
     double left = left_before;
     if (-strain > most) {
