@@ -88,6 +88,7 @@ void add_flow(Hash& hash, const JointFlow& flow) {
   }
   for (const FlowNode& n : flow.nodes)
     hash.add(std::string_view(n.name)), add_number(hash, n.elevation), add_number(hash, n.surrounding);
+  if (flow.in_motion) add_number(hash, 1);
 }
 
 }  // namespace
@@ -106,6 +107,7 @@ std::uint64_t Field::digest() const {
   for (const FreeBeam& b : free_beams)
     for (const double v : {b.reference, b.expansion, b.depth, b.length}) add_number(hash, v);
   if (flow) add_flow(hash, *flow);
+  if (friction >= 0) add_number(hash, friction);
   return hash.value();
 }
 

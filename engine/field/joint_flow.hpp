@@ -68,6 +68,8 @@ struct FlowNode {
 struct JointFlow {
   std::vector<FlowJoint> joints;
   std::vector<FlowNode> nodes;
+  bool in_motion = false;  ///< water flows in stages of motion too; otherwise its pressures are held there
+  bool is_chosen = false;  ///< a script has chosen `in_motion`
 
   /// Cells of all joints; the value of cell i is its pressure head [m], value cells() + i its volume of water [m3].
   [[nodiscard]] int cells() const { return joints.empty() ? 0 : joints.back().first_cell + joints.back().cells; }

@@ -99,6 +99,21 @@ Equilibrium seepage_step(const SeepageStep<D>& step, FlowSolver& solver, State<D
 }
 
 template <int D>
+void flow_after_step(const Model<D>& model, double dt, FlowSolver& solver, State<D>& state,
+                     std::vector<Event>& events) {
+  const auto row = static_cast<std::size_t>(row_of(model.fields, FieldKind::seepage));
+  const Field& field = *model.fields[row];
+  state.fields.resize(model.fields.size());
+  extend_field(field, state.fields[row]);
+  const std::vector<bool> flooded = flooded_joints(model, state);
+  const FieldState before = state.fields[row];
+  const std::vector<double> heads = seepage_heads(field, model, before.clock + dt, state.time);
+  const Apertures apertures = joint_apertures(*field.flow, before, model, state);
+  solver.advance(*field.flow, apertures, heads, {}, dt, before, state.fields[row]);
+  add_flow_events(model, state, flooded, events);
+}
+
+template <int D>
 std::vector<bool> flooded_joints(const Model<D>& model, const State<D>& state) {
   std::vector<bool> out;
   const int row = row_of(model.fields, FieldKind::seepage);
@@ -132,9 +147,10 @@ void add_flow_events(const Model<D>& model, const State<D>& state, const std::ve
   }
 }
 
-#define TRILITH_SEEPAGE_STEP(D)                                                     \
-  template Equilibrium seepage_step(const SeepageStep<D>&, FlowSolver&, State<D>&); \
-  template std::vector<bool> flooded_joints(const Model<D>&, const State<D>&);      \
+#define TRILITH_SEEPAGE_STEP(D)                                                                        \
+  template Equilibrium seepage_step(const SeepageStep<D>&, FlowSolver&, State<D>&);                    \
+  template void flow_after_step(const Model<D>&, double, FlowSolver&, State<D>&, std::vector<Event>&); \
+  template std::vector<bool> flooded_joints(const Model<D>&, const State<D>&);                         \
   template void add_flow_events(const Model<D>&, const State<D>&, const std::vector<bool>&, std::vector<Event>&);
 TRILITH_SEEPAGE_STEP(2)
 TRILITH_SEEPAGE_STEP(3)

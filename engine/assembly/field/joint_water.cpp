@@ -145,6 +145,38 @@ void press_joints(const Model<2>& model, const State<2>& state, const Work<2>& w
       press_joint(nodes, joint, water, true, true, [&](int skin, const Vec2& f) { nodes.push_skin(skin, f); });
 }
 
+std::vector<WaterSpring> water_springs(const Model<2>& model, const State<2>& state) {
+  std::vector<WaterSpring> out;
+  const FieldValues water = values_of(model.fields, state.fields, FieldKind::seepage);
+  if (!water || !water.field().flow->in_motion) return out;
+  const LoadPlaces<2> on{model, state};
+  for (const FlowJoint& joint : water.field().flow->joints) {
+    if (!joint.has_bodies()) continue;
+    const double own = std::min(joint.aperture[0], joint.aperture[1]);
+    PlacedJoint(on, joint).for_pairs([&](const FacingPair& pair) {
+      const double gap = std::min(pair.gap(pair.first()), pair.gap(pair.last()));
+      const double least = std::max(least_aperture * own, own + std::min(0.0, gap));
+      WaterSpring spring;
+      spring.body_a = joint.upper.front().body, spring.body_b = joint.lower.front().body;
+      spring.skin = {{{pair.a0, pair.a1}, {pair.b0, pair.b1}}};
+      spring.at = pair.stretch.point(pair.along(0.5 * (pair.first() + pair.last())));
+      spring.normal = pair.onto_a.normalized(), spring.length = pair.last() - pair.first();
+      spring.stiffness = joint.width * joint.bulk_modulus / least;
+      out.push_back(spring);
+    });
+  }
+  return out;
+}
+
+template <int D>
+bool flows_in_motion(const Model<D>& model, bool steps_are_explicit) {
+  for (const auto& field : model.fields)
+    if (field->flow) return field->flow->in_motion && (steps_are_explicit || !field->flow->has_bodies());
+  return false;
+}
+template bool flows_in_motion(const Model<2>&, bool);
+template bool flows_in_motion(const Model<3>&, bool);
+
 JointThrust thrust_on_upper(const FlowJoint& joint, const Model<2>& model, const State<2>& state) {
   JointThrust out;
   const LoadPlaces<2> on{model, state};

@@ -25,6 +25,22 @@ Apertures joint_apertures(const JointFlow& flow, const FieldState& state, const 
 void press_joints(const Model<2>& model, const State<2>& state, const Work<2>& work, std::vector<Vec2>& force,
                   std::vector<double>& moment);
 
+/// Stiffness of the water that is enclosed between two faces, K/a, as a spring between their bodies.
+struct WaterSpring {
+  int body_a = -1, body_b = -1;
+  std::array<std::array<int, 2>, 2> skin{};  ///< of the face of either body
+  Vec2 at = Vec2::Zero(), normal = Vec2::Zero();
+  double length = 0;     ///< along the faces [m]
+  double stiffness = 0;  ///< largest of any cell, with its width [N/m per m of length]
+};
+
+/// The water in the joints of a model in which it flows in stages of motion; otherwise none. A joint counts with the
+/// smaller of its present aperture and its aperture without load, as it may close before the next estimate.
+std::vector<WaterSpring> water_springs(const Model<2>& model, const State<2>& state);
+/// True if the water of the joints flows in a stage of motion; `steps_are_explicit`: its steps.
+template <int D>
+bool flows_in_motion(const Model<D>& model, bool steps_are_explicit);
+
 /// Force on the upper body of a joint [N], and moment about the origin [N m].
 struct JointThrust {
   Vec2 force = Vec2::Zero();
