@@ -25,7 +25,7 @@ template <int D>
 std::vector<HeatDeposit> friction_of_step(const Model<D>& model, const State<D>& state, const Work<D>& work);
 
 /// Divides the energy that friction dissipated in the last step over the contacts at this instant, which `work`
-/// contains: by shear force times relative speed of those that slide; without motion by shear force. Half of each part
+/// contains: by shear force times relative speed where it slides; without motion by shear force. Half of each part
 /// enters either body, at its node nearest to the contact; a body without cells leaves its half to the other one, and
 /// parts between two such bodies are lost.
 template <int D>

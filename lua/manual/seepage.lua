@@ -4,7 +4,7 @@ return {
     .. "cubic law. The aperture of a joint is the given one plus the gap of its faces, and its pressure acts on both "
     .. "faces. Nodes of the same name connect joints. m:process lets the water flow. Returns the name.",
     also = "cubic law, fissure flow, hydraulic aperture, uplift, pore pressure, squeeze film", keys = [[
-upper         body?              a body at the joint, in the plane
+upper         body?              a body at the joint; in space rigid, and the joint one rectangle
 lower         body?              the other body
 heel          point?             a point at the end that is "from"; without it the left end
 length        number m?          of a fissure, instead of bodies  <above 0>

@@ -12,7 +12,7 @@ namespace trilith::draw {
 /// Temperature of each node [degC]; none where a body has none, and in a file without temperatures.
 std::vector<std::optional<double>> temperatures_of_nodes(const results::Header& header, const results::Frame& frame);
 
-/// Sets the values of free bodies to their temperature: the mean of their nodes, and in the plane that of each finite
+/// Sets the values of free bodies to their temperature: the mean of their nodes, and in the plane one value for each
 /// element. Throws InputError for a file without temperatures.
 void colour_by_temperature(const results::ResultsReader& reader, const results::Frame& frame, Scene& scene);
 

@@ -19,7 +19,7 @@
 namespace trilith::script {
 namespace {
 
-/// A reading of a joint, the number it gives, and its unit. Those of a cell need a place.
+/// A reading of a joint, the number it gives, and its unit. Readings of a cell need a place.
 struct JointQuantity {
   std::string_view name, unit, sentence;
   double JointReading::*whole = nullptr;

@@ -1,4 +1,4 @@
--- Heat of friction: it is what contacts dissipate, half in either body, in the plane and in space, in explicit and
+-- Heat of friction: the energy that contacts dissipate, half in either body, in the plane and in space, in explicit and
 -- implicit steps, in rigid and deformable bodies, and in processes.
 local trilith = require "trilith"
 local function near(a, b, share) assert(math.abs(a - b) <= share*math.abs(b), a .. " is not " .. b) end
