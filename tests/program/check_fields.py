@@ -130,7 +130,7 @@ with open(table, newline="", encoding="utf8") as file:
     rows = list(csv.reader(file))
 check(any("at the top" in cell for cell in rows[0]) and any("pressure" in cell for cell in rows[0]), rows[0])
 run_program("export", "plane.h5", "--to", "vtk")
-check(any(b'Name="node_temperature"' in path.read_bytes() for path in folder.rglob("*bodies*.vtu")), "VTK")
+check(any(b'Name="node_temperature"' in path.read_bytes() for path in folder.rglob("*.vtu")), "VTK")
 
 run_program("draw", "plane.h5", "--at", "end", "--colour", "temperature", "-o", "heat.svg")
 run_program("draw", "plane.h5", "--at", "end", "--colour", "water", "-o", "water.svg")
