@@ -131,6 +131,7 @@ struct Field {
   std::vector<int> free_beam_of;  ///< [beam of the model] row of free_beams; -1, or beyond the end: none
   std::vector<FreeBeam> free_beams;
   std::shared_ptr<const JointFlow> flow;  ///< of water in joints; its cells have two values each, see JointFlow::cells
+  int friction = -1;  ///< row of surroundings that counts the heat of friction; -1: friction heats no body
 
   [[nodiscard]] int cells() const { return static_cast<int>(capacity.size()); }
   /// The row of a body, or nullptr without cells.

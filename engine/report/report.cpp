@@ -21,6 +21,7 @@ std::string report_page(const results::ResultsReader& reader, const std::vector<
   write_motions(source, html);
   write_stages(source, html);
   write_pictures(source, html);
+  write_fields(source, html);
   write_events(source, html);
   write_damage(source, html);
   write_members(source, html);

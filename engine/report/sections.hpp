@@ -49,6 +49,8 @@ void write_parameters(const ReportSource& source, HtmlText& html);
 void write_motions(const ReportSource& source, HtmlText& html);
 void write_stages(const ReportSource& source, HtmlText& html);
 void write_pictures(const ReportSource& source, HtmlText& html);
+/// Writes nothing if the file has no temperatures and no water in joints.
+void write_fields(const ReportSource& source, HtmlText& html);
 void write_events(const ReportSource& source, HtmlText& html);
 void write_histories(const ReportSource& source, HtmlText& html);
 void write_energy(const ReportSource& source, HtmlText& html);

@@ -6,14 +6,17 @@
 #include <utility>
 
 #include "assembly/evaluate.hpp"
+#include "assembly/field/joint_water.hpp"
 #include "base/error.hpp"
 #include "events/commit.hpp"
 #include "integrate/explicit/central_difference.hpp"
 #include "integrate/explicit/followed_step.hpp"
 #include "integrate/explicit/stable_step.hpp"
 #include "integrate/implicit/implicit_step.hpp"
+#include "run/friction_heat.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
+#include "run/water_step.hpp"
 
 namespace trilith {
 namespace {
@@ -68,14 +71,15 @@ NextStep Simulation<D>::choose_step() const {
   const StageOptions& options = stage_->options;
   if (bound_of(integrator()) == StepBound::accuracy) {
     const double longest = longest_controlled_step(options);
-    const double stable = options.may_change ? stable_step(model_, state_, work_).dt : 0;
+    const double stable =
+        options.may_change ? step_with_water(model_, state_, stable_step(model_, state_, work_).dt) : 0;
     return {state_.dt > 0 ? std::min(state_.dt, longest) : longest, 0, stable};
   }
   // A stage with another step option takes effect at once.
   const double given = given_step(options), safety = given > 0 ? 0 : options.safety;
   const bool other = state_.safety != safety || (given > 0 && state_.dt != given);
   if (!other && state_.dt != 0 && state_.step % steps_between_estimates != 0) return {state_.dt, state_.safety, 0};
-  const double longest = stable_step(model_, state_, work_).dt;
+  const double longest = step_with_water(model_, state_, stable_step(model_, state_, work_).dt);
   // With mass scaling the step is the requested one while all bodies have sufficient added mass for it.
   const double turning = std::min(longest, turning_step(model_, state_));
   const double own = settled_step(turning, options.safety);
@@ -92,6 +96,12 @@ void Simulation<D>::scale_masses() {
   if (!model_.pushes.empty())
     throw InputError(fmt::format("stage '{}': push '{}' controls a displacement, which excludes mass_scaling; keep one",
                                  stage_->options.name, model_.pushes.front().name));
+  if (!model_.fields.empty() && flows_in_motion(model_, true) && has_joint_water(model_))
+    throw InputError(fmt::format(
+        "stage '{}': water flows in joints between bodies, which excludes mass_scaling: the added mass would "
+        "not follow the stiffness of the water; leave mass_scaling out, or: m:seepage_motion {{ flows = "
+        "false }}",
+        stage_->options.name));
   refresh();
   const bool due = state_.added_share.empty() || state_.dt == 0 || state_.step % steps_between_estimates == 0;
   if (!due) return;
@@ -144,6 +154,7 @@ void Simulation<D>::change_velocities(VelocityTimes to) {
                     "integrator = \"explicit\"",
                     stage_->options.name, model_.pushes.front().name));
   refresh();
+  const std::vector<HeatDeposit> friction = friction_of_step(model_, state_, work_);
   commit(model_, state_, work_, times_);
   leaving_.insert(leaving_.end(), work_.events.begin(), work_.events.end());
   if (collocated)
@@ -152,6 +163,7 @@ void Simulation<D>::change_velocities(VelocityTimes to) {
     begin_explicit(model_, state_, work_);
   state_.dt = state_.safety = 0;
   evaluated_ = false;
+  if (!friction.empty()) change_fields([&](State<D>& state) { add_deposits(model_, friction, state.fields); });
 }
 
 /// Prepares for central differences after a step failed at a committed instant. The state is unchanged, with no step

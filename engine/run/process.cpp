@@ -15,6 +15,7 @@
 #include "model/field/heat.hpp"
 #include "model/field/seepage.hpp"
 #include "model/postpone.hpp"
+#include "run/friction_heat.hpp"
 #include "run/load_way.hpp"
 #include "run/seepage_step.hpp"
 #include "run/simulation.hpp"
@@ -126,6 +127,7 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
       const double from = static_cast<double>(i - 1) * process.step,
                    dt = std::min(process.step, process.duration - from);
       const std::vector<bool> flooded = flooded_joints(model_, state_);
+      const double dissipated = state_.given[EnergyTerm::contact_friction];
       found = process_step(process, dt, solver, how);
       if (!found.converged) break;
       add_flow_events(model_, state_, flooded, found.events);
@@ -136,6 +138,12 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
       evaluated_ = false;
       if (process.mechanics) {
         refresh();
+        if (const Field* const heated = friction_heated(model_)) {
+          const double energy = state_.given[EnergyTerm::contact_friction] - dissipated;
+          const auto friction = friction_deposits(*heated, model_, state_, work_, energy);
+          if (!friction.empty()) change_fields([&](State<D>& state) { add_deposits(model_, friction, state.fields); });
+          refresh();
+        }
         watch_->reset();
         diverged = watch_->look_at_strains(instant(), "after " + clock_text(state_.fields.front().clock));
       }

@@ -27,6 +27,12 @@ struct SeepageStep {
 template <int D>
 Equilibrium seepage_step(const SeepageStep<D>& step, FlowSolver& solver, State<D>& state);
 
+/// The water flows for `dt` [s] between the bodies as they are now, after a step of a stage of motion. The step of the
+/// motion resolves the stiffness of the enclosed water (run/water_step.hpp), so the pressure may follow the motion
+/// explicitly. Appends the events of joints.
+template <int D>
+void flow_after_step(const Model<D>& model, double dt, FlowSolver& solver, State<D>& state, std::vector<Event>& events);
+
 /// Joints between bodies in which every cell is full to more than a half; empty without such joints.
 template <int D>
 std::vector<bool> flooded_joints(const Model<D>& model, const State<D>& state);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "assembly/evaluate.hpp"
+#include "assembly/field/joint_water.hpp"
 #include "assembly/start.hpp"
 #include "assembly/tangent/tangent.hpp"
 #include "assembly/water/water_mass.hpp"
@@ -21,6 +22,8 @@
 #include "integrate/explicit/impact_step.hpp"
 #include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
+#include "run/friction_heat.hpp"
+#include "run/seepage_step.hpp"
 #include "run/stage_end.hpp"
 #include "run/watch.hpp"
 #include "statics/displacement_control.hpp"
@@ -328,8 +331,13 @@ bool Simulation<D>::step_in_time(double dt, const RunListener<D>& listener) {
   const Energy before = state_.implicit() ? energy() : Energy{};
   const bool is_given = next_.safety == 0;
   const bool may_skip = watch_->bonds().near && !state_.implicit();
+  const std::vector<HeatDeposit> friction = friction_of_step(model_, state_, work_);
   commit(model_, state_, work_, times_);
   if (!take_step(dt, before, listener)) return false;
+  if (!friction.empty()) change_fields([&](State<D>& state) { add_deposits(model_, friction, state.fields); });
+  const bool in_time = !model_.fields.empty() && rest_.share == 0;  // local damping has no time of its own
+  if (in_time && flows_in_motion(model_, !state_.implicit()))
+    flow_after_step(model_, state_.last_dt, watch_->flow(), state_, leaving_);
   refresh();
   if (may_skip) add_skipped_bonds(model_, state_, work_, is_given);
   if (threads_.is_open()) threads_.took(std::chrono::duration<double>(Clock::now() - began).count());

@@ -3,12 +3,14 @@
 // limit can be reached.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "field/joint_flow.hpp"
 #include "integrate/explicit/bond_step.hpp"
 #include "run/stage.hpp"
 #include "statics/travel.hpp"
@@ -62,6 +64,11 @@ class Watch {
   [[nodiscard]] const Travel& displaced() const { return displaced_; }
   /// Range until bonds may come near their strength, see integrate/explicit/bond_step.hpp.
   BondRoom& bonds() { return bonds_; }
+  /// Solver of the water in joints, kept for its factors; no result depends on it.
+  FlowSolver& flow() {
+    if (!flow_) flow_ = std::make_unique<FlowSolver>();
+    return *flow_;
+  }
   /// Calls each(number) for all members but positions and bonds, which are found again.
   template <class Each>
   void each_number(Each&& each) {
@@ -86,6 +93,7 @@ class Watch {
   double bounds_room_ = 0;   // ... until a node may be outside the bounds [m]
   double sound_until_ = 0;   // [s]
   BondRoom bonds_;
+  std::unique_ptr<FlowSolver> flow_;
   bool counts_ = false;
   Energy from_;                 // ledger at the start of the energy check
   int free_dofs_ = 0;           // at that instant

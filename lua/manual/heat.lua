@@ -27,7 +27,8 @@ name         text?              name in readings]], gives = "string",
     .. "Without it contacts are insulated; a later call takes precedence.",
     also = "thermal contact resistance", keys = [[
 conductance  number W/(m2 K)    conductance of the area in contact  <at least 0>
-body         bodies?            contacts of these bodies; all contacts if none is given]],
+body         bodies?            contacts of these bodies; all contacts if none is given
+friction     flag = false       the energy that friction of contacts dissipates heats both bodies, from now on]],
     example = 'm:heat { body = "block", conductivity = 2, heat_capacity = 900 }\nm:heat_contact { conductance = 20 }' },
   { "model:set_temperature", "Changes the temperature of bodies at once, between stages. Find equilibrium afterwards.",
     keys = [[

@@ -30,6 +30,9 @@ body     body?      body of the reading
 bearing  bearing?   or bearing
 seat     seat?      or seat
 storey   integer?   or storey; the model if none is given  <at least 1>
+seepage  text?      or a joint of m:seepage: pressure, head, aperture, fill; volume, wet_length, inflow, outflow
+at       number m?  distance from the first end of that joint; the first four readings need it  <at least 0>
+point    point?     with body and what = "temperature": a point of the body at the start
 of       function?  or a function; its value is recorded
 unit     text?      unit of the function's values
 doc      text?      description of the values

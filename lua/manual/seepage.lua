@@ -4,7 +4,7 @@ return {
     .. "cubic law. The aperture of a joint is the given one plus the gap of its faces, and its pressure acts on both "
     .. "faces. Nodes of the same name connect joints. m:process lets the water flow. Returns the name.",
     also = "cubic law, fissure flow, hydraulic aperture, uplift, pore pressure, squeeze film", keys = [[
-upper         body?              a body at the joint, in the plane
+upper         body?              a body at the joint; in space rigid, and the joint one rectangle
 lower         body?              the other body
 heel          point?             a point at the end that is "from"; without it the left end
 length        number m?          of a fissure, instead of bodies  <above 0>
@@ -29,6 +29,13 @@ head   course?   head [m]: a number, or { {time, value}, ..., period = seconds }
 water  text?     instead of head: name of a water, whose level is the head]],
     example = 'm:seepage { name = "fissure", length = 2, aperture = 2e-4, from = "lake", to = "drain" }\n'
       .. 'm:seepage_head { node = "lake", head = 3 }' },
+  { "model:seepage_motion", "Whether water flows through joints in m:run and m:shake too. Without this call, and in "
+    .. "implicit steps between bodies and with local_damping, pressures are held there. The explicit step is shortened "
+    .. "to resolve the stiffness of the enclosed water, its bulk modulus over the aperture. The water has no inertia.",
+    also = "squeeze film, hydrodynamic uplift, undrained", keys = [[
+flows  flag = true  water flows during stages of motion; false: pressures are held]],
+    example = 'm:seepage { name = "fissure", length = 2, aperture = 2e-4, from = "lake", to = "drain" }\n'
+      .. 'm:seepage_motion { flows = true }' },
   { "model:seepage_state", "State of a joint. Lists by cell: head [m], pressure [Pa], aperture [m] and fill [1]. "
     .. "Numbers: volume of water [m3], wet_length and length [m], inflow and outflow [m3/s], head_from and head_to "
     .. "[m]. Between bodies also force [N] and moment about the origin [N m] on the upper one. Without a name: "

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "draw/scene/field_colours.hpp"
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_picture.hpp"
 #include "results/file/placement.hpp"
@@ -124,7 +125,8 @@ double component(const Eigen::Matrix3d& stress, std::string_view name) {
 }  // namespace
 
 const std::vector<std::string>& colour_names() {
-  static const std::vector<std::string> names{"group", "displacement", "speed", "damage", "pressure"};
+  static const std::vector<std::string> names{"group",    "displacement", "speed", "damage",
+                                              "pressure", "temperature",  "water"};
   return names;
 }
 
@@ -133,6 +135,8 @@ void colour_bodies(const ResultsReader& reader, const Frame& frame, const std::s
   if (std::find(colour_names().begin(), colour_names().end(), by) == colour_names().end())
     throw InputError(fmt::format("bodies cannot be coloured by '{}'{}", by, name_hint(by, colour_names())));
   if (by == "group") return;
+  if (by == "temperature") return colour_by_temperature(reader, frame, scene);
+  if (by == "water") return colour_by_water(reader, frame, scene);
   if (by == "speed" && !header.with_velocity)
     throw InputError(
         fmt::format("'{}' has no velocities; record them with m:results{{velocities = true}}", reader.path().string()));

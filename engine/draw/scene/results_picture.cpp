@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "draw/members/results_members.hpp"
+#include "draw/scene/field_colours.hpp"
 #include "draw/scene/results_colours.hpp"
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_solids.hpp"
@@ -232,6 +233,8 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   if (choice.magnify != 1 && !choice.diagram.empty())
     throw InputError("diagrams of section forces cannot be drawn with magnified displacements; leave one out");
   const bool of_contacts = choice.colour == "pressure" || (!plane && !choice.stress.empty());
+  if (choice.magnify != 1 && choice.colour == "water")
+    throw InputError("water in joints cannot be drawn with magnified displacements; leave one of both out");
   if (choice.magnify != 1 && of_contacts)
     throw InputError("colours by contact forces cannot be drawn with magnified displacements; leave one of both out");
   if (choice.envelope && choice.diagram.empty())
@@ -260,8 +263,9 @@ struct Moment {
 
 Moment moment_at(const ResultsReader& reader, double time, const SceneChoice& choice) {
   require_time(reader, time, choice.origin);
+  const bool by_fields = choice.colour == "temperature" || choice.colour == "water";
   const bool by_contacts = choice.colour == "pressure" || choice.colour == "damage";
-  const bool whole = choice.forces || choice.cracks || by_contacts || !choice.stress.empty() ||
+  const bool whole = choice.forces || choice.cracks || by_contacts || by_fields || !choice.stress.empty() ||
                      !choice.thrust.empty() || !choice.diagram.empty();
   Frame frame = frame_for(reader, time, whole);
   if (choice.magnify != 1) magnify(reader.header(), frame, choice.magnify);
@@ -319,6 +323,7 @@ void add_solids_at(const ResultsReader& reader, const Moment& moment, const Scen
   if (!shared.joints.empty())
     shown.cracks = solid_cracks(shared.joints, results::Placement(header, moment.frame), bonds_at(reader, moment.frame),
                                 moment.crack_free);
+  if (choice.colour == "temperature") shown.node_value = temperatures_of_nodes(header, moment.frame);
   add_solids(header, moment.frame, shown, moment.left, scene);
   if (choice.ghost) add_solid_ghosts(header, reader.frame(0), moment.frame, ViewAxes(choice.from), scene);
 }

@@ -45,7 +45,8 @@ std::optional<SpaceBox> box_of_free_bodies(const results::ResultsReader& reader,
 /// Role of a body in a picture, by BodyRow::support.
 BodyRole role_of(const std::string& support);
 
-/// Quantities for colouring bodies: group, displacement (of the node from the start), speed, damage, pressure.
+/// Quantities for colouring bodies: group, displacement (of the node from the start), speed, damage, pressure,
+/// temperature; and "water", the pressure of the water in joints.
 const std::vector<std::string>& colour_names();
 
 /// The structure, in the plane or in space, at `time` [s], titled by its stage, and the latest important event if it

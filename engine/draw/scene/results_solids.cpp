@@ -32,7 +32,22 @@ Vec3 normal_of(const std::vector<Vec3>& loop) {
   return sum.normalized();
 }
 
-SolidPiece piece_of(const Header& header, const Placement& at, int index) {
+using NodeValues = std::vector<std::optional<double>>;
+
+/// Mean value at the nodes of the corners of a face; none without values.
+std::optional<double> value_of_face(const Header& header, int face, const NodeValues& node_value) {
+  if (node_value.empty()) return std::nullopt;
+  const std::int32_t first = header.face_first[face], end = header.face_first[face + 1];
+  double sum = 0;
+  for (std::int32_t i = first; i < end; ++i) {
+    const auto& value = node_value[static_cast<std::size_t>(header.vertex_node[header.face_vertex[i]])];
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return sum / (end - first);
+}
+
+SolidPiece piece_of(const Header& header, const Placement& at, int index, const NodeValues& node_value) {
   const BodyRow& body = header.bodies[static_cast<std::size_t>(index)];
   SolidPiece out{index, {}};
   for (int f = body.first_face; f < body.first_face + body.face_count; ++f) {
@@ -41,6 +56,7 @@ SolidPiece piece_of(const Header& header, const Placement& at, int index) {
       face.corners.push_back(at.vertex(header.face_vertex[i]));
     face.is_edge.assign(face.corners.size(), true);
     face.normal = normal_of(face.corners);
+    face.value = value_of_face(header, f, node_value);
     if (face.normal.allFinite()) out.faces.push_back(std::move(face));
   }
   return out;
@@ -55,10 +71,11 @@ bool has_stretched_skin(const Header& header, const BodyRow& body) {
 }
 
 /// Skins of meshed bodies as a whole, of any shape, and all other bodies as convex pieces.
-std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, const std::vector<bool>& left_out) {
+std::vector<SolidPiece> all_pieces(const Header& header, const Placement& at, const std::vector<bool>& left_out,
+                                   const NodeValues& node_value) {
   std::vector<SolidPiece> out;
   for (std::size_t i = 0; i < header.bodies.size(); ++i) {
-    SolidPiece solid = piece_of(header, at, static_cast<int>(i));
+    SolidPiece solid = piece_of(header, at, static_cast<int>(i), node_value);
     if (solid.faces.empty() || left_out[i]) continue;
     if (has_stretched_skin(header, header.bodies[i])) {
       out.push_back(std::move(solid));
@@ -118,7 +135,7 @@ void add_faces(const SolidPiece& piece, const std::vector<const SolidCrack*>& cr
     for (const Vec3& p : face.corners) seen.outline.push_back(view.flat(p));
     seen.is_edge = face.is_edge;
     seen.light = light_on(face.normal, view);
-    seen.body = piece.body;
+    seen.body = piece.body, seen.value = face.value;
     seen.is_section = face.kind == FaceKind::section;
     for (const SolidCrack* crack : cracks) add_cracks_on(face, *crack, slack, view, seen.cracks);
     scene.faces.push_back(std::move(seen));
@@ -181,7 +198,7 @@ void add_solids(const Header& header, const Frame& frame, const SolidsView& show
                 Scene& scene) {
   const Placement at(header, frame);
   const ViewAxes view(shown.from);
-  std::vector<SolidPiece> pieces = all_pieces(header, at, left_out);
+  std::vector<SolidPiece> pieces = all_pieces(header, at, left_out, shown.node_value);
   std::vector<SeenSphere> spheres = seen_spheres(header, at, left_out);
   if (pieces.empty() && spheres.empty())
     throw InputError("the results contain no faces of solids, so there is nothing to draw");

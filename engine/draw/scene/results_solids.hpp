@@ -15,6 +15,7 @@ struct SolidsView {
   std::optional<CutPlane> cut = std::nullopt;     ///< the part on the eye's side is omitted
   std::optional<SpaceBox> around = std::nullopt;  ///< AABB of the free bodies, around which the ground is cut off
   std::vector<SolidCrack> cracks = {};
+  std::vector<std::optional<double>> node_value = {};  ///< [node] of bodies whose faces have their own values; or empty
 };
 
 /// Fills the faces and outlines of a scene that contains its bodies, and the world axes. `left_out[body]`: the body is

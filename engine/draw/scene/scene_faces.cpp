@@ -113,8 +113,10 @@ void draw_faces(Canvas& canvas, const Scene& scene, FaceRange range, const Scene
       continue;
     }
     // Shading would change the colour of a value, so only a little of it remains.
-    const double light = body.role == BodyRole::free && body.value ? 0.8 + 0.2 * face.light : face.light;
-    draw_flat_face(canvas, face, lit(body_fill(view, body), light), points,
+    const bool has_value = body.role == BodyRole::free && (body.value || face.value);
+    const double light = has_value ? 0.8 + 0.2 * face.light : face.light;
+    const Colour fill = has_value && face.value ? value_fill(view, *face.value) : body_fill(view, body);
+    draw_flat_face(canvas, face, lit(fill, light), points,
                    {body.role == BodyRole::free ? palette().outline : palette().ground_outline, edge_width});
     for (const SceneCrack& c : face.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
   }

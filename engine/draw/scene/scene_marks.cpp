@@ -45,6 +45,26 @@ void draw_parts(Canvas& canvas, const SceneBody& body, const PageView& page, con
   for (const std::vector<PagePoint>& polygon : polygons) canvas.polygon(polygon, fill, Stroke{fill, 0.1});
 }
 
+/// Parts with their own colours, and the outline again over them. A seam of the same colour closes gaps between them.
+void draw_patches(Canvas& canvas, const SceneBody& body, const SceneView& view, const PageView& page,
+                  const std::vector<PagePoint>& outline, double width) {
+  for (const ScenePatch& patch : body.patches) {
+    const std::vector<PagePoint> shown = page_outline(page, patch.outline);
+    const Colour fill = value_fill(view, patch.value);
+    if (!shown.empty()) canvas.polygon(shown, fill, Stroke{fill, 0.25});
+  }
+  canvas.polygon(outline, std::nullopt, Stroke{palette().outline, width});
+}
+
+/// Water in a joint: a band of the value's colour between dark edges.
+void draw_strips(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page) {
+  constexpr double band = 3, edge = 0.6;
+  for (const SceneStrip& strip : scene.strips)
+    canvas.line(page.place(strip.a), page.place(strip.b), {palette().ink, band + 2 * edge});
+  for (const SceneStrip& strip : scene.strips)
+    canvas.line(page.place(strip.a), page.place(strip.b), {value_fill(view, strip.value), band});
+}
+
 void draw_bodies(Canvas& canvas, const Scene& scene, const SceneView& view, const PageView& page, bool ground) {
   const double width = outline_width(scene, page);
   for (const SceneBody& body : scene.bodies) {
@@ -55,6 +75,7 @@ void draw_bodies(Canvas& canvas, const Scene& scene, const SceneView& view, cons
       draw_ground(canvas, outline, hatch_direction(view, {body.role, body.group}), {palette().ground_outline, 0.7});
     else
       canvas.polygon(outline, body_fill(view, body), Stroke{palette().outline, width});
+    if (!ground && !body.patches.empty()) draw_patches(canvas, body, view, page, outline, width);
     if (!ground && !body.parts.empty()) draw_parts(canvas, body, page, body_fill(view, body), width);
   }
 }
@@ -230,6 +251,7 @@ std::vector<PageBox> draw_scene_content(Canvas& canvas, const Scene& scene, cons
     }
     if (scene.faces.empty()) draw_bodies(canvas, scene, view, page, false);
     draw_faces(canvas, scene, {ground.end, scene.faces.size()}, view, page, edge_width);
+    draw_strips(canvas, scene, view, page);
     for (const SceneCrack& c : scene.cracks) draw_crack(canvas, page.place(c.a), page.place(c.b), c.mark);
     for (const std::vector<Vec2>& line : scene.lines)
       for (std::size_t i = 0; i + 1 < line.size(); ++i)

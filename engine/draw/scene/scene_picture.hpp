@@ -23,6 +23,18 @@ struct WorldBox {
 /// Role of a body in the picture: a free body in the colour of its group, or hatched ground that is fixed or moved.
 enum class BodyRole { free, fixed_ground, moved_ground };
 
+/// A part of a body with a value of its own, such as a finite element.
+struct ScenePatch {
+  std::vector<Vec2> outline;  ///< m
+  double value = 0;
+};
+
+/// A stretch of a joint with a value, from end to end [m].
+struct SceneStrip {
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+  double value = 0;
+};
+
 /// One body: its outline [m, world] in either orientation, at least three points. `group` determines the colour and is
 /// its text in the legend ("deck", "pier", "left ground"). `value`: a scalar that determines the colour instead (see
 /// Scene::value_label).
@@ -37,6 +49,7 @@ struct SceneBody {
   /// Polygons of the members of a frame and of its corners. They cover lines of `outline` inside of the frame, and
   /// share one outer line with it.
   std::vector<std::vector<Vec2>> parts = {};
+  std::vector<ScenePatch> patches = {};  ///< cover the body, and have their own colours
 };
 
 /// A section force along a member, drawn from its axis.
@@ -78,7 +91,8 @@ struct SceneFace {
   bool is_section = false;    ///< section of a cut solid
   double radius = 0;          ///< above 0: a sphere around `centre`; its outline is a polygon near its rim
   Vec2 centre = Vec2::Zero();
-  std::vector<SceneCrack> cracks = {};  ///< drawn over it
+  std::vector<SceneCrack> cracks = {};         ///< drawn over it
+  std::optional<double> value = std::nullopt;  ///< instead of the value of its body
 };
 
 /// A world axis in the picture: displacement in the picture per 1 m along it.
@@ -117,6 +131,7 @@ struct Scene {
   std::vector<SceneForce> forces = {};
   std::vector<SceneBearing> bearings = {};
   std::vector<SceneCrack> cracks = {};
+  std::vector<SceneStrip> strips = {};  ///< drawn over the bodies
   std::vector<SceneHinge> hinges = {};
   std::vector<SceneDiagram> diagrams = {};
   std::string diagram_label = {};  ///< their text in the legend, such as "bending moment"
@@ -125,7 +140,7 @@ struct Scene {
   std::string line_label = {};                ///< their text in the legend
   std::vector<std::vector<Vec2>> ghosts;      ///< outlines of an earlier configuration [m]
   std::string ghost_label = "earlier";        ///< their text in the legend, e.g. "at rest, t = 0"
-  std::string value_label = {};               ///< quantity in SceneBody::value, e.g. "speed"
+  std::string value_label = {};               ///< quantity of all values, e.g. "speed"
   std::string value_unit = {};
 };
 

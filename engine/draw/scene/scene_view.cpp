@@ -51,6 +51,14 @@ void check_scene(const Scene& scene, const std::string& where) {
     const std::string name = body.name.empty() ? fmt::format("body {}", i + 1) : fmt::format("body '{}'", body.name);
     check_outline(body.outline, fmt::format("{}, {}", where, name));
     if (body.value) require_finite(*body.value, fmt::format("{}, {}: value", where, name));
+    for (const ScenePatch& patch : body.patches) {
+      check_outline(patch.outline, fmt::format("{}, {}, part", where, name));
+      require_finite(patch.value, fmt::format("{}, {}, part: value", where, name));
+    }
+  }
+  for (const SceneStrip& strip : scene.strips) {
+    for (const Vec2& p : {strip.a, strip.b}) check_point(p, where + ", joint with a value");
+    require_finite(strip.value, where + ", value of a joint");
   }
   for (const SceneFace& face : scene.faces) {
     check_outline(face.outline, where + ", face of a solid");
@@ -227,18 +235,26 @@ void set_world(SceneView& view, const std::vector<Scene>& scenes, const PictureS
   view.world = {content.box.x0 - margin, content.box.y0 - margin, content.box.x1 + margin, content.box.y1 + margin};
 }
 
+void note_value(SceneView& view, double value) {
+  view.low = view.has_values ? std::min(view.low, value) : value;
+  view.high = view.has_values ? std::max(view.high, value) : value;
+  view.has_values = true;
+}
+
 void set_groups_and_values(SceneView& view, const std::vector<Scene>& scenes) {
-  for (const Scene& scene : scenes)
+  for (const Scene& scene : scenes) {
+    for (const SceneStrip& strip : scene.strips) note_value(view, strip.value);
+    for (const SceneFace& face : scene.faces)
+      if (face.value) note_value(view, *face.value);
     for (const SceneBody& body : scene.bodies) {
       const BodyGroup group{body.role, body.group};
       const bool coloured = body.role == BodyRole::free && body.value;
       if (!coloured && std::find(view.groups.begin(), view.groups.end(), group) == view.groups.end())
         view.groups.push_back(group);
-      if (!coloured) continue;
-      view.low = view.has_values ? std::min(view.low, *body.value) : *body.value;
-      view.high = view.has_values ? std::max(view.high, *body.value) : *body.value;
-      view.has_values = true;
+      if (coloured) note_value(view, *body.value);
+      for (const ScenePatch& patch : body.patches) note_value(view, patch.value);
     }
+  }
   // For values of both signs 0 has the middle colour; the scale ends at the extreme values.
   if (view.low < 0 && view.high > 0) view.farthest = std::max(view.high, -view.low);
 }
@@ -293,9 +309,12 @@ Colour group_fill(const SceneView& view, const BodyGroup& group) {
 
 Colour body_fill(const SceneView& view, const SceneBody& body) {
   if (is_ground(body.role) || !body.value) return group_fill(view, {body.role, body.group});
+  return value_fill(view, *body.value);
+}
+
+Colour value_fill(const SceneView& view, double value) {
   const double span = view.high - view.low;
-  const double share = span > 0 ? (*body.value - view.low) / span : 0.5;
-  return value_colour(view, share);
+  return value_colour(view, span > 0 ? (value - view.low) / span : 0.5);
 }
 
 Colour value_colour(const SceneView& view, double share) {

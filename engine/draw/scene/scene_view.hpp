@@ -23,7 +23,7 @@ struct SceneView {
   bool bars = false;                           ///< forces as bars, not arrows
   double largest_ordinate = 0;                 ///< largest magnitude of diagrams; 0 without diagrams
   double longest_ordinate = 0;                 ///< m in the world, for `largest_ordinate`
-  bool has_values = false;                     ///< some body has a value
+  bool has_values = false;                     ///< some body, patch, face or strip has a value
   bool has_faces = false;                      ///< of polyhedra: ground is shaded, not hatched
   PanelCorner axes = PanelCorner::lower_left;  ///< corner of the world axes in all panels
   double low = 0, high = 0;                    ///< range of the values' colours
@@ -38,6 +38,8 @@ std::string group_text(const BodyGroup& group);
 
 /// Fill of a body; ground has its own. `group_index` counts the free groups.
 Colour body_fill(const SceneView& view, const SceneBody& body);
+/// Colour of a value of the scenes.
+Colour value_fill(const SceneView& view, double value);
 /// Colour of a value at `share` of the range: stronger for values farther from 0.
 Colour value_colour(const SceneView& view, double share);
 Colour group_fill(const SceneView& view, const BodyGroup& group);

@@ -29,7 +29,7 @@ std::vector<double> heights(const PieceFace& face, const CutPlane& plane, double
 /// The part of a face on the side where `sign` times the height is not negative (Sutherland and Hodgman, 1974); empty
 /// if it has no area there.
 PieceFace side_of(const PieceFace& face, const std::vector<double>& height, double sign, bool cut_is_edge) {
-  PieceFace out{{}, {}, face.normal, face.kind};
+  PieceFace out{{}, {}, face.normal, face.kind, face.value};
   const std::size_t count = face.corners.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = (i + 1) % count;

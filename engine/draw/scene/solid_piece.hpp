@@ -28,6 +28,7 @@ struct PieceFace {
   std::vector<bool> is_edge;
   Vec3 normal = Vec3::Zero();  ///< outward unit normal
   FaceKind kind = FaceKind::skin;
+  std::optional<double> value = std::nullopt;  ///< see SceneFace
 };
 
 /// A body or a part of it: convex, the skin of a solid of any shape, or one visible face.

@@ -238,6 +238,18 @@ void add_heat_exchange(Field& field, const Model<D>& model, const HeatExchangeSp
   }
 }
 
+void add_friction_heat(Field& field) {
+  constexpr const char* name = "friction of contacts";
+  if (field.friction >= 0) return;
+  if (find_surrounding(field, name) >= 0)
+    throw InputError(fmt::format(
+        "heat_contact: a heat exchange has the name '{}', under which the heat of friction is counted; choose another "
+        "name for it",
+        name));
+  field.friction = static_cast<int>(field.surroundings.size());
+  field.surroundings.push_back({name, {{}, {0.0}, 0, 0}});
+}
+
 void add_frame_exchange(Field& field, const std::vector<double>& node_length, const HeatExchangeSpec& spec, int body,
                         bool lower, bool upper) {
   const FieldBody row = *field.find(body);

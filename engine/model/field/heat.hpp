@@ -38,6 +38,9 @@ struct HeatExchangeSpec {
 template <int D>
 void add_heat_exchange(Field& field, const Model<D>& model, const HeatExchangeSpec& spec,
                        const std::vector<WetFace<D>>& faces);
+/// The energy that friction of contacts dissipates heats the bodies from now on; it is counted as a surrounding without
+/// exchange. Throws InputError if a surrounding has its name.
+void add_friction_heat(Field& field);
 /// The upper (`upper`) and the lower (`lower`) faces of a frame, as faces of the surrounding of that name, which is
 /// added if there is none.
 void add_frame_exchange(Field& field, const std::vector<double>& node_length, const HeatExchangeSpec& spec, int body,

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "results/file/field_names.hpp"
 #include "results/file/part_path.hpp"
 #include "results/reading/reader.hpp"
 
@@ -29,7 +30,8 @@ std::vector<std::vector<double>> fields_in(const Header& header, const Header& b
                                     [&](const Field& other) { return other.name == field.name; });
     std::vector<double> values;
     if (known != before.fields.end()) values = frame.fields[static_cast<std::size_t>(known - before.fields.begin())];
-    values.resize(field.rows * static_cast<std::size_t>(field.width));
+    values.resize(field.rows * static_cast<std::size_t>(field.width),
+                  field.name == node_temperature ? no_temperature : 0);
     fields.push_back(std::move(values));
   }
   return fields;

@@ -157,6 +157,15 @@ std::vector<double> VtkBodies::per_cell(const std::vector<double>& of_bodies, in
   return out;
 }
 
+std::vector<double> VtkBodies::per_point(const std::vector<double>& of_nodes, int width) const {
+  std::vector<double> out;
+  for (const Point& p : points_) {
+    const auto from = of_nodes.begin() + static_cast<std::ptrdiff_t>(p.node) * width;
+    out.insert(out.end(), from, from + width);
+  }
+  return out;
+}
+
 std::string VtkBodies::file(const Frame& frame) const {
   const Placement at(*header_, frame);
   std::vector<double> place, displacement, velocity, turned;
@@ -174,10 +183,13 @@ std::string VtkBodies::file(const Frame& frame) const {
   std::vector<VtkArray> moving{vtk_numbers("displacement", 3, displacement)},
       of_cells{vtk_numbers("turned", 1, turned)};
   if (header_->with_velocity) moving.push_back(vtk_numbers("velocity", 3, velocity));
-  for (std::size_t f = 0; f < header_->fields.size(); ++f)
-    if (const Field& field = header_->fields[f];
-        field.rows == header_->bodies.size() && field.name.starts_with("body_"))
+  for (std::size_t f = 0; f < header_->fields.size(); ++f) {
+    const Field& field = header_->fields[f];
+    if (field.rows == header_->node_count() && field.name.starts_with("node_"))
+      moving.push_back(vtk_numbers(field.name, field.width, per_point(frame.fields[f], field.width)));
+    if (field.rows == header_->bodies.size() && field.name.starts_with("body_"))
       of_cells.push_back(vtk_numbers(field.name, field.width, per_cell(frame.fields[f], field.width)));
+  }
   if (header_->element_count() > 0) {
     std::vector<double> stress, plastic;
     for (const std::int32_t e : cells_.element) {

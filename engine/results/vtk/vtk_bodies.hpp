@@ -34,6 +34,7 @@ class VtkBodies {
   void add_outline(const BodyRow& body, std::int32_t index);
   void add_elements(std::int32_t index);
   void add_names();
+  [[nodiscard]] std::vector<double> per_point(const std::vector<double>& of_nodes, int width) const;
   [[nodiscard]] std::vector<double> per_cell(const std::vector<double>& of_bodies, int width) const;
 
   const Header* header_;

@@ -1,6 +1,7 @@
 #include "run/record/recorded_fields.hpp"
 
 #include "model/contact/contact_frame.hpp"
+#include "run/record/field_values.hpp"
 #include "run/record/member_fields.hpp"
 #include "run/record/recorded_field_list.hpp"
 #include "run/record/space_stress_field.hpp"
@@ -47,6 +48,7 @@ template <int D>
 void RecordedFields<D>::describe(const Model<D>& model, results::Header& header) const {
   if (with_stress_) describe_space_stress(header);
   describe_members(model, header);
+  describe_field_values(model, header);
   for (const JointOf<D>& joint : joints_) header.joints.push_back(row_of<D>(model, joint));
   if (joints_.empty()) return;
   RecordedFieldsOf<D>::for_each([&]<class F>() {
@@ -62,6 +64,7 @@ const std::vector<std::vector<double>>& RecordedFields<D>::take(const Instant<D>
   if constexpr (D == 3)
     if (with_stress_) take_space_stress(now, values_);
   take_members(now, values_);
+  take_field_values(now, values_);
   if (joints_.empty()) return values_;
   displacements_.clear();
   for (const JointOf<D>& joint : joints_)

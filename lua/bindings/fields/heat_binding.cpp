@@ -61,6 +61,7 @@ int declare_heat(lua_State* L, SimulatedModel<D>& m) {
     add_heat(field, m.simulation().model(), body, spec);
   }
   m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
+  m.follow_more();
   return 0;
 }
 
@@ -132,6 +133,7 @@ int declare_contact(lua_State* L, SimulatedModel<D>& m) {
   const double conductance = keys.number("conductance", "W/(m2 K)");
   if (!(conductance >= 0))
     keys.problem(fmt::format("'conductance' is {:g} W/(m2 K), must not be below 0", conductance));
+  const bool friction = keys.flag("friction", false);
   std::vector<int> bodies;
   const bool chosen = keys.push("body") != LUA_TNIL;
   lua_pop(L, 1);
@@ -140,11 +142,12 @@ int declare_contact(lua_State* L, SimulatedModel<D>& m) {
   Field field = require_heat(m.simulation().model(), "heat_contact");
   if (!chosen) field.contacts.push_back({-1, -1, conductance});
   for (const int body : bodies) field.contacts.push_back({body, -1, conductance});
+  if (friction) add_friction_heat(field);
   m.change([field](Model<D>& changed) { set_field(changed.fields, field); });
   return 0;
 }
 
-/// m:heat_contact{ conductance =, body = }.
+/// m:heat_contact{ conductance =, body =, friction = }.
 int heat_contact(lua_State* L) {
   if (SpaceModel* space = as_space(this_model(L))) return declare_contact<3>(L, *space);
   return declare_contact<2>(L, this_plane(L));
@@ -242,11 +245,13 @@ int read_heat(lua_State* L, SimulatedModel<D>& m) {
   FieldState state;
   if (const FieldState* known = heat_values(m)) state = *known;
   extend_field(field, state);
-  lua_createtable(L, 0, 4);
+  lua_createtable(L, 0, 5);
+  if (field.friction >= 0) set_number(L, "friction", state.supplied[static_cast<std::size_t>(field.friction)]);
   set_number(L, "clock", state.clock), set_number(L, "content", content_of(field, state));
   set_integer(L, "cells", field.cells());
   lua_createtable(L, 0, static_cast<int>(field.surroundings.size()));
   for (std::size_t i = 0; i < field.surroundings.size(); ++i) {
+    if (static_cast<int>(i) == field.friction) continue;
     lua_createtable(L, 0, 2);
     set_number(L, "temperature", field.surroundings[i].course.at(state.clock));
     set_number(L, "supplied", state.supplied[i]);
@@ -301,6 +306,7 @@ const std::array heat_method_list{
     Method{"process", guarded<process>},
     Method{"seepage", guarded<seepage>},
     Method{"seepage_head", guarded<seepage_head>},
+    Method{"seepage_motion", guarded<seepage_motion>},
     Method{"seepage_state", guarded<seepage_state>},
 };
 

@@ -6,6 +6,7 @@
 #include "assembly/contact/solid_resultants.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/table_fields.hpp"
+#include "bindings/readings/field_history.hpp"
 #include "bindings/readings/touching_now.hpp"
 
 namespace trilith::script {
@@ -197,9 +198,10 @@ void follow_model(Keys& keys, History& h, const std::string& what, ScriptModel& 
   const ModelBox box{m.shared_from_this()};
   if (p == nullptr || p->number == nullptr || !has_property(*p, box)) {
     if (keys.push("what") == LUA_TSTRING)  // other cases have been reported
-      keys.problem(fmt::format(
-          "'what' is '{}', which is not a reading of the model (for others give body, bearing, seat or storey){}", what,
-          name_hint(what, number_names(box))));
+      keys.problem(
+          fmt::format("'what' is '{}', which is not a reading of the model (for others give body, bearing, seat, "
+                      "storey or seepage){}",
+                      what, name_hint(what, number_names(box))));
     lua_pop(keys.lua(), 1);
     return;
   }
@@ -225,11 +227,15 @@ bool follow_storey(Keys& keys, History& h, const std::string& what, ScriptModel&
 
 void read_followed(Keys& keys, History& h, ScriptModel& m) {
   const std::string what = keys.text("what");
-  const bool owned = follow_storey(keys, h, what, m) || follow_key<BodyHandle>(keys, "body", h, what, m) ||
+  const bool owned = follow_storey(keys, h, what, m) || follow_seepage(keys, h, what, m) ||
+                     follow_temperature(keys, h, what, m) || follow_key<BodyHandle>(keys, "body", h, what, m) ||
                      follow_key<BearingHandle>(keys, "bearing", h, what, m) ||
                      follow_key<SeatHandle>(keys, "seat", h, what, m);
   if (!owned) follow_model(keys, h, what, m);
-  keys.know({"body", "bearing", "seat", "storey", "every"});
+  if (!keys.has("seepage")) keys.refuse("at", "'at' is a place along a joint; give seepage, the name of the joint");
+  if (what != "temperature" || !keys.has("body"))
+    keys.refuse("point", "'point' is of a body's temperature; give body and what = \"temperature\", or leave it out");
+  keys.know({"body", "bearing", "seat", "storey", "seepage", "every"});
 }
 
 /// `m:history{ name =, body = | bearing = | seat = , what = }` or `{ name =, unit =, of = function }`; without an owner
@@ -250,7 +256,7 @@ int history(lua_State* L) {
   if (function) {
     h.unit = keys.text("unit", "1");
     h.sentence = keys.text("doc", "computed by the script");
-    for (const char* const key : {"what", "body", "bearing", "seat", "storey"})
+    for (const char* const key : {"what", "body", "bearing", "seat", "storey", "seepage", "at", "point"})
       keys.refuse(key, fmt::format("'{}' cannot be given with 'of', whose function gives the number; keep one", key));
   } else {
     read_followed(keys, h, m);

@@ -5,6 +5,7 @@
 #include "base/no_solution.hpp"
 #include "base/portable.hpp"
 #include "bindings/core/bindings.hpp"
+#include "bindings/fields/seepage_binding.hpp"
 #include "bindings/loads/drive_reading.hpp"
 #include "bindings/stages/mass_scaling_stage.hpp"
 #include "bindings/stages/stage_reading.hpp"
@@ -80,6 +81,7 @@ void read_integrator(Keys& keys, StageOptions& o) {
 int finish_stage(lua_State* L, ScriptModel& m, const StageOptions& o, const StageUntil& until = {}) {
   const StageReport report = run_stage(L, m, o, until);
   tell_scaling(L, m, report);
+  if (const std::string held = held_water_note(m, o); !held.empty()) tell_note(L, m, held);
   if (report.end != StageEnd::diverged && report.end != StageEnd::unstable && !report.found.empty())
     tell_note(L, m, fmt::format("{}: {}", o.name, report.found));
   if (report.end == StageEnd::not_converged) throw NoSolution(fmt::format("{}: {}", o.name, report.reason));

@@ -53,6 +53,7 @@ for _, body in ipairs { "rigid", { mesh = { 4, 3 } } } do
   near(m:seepage_state().volume, m:seepage_state().nodes.heel.supplied + m:seepage_state().nodes.toe.supplied, 1e-10)
   -- In motion the pressure is held.
   local before = m:seepage_state("joint").pressure[8]
+  m:seepage_motion { flows = false }
   m:run { duration = 0.01 }
   assert(m:seepage_state("joint").pressure[8] == before)
   assert(math.abs(m.residual) < 1e-3*math.max(1, math.abs(m.energy.water)))
@@ -90,7 +91,7 @@ m3:block { name = "rock", size = { 1, 1, 1 }, at = { 0, 0, 0 }, material = "ston
 m3:block { name = "rock2", size = { 1, 1, 1 }, at = { 3, 0, 0 }, material = "stone", support = "fixed" }
 m3:seepage { name = "wide", length = 2, width = 2, aperture = 3e-4, from = "a", to = "b", elevation = { 0, 1 } }
 m3:seepage { name = "narrow", length = 1, width = 2, aperture = 1.5e-4, from = "b", to = "c", elevation = { 1, 1 } }
-fails("in space, seepage flows through fissures", m3.seepage, m3, { upper = "rock", lower = "rock2", aperture = 1e-4 })
+fails("lie on each other at the start", m3.seepage, m3, { upper = "rock", lower = "rock2", aperture = 1e-4 })
 m3:seepage_head { node = "a", head = 5 }
 m3:seepage_head { node = "c", head = 2 }
 for _ = 1, 2 do m3:process { duration = 1e6, step = 1e6, mechanics = false } end

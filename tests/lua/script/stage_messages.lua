@@ -110,11 +110,12 @@ given.check {
       .. "speed, mass, "
       .. "inertia, area, sxx, syy, sxy, reaction_x, reaction_y, plastic" },
   { function() m:history { name = "h", what = "sped" } end,
-    "history 'h': 'what' is 'sped', which is not a reading of the model (for others give body, bearing, seat or "
-      .. "storey); did "
+    "history 'h': 'what' is 'sped', which is not a reading of the model (for others give body, bearing, seat, "
+      .. "storey or seepage); did "
       .. "you mean 'speed'?" },
   { function() m:history { name = "h", what = "" } end,
-    "history 'h': 'what' is '', which is not a reading of the model (for others give body, bearing, seat or storey); "
+    "history 'h': 'what' is '', which is not a reading of the model (for others give body, bearing, seat, "
+      .. "storey or seepage); "
       .. "known: "
       .. "time, dt, steps, thickness, tilted, speed, ratio, residual, base_shear, top_drift, damage, largest_opening, "
       .. "largest_slip, push_force, push_displacement" },
