@@ -3,7 +3,7 @@ local _, core = ...
 local owner = "gmsh"
 local methods = core.members "model"
 
--- Element types of Gmsh: dimension, number of nodes, and corners of those that the plane uses or nodes that space uses.
+-- Element types of Gmsh: dimension, number of nodes, and number of nodes that a body uses: in the plane the corners.
 local types = {
   [15] = { dim = 0, nodes = 1 }, [1] = { dim = 1, nodes = 2 }, [8] = { dim = 1, nodes = 3 },
   [2] = { dim = 2, nodes = 3, corners = 3 }, [3] = { dim = 2, nodes = 4, corners = 4 },
@@ -278,7 +278,7 @@ local function require_groups(key, names, order)
     local known = false
     for _, group in ipairs(order) do known = known or group == name end
     if not known then
-      core.fail(("%s: '%s' has '%s', which is no physical group%s"):format(owner, key, tostring(name),
+      core.fail(("%s: '%s' has '%s', which is not a physical group%s"):format(owner, key, tostring(name),
         core.hint(tostring(name), order)))
     end
   end

@@ -202,7 +202,7 @@ local function convert_results(entry, rule, results)
   return table.unpack(results, 2, results.n)
 end
 
---- A function of the module that converts what it takes and returns.
+--- A function of the module that converts its arguments and results.
 local function converting(entry, raw, first)
   local rule = number_lists[entry.name] and rules.same or result_rule(entry)
   if rules.refused[entry.name] or not rule then return refusal(entry.name, raw) end
@@ -247,7 +247,7 @@ local function opened_rows(list)
     __len = function() return inside(function() return #list end) end, __metatable = "rows" })
 end
 
---- Numbers of a history are in the unit of its reading; those of a function of the script stay.
+--- Numbers of a history are in the unit of its reading; values from a function of the script stay.
 local function history_value(raw, history, name, value)
   local unit = raw(history, "unit")
   local own = made[history]

@@ -1,5 +1,5 @@
--- The units of the arguments and results of each function of the module, from the pages of the manual, the laws and the
--- builders, with the rules of lib/unit_rules for what these do not describe.
+-- Units of arguments and results of each function of the module. They come from the pages of the manual, the laws and
+-- the builders. Other tables have rules in lib/unit_rules.
 local _, core = ...
 local rules = core.unit_rules
 

@@ -88,7 +88,7 @@ for case in ("wall", "bearing", "portal", "tower"):
     for units in ("kN m", "N mm", "kip ft"):
         compare(case, units, expected, file)
 
-# The door: what does not convert is refused, and numbers given too early.
+# The door: functions that do not convert are refused, and so are numbers given too early.
 REFUSED = {
     'local early = trilith.frictional\nlocal m = trilith.model { units = "N mm" }\n'
     "early { kn = 1, ks = 1, mu = 0.5 }": "does not convert numbers to the units",

@@ -48,10 +48,10 @@ void require_open_door(lua_State* L) {
     const bool known = self.istailcall == 0 && lua_getstack(L, 1, &caller) == 1;
     if (known && lua_getinfo(L, "S", &caller) != 0 && is_library_source(caller.source)) return;
   }
-  throw InputError(
-      fmt::format("{}this function does not convert numbers to the units of the models: it was taken from trilith "
-                  "before trilith.model{{ units = }}; call it by its full name, or store it after the model is made",
-                  name.empty() ? "" : name + ": "));
+  throw InputError(fmt::format(
+      "{}this function does not convert numbers to the units of the models, because it was taken from trilith "
+      "before trilith.model{{ units = }}; call it by its full name",
+      name.empty() ? "" : name + ": "));
 }
 
 DoorFor::DoorFor(lua_State* L, int index) : L_(L), before_(unit_door(L)) {

@@ -1,9 +1,8 @@
-// Units of a script's models: while they are in use, functions of the module that do not convert numbers are closed to
-// the script.
+// A door for the units of a script's models. While units are in use, a script cannot call functions that do not convert
+// numbers.
 //
-// lua/lib/model_units.lua replaces each function of the module by one that converts arguments and results and opens the
-// door around the call. A script that calls another way, such as a function that it has stored before, gets an error
-// instead of numbers in another unit.
+// lua/lib/model_units.lua replaces each function of the module by one that converts arguments and results. It opens the
+// door around the call. Another call, such as of a function that the script has stored before, gets an error.
 #pragma once
 
 #include <string>

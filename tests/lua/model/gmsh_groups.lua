@@ -52,7 +52,7 @@ refused({ file = "gmsh/overlap_2_2.msh" }, "groups pier and loose_stone; a body 
 refused({ file = "gmsh/unnamed_2_2.msh" }, "the physical group 2, of surface 2, has no name")
 refused({ file = "gmsh/no_group_2_2.msh" }, "surface 3 is in no physical group")
 refused({ file = "gmsh/none.msh" }, "cannot read 'gmsh/none.msh'")
-refused({ file = "gmsh/plane_2_2.msh", fixed = "peer" }, "'peer', which is no physical group; did you mean 'pier'")
+refused({ file = "gmsh/plane_2_2.msh", fixed = "peer" }, "'peer', which is not a physical group; did you mean 'pier'")
 refused({ file = "gmsh/plane_2_2.msh", fixd = "pier" }, "unknown key 'fixd'")
 refused({ file = "dxf/facade.dxf" }, "does not begin with $MeshFormat")
 refused({}, "'file' is missing")

@@ -19,7 +19,7 @@ local function block_on_ground(dim)
   return m
 end
 
---- Force at the centroid of a block of 0.5 by 1 m that rocks on a bed of springs without tension: the weight acts at a
+--- Force at the centroid of a block of 0.5 by 1 m that rocks on a bed of springs without tension. The weight acts at a
 --- third of the length c in contact, c^2 = 2 W/(kn thickness angle). Shear of this length adds to the displacement.
 --- Small angles and a uniform shear: within 1 %.
 local function rocking_force(sample, weight, thickness)
