@@ -10,6 +10,7 @@ foreach(module IN LISTS MODULES)
 endforeach()
 file(READ "${PAGE}/page.html" html)
 file(READ "${PAGE}/page.css" style)
+file(READ "${PAGE}/live.js" live)
 file(WRITE "${OUT}.new" "// Made from engine/view/page by cmake/embed_page.cmake.
 #include \"view/page_text.hpp\"
 
@@ -17,6 +18,7 @@ namespace trilith::view {
 const char* view_page_html() { return R\"page(${html})page\"; }
 const char* view_page_style() { return R\"page(${style})page\"; }
 const char* view_page_code() { return R\"page(${code})page\"; }
+const char* view_page_live() { return R\"page(${live})page\"; }
 }  // namespace trilith::view
 ")
 execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different "${OUT}.new" "${OUT}")

@@ -19,17 +19,17 @@ local function script_folder()
 end
 
 --- A file in the current folder or in the folder of the script. `io` is the script's own one, whose paths are limited.
-local function open_drawing(path)
+function core.open_file(caller, path)
   local open = rawget(_G, "io").open
   local file, why = open(path, "rb")
   if not file and path:sub(1, 1) ~= "/" and script_folder() ~= "" then file = open(script_folder() .. path, "rb") end
-  if not file then core.fail(("%s: cannot read '%s': %s"):format(owner, path, tostring(why))) end
+  if not file then core.fail(("%s: cannot read '%s': %s"):format(caller, path, tostring(why))) end
   return file
 end
 
 --- All groups of the file: codes and values, in turn.
 local function read_groups(path)
-  local file = open_drawing(path)
+  local file = core.open_file(owner, path)
   local text = file:read "a"
   file:close()
   if text:find("^AutoCAD Binary DXF") then

@@ -49,6 +49,25 @@ name      text = "ground"  name
 groups    names?          groups; default "ground"
 reach     number m?       distance from the bodies to its edges; default 10 times the size of the model  <above 0>]],
     gives = "body" },
+  { "model:gmsh", "Bodies from the physical groups of a Gmsh mesh, version 4.1 or 2.2: of surfaces in the plane, of "
+    .. "volumes in space. Each connected part of a group is a body with the name of the group, or name.1, name.2, ..., "
+    .. "and belongs to the group of this name. Each surface or volume must be in one group with a name. Returns the "
+    .. "set of bodies.",
+    also = "mesh, import, finite elements, physical surface, physical volume", keys = [[
+file         text             path, from the current folder or from the folder of the script
+scale        number = 1       factor of the coordinates in the file, to m  <above 0>
+name         text?            prefix of the names of bodies
+material     text?            material
+groups       names?           further groups of all bodies
+fixed        names?           physical groups whose bodies are fixed
+by_group     table?           { group = { keys of bodies } }: keys for the bodies of a physical group
+density      number kg/m3?    density instead of the material's; or  <above 0>
+unit_weight  number N/m3?     unit weight  <above 0>
+support      text or table?   support of the bodies, as in model:body
+velocity     vector?          velocity at the start [m/s]
+floating     flag = false     they need no support at the start
+body         text?            "rigid": rigid bodies of these pieces
+hold         table?           boxes whose nodes are held, as in model:body]], gives = "set" },
   { "trilith.dxf", "Closed outlines of an ASCII DXF drawing as parts for m:add. Outlines are closed polylines, "
     .. "circles, and lines, arcs and open polylines of a layer whose ends meet, also of inserted blocks. A part has "
     .. "its layer as name and group; blanks become underscores. The fields open and skipped count open chains and "
@@ -68,6 +87,15 @@ file:write("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nstone\n90\n4\n70\n1\n10\n
   "\n10\n2\n20\n0\n10\n2\n20\n1\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n")
 file:close()
 m:add(trilith.dxf { file = path, unit = "m" }, { material = "stone" })]],
+    ["model:gmsh"] = [[
+local path = os.tmpname() .. ".msh"
+local file = io.open(path, "w")
+file:write "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"pier\"\n$EndPhysicalNames\n"
+file:write "$Nodes\n4\n1 3 0 0\n2 4 0 0\n3 4 2 0\n4 3 2 0\n$EndNodes\n"
+file:write "$Elements\n1\n1 3 2 1 1 1 2 3 4\n$EndElements\n"
+file:close()
+m:gmsh { file = path, material = "stone", body = "rigid", fixed = "pier" }
+print(m:body "pier".mass)]],
     ["model:level_ground"] = [[
 m:block { name = "upper", width = 0.4, height = 0.5, at = { 0, 1 }, material = "stone" }
 m:level_ground { level = -1, material = "stone", name = "plain" }]],

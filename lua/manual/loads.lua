@@ -126,7 +126,9 @@ samples       integer?         number of points of the curve; control "arc": lar
 local_damping  number = 0.8    control "time": local damping coefficient  <at least 0, below 1>
 name          text?            name in results
 dt            number s?        control "time": fixed time step  <at least 0>
-safety        number = 0.5     control "time": share of the longest stable step  <above 0, at most 0.9>]] .. until_keys,
+safety        number = 0.5     control "time": share of the longest stable step  <above 0, at most 0.9>
+watch         flag = true      control "time": ends as diverged if speeds or energies have no physical source
+on_sample     function?        f(model, sample) at each sample { t, displacement, force, drift }]] .. until_keys,
     gives = "pushover report", example = 'm:consolidate { rest = { ratio = 1e-4 } }\n'
       .. 'local p = m:pushover { body = "block", rate = 0.01, displacement = 1e-3 }\n'
       .. 'print(p.peak_force, p.displacement_at_peak, #p.curve.t)' },

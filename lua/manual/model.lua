@@ -11,9 +11,10 @@ impact_speed     number m/s = 0.5    closing speed above which a new contact is 
 apart_time       number s = 0.02     time after which an open contact is lost  <at least 0>
 still_speed      number m/s?         speed below which a body is at rest, after still_time  <above 0>
 still_time       number s = 0.5      see still_speed  <at least 0>
+units            text = "SI"         units of all numbers of the script: "kN m", "N mm", "kip ft", ...; see units.md
 body             body form = "rigid"  default form of bodies: "rigid", "quad", { mesh = {nx, ny} }; in space "brick"
 overlap_allowed  number = 1e-6  allowed overlap at the start, as a share of the size of a body  <at least 0>]],
-    gives = "model" },
+    beside = { units = true }, gives = "model" },
   { "model:close", "Ends the recording and deletes the model." },
   { "model:material", "Declares a material. Bodies refer to it by name.", keys = [[
 name         text              name

@@ -91,6 +91,7 @@ void describe_command_line(CLI::App& app, int& code) {
   add_movie(app, code);
   add_plot(app, code);
   add_view(app, code);
+  add_live(app, code);
   add_report(app, code);
   add_export(app, code);
   add_motion(app, code);

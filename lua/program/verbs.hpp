@@ -28,6 +28,7 @@ void add_manual(CLI::App& app, int& code);
 void add_motion(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
 void add_view(CLI::App& app, int& code);
+void add_live(CLI::App& app, int& code);
 void add_report(CLI::App& app, int& code);
 void add_export(CLI::App& app, int& code);
 void add_repair(CLI::App& app, int& code);

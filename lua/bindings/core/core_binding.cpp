@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bindings/core/bindings.hpp"
+#include "bindings/core/unit_door.hpp"
 #include "bindings/model/model_binding.hpp"
 #include "model/event/event_list.hpp"
 
@@ -225,6 +226,10 @@ void open_core(lua_State* L) {
   set_function(L, "traced", guarded<traced>);
   set_function(L, "hint", guarded<hint>);
   set_function(L, "members", guarded<members>);
+  set_function(L, "unit_door", set_door);
+  set_function(L, "raise", raise_whole);
+  set_function(L, "dimension", dimension_of_unit);
+  set_function(L, "quantities_read", quantities_read);
   open_declarations(L);
   open_debug(L);
   open_bridge(L);

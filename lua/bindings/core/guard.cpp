@@ -15,6 +15,7 @@
 #include "base/no_solution.hpp"
 #include "base/terminal_text.hpp"
 #include "bindings/core/no_solution_error.hpp"
+#include "bindings/core/unit_door.hpp"
 
 namespace trilith::script {
 namespace {
@@ -172,6 +173,7 @@ bool is_no_solution(lua_State* L, const std::string& message) {
 int run_guarded(lua_State* L, lua_CFunction body) {
   try {
     const Call call;
+    require_open_door(L);
     return body(L);
   } catch (const ScriptError& e) {
     if (e.is_object())
@@ -236,7 +238,11 @@ void call(lua_State* L, int arguments, int results) {
   lua_insert(L, handler);
   ++crossings;
   const int inner = std::exchange(at_work.inner, 0);
-  const int status = lua_pcall(L, arguments, results, handler);
+  int status = LUA_OK;
+  {
+    const DoorFor door(L, handler + 1);
+    status = lua_pcall(L, arguments, results, handler);
+  }
   at_work.inner = inner;
   ++crossings;
   lua_remove(L, handler);

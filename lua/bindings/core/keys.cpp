@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/terminal_text.hpp"
+#include "bindings/core/unit_door.hpp"
 
 namespace trilith::script {
 namespace {
@@ -81,6 +82,7 @@ std::optional<V> numbers_at(lua_State* L, int index) {
   // A named key is not part of a list: it was probably meant for the surrounding table.
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) good = good && lua_isinteger(L, -2) != 0;
   if (!good || !p.allFinite()) return {};
+  count_quantity();
   return p;
 }
 
@@ -161,6 +163,7 @@ constexpr double least_number = 1e-300;
 
 double Keys::read_number(std::string_view key, std::string_view unit) {
   double value = 0;
+  if (unit != "1") count_quantity();
   if (lua_type(L_, -1) == LUA_TNUMBER) {
     value = lua_tonumber(L_, -1);
     if (value != 0 && std::abs(value) < least_number)

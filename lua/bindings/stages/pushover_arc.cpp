@@ -221,7 +221,10 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
                    host(L));
   EquilibriumOptions rest;
   o.stage.duration = path_duration;
-  push_report(L, settle_stage(L, m, o.stage, rest, &way));
+  std::size_t given = 0;  // the stage ends with one more step, at the end of the path
+  const StageSamples samples{o.on_sample, [&] { return given < recorder.curve().force.size(); },
+                             [&] { push_sample(L, recorder.curve(), given++); }};
+  push_report(L, settle_stage(L, m, o.stage, rest, &way, samples));
   note_end(m, o, path, host(L));
   const PushCurve& curve = recorder.curve();
   add_curve(L, curve, curve.peak(), recorder.limit().empty() ? arc_limit(path.end) : recorder.limit());

@@ -115,7 +115,10 @@ int push_by_time(lua_State* L, ModelOfScript& m, PushOrder<D>& o, const StageUnt
   const Watch<D> watch(m, [&](const Instant<D>& now) {
     if (recorder.step(now)) m.stop("limit of the pushover: " + recorder.limit());
   });
-  const StageReport report = run_stage(L, m, o.stage, until);
+  std::size_t given = 0;
+  const StageSamples samples{o.on_sample, [&] { return recorder.curve().force.size() > given; },
+                             [&] { push_sample(L, recorder.curve(), given++); }};
+  const StageReport report = run_stage(L, m, o.stage, until, samples);
   recorder.finish();
   stop_push<D>(m, o);
   push_report(L, report);

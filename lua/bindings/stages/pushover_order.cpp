@@ -13,7 +13,7 @@ template <int D>
 void read_control(Keys& keys, PushOrder<D>& o) {
   o.by_arc = keys.choice("control", {"time", "arc"}, 0) == 1;
   const std::vector<std::string_view> others =
-      o.by_arc ? std::vector<std::string_view>{"rate", "local_damping", "dt", "safety"}
+      o.by_arc ? std::vector<std::string_view>{"rate", "local_damping", "dt", "safety", "watch"}
                : std::vector<std::string_view>{"arc"};
   for (const std::string_view key : others)
     if (keys.has(key))
@@ -92,6 +92,19 @@ PushTop read_top(Keys& keys, const Vec<D>& direction) {
   return top;
 }
 
+/// `on_sample`: a function, which remains on the stack.
+template <int D>
+void read_on_sample(Keys& keys, PushOrder<D>& o) {
+  lua_State* L = keys.lua();
+  const int type = keys.push("on_sample");
+  if (type == LUA_TFUNCTION) {
+    o.on_sample = lua_gettop(L);
+    return;
+  }
+  if (type != LUA_TNIL) keys.wrong("on_sample", "a function of the model and the sample");
+  lua_pop(L, 1);
+}
+
 }  // namespace
 
 template <int D>
@@ -111,6 +124,8 @@ PushOrder<D> read_order(Keys& keys, const ScriptModel& m) {
   o.stage.rest_share = keys.number("local_damping", "1", 0.8);
   o.stage.dt = keys.number("dt", "s", 0);
   o.stage.safety = keys.number("safety", "1", o.stage.safety);
+  o.stage.watched = keys.flag("watch", true);
+  read_on_sample(keys, o);
   for (const auto& [key, value, unit] : {std::tuple{"rate", o.by_arc || !keys.has("rate") ? 1 : o.rate, "m/s"},
                                          std::tuple{"displacement", o.displacement, "m"}})
     if (!(value > 0))

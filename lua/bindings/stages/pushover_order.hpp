@@ -30,9 +30,11 @@ struct PushOrder {
   StageOptions stage;
   bool by_arc = false;  ///< without time, by equilibria; otherwise steadily in time
   double arc = 0;       ///< first arc [m]; 0: 1 % of the displacement
+  int on_sample = 0;    ///< stack index of a function of the model and a sample; 0: none
 };
 
-/// Reads all keys without reporting unknown ones yet; Keys::finish reports errors.
+/// Reads all keys without reporting unknown ones yet; Keys::finish reports errors. The function of `on_sample` remains
+/// on the stack.
 template <int D>
 PushOrder<D> read_order(Keys& keys, const ScriptModel& m);
 

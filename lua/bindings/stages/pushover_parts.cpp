@@ -1,6 +1,7 @@
 // Common parts of both controls of m:pushover.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/stages/pushover_parts.hpp"
@@ -100,6 +101,15 @@ void add_curve(lua_State* L, const PushCurve& curve, std::size_t peak, std::stri
   number("drift", any ? curve.drift.back() : 0);
   lua_pushlstring(L, limit.data(), limit.size());
   lua_setfield(L, -2, "limit");
+}
+
+void push_sample(lua_State* L, const PushCurve& curve, std::size_t point) {
+  lua_createtable(L, 0, 4);
+  for (const auto& [key, values] : {std::pair{"t", &curve.time}, std::pair{"displacement", &curve.displacement},
+                                    std::pair{"force", &curve.force}, std::pair{"drift", &curve.drift}}) {
+    lua_pushnumber(L, (*values)[point]);
+    lua_setfield(L, -2, key);
+  }
 }
 
 void add_statics(lua_State* L, double carried, bool is_static) {

@@ -24,6 +24,8 @@ std::function<double(const Model<D>&, const State<D>&)> storey_reading(Simulated
 
 /// Adds the curve and its results to the report on top of the stack; `peak` is the index of a point of the curve.
 void add_curve(lua_State* L, const PushCurve& curve, std::size_t peak, std::string_view limit);
+/// Pushes a point of the curve as a table { t, displacement, force, drift }.
+void push_sample(lua_State* L, const PushCurve& curve, std::size_t point);
 /// Adds the part of the peak that the structure carries statically [N], and whether that is nearly all of it.
 void add_statics(lua_State* L, double carried, bool is_static);
 

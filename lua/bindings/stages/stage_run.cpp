@@ -110,6 +110,17 @@ class Handlers {
     return is;
   }
 
+  /// Hands a new sample to the function of the script, if there is one.
+  void give(const StageSamples& samples) {
+    if (samples.function == 0 || !samples.due() || leaves()) return;
+    const int top = lua_gettop(L_);
+    lua_pushvalue(L_, samples.function);
+    lua_pushvalue(L_, 1);
+    samples.push();
+    run(2);
+    lua_settop(L_, top);
+  }
+
   /// Values of the histories from Lua functions; an interrupt omits some.
   void sample_functions() {
     for (std::size_t i = 0; i < model_.histories.size(); ++i) {
@@ -277,7 +288,8 @@ class Fallen {
 
 }  // namespace
 
-StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until) {
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until,
+                      const StageSamples& samples) {
   Host& h = host(L);
   refuse_unread_arguments(h);
   return listen(L, model, h, [&](Handlers& handlers, ScriptListener listener) {
@@ -285,9 +297,10 @@ StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& opti
     Fallen fallen(model, until);
     std::string met;
     std::int64_t taken = 0;  // after an interruption
-    if (until.steps > 0 || until.function != 0 || until.drop > 0)
+    if (until.steps > 0 || until.function != 0 || until.drop > 0 || samples.function != 0)
       listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
         inner(time, dt);
+        handlers.give(samples);
         if (until.function != 0 && met.empty() && handlers.holds(until.function)) met = "until_true became true";
         if (met.empty() && fallen.look()) met = collapse_reason;
         if (!met.empty() || (until.steps > 0 && ++taken + model.resumed_steps >= until.steps))
@@ -329,13 +342,18 @@ void tell_loads_to_come(lua_State* L, ScriptModel& model, const std::string& sta
 }  // namespace
 
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
-                         AnyLoadWay way) {
+                         AnyLoadWay way, const StageSamples& samples) {
   Host& h = host(L);
   refuse_unread_arguments(h);
   tell_loads_to_come(L, model, options.name);
-  return listen(L, model, h, [&](Handlers& handlers, const ScriptListener& listener) {
+  return listen(L, model, h, [&](Handlers& handlers, ScriptListener listener) {
     EquilibriumOptions asked = how;
     asked.is_stopped = [&handlers] { return handlers.interrupted(); };
+    if (samples.function != 0)
+      listener.on_step = [&, inner = std::move(listener.on_step)](double time, double dt) {
+        inner(time, dt);
+        handlers.give(samples);
+      };
     return model.run(options, listener, h, &asked, way);
   });
 }

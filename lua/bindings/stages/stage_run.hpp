@@ -1,6 +1,8 @@
 // Runs a stage of a model with the script's handlers listening.
 #pragma once
 
+#include <functional>
+
 #include "bindings/core/handles.hpp"
 #include "bindings/core/keys.hpp"
 
@@ -16,17 +18,25 @@ struct StageUntil {
   std::int64_t steps = 0;  ///< stopped after this number of steps; 0: not used
 };
 
+/// A function of the script that is called with the model and a sample, where a stage has taken a new one.
+struct StageSamples {
+  int function = 0;            ///< stack index; 0: none
+  std::function<bool()> due;   ///< called after each step: true where there is a new sample
+  std::function<void()> push;  ///< pushes this sample
+};
+
 /// { until_true = function, until_collapse = true | { drop =, bodies = } }. The function remains on the stack.
 StageUntil read_until(Keys& keys, ScriptModel& m);
 
 /// Runs a stage of the model at stack index 1. Handlers are called through the model's own table: dispatch(event),
 /// tick(index), wake(), stepped(), sample(index). Their errors end the stage and are thrown as ScriptError; at a
 /// console the run pauses instead.
-StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until = {});
+StageReport run_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const StageUntil& until = {},
+                      const StageSamples& samples = {});
 
-/// Runs a static stage, which takes no time.
+/// Runs a static stage, which takes no time. Each point of a load path counts as a step.
 StageReport settle_stage(lua_State* L, ScriptModel& model, const StageOptions& options, const EquilibriumOptions& how,
-                         AnyLoadWay way = {});
+                         AnyLoadWay way = {}, const StageSamples& samples = {});
 
 /// Runs a stage that rewind has restored.
 StageReport resume_stage(lua_State* L, ScriptModel& model);
