@@ -156,9 +156,14 @@ std::vector<int> find_base(const Model<D>& model) {
   return base.empty() ? held : base;
 }
 
-/// Every body has the same weight, independent of its number of nodes.
+/// Every body has the same weight, independent of its number of nodes. A removed body stays where it was: a body that
+/// has cracked is replaced by its parts.
 template <int D>
 Vec<D> mean_displacement(const Model<D>& model, const State<D>& state, const std::vector<int>& bodies) {
+  std::vector<int> present;
+  for (const int body : bodies)
+    if (!state.is_removed(static_cast<std::size_t>(body))) present.push_back(body);
+  if (!present.empty() && present.size() < bodies.size()) return mean_displacement(model, state, present);
   Vec<D> sum = Vec<D>::Zero();
   for (const int body : bodies) {
     const Body& b = model.bodies[static_cast<std::size_t>(body)];

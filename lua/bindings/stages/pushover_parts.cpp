@@ -57,6 +57,8 @@ void hold_top(SimulatedModel<D>& m, const PushOrder<D>& o) {
   });
 }
 
+/// The findings are asked for at each reading, because bodies that crack or are added during the push replace them. The
+/// order of the storeys remains.
 template <int D>
 std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
   const Findings<D>& f = m.findings();
@@ -70,13 +72,15 @@ std::function<double(const Model<D>&, const State<D>&)> storey_reading(Simulated
     return {};
   }
   if (o.storey == 0)
-    return [&f, e = *along](const Model<D>& model, const State<D>& state) {
-      return e.dot(top_drift(model, state, f.storeys, f.base));
+    return [&m, e = *along](const Model<D>& model, const State<D>& state) {
+      const Findings<D>& now = m.findings();
+      return e.dot(top_drift(model, state, now.storeys, now.base));
     };
   for (std::size_t i = 0; i < f.storeys.size(); ++i)
     if (f.storeys[i].number == o.storey)
-      return [&f, i, e = *along](const Model<D>& model, const State<D>& state) {
-        return e.dot(storey_drift(model, state, f.storeys, f.base, i));
+      return [&m, i, e = *along](const Model<D>& model, const State<D>& state) {
+        const Findings<D>& now = m.findings();
+        return e.dot(storey_drift(model, state, now.storeys, now.base, i));
       };
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
 }
