@@ -2,7 +2,7 @@
 -- numbers that it takes and returns; the engine and its results stay in SI. While the door is shut (bindings/core/
 -- unit_door.hpp) the script cannot call a function that does not convert.
 local trilith, core = ...
-local rules = core.unit_rules
+local rules, calls = core.unit_rules, core.unit_calls
 local raw_model, si_units, declare = trilith.model, trilith.units, trilith.params
 
 local system            -- of this script; nil: SI
@@ -11,69 +11,8 @@ local made = setmetatable({}, { __mode = "k" })   -- how a law or a ramp was mad
 local used_factors = false
 local read_before = core.quantities_read()
 
-local function pack(...) return { n = select("#", ...), ... } end
-
---- Raises an error of a call again, in the units of the models. Its place is known already.
-local function raise(message)
-  if type(message) == "string" then core.raise(system:message(message)) end
-  error(message, 0)
-end
-
---- Calls f with the door open, and shuts it afterwards as it was.
-local function inside(f, ...)
-  local before = core.unit_door "open"
-  local results = pack(pcall(f, ...))
-  core.unit_door(before)
-  if not results[1] then raise(results[2]) end
-  return table.unpack(results, 2, results.n)
-end
-
-local function is_shut()
-  local state = core.unit_door "unchanged"
-  return state == "shut"
-end
-
-local convert_event
-
---- A function of the script, called by the library: with the door shut, and its arguments converted.
-function core.outside(f, owner, key)
-  if type(f) ~= "function" then return f end
-  return function(...)
-    local arguments = pack(...)
-    if key == "on_sample" then
-      arguments[2] = rules.fields("a sample", { t = "s", displacement = "m", force = "N", drift = "m" })(arguments[2],
-        system, -1)
-    elseif owner == "on" then
-      arguments[1] = convert_event(arguments[1])
-    end
-    local before = core.unit_door "shut"
-    local results = pack(pcall(f, table.unpack(arguments, 1, arguments.n)))
-    core.unit_door(before)
-    if not results[1] then error(results[2], 0) end
-    return table.unpack(results, 2, results.n)
-  end
-end
-
-local event_units
---- An event with its value, place and text in the units of the models.
-function convert_event(event)
-  if type(event) ~= "table" then return event end
-  if not event_units then
-    event_units = {}
-    for _, kind in ipairs(core.event_types()) do event_units[kind.name] = kind.unit end
-  end
-  local copy = {}
-  for key, value in next, event do copy[key] = value end
-  local unit = event_units[event.type] or ""
-  if system:factor(unit) then
-    copy.value = rules.of(unit)(event.value, system, -1)
-  else
-    copy.value = nil
-  end
-  for _, axis in ipairs { "x", "y", "z" } do copy[axis] = rules.of "m"(rawget(event, axis), system, -1) end
-  copy.text = system:message(event.text)
-  return setmetatable(copy, getmetatable(event))
-end
+local pack, inside, raise, is_shut = calls.pack, calls.inside, calls.raise, calls.is_shut
+local convert_event, wrap_table_functions = calls.convert_event, calls.wrap_table_functions
 
 -- Results whose values are the same in all units.
 local same_results = {}
@@ -215,6 +154,7 @@ local function converting(entry, raw, first)
       or converted
     local back = results[1] and converted[1] and pack(pcall(convert_results, entry, rule, results)) or results
     core.unit_door(before)
+    wrap_table_functions()
     if not back[1] then raise(back[2]) end
     if type(back[2]) == "userdata" and (entry.parameters or entry.member == "ramp") then
       local given = {}
@@ -267,6 +207,7 @@ local function converted_property(owner, property, raw, object, value)
   end
   local full = owner .. "." .. property.name
   if full == "model.events" then return rules.each(convert_event)(value) end
+  wrap_table_functions()
   if full == "model.energy" then return rules.of "J"(value, system, -1) end
   if full == "model.bearings" or full == "model.seats" or full == "model.storeys" then return opened_rows(value) end
   local rule = rules.results[full] or rules.results[full:gsub("^body%.", "model.")]
@@ -329,6 +270,16 @@ local function replace_module(module, path)
   end
 end
 
+--- The console prints the properties of a handle with their units.
+local function rename_units()
+  local properties = core.properties
+  function core.properties(kind)
+    local list = properties(kind)
+    for _, property in ipairs(list or {}) do property.unit = system:name(property.unit) end
+    return list
+  end
+end
+
 local function replace_all()
   for _, metatable in pairs(debug.getregistry()) do
     local members = type(metatable) == "table" and rawget(metatable, "members")
@@ -338,6 +289,7 @@ local function replace_all()
       replace_members(kinds[kind], members)
     end
   end
+  rename_units()
   replace_module(trilith, "trilith")
   for name, f in pairs(trilith.math) do rawset(trilith.math, name, function(...) return inside(f, ...) end) end
 end
@@ -373,6 +325,7 @@ local function set_units(text)
   end
   declarations = core.unit_declarations()
   system = core.read_units(text)
+  calls.system = system
   replace_all()
 end
 

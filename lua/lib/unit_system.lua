@@ -106,7 +106,7 @@ end
 --- The name of a unit in this system: "kN/m2" for "Pa".
 function system_type.name(system, unit)
   local l, t, m = core.dimension(unit)
-  if not l then return unit end
+  if not l or l == 0 and m == 0 then return unit end
   local parts = { { system.force_name, m }, { system.length_name, l - m }, { "s", t + 2*m } }
   local above, below = product(parts, 1), product(parts, -1)
   if above == "" then above = "1" end

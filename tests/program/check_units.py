@@ -113,5 +113,29 @@ for text, message in REFUSED.items():
     if "refused.lua:" not in done.stderr + done.stdout:
         failed.append(f"{text}\nthe message has no place:\n{done.stderr}")
 
+# The console prints values with the units of the models, and tables of the engine keep their messages.
+CONSOLE = """
+m = trilith.model { units = "N mm" }
+m:material { name = "stone", density = 2.4e-9 }
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 5, ks = 2, mu = 0.6, beta = 1e-4 } }
+m:block { name = "ground", width = 4000, height = 1000, at = { -2000, -1000 }, material = "stone", support = "fixed" }
+b = m:block { name = "block", width = 500, height = 400, at = { 0, 0 }, material = "stone" }
+b
+print(m:consolidate { rest = { ratio = 1e-5 } })
+m.energy.kinetc
+m:run({ duration = 0.01 }).endng
+b.uz
+print(5*trilith.units "cm")
+"""
+SHOWN = [r"y +200 mm ", r"mass +0\.48 N s2/mm ", r"vx +0 mm/s ", r"consolidation ended \(rest\) after", "has no 'kinetc'; did you mean",
+         "report has no 'endng'; did you mean", "body 'block' has no 'uz'", r"^50\.0$"]
+done = subprocess.run([program], input=CONSOLE, capture_output=True, text=True, cwd=folder)
+shown = done.stdout + done.stderr
+for pattern in SHOWN:
+    if not re.search(pattern, shown, re.M):
+        failed.append(f"the console does not print '{pattern}':\n{shown}")
+if re.search("traceback|does not convert", shown):
+    failed.append(f"the console prints an error of the library:\n{shown}")
+
 print("\n".join(failed))
 sys.exit(1 if failed else 0)
