@@ -94,9 +94,11 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   dissipate<K>(counts, r, given, kept);
   // Rows with possible events are processed one by one.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
-  const RowResponse<law_numbers<K> / 2> out(r, K::template keeps<Lanes>(r.own));
+  const RowResponse<M, law_numbers<K>> out(r, K::template keeps<Lanes>(r.own));
   if constexpr (Kept::is_asked) begin_four(rows, kept);
-  if (!any(flip(found & r.touching) | turns)) {  // as nearly always
+  const bool all = !any(flip(found & r.touching) | turns);  // as nearly always
+  if constexpr (has_rare_numbers<M>) write_rare(pass, rows, r.own, all ? flip(LaneMask{}) : found & r.touching);
+  if (all) {
     for (int i = 0; i < lane_count; ++i) write_row(pass, rows.row[i], out, i, kept);
     return;
   }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include "assembly/contact/face_columns.hpp"
@@ -153,6 +154,38 @@ struct LaneMemory {
   LaneMask touching;
 };
 
+/// True for a law's memory that names numbers which are 0 in most contacts: they are then neither transposed to columns
+/// nor back.
+template <class M>
+inline constexpr bool has_rare_numbers = requires {
+  M::damage_begin;
+};
+/// True for the pair of numbers from `number` on.
+template <class M>
+constexpr bool is_rare(int number) {
+  if constexpr (has_rare_numbers<M>) return number >= M::damage_begin && number < M::damage_end;
+  return false;
+}
+
+/// The numbers of the law's memory of a row from `number` on.
+TRILITH_INLINE const double* law_numbers_of(const FacePass& pass, int row, int number) {
+  return pass.law_before + pass.law_row[row].first + number;
+}
+
+/// True where a rare number of some row is not 0. The bits are compared, four numbers at a time.
+template <class M>
+TRILITH_INLINE bool some_rare_number(const FacePass& pass, const FourRows& rows) {
+  static_assert((M::damage_end - M::damage_begin) % lane_count == 0);
+  LaneMask bits{};
+  for (int i = 0; i < lane_count; ++i)
+    for (int number = M::damage_begin; number < M::damage_end; number += lane_count) {
+      LaneMask four;
+      __builtin_memcpy(&four, law_numbers_of(pass, rows.row[i], number), sizeof four);
+      bits |= four;
+    }
+  return any(bits);
+}
+
 template <class M>
 TRILITH_INLINE LaneMemory<M> load_memory(const FacePass& pass, const FourRows& rows) {
   const auto load = [&](auto member, Lanes& c0, Lanes& c1) {
@@ -179,28 +212,35 @@ TRILITH_INLINE LaneMemory<M> load_memory(const FacePass& pass, const FourRows& r
   m.face.general = has_bit(word, general_bit);
   m.touching = has_bit(word, touching_bit);
   // The memory of a law is read in pairs of numbers; each law has an even count.
-  int number = 0;
-  m.own.fields([&](Lanes& c0, Lanes& c1) {
-    const double* row[lane_count];
-    for (int i = 0; i < lane_count; ++i) row[i] = pass.law_before + pass.law_row[rows.row[i]].first + number;
-    load_columns(row, c0, c1);
-    number += 2;
-  });
+  const auto load_own = [&](bool rare) TRILITH_INLINE_LAMBDA {
+    int number = 0;
+    m.own.fields([&](Lanes& c0, Lanes& c1) {
+      const double* row[lane_count];
+      for (int i = 0; i < lane_count; ++i) row[i] = law_numbers_of(pass, rows.row[i], number);
+      if (is_rare<M>(number) == rare) load_columns(row, c0, c1);
+      number += 2;
+    });
+  };
+  load_own(false);
+  if constexpr (has_rare_numbers<M>) {
+    m.own.set_damaged(some_rare_number<M>(pass, rows));
+    if (m.own.may_be_damaged()) load_own(true);
+  }
   return m;
 }
 
-/// Response as rows, for writing. `pairs`: pairs of numbers of the law's memory.
-template <std::size_t pairs>
+/// Response as rows, for writing. `M`: the law's memory, of which the rare numbers are written by write_rare.
+/// `numbers`: their number.
+template <class M, std::size_t numbers>
 struct RowResponse {
   RowPairs elastic, total, damping, active, slip_bits, a0, a1, b0, b1;
-  std::array<RowPairs, pairs> own;
+  std::array<RowPairs, numbers / 2> own;
   /// Bonds in bits 0 and 1, touching always set: rows that do not touch are not written here.
   TRILITH_INLINE static Lanes word_of(const FaceMemory<Lanes>& m, const LaneMask& kept) {
     const LaneMask none{};
     return as_lanes((m.bonds[0] & (none + 1)) | (m.bonds[1] & (none + 2)) | (kept & (none + kept_bit)) |
                     (none + touching_bit));
   }
-  template <class M>
   TRILITH_INLINE RowResponse(FaceResponse<Lanes, M>& r, const LaneMask& kept)
       : elastic(r.memory.shear_elastic[0], r.memory.shear_elastic[1]),
         total(r.memory.shear_total[0], r.memory.shear_total[1]),
@@ -211,10 +251,34 @@ struct RowResponse {
         a1(r.ax1, r.ay1),
         b0(r.bx0, r.by0),
         b1(r.bx1, r.by1) {
-    std::size_t i = 0;
-    r.own.fields([&](const Lanes& c0, const Lanes& c1) { own[i++] = {c0, c1}; });
+    int number = 0;
+    r.own.fields([&](const Lanes& c0, const Lanes& c1) {
+      if (!is_rare<M>(number)) own[static_cast<std::size_t>(number / 2)] = {c0, c1};
+      number += 2;
+    });
   }
 };
+
+/// Writes the rare numbers of the law's memory of the rows in `which`.
+template <class M>
+TRILITH_INLINE void write_rare(const FacePass& pass, const FourRows& rows, M& own, const LaneMask& which) {
+  const auto at = [&](int i, int number) { return pass.law_after + pass.law_row[rows.row[i]].first + number; };
+  if (!own.may_be_damaged()) {
+    constexpr std::size_t size = (M::damage_end - M::damage_begin) * sizeof(double);
+    for (int i = 0; i < lane_count; ++i)
+      if (which[i] != 0) std::memset(at(i, M::damage_begin), 0, size);
+    return;
+  }
+  int number = 0;
+  own.fields([&](const Lanes& c0, const Lanes& c1) {
+    if (is_rare<M>(number)) {
+      const RowPairs pairs(c0, c1);
+      for (int i = 0; i < lane_count; ++i)
+        if (which[i] != 0) store_pair(at(i, number), pairs.of(i));
+    }
+    number += 2;
+  });
+}
 
 /// Sides of a row, as bits.
 constexpr std::uint8_t side_a = 1, side_b = 2, both_sides = side_a | side_b;
@@ -239,8 +303,9 @@ TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0
 }
 
 /// Writes lane i of a response to its row. `Kept`: KeptFour, see FacePass, or AddedAtOnce.
-template <std::size_t pairs, class Kept>
-TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<pairs>& r, int i, const Kept& kept) {
+template <class M, std::size_t numbers, class Kept>
+TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<M, numbers>& r, int i,
+                              const Kept& kept) {
   ContactMemory& after = pass.after[row];
   store_pair(after.shear_elastic, r.elastic.of(i));
   store_pair(after.shear_total, r.total.of(i));
@@ -248,9 +313,10 @@ TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<p
   store_pair(after.active, r.active.of(i));
   store_pair(&after.slip, r.slip_bits.of(i));
   after.damping_moment = 0;
-  if constexpr (pairs > 0) {
+  if constexpr (numbers > 0) {
     double* own = pass.law_after + pass.law_row[row].first;
-    for (std::size_t k = 0; k < pairs; ++k) store_pair(own + 2 * k, r.own[k].of(i));
+    for (std::size_t k = 0; k < numbers / 2; ++k)
+      if (!is_rare<M>(static_cast<int>(2 * k))) store_pair(own + 2 * k, r.own[k].of(i));
   }
   std::uint8_t later = 0;
   if constexpr (Kept::is_asked) {

@@ -3,6 +3,7 @@
 #include "contact/joint/area_limit.hpp"
 #include "contact/joint/chord.hpp"
 #include "contact/plane/edge_pressure.hpp"
+#include "contact/space/sampled_faces.hpp"
 #include "contact/space/solid_energy.hpp"
 #include "contact/space/solid_faces.hpp"
 #include "contact/space/sphere_contact.hpp"
@@ -132,11 +133,14 @@ void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
                                SolidOverlapBuffer& shared, bool may_be_flat, double crushed, const Vec3* along) {
   const bool whole = !(use.held > 0);  // the fast methods do not support a contact that starts at a depth
-  if (FaceOverlap3 faces; whole && may_be_flat && is_linear(use.law) && flat_faces(a.placed, b.placed, faces)) {
+  const bool linear = is_linear(use.law), has_faces = linear || has_sampled_faces(use.law);
+  if (FaceOverlap3 faces; whole && may_be_flat && has_faces && flat_faces(a.placed, b.placed, faces)) {
     apart.distance = 0;
-    return face_pressure(a.by_face(faces.face_a), b.by_face(faces.face_b), plain_friction(use), faces);
+    const MovingSolid face_a = a.by_face(faces.face_a), face_b = b.by_face(faces.face_b);
+    return linear ? face_pressure(face_a, face_b, plain_friction(use), faces)
+                  : sampled_face_pressure(face_a, face_b, use, faces, shared.triangles);
   }
-  if (whole && along == nullptr && have_few_faces(a.placed, b.placed) && is_linear(use.law)) {
+  if (whole && along == nullptr && have_few_faces(a.placed, b.placed) && linear) {
     SolidPressure pressed;
     const PlainFriction law = plain_friction(use);
     if (edge_pressure(a, b, law.kn, law.beta, shared.triangles, pressed)) {
@@ -184,10 +188,11 @@ SolidResponse polyhedron_contact_forces(const MovingSolid& whole_a, const Moving
 double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory, const LawInUse& use,
                             SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
   FaceOverlap3 faces;
-  const bool sphere = a.solid->is_sphere() || b.solid->is_sphere();
-  const bool flat = !sphere && !(use.held > 0) && is_linear(use.law) && flat_faces(a, b, faces);
-  const double pressure = sphere ? sphere_energy(a, b, use)
-                          : flat ? face_energy(plain_friction(use), faces)
+  const bool sphere = a.solid->is_sphere() || b.solid->is_sphere(), linear = is_linear(use.law);
+  const bool flat = !sphere && !(use.held > 0) && (linear || has_sampled_faces(use.law)) && flat_faces(a, b, faces);
+  const double pressure = sphere           ? sphere_energy(a, b, use)
+                          : flat && linear ? face_energy(plain_friction(use), faces)
+                          : flat           ? sampled_face_energy(use, faces, shared.triangles)
                                  : solid_energy(a, b, use, shared, scratch, std::max(memory.crushed, use.held));
   return pressure + sliding_energy(plain_friction(use).ks, memory.shear);
 }

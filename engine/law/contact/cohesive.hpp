@@ -27,7 +27,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 
 #include "base/schema.hpp"
 #include "law/contact/mortar.hpp"
@@ -127,6 +129,20 @@ struct Cohesive {
   struct Kernel;
 };
 
+/// Whether a part of a softening bond may be damaged, for the memories of several contacts at once: whoever reads them
+/// has looked at the numbers of all. A single memory is always asked for its numbers.
+template <class T>
+struct DamageKnown {
+  [[nodiscard]] static constexpr bool may_be_damaged() { return true; }
+  static constexpr void set_damaged(bool /*some*/) {}
+};
+template <>
+struct DamageKnown<Lanes> {
+  bool some_damage = true;
+  [[nodiscard]] bool may_be_damaged() const { return some_damage; }
+  void set_damaged(bool some) { some_damage = some; }
+};
+
 /// Parameters and equations of softening, dilation and crushing.
 struct Cohesive::Kernel : Mortar {
   double last_opening;    ///< opening without remaining tension [m]
@@ -137,6 +153,7 @@ struct Cohesive::Kernel : Mortar {
   double crushing_depth;  ///< greatest depth of crushing [m]
   double crush_slope;     ///< fall of that overlap per crushed depth [1]; 0: it stays
   double crush_floor;     ///< least of that overlap, at the residual strength [m]
+  double intact_hold;     ///< stiffness share of an open bond that is intact [1]
 
   Kernel(const Cohesive& law, double thickness, double step)
       : Mortar(law, thickness, step),
@@ -147,7 +164,8 @@ struct Cohesive::Kernel : Mortar {
         crushing(law.compression / law.kn),
         crushing_depth(law.crushing_depth),
         crush_slope(law.crush_energy > 0 ? slope_of(law) : 0),
-        crush_floor(law.crush_energy > 0 ? law.crush_residual * law.compression / law.kn : 0) {}
+        crush_floor(law.crush_energy > 0 ? law.crush_residual * law.compression / law.kn : 0),
+        intact_hold(held(1.0)) {}
 
   /// (fc - fr)^2 / (2 G), over kn [1].
   static double slope_of(const Cohesive& law) {
@@ -163,14 +181,23 @@ struct Cohesive::Kernel : Mortar {
   static constexpr int parts = bond_parts;
 
   template <class T>
-  struct Memory {
-    T set[2]{};                  ///< gaps at both ends of the shared length when the mortar set [m]
-    T damage[2 * bond_parts]{};  ///< of the parts of both bonded halves: lost share of their strength
-    T crushed[2]{};              ///< crushed depth of the mortar of each half [m]
+  struct Memory : DamageKnown<T> {
+    T set[2]{};                ///< gaps at both ends of the shared length when the mortar set [m]
+    T damage[2 * bond_parts];  ///< of the parts of both bonded halves: lost share of their strength
+    T crushed[2]{};            ///< crushed depth of the mortar of each half [m]
     /// 1: was a general contact after first touching, and no longer dilates. Negative: minus the opening by the slip of
     /// the last step [m].
     T worn{};
     T crushing_force{};  ///< general contact: force that crushes its mortar, 0 while intact [N]
+    /// The numbers from the first to before the last, in the order of `fields`, are 0 in all but damaged contacts.
+    static constexpr int damage_begin = 2, damage_end = 2 + 2 * bond_parts;
+    /// Damage is set number by number: one block of memory set to 0 would stall the loads that follow.
+    TRILITH_INLINE Memory() {
+      const auto clear = [this]<std::size_t... i>(std::index_sequence<i...>) TRILITH_INLINE_LAMBDA {
+        ((damage[i] = T{}), ...);
+      };
+      clear(std::make_index_sequence<2 * bond_parts>());
+    }
     template <class F>
     TRILITH_INLINE void fields(F&& two) {
       two(set[0], set[1]);
@@ -282,7 +309,9 @@ struct Cohesive::Kernel : Mortar {
   template <class T>
   TRILITH_INLINE T crush_half(HalfState<T>& h, T before) const;
   template <class T>
-  TRILITH_INLINE void soften_by_opening(HalfState<T>& h, const T* damage) const;
+  TRILITH_INLINE void soften_by_opening(HalfState<T>& h, const T* damage, bool damaged) const;
+  template <class T>
+  TRILITH_INLINE void end_bond(HalfState<T>& h, Mask<T> bonded, T* damage) const;
   template <class T>
   TRILITH_INLINE T opening_loss(const HalfState<T>& h, const T* damage, Mask<T> was_bonded, T last) const;
   template <class T>

@@ -33,13 +33,21 @@ TRILITH_INLINE LinearStress<T> beyond_closed(const HalfState<T>& h, T c0, T c1, 
   return stress;
 }
 
-/// Reduces strength and stiffness of a half by its openings. `damage`: of its parts before. Each part has the strength
-/// at which it carries the mean of the softening stresses over its open length.
+/// Reduces strength and stiffness of a half by its openings. `damage`: of its parts before; `damaged` false: it is 0 in
+/// all. Each part has the strength at which it carries the mean of the softening stresses over its open length. A half
+/// without damage that opens nowhere beyond the elastic limit keeps its strength, and its parts are not visited.
 template <class T>
-TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, const T* damage) const {
+TRILITH_INLINE void Cohesive::Kernel::soften_by_opening(HalfState<T>& h, const T* damage, bool damaged) const {
   const T zero{}, one = zero + 1.0, first = zero + first_opening();
+  const bool opens = any(h.bonded & (h.widest() > first));
+  h.damaged = damaged || opens;
+  if (!h.damaged) {
+    h.strength = select(h.bonded, one, zero);
+    h.hold = select(h.bonded, zero + intact_hold, zero);
+    return;
+  }
   for (int i = 0; i < bond_parts; ++i) h.strengths[i] = one - damage[i];
-  if (any(h.bonded & (h.widest() > first))) {
+  if (opens) {
     const T b0 = h.bond0(), rise = h.bond1() - b0;
     for (int i = 0; i < bond_parts; ++i) {
       const T from = b0 + rise * part_start(i), to = b0 + rise * part_start(i + 1);
@@ -60,7 +68,9 @@ TRILITH_INLINE T Cohesive::Kernel::opening_loss(const HalfState<T>& h, const T* 
                                                 T last) const {
   const T zero{}, one = zero + 1.0, p0 = h.g0 - dt * h.m0 + last, p1 = h.g1 - dt * h.m1 + last;
   T lost = zero;
-  if (!any(was_bonded & lost_by_parts(h.strengths))) return lost;
+  Mask<T> falls = h.strengths[0] != one - damage[0];
+  for (int i = 1; i < bond_parts; ++i) falls |= h.strengths[i] != one - damage[i];
+  if (!any(was_bonded & falls)) return lost;
   for (int i = 0; i < bond_parts; ++i) {
     const T before = select(was_bonded, held(one - damage[i]), zero);
     const T fall = before - held(h.strengths[i]);
@@ -171,7 +181,7 @@ TRILITH_INLINE T Cohesive::Kernel::begin(FaceHalves<T>& halves, const FaceMemory
   if (dilation > 0) halves.open_by(dilated(before.slip, own.worn));
   for (const int h : {0, 1}) {
     if (crushing > 0) after.crushed[h] = crush_half(halves.half[h], own.crushed[h]);
-    soften_by_opening(halves.half[h], own.damage + h * bond_parts);
+    soften_by_opening(halves.half[h], own.damage + h * bond_parts, own.may_be_damaged());
   }
   return T{};
 }
@@ -215,7 +225,7 @@ TRILITH_INLINE void Cohesive::Kernel::press(const HalfState<T>* halves, T* activ
     const HalfStress<T> closed = stress;
     mix(stress.elastic, bond, half.hold);
     mix(stress.total, bond_total, half.hold);
-    const Mask<T> by_parts = half.bonded & lost_by_parts(half.strengths);
+    const Mask<T> by_parts = half.damaged ? half.bonded & lost_by_parts(half.strengths) : Mask<T>{};
     if (any(by_parts)) {
       const HalfSpan<T> shut{areas.closed.from[h], areas.closed.to[h]}, pressed{from, to};
       take(stress.elastic, bond_by_parts(half, -half.g0, -half.g1, shut, closed.elastic), by_parts);
@@ -271,32 +281,48 @@ TRILITH_INLINE T Cohesive::Kernel::slide(HalfState<T>& h, T active, const ShearB
   const Mask<T> slides = magnitude(trial.total) > slider.limit;
   end_shear(trial, active, before, slides, sign * slider.held, sign * slider.elastic, out);
   // Slip takes the same share of the strength of all parts.
-  const T share = slider.strength * inverse_or_zero(h.strength);
-  if (any(slides & h.bonded))
-    for (T& part : h.strengths) part = select(slides, part * share, part);
+  if (any(slides & h.bonded)) {
+    const T share = slider.strength * inverse_or_zero(h.strength);
+    for (T& part : h.strengths) {
+      const T had = h.damaged ? part : one;
+      part = select(slides, had * share, had);
+    }
+    h.damaged = true;
+  }
   h.strength = select(slides, slider.strength, h.strength);
   const T cohesive = select(slides, slider.cohesive, zero);
   out.lost_friction -= cohesive;
   return cohesive;
 }
 
+/// Strengths of the parts of a half after the step, 0 where it is no longer `bonded`, and their damage.
+template <class T>
+TRILITH_INLINE void Cohesive::Kernel::end_bond(HalfState<T>& h, Mask<T> bonded, T* damage) const {
+  const T zero{}, one = zero + 1.0;
+  for (int i = 0; i < bond_parts; ++i) {
+    h.strengths[i] = h.damaged ? select(bonded, h.strengths[i], zero) : select(bonded, one, zero);
+    damage[i] = h.damaged ? select(bonded, one - h.strengths[i], zero) : zero;
+  }
+}
+
 /// Bonds after the stresses: the remaining strength, and the energy dissipated by bonds and crushing [J].
 template <class T>
 TRILITH_INLINE T Cohesive::Kernel::end(const FaceHalves<T>& halves, const FaceMemory<T>& before, const Memory<T>& own,
                                        FaceMemory<T>& memory, Memory<T>& after) const {
-  const T zero{}, one = zero + 1.0, last = larger(zero, zero - own.worn);
+  const T zero{}, last = larger(zero, zero - own.worn);
   T lost = zero;
+  after.set_damaged(halves.half[0].damaged || halves.half[1].damaged);
   for (const int k : {0, 1}) {
-    HalfState<T> h = halves.half[k];
+    const HalfState<T>& now = halves.half[k];
     const T deeper = after.crushed[k] - own.crushed[k];
+    const bool crushes_now = crushing > 0 && any(deeper > zero);
+    memory.bonds[k] = now.bonded & (now.strength > zero);
+    if (!now.damaged && !crushes_now) continue;  // no damage, nothing lost; the state is not copied
+    HalfState<T> h = now;
     const T* const damage = own.damage + k * bond_parts;
-    memory.bonds[k] = h.bonded & (h.strength > zero);
-    for (int i = 0; i < bond_parts; ++i) {
-      h.strengths[i] = select(memory.bonds[k], h.strengths[i], zero);
-      after.damage[k * bond_parts + i] = select(memory.bonds[k], one - h.strengths[i], zero);
-    }
-    if (crushing > 0 && any(deeper > zero)) lost += crushing_loss(h, deeper, damage, before.bonds[k], last);
-    lost += opening_loss(h, damage, before.bonds[k], last);
+    end_bond(h, memory.bonds[k], after.damage + k * bond_parts);
+    if (crushes_now) lost += crushing_loss(h, deeper, damage, before.bonds[k], last);
+    if (h.damaged) lost += opening_loss(h, damage, before.bonds[k], last);
   }
   return lost;
 }
@@ -337,7 +363,7 @@ TRILITH_INLINE Mask<T> Cohesive::Kernel::changes(const FaceMemory<T>& before, co
                                                  const FaceMemory<T>& memory, const Memory<T>& after) {
   const T none{};
   Mask<T> turns = (before.bonds[0] != memory.bonds[0]) | (before.bonds[1] != memory.bonds[1]);
-  turns |= (most_damage(own) <= none) & (most_damage(after) > none);
+  if (after.may_be_damaged()) turns |= (most_damage(own) <= none) & (most_damage(after) > none);
   turns |= (larger(own.crushed[0], own.crushed[1]) <= none) & (larger(after.crushed[0], after.crushed[1]) > none);
   return turns;
 }

@@ -130,6 +130,9 @@ struct HalfState {
   T hold{};      ///< stiffness share where open, at this strength
   Filling<T> filling{};
   T strengths[bond_parts]{};  ///< softening bond: remaining strength share of each part
+  /// Softening bond: false where its kernel found that each part has its whole strength, or no bond; then `strengths`
+  /// is not read.
+  bool damaged = true;
 
   /// Gaps relevant for the bond at both ends of the half, and the larger of them [m].
   [[nodiscard]] TRILITH_INLINE T bond0() const { return g0 - filling.end0; }

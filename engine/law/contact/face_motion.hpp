@@ -73,26 +73,18 @@ struct FaceHalves {
                             const FaceMemory<T>& m) {
     const T gap = 0.5 * (o.gap_lo + o.gap_hi), length = 0.5 * o.shared;
     const T rate = 0.5 * (r.gap_lo + r.gap_hi), middle = 0.5 * (mean.gap_lo + mean.gap_hi);
-    half[0] = {o.gap_lo,
-               gap,
-               r.gap_lo,
-               rate,
-               0.75 * r.slip_lo + 0.25 * r.slip_hi,
-               mean.gap_lo,
-               middle,
-               0.75 * mean.slip_lo + 0.25 * mean.slip_hi,
-               length,
-               m.bonds[0]};
-    half[1] = {gap,
-               o.gap_hi,
-               rate,
-               r.gap_hi,
-               0.25 * r.slip_lo + 0.75 * r.slip_hi,
-               middle,
-               mean.gap_hi,
-               0.25 * mean.slip_lo + 0.75 * mean.slip_hi,
-               length,
-               m.bonds[1]};
+    // Member by member: an aggregate would be built apart and copied as one block of memory.
+    const auto set = [&](HalfState<T>& of, double at_lo, double at_hi) TRILITH_INLINE_LAMBDA {
+      of.slip_rate = at_lo * r.slip_lo + at_hi * r.slip_hi;
+      of.slip_mean = at_lo * mean.slip_lo + at_hi * mean.slip_hi;
+      of.length = length;
+    };
+    HalfState<T>&first = half[0], &second = half[1];
+    set(first, 0.75, 0.25), set(second, 0.25, 0.75);
+    first.g0 = o.gap_lo, first.g1 = gap, second.g0 = gap, second.g1 = o.gap_hi;
+    first.r0 = r.gap_lo, first.r1 = rate, second.r0 = rate, second.r1 = r.gap_hi;
+    first.m0 = mean.gap_lo, first.m1 = middle, second.m0 = middle, second.m1 = mean.gap_hi;
+    first.bonded = m.bonds[0], second.bonded = m.bonds[1];
   }
   /// Fills in the mortar of a joint that set at the end gaps `set` [m].
   TRILITH_INLINE void fill(const T* set) {

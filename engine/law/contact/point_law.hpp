@@ -31,16 +31,21 @@ inline constexpr bool has_own_friction = !requires {
   { owner_of(&K::friction) } -> std::same_as<std::type_identity<Coulomb>>;
 };
 
-/// effective() of a law, for one overlap or four.
+/// effective() of a law, for one overlap or four. A law may evaluate four at once by `effective_four`, with the bits of
+/// `effective` in each lane.
 template <class K>
 [[nodiscard]] TRILITH_INLINE double effective_of(const K& law, double overlap) {
   return law.effective(overlap);
 }
 template <class K>
 [[nodiscard]] TRILITH_INLINE Lanes effective_of(const K& law, const Lanes& overlap) {
-  Lanes e;
-  for (int i = 0; i < lane_count; ++i) e[i] = law.effective(overlap[i]);
-  return e;
+  if constexpr (requires { law.effective_four(overlap); }) {
+    return law.effective_four(overlap);
+  } else {
+    Lanes e;
+    for (int i = 0; i < lane_count; ++i) e[i] = law.effective(overlap[i]);
+    return e;
+  }
 }
 
 /// Friction limit under a normal force [N] over a size [m2, or m times the thickness]. `speed()`: slip rate [m/s],

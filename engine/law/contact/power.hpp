@@ -7,10 +7,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "base/portable.hpp"
 #include "base/schema.hpp"
+#include "base/simd/lane_powers.hpp"
 #include "law/contact/point_law.hpp"
 
 namespace trilith {
@@ -47,15 +47,23 @@ struct Power::Kernel : PointLaw<Power::Kernel> {
       : PointLaw(law, thick, step), depth(law.depth), exponent(law.exponent) {}
 
   /// The overlap at which a linear spring of stiffness kn has the same pressure [m].
-  [[nodiscard]] double effective(double overlap) const {
-    const double share = overlap > 0 ? overlap / depth : 0;
-    if (exponent == 1.5) return depth * share * std::sqrt(share);
-    return depth * portable::pow(share, exponent);
-  }
+  [[nodiscard]] double effective(double overlap) const { return effective_at(overlap); }
+  [[nodiscard]] TRILITH_INLINE Lanes effective_four(const Lanes& overlap) const { return effective_at(overlap); }
   [[nodiscard]] double stored(const HalfGaps& gaps, double length, double hold) const;
   [[nodiscard]] ContactTangent tangent(double overlap) const {
     const double share = std::max(overlap, depth) / depth;
     return {kn * exponent * portable::pow(share, exponent - 1), ks, beta};
+  }
+
+ private:
+  /// For one overlap or four. The usual exponents need no power.
+  template <class T>
+  [[nodiscard]] TRILITH_INLINE T effective_at(const T& overlap) const {
+    const T share = larger<T>(overlap, T{}) / depth;
+    if (exponent == 1.5) return depth * share * root(share);
+    if (exponent == 1) return depth * share;
+    if (exponent == 2) return depth * share * share;
+    return depth * power_of_positive<T>(share, exponent);
   }
 };
 
