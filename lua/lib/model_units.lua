@@ -8,7 +8,6 @@ local raw_model, si_units, declare = trilith.model, trilith.units, trilith.param
 local system            -- of this script; nil: SI
 local declarations
 local made = setmetatable({}, { __mode = "k" })   -- how a law or a ramp was made: { function, keys as given }
-local used_factors = false
 local read_before = core.quantities_read()
 
 local pack, inside, raise, is_shut = calls.pack, calls.inside, calls.raise, calls.is_shut
@@ -294,10 +293,8 @@ local function replace_all()
   for name, f in pairs(trilith.math) do rawset(trilith.math, name, function(...) return inside(f, ...) end) end
 end
 
---- trilith.units "mm kN": factors to SI, or to the units of the models.
-function trilith.units(...)
-  used_factors = true
-  if not system then return si_units(...) end
+--- trilith.units "mm kN": factors to the units of the models.
+local function factors_of(...)
   local factors, i = pack(si_units(...)), 0
   for word in (...):gmatch "[^%s,]+" do
     i = i + 1
@@ -306,26 +303,27 @@ function trilith.units(...)
   return table.unpack(factors, 1, factors.n)
 end
 
---- trilith.params{...}: a number with a unit is in SI, or in the units of the models.
-function trilith.params(declared)
+--- trilith.params{...}: numbers with a unit are in the units of the models.
+local function parameters(declared)
   local values = declare(declared)
   for name, one in next, declared do
     local unit = type(one) == "table" and one.unit
-    if unit then used_factors = true end
-    if unit and system then values[name] = values[name]/system:factor(unit) end
+    if unit then values[name] = values[name]/system:factor(unit) end
   end
   return values
 end
 
 --- Sets the units of the script, by its first model.
 local function set_units(text)
-  if core.quantities_read() > read_before or used_factors then
+  if core.quantities_read() > read_before then
     core.fail("model: 'units' must be given before other numbers: make the model first, and laws, parts, motions and "
       .. "factors of trilith.units after it")
   end
   declarations = core.unit_declarations()
   system = core.read_units(text)
   calls.system = system
+  rawset(trilith, "units", factors_of)
+  rawset(trilith, "params", parameters)
   replace_all()
 end
 

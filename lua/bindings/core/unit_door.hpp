@@ -41,7 +41,7 @@ int raise_whole(lua_State* L);
 /// core.dimension(unit): exponents of length, time and mass of a unit; nothing for an unknown unit.
 int dimension_of_unit(lua_State* L);
 
-/// A number with a unit, or a point, was read from a script in SI or in the units of the models.
+/// A number with a unit or a point was read from a script, or the factor of a unit was given to it.
 void count_quantity();
 /// core.quantities_read(): how many this thread has read.
 int quantities_read(lua_State* L);

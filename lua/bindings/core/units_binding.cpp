@@ -6,6 +6,7 @@
 #include "base/units.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/parameter_list.hpp"
+#include "bindings/core/unit_door.hpp"
 
 namespace trilith::script {
 namespace {
@@ -15,6 +16,7 @@ int units(lua_State* L) {
   if (lua_type(L, 1) != LUA_TSTRING)
     throw InputError(fmt::format("units: takes one text, as in units \"ft inch kip\"; this is {}", what_is(L, 1)));
   const std::string_view text = lua_tostring(L, 1);
+  count_quantity();
   int count = 0;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == ' ' || text[i] == ',' || text[i] == '\n') {
@@ -183,7 +185,7 @@ int params(lua_State* L) {
     lua_getfield(L, 1, name.c_str());
     Declaration d = read_declaration(L, name);
     lua_pop(L, 1);
-    if (!d.unit.empty()) parse_unit(d.unit);
+    if (!d.unit.empty()) parse_unit(d.unit), count_quantity();
     const std::string preset = d.preset();
     take_from_host(h, d);
     h.parameters.push_back({name, d.preset(), d.unit, preset, d.sentence});
