@@ -1,4 +1,4 @@
--- A wall whose units crack, beside the same wall with joints alone: its capacity in shear and its pattern of cracks.
+-- A wall whose units crack, and the same wall with joints alone: capacity in shear and pattern of cracks.
 --
 -- Physics: some 160 rigid units in running bond between a fixed base and a stiff beam that carries the load from above
 -- and stays level. The beam is pushed sideways. Joints and planes in the middle of the units soften with their fracture
