@@ -27,7 +27,7 @@ local function push(keys)
   return { m = m, r = r, cracked = cracked, cracks_of_top = cracks_of_top, units_at_top = number }
 end
 
--- the drift is that of the slab; it was once read from a list of bodies that the first crack had replaced
+-- the slab moves by the drift, which was once read from a list of bodies that the first crack had replaced
 local whole = push { tension = 2e6, drift = 4e-4, slab = true }
 assert(whole.cracked == 0 and whole.r.limit == "drift")
 local weak = push { tension = 1e5, drift = 4e-4, slab = true }
