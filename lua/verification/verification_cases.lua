@@ -4,7 +4,7 @@ local V = ...
 local function fail(file, text) error(("%s: %s"):format(file, text), 0) end
 
 local file_keys = { title = "string", source = "string", formula = "string", text = "string", cases = "table",
-  assumptions = "table" }
+  assumptions = "table", moves = "table" }
 local case_keys = { name = "string", title = "string", parameters = "table", checks = "table", run = "function",
   plot = "function", slow = "boolean", convergence = "table", known = "string" }
 local check_keys = { [1] = "string", unit = "string", exact = true, tolerance = true, within = "number",
@@ -33,6 +33,19 @@ local function check_checked(file, case, check)
     fail(file, where .. " has neither 'tolerance' nor 'within'")
   end
   if type(check.tolerance) == "number" then check.tolerance = { -check.tolerance, check.tolerance } end
+end
+
+-- A move is a result of the model with one assumption changed, kept from a run of it.
+local function move_checked(file, move)
+  local where = ("the move '%s'"):format(tostring(move[2]))
+  for i, name in ipairs { "check", "assumption", "from", "to" } do
+    if type(move[i]) ~= "string" then fail(file, ("%s: '%s', entry %d, must be a text"):format(where, name, i)) end
+  end
+  for i, name in ipairs { "value before", "value after" } do
+    if type(move[i + 4]) ~= "number" then
+      fail(file, ("%s: '%s', entry %d, must be a number"):format(where, name, i + 4))
+    end
+  end
 end
 
 -- A study is a case whose checks are one value for each value of its parameter, and the order of the error.
@@ -72,6 +85,7 @@ function V.read(path)
   for _, key in ipairs { "title", "source", "cases" } do
     if not declared[key] then fail(path, ("has no '%s'"):format(key)) end
   end
+  for _, move in ipairs(declared.moves or {}) do move_checked(path, move) end
   declared.path = path
   declared.subject, declared.name = path:match "([^/]+)/([^/]+)%.lua$"
   for _, case in ipairs(declared.cases) do

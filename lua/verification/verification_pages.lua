@@ -52,6 +52,18 @@ local function add_assumptions(add, declared)
   add ""
 end
 
+-- The table of moves of an experiment: model over measured before and after the change of one assumption.
+local function add_moves(add, declared)
+  if not declared.moves then return end
+  add "" add "Assumptions that move a result. Each row changes one assumption and keeps the others:" add ""
+  add "| result, model over measured | assumption | from | to | ratio from | ratio to |"
+  add "|---|---|---|---|---|---|"
+  for _, row in ipairs(declared.moves) do
+    add(("| %s | %s | %s | %s | %.2f | %.2f |"):format(escaped(row[1]), escaped(row[2]), escaped(row[3]),
+      escaped(row[4]), row[5], row[6]))
+  end
+end
+
 -- A picture of the mechanism, which is drawn apart from the cases, where the folder has one.
 local function add_picture(add, declared)
   local folder = V.pages or V.compare
@@ -90,6 +102,7 @@ local function add_file(page, file, folder)
         row.tolerance, escaped(row.result)), row)
     end
   end
+  add_moves(add, declared)
   for _, case in ipairs(file.cases) do
     if case.plot or case.convergence then
       local name = ("%s-%s.svg"):format(declared.subject, case.name)

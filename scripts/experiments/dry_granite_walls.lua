@@ -11,6 +11,7 @@ local series = {
   ks_over_kn = 0.4,
 }
 
+for key, value in pairs(setting.over or {}) do series[key] = value end
 local assumptions = {
   { "wall", "1.00 m x 1.20 m x 0.20 m, 8 courses of 0.20 m x 0.15 m, half units at the ends of every second course",
     "Vasconcelos 2005" },
@@ -40,8 +41,9 @@ local function push(specimen)
   local stress = specimen.N*1e3/(s.length*s.thickness)
   local joint = trilith.joint_stiffness { wall_modulus = s.wall_modulus, unit_modulus = s.unit_modulus,
     stress = stress, course_height = s.unit_height, shear_ratio = s.ks_over_kn }
-  local function law(mu) return trilith.frictional { kn = joint.kn, ks = joint.ks, mu = mu, beta = 2e-6 } end
-  s.joint, s.ends, s.vertical, s.top = law(s.mu), law(2), specimen.N*1e3, "cantilever"
+  local kn, ks = (s.stiffer or 1)*joint.kn, (s.stiffer or 1)*joint.ks
+  local function law(mu) return trilith.frictional { kn = kn, ks = ks, mu = mu, beta = 2e-6 } end
+  s.joint, s.ends, s.vertical, s.top = law(s.mu), law(2), (s.more_load or 1)*specimen.N*1e3, s.top or "cantilever"
   s.displacement, s.rate, s.file, s.frames = 0.035, setting.coarse and 5e-3 or 1e-3, setting.file, 5
   return wall.push(s)
 end
@@ -80,5 +82,11 @@ return {
   text = "Sawn granite blocks without mortar, pushed at constant vertical load. The walls rock to 3 % drift almost " ..
     "without loss of force.",
   assumptions = assumptions,
+  moves = {
+    { "WS100, force at 2 mm", "kn", "26 GPa/m", "6 GPa/m", 1.53, 0.87 },
+    { "WS100, peak", "kn", "26 GPa/m", "6 GPa/m", 0.95, 0.90 },
+    { "WS100, force at 2 mm", "ks, with kn 6 GPa/m", "0.4 kn", "0.1 kn", 0.87, 0.57 },
+    { "WS100, force at 2 mm", "method", "steady push in time", "statics by arc length, steps of 0.025 mm", 1.53, 1.53 },
+  },
   cases = cases,
 }

@@ -5,10 +5,12 @@ local trilith = require "trilith"
 --- Adds the fill to the voussoirs `bodies`, in order. Returns its weight [N]. The table s has `top` (y of the surface),
 --- `middle` (x of the crown), `width` [m], `unit_weight` [N/m3] and `friction_angle` [rad]. `backs` has the ends of the
 --- back of each voussoir. `passive` is the share of Rankine's passive coefficient; 0 leaves the weight alone.
+--- `cohesion` [Pa] adds twice its product with the root of the coefficient to the pressure, by the same share.
 --- `mobilised` is the displacement at which the pressure is reached, over the depth below the surface.
 return function(m, bodies, s)
   local tan = trilith.math.tan
-  local coefficient = s.passive*tan(math.pi/4 + s.friction_angle/2)^2
+  local root = tan(math.pi/4 + s.friction_angle/2) -- of Rankine's coefficient
+  local function pressure(depth) return s.passive*(root^2*s.unit_weight*depth + 2*(s.cohesion or 0)*root) end
   if s.passive > 0 then
     m:block { name = "soil", width = 0.2, height = 0.2, at = { -30, 0 }, material = s.material, support = "fixed" }
   end
@@ -22,7 +24,7 @@ return function(m, bodies, s)
     m:point_load { body = body, at = { (x0 + x1)/2, (y0 + y1)/2 }, force = { 0, -weight } }
     local height = math.abs(y1 - y0)
     if s.passive > 0 and height > 1e-3 then
-      local force = coefficient*s.unit_weight*depth*height*s.width
+      local force = pressure(depth)*height*s.width
       local way = (x0 + x1)/2 < s.middle and -1 or 1 -- direction into the soil
       local far = 10
       local move = s.mobilised*math.max(depth, 0.1)

@@ -9,7 +9,7 @@ local function add_unit(m, s, course, number, x0, x1)
   m:block { name = ("c%d.u%d"):format(course, number), width = x1 - x0, height = s.unit_height,
     at = { x0, (course - 1)*s.unit_height }, material = "units", groups = "units",
     mass = (s.mass_factor or 1)*s.density*(x1 - x0)*s.unit_height*s.thickness,
-    cracks = may_crack and "mid" or nil, crack_law = may_crack and "unit" or nil }
+    cracks = may_crack and (s.crack_planes or "mid") or nil, crack_law = may_crack and "unit" or nil }
 end
 
 -- Pieces [from, to] of a course outside its openings.
@@ -54,7 +54,7 @@ end
 --- unit_height, thickness [m], density [kg/m3], vertical (N) [N] and beam_height [m]. `joint`, `ends` and `crack` are
 --- the laws of joints, of the joints to base and beam, and of cracks in units. `top` is "cantilever", "double fixed" or
 --- "locked". `openings` is a list of { from, to [m], first_course, last_course }. `mass_factor` multiplies the masses
---- and divides gravity: weights stay, and steps become longer.
+--- and divides gravity: weights stay, and steps become longer. `control` "arc" uses statics, for units without cracks.
 function W.build(s)
   local more = s.mass_factor or 1
   local m = trilith.model { name = s.name or "wall", thickness = s.thickness, gravity = 9.80665/more, threads = 1 }
@@ -69,8 +69,11 @@ function W.build(s)
   local beam = m:block { name = "beam", width = s.length, height = s.beam_height or 0.2, at = { 0, height },
     material = "ends", mass = beam_mass, support = s.top ~= "cantilever" and { rotation = "fixed" } or nil }
   if s.file then m:results { file = s.file, frames = s.frames or 1, histories = 0.1 } end
-  m:point_load { body = beam, force = { 0, -(s.vertical - 100*9.80665) }, load_curve = { smooth = 0.2 } }
-  m:consolidate { grow = 0.2, rest = { ratio = s.rest or 1e-4 }, duration = 20 }
+  local statics = s.control == "arc"
+  m:point_load { body = beam, force = { 0, -(s.vertical - 100*9.80665) },
+    load_curve = not statics and { smooth = 0.2 } or nil }
+  m:consolidate(statics and { integrator = "static" }
+    or { grow = 0.2, rest = { ratio = s.rest or 1e-4 }, duration = 20 })
   return m, beam
 end
 
@@ -157,8 +160,14 @@ function W.push(s)
   local m, beam = W.build(s)
   local counts = count_events(m)
   local vertical = s.top == "locked" and m:history { name = "N", body = beam, what = "reaction_y", every = 0.01 }
-  local p = m:pushover { body = beam, displacement = s.displacement, rate = s.rate, samples = s.samples or 400,
-    local_damping = 0.8, top = s.top == "locked" and "locked" or nil, until_true = s.drop and fallen(m, s.drop) }
+  local push = { body = beam, displacement = s.displacement, samples = s.samples or 400,
+    top = s.top == "locked" and "locked" or nil }
+  if s.control == "arc" then
+    push.control, push.arc, push.drop = "arc", s.arc, s.drop
+  else
+    push.rate, push.local_damping, push.until_true = s.rate, 0.8, s.drop and fallen(m, s.drop)
+  end
+  local p = m:pushover(push)
   local found = W.motion_of_joints(m, p.displacement, s.courses*s.unit_height)
   local by = counts.by_mode
   return { curve = p.curve, peak = p.peak_force, at = p.displacement_at_peak, last = p.force,
