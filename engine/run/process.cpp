@@ -17,6 +17,7 @@
 #include "model/postpone.hpp"
 #include "run/friction_heat.hpp"
 #include "run/load_way.hpp"
+#include "run/process_time.hpp"
 #include "run/seepage_step.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
@@ -41,12 +42,29 @@ std::int64_t steps_of(const FieldProcess& process, const std::string& owner) {
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(count));
 }
 
+/// Time of the model after `done` of the steps of a process [s].
+double time_after(double begun, std::int64_t done, std::int64_t steps) {
+  return begun + path_duration * static_cast<double>(done) / static_cast<double>(steps);
+}
+
 /// "12.5 d", "3600 s".
 std::string clock_text(double seconds) {
   return seconds >= 86400 ? fmt::format("{:.6g} d", seconds / 86400) : fmt::format("{:.6g} s", seconds);
 }
 
 }  // namespace
+
+template <int D>
+void postpone_by_process(Model<D>& model, const FieldProcess& process, const StageReport& ended) {
+  const std::int64_t steps = steps_of(process, "process");
+  double time = ended.begun;
+  for (std::int64_t i = 1; i <= ended.steps; ++i) {
+    const double next = time_after(ended.begun, i, steps);
+    postpone_courses(model, next - std::exchange(time, next));
+  }
+}
+template void postpone_by_process(Model<2>&, const FieldProcess&, const StageReport&);
+template void postpone_by_process(Model<3>&, const FieldProcess&, const StageReport&);
 
 /// Changes the values of the fields at this instant, at fixed nodes. Bodies that expand take up elastic energy, which
 /// is booked as `heat`. All that depends on positions alone remains valid.
@@ -131,7 +149,7 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
       found = process_step(process, dt, solver, how);
       if (!found.converged) break;
       add_flow_events(model_, state_, flooded, found.events);
-      const double time = begun + path_duration * static_cast<double>(i) / static_cast<double>(steps);
+      const double time = time_after(begun, i, steps);
       postpone_courses(model_, time - state_.time);
       kept_model_.reset();
       state_.time = time, state_.last_dt = 0;

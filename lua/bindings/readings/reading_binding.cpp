@@ -235,7 +235,7 @@ void read_followed(Keys& keys, History& h, ScriptModel& m) {
   if (!keys.has("seepage")) keys.refuse("at", "'at' is a place along a joint; give seepage, the name of the joint");
   if (what != "temperature" || !keys.has("body"))
     keys.refuse("point", "'point' is of a body's temperature; give body and what = \"temperature\", or leave it out");
-  keys.know({"body", "bearing", "seat", "storey", "seepage", "every"});
+  keys.know({"body", "bearing", "seat", "storey", "seepage", "at", "point", "every"});
 }
 
 /// `m:history{ name =, body = | bearing = | seat = , what = }` or `{ name =, unit =, of = function }`; without an owner

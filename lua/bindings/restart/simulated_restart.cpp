@@ -11,6 +11,7 @@
 #include "model/io/fingerprint.hpp"
 #include "model/io/state_words.hpp"
 #include "results/file/part_path.hpp"
+#include "run/process_time.hpp"
 #include "run/restart/stage_fields.hpp"
 
 namespace trilith::script {
@@ -248,6 +249,11 @@ std::optional<StageReport> SimulatedModel<D>::go_to_moment(const std::string& na
   if (!head.ended) simulation_->keep_places(options);
   const auto happened = in.get<std::vector<Event>>();
   replay_changes(head.changes, happened, listener);
+  if (ended && options.process)
+    simulation_->apply([&](Model<D>& model) {
+      postpone_by_process(model, *options.process, *ended);
+      return true;
+    });
   simulation_->read(in, head.ended ? nullptr : &options);
   replace_tail(events, book.first_event, happened);
   replace_tail(history_times, book.first_sample, in.get<std::vector<double>>());
