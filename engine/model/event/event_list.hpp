@@ -225,8 +225,7 @@ inline constexpr auto event_type_info = std::to_array<EventTypeInfo>({
      .traits = has_place | can_cause,
      .value = {"length", "m", "length of the joint that water has entered"},
      .text_doc = "name of the uplift or of the seepage",
-     .doc = "water entered a joint: with m:uplift it opened at its heel, and the full head acts in the open part; with "
-            "m:seepage the flow filled it",
+     .doc = "water entered a joint; with m:uplift it opened at its heel, and the full head acts in the open part",
      .sentence = "water entered the joint of {a} and {b} over {value}"},
     {.type = EventType::joint_drained,
      .name = "joint.drained",
