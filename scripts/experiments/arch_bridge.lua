@@ -18,7 +18,7 @@ local assumptions = {
   { "weights", "20 kN/m3 for brick and fill; 0.165 m of fill at the crown", "literature" },
   { "joints", ("no tension, no crushing, friction 0.7; kn = %.1f GPa/m, ks half of it; ring alone: 1000 times as " ..
     "stiff"):format(joint.kn/1e9), "`trilith.joint_stiffness` with rigid voussoirs and E = 1000 times the strength " ..
-      "of 4.5 MPa (EN 1996-1-1, 3.7.2). The limit of the ring alone is that of a rigid arch" },
+      "of 4.5 MPa (EN 1996-1-1, 3.7.2). The ring alone then has the limit load of a rigid arch" },
   { "load", "at a quarter of the span, along y. Ring alone: on one voussoir. With soil: evenly on the voussoirs " ..
     "under a strip of 0.3 m that widens by half the depth of the fill on each side", "Page 1987; dispersal 2 to 1, " ..
     "as bridge assessment has it (BD 21/01)" },
@@ -44,7 +44,7 @@ local function backs_of(bodies, cx, cy, outer)
   return list
 end
 
--- Voussoirs within `reach` of a quarter of the span, or the one that is nearest to it.
+-- Voussoirs within `reach` of a quarter of the span, or the nearest voussoir.
 local function loaded_voussoirs(bodies, x, reach)
   local nearest, strip = bodies[1], {}
   for _, b in ipairs(bodies) do
@@ -134,7 +134,7 @@ return {
   source = "Page (1987), TRRL Research Report 110; dimensions of Prestwood bridge from the literature",
   text = "A load over the whole width at a quarter of the span. The ring alone, with the fill as weight, reaches " ..
     "half of the measured load of 228 kN: its exact limit as a rigid arch is between 104 and 118 kN. Its joints are " ..
-    "therefore nearly rigid; those of the ring with soil have the stiffness of the brickwork.",
+    "therefore nearly rigid; with soil, the joints have the stiffness of the brickwork.",
   assumptions = assumptions,
   moves = {
     { "collapse load, with soil", "share of Rankine's pressure", "0.4", "0.5", 0.58, 0.62 },
