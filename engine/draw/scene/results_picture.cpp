@@ -232,11 +232,9 @@ void check_choice(const ResultsReader& reader, const SceneChoice& choice) {
   const bool plane = reader.header().dim == 2;
   if (choice.magnify != 1 && !choice.diagram.empty())
     throw InputError("diagrams of section forces cannot be drawn with magnified displacements; leave one out");
-  const bool of_contacts = choice.colour == "pressure" || (!plane && !choice.stress.empty());
-  if (choice.magnify != 1 && choice.colour == "water")
-    throw InputError("water in joints cannot be drawn with magnified displacements; leave one of both out");
-  if (choice.magnify != 1 && of_contacts)
-    throw InputError("colours by contact forces cannot be drawn with magnified displacements; leave one of both out");
+  const bool by_joint = choice.colour == "pressure" || choice.colour == "water" || (!plane && !choice.stress.empty());
+  if (choice.magnify != 1 && by_joint)
+    throw InputError("colours by contact forces or water cannot be drawn with magnified displacements; leave one out");
   if (choice.envelope && choice.diagram.empty())
     throw InputError("an envelope needs a section force, such as --diagram moment");
   if (plane && choice.cut)
