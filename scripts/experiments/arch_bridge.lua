@@ -24,7 +24,7 @@ local assumptions = {
     "as bridge assessment has it (BD 21/01)" },
   { "soil", "weight, and passive pressure against the back of the arch: 0.4 of Rankine's pressure for 37 degrees " ..
     "and 5 kPa, reached at a displacement of 0.75 % of the depth",
-    "0.3 to 0.5 of the pressure, which counts that little of it is mobilised; cohesion 0 to 10 kPa; displacement: " ..
+    "0.3 to 0.5 of the pressure is mobilised. Cohesion: 0 to 10 kPa. Displacement: " ..
     "0.5 to 1 % for half the passive pressure of dense soil (EN 1997-1, annex C); the middle of each" },
   { "method", "statics: equilibrium under weight, then a path by arc length", "no rate and no damping" },
 }

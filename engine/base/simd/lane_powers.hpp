@@ -5,9 +5,9 @@
 //     exp y = 2^k (1 + r + r^2/2 + ...),              y = k log 2 + r, |r| <= 0.3466
 //
 // Both series are cut where their terms fall below 2^-54. They consist of sums, products and quotients in a fixed
-// order, so every processor gives the same bits. The logarithm and its product with n have four roundings, so the
-// relative error is at most 2^-52 (3 + 2 |n log x|), 1.1e-14 for results from 1e-10 to 1e10. portable::pow has an error
-// below 1 ulp, and takes about twenty times as long.
+// order, so every processor gives the same bits. The logarithm and its product with n have four roundings. The relative
+// error is therefore at most 2^-52 (3 + 2 |n log x|). For results from 1e-10 to 1e10 this is 1.1e-14. portable::pow has
+// an error below 1 ulp, and takes several times as long.
 #pragma once
 
 #include <cstdint>

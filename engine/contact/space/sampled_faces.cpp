@@ -11,7 +11,7 @@ namespace trilith {
 namespace {
 
 /// A triangle is cut into four while the overlap at its corners differs by more than this ratio, and at most so often.
-/// The ratio is none of those of halved triangles along the edge of contact, so rounding does not decide on cuts.
+/// Halved triangles along the edge of contact have other ratios, so rounding does not decide on cuts.
 /// Six points then integrate a power between 1 and 3 over a polygon to 1 part in 10^5, also where it is partly open.
 constexpr double even_enough = 0.45;
 constexpr int most_cuts = 3;
@@ -87,8 +87,8 @@ PressedSums sums_of_faces(std::span<const FourTriangles> triangles, const K& law
   return sums_narrow(triangles, law, normal, motion);
 }
 
-/// Work over kn to reach an overlap [m2]: the integral of e from 0 to c is c times that of 2 t e(c t^2) from 0 to 1, by
-/// four points of Gauss quadrature. In t the powers 1 to 3 are smooth, and those of half an integer exact.
+/// Work over kn to reach an overlap [m2]: the integral of e from 0 to c, written as c times the integral of
+/// 2 t e(c t^2) from 0 to 1, by four points of Gauss quadrature. In t powers are smoother; half integers are exact.
 template <class K>
 TRILITH_INLINE Lanes work_to_reach(const K& law, const Lanes& overlap) {
   constexpr std::array<std::array<double, 2>, 4> points{{{0.06943184420297371, 0.17392742256872693},

@@ -71,7 +71,7 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
 template <UniaxialLawType L>
 void respond_part(const L& given, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
                   double* after, SectionResponse& out) {
-  const L law = given;  // `after` cannot point into a copy: what depends on the law alone is computed once
+  const L law = given;  // `after` cannot point into a copy, so its constants leave the loop
   double normal = out.normal, moment = out.moment, axial = out.tangent(0, 0), coupled = out.tangent(0, 1),
          bending = out.tangent(1, 1), stored = out.stored, dissipated = out.dissipated;
   bool yielding = out.yielding;

@@ -119,7 +119,7 @@ std::vector<Fibre3> bars_of(const FibreSpec& spec, double below, double width) {
 template <UniaxialLawType L>
 void respond_part(const L& given, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
                   double* after, SectionResponse3& out) {
-  const L law = given;  // `after` cannot point into a copy: what depends on the law alone is computed once
+  const L law = given;  // `after` cannot point into a copy, so its constants leave the loop
   SectionResponse3 sum = out;
   for (const Fibre3& f : fibres) {
     typename L::Memory memory;
