@@ -41,7 +41,11 @@ void read_fissure(Keys& keys, SeepageSpec& spec) {
 }
 
 void read_joint(Keys& keys, const ScriptModel& m, SeepageSpec& spec) {
-  spec.upper = read_one_body(keys, "upper", m), spec.lower = read_one_body(keys, "lower", m);
+  // A body that is given is checked before the lack of the other one is reported.
+  const bool lower_first = !keys.has("upper");
+  if (lower_first) spec.lower = read_one_body(keys, "lower", m);
+  spec.upper = read_one_body(keys, "upper", m);
+  if (!lower_first) spec.lower = read_one_body(keys, "lower", m);
   if (spec.upper >= 0 && spec.upper == spec.lower) keys.problem("'upper' and 'lower' are the same body");
   if (m.dim() == 2)
     spec.heel = keys.maybe_point("heel");
