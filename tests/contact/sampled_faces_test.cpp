@@ -16,10 +16,10 @@ using testing::near_zero;
 
 namespace {
 
-constexpr double secant = 1e9, reach = 1e-4, wide = 1, deep = 0.6;
+constexpr double flat_secant = 1e9, flat_reach = 1e-4, wide = 1, deep = 0.6;
 
 ContactLaw law_of_power(double exponent, double beta = 0) {
-  return Power{secant, reach, exponent, 0, 0, beta};
+  return Power{flat_secant, flat_reach, exponent, 0, 0, beta};
 }
 
 /// A block of 1 m x 0.6 m that is pressed by `overlap` [m] at its middle into a larger one and tilted about y.
@@ -55,9 +55,9 @@ struct PressedBlock {
 
 TEST_CASE("evenly pressed faces in space press by kn d (overlap/d)^n over their area") {
   for (const double exponent : {1.0, 1.3, 1.5, 2.0, 2.7, 3.0})
-    for (const double overlap : {1e-6, 1e-5, reach, 5e-4}) {
+    for (const double overlap : {1e-6, 1e-5, flat_reach, 5e-4}) {
       const SolidPressure p = PressedBlock(overlap, 0).sampled(law_of_power(exponent));
-      const double pressure = secant * reach * std::pow(overlap / reach, exponent);
+      const double pressure = flat_secant * flat_reach * std::pow(overlap / flat_reach, exponent);
       CHECK(near(p.force.z(), pressure * wide * deep, 1e-9));
       CHECK(near(p.area, wide * deep, 1e-12));
       CHECK(near_zero((p.centre - p.middle).norm(), 1e-12));
@@ -71,7 +71,7 @@ TEST_CASE("tilted faces press by the integral of the power, closed or open in pa
     for (const double tilt : {1e-4, 3e-4, 1e-3}) {  // the second closes the edge, the third opens a part of the face
       const double overlap = 1.5e-4, c0 = std::max(0.0, overlap - tilt * wide / 2), c1 = overlap + tilt * wide / 2;
       const SolidPressure p = PressedBlock(overlap, tilt).sampled(law_of_power(exponent));
-      const double scale = secant * std::pow(reach, 1 - exponent) * deep / tilt;
+      const double scale = flat_secant * std::pow(flat_reach, 1 - exponent) * deep / tilt;
       const auto power = [&](double n) { return (std::pow(c1, n) - std::pow(c0, n)) / n; };
       const double force = scale * power(exponent + 1);
       // The centre of pressure, where the overlap is the ratio of its first moment to the force.
@@ -99,7 +99,7 @@ TEST_CASE("with the exponent 1 sampled faces have the pressure of linear ones, w
     const PressedBlock block(3e-4, 1e-4);  // closed over the whole face, also with damping
     const SolidPressure one = block.sampled(law_of_power(1, beta), velocity, spin);
     const SolidPressure two = face_pressure(PressedBlock::at_rest(block.a), {block.b, Vec3::Zero(), velocity, spin},
-                                            PlainFriction(Frictional{secant, 0, 0, beta}, 1, 0), block.faces());
+                                            PlainFriction(Frictional{flat_secant, 0, 0, beta}, 1, 0), block.faces());
     const double size = two.force.norm();
     CHECK((one.force - two.force).norm() <= 1e-9 * size);
     CHECK((one.damping - two.damping).norm() <= 1e-9 * size);
