@@ -7,15 +7,10 @@
 
 #include "base/hash.hpp"
 #include "report/sections.hpp"
+#include "results/reading/frame_values.hpp"
 
 namespace trilith::report {
 namespace {
-
-const std::vector<double>* field_of(const results::Header& header, const results::Frame& frame, std::string_view name) {
-  for (std::size_t i = 0; i < header.fields.size() && i < frame.fields.size(); ++i)
-    if (header.fields[i].name == name) return &frame.fields[i];
-  return nullptr;
-}
 
 struct Storey {
   int joints = 0, bonded = 0, damaged = 0, lost = 0;
@@ -80,7 +75,7 @@ std::string commit_text(const std::string& commit) {
 void write_damage(const ReportSource& source, HtmlText& html) {
   if (source.header.joints.empty() || source.reader.frame_count() == 0) return;
   const results::Frame last = source.reader.frame(source.reader.frame_count() - 1);
-  const std::vector<double>* const damage = field_of(source.header, last, "joint_damage");
+  const std::vector<double>* const damage = results::values_of(source.header, last, "joint_damage");
   if (damage == nullptr || damage->size() != source.header.joints.size()) return;
   std::map<std::int32_t, Storey> storeys;
   Storey all;

@@ -13,10 +13,10 @@
 #include "integrate/explicit/followed_step.hpp"
 #include "integrate/explicit/stable_step.hpp"
 #include "integrate/implicit/implicit_step.hpp"
-#include "run/friction_heat.hpp"
+#include "run/field/friction_heat.hpp"
+#include "run/field/water_step.hpp"
 #include "run/simulation.hpp"
 #include "run/stage_end.hpp"
-#include "run/water_step.hpp"
 
 namespace trilith {
 namespace {

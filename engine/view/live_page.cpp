@@ -5,32 +5,13 @@
 #include "view/page_text.hpp"
 
 namespace trilith::view {
-namespace {
-
-/// Text of an element or of an attribute in double quotes.
-std::string escaped_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-}  // namespace
 
 std::string live_page(std::string page, const std::string& stamp) {
   constexpr std::string_view root = "<html ", end = "</body>";
   const std::size_t last = page.rfind(end);
   if (last != std::string::npos) page.insert(last, std::string("<script>\n") + view_page_live() + "</script>\n");
   const std::size_t first = page.find(root);
-  if (first != std::string::npos) page.insert(first + root.size(), "data-stamp=\"" + escaped_text(stamp) + "\" ");
+  if (first != std::string::npos) page.insert(first + root.size(), "data-stamp=\"" + escaped(stamp) + "\" ");
   return page;
 }
 
@@ -39,7 +20,7 @@ std::string waiting_page(const std::string& text, const std::string& stamp) {
       "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>Trilith</title>\n"
       "<meta name=\"color-scheme\" content=\"light dark\"><link rel=\"icon\" href=\"data:,\">\n"
       "<style>body { font: 1rem system-ui, sans-serif; margin: 3rem; }</style></head>\n<body>\n<p id=\"state\">" +
-          escaped_text(text) + "</p>\n</body>\n</html>\n",
+          escaped(text) + "</p>\n</body>\n</html>\n",
       stamp);
 }
 

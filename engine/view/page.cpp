@@ -5,8 +5,6 @@
 #include "view/page_text.hpp"
 
 namespace trilith::view {
-namespace {
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -14,11 +12,15 @@ std::string escaped(std::string_view text) {
       out += "&lt;";
     else if (c == '&')
       out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
     else
       out += c;
   }
   return out;
 }
+
+namespace {
 
 /// `text` with the first `mark` in it replaced.
 void put(std::string& text, std::string_view mark, std::string_view by) {

@@ -133,7 +133,7 @@ local function unit_at(text, at)
   end
 end
 
---- A text with numbers in SI and their units, such as "0.5 m", with the same numbers in this system. Digits are kept.
+--- Converts each number with an SI unit in a text, such as "0.5 m", to this system, with the same number of digits.
 function system_type.message(system, text)
   local out, from = {}, 1
   while true do

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "results/file/field_names.hpp"
+#include "results/reading/frame_values.hpp"
 
 namespace trilith::draw {
 
@@ -15,12 +16,6 @@ using results::Frame;
 using results::Header;
 
 namespace {
-
-const std::vector<double>* values_named(const Header& header, const Frame& frame, std::string_view name) {
-  for (std::size_t i = 0; i < header.fields.size(); ++i)
-    if (header.fields[i].name == name) return &frame.fields[i];
-  return nullptr;
-}
 
 Vec2 node_place(const Frame& frame, int node) {
   const auto at = static_cast<std::size_t>(2 * node);
@@ -49,7 +44,7 @@ void add_element_patches(const Header& header, const Frame& frame, const std::ve
 
 std::vector<std::optional<double>> temperatures_of_nodes(const Header& header, const Frame& frame) {
   std::vector<std::optional<double>> out(header.node_count());
-  const std::vector<double>* const recorded = values_named(header, frame, results::node_temperature);
+  const std::vector<double>* const recorded = results::values_of(header, frame, results::node_temperature);
   for (std::size_t i = 0; recorded != nullptr && i < out.size(); ++i)
     if ((*recorded)[i] > results::no_temperature) out[i] = (*recorded)[i];
   return out;
@@ -74,8 +69,8 @@ void colour_by_temperature(const results::ResultsReader& reader, const Frame& fr
 
 void colour_by_water(const results::ResultsReader& reader, const Frame& frame, Scene& scene) {
   const Header& header = reader.header();
-  const std::vector<double>*const ends = values_named(header, frame, results::water_cell),
-                                  *const pressure = values_named(header, frame, results::water_pressure);
+  const std::vector<double>*const ends = results::values_of(header, frame, results::water_cell),
+                                  *const pressure = results::values_of(header, frame, results::water_pressure);
   for (std::size_t i = 0; header.dim == 2 && pressure != nullptr && i < pressure->size(); ++i) {
     const double* const at = ends->data() + 4 * i;
     const SceneStrip strip{{at[0], at[1]}, {at[2], at[3]}, (*pressure)[i]};

@@ -13,6 +13,7 @@
 #include "draw/scene/results_findings.hpp"
 #include "draw/scene/results_picture.hpp"
 #include "results/file/placement.hpp"
+#include "results/reading/frame_values.hpp"
 
 namespace trilith::draw {
 
@@ -21,12 +22,6 @@ using results::Header;
 using results::ResultsReader;
 
 namespace {
-
-const std::vector<double>* field_of(const Header& header, const Frame& frame, std::string_view name) {
-  for (std::size_t i = 0; i < header.fields.size(); ++i)
-    if (header.fields[i].name == name) return &frame.fields[i];
-  return nullptr;
-}
 
 /// Length of a row of positions or velocities of the first node of a body, from `from` if given.
 double length_of_row(const Header& header, std::size_t body, const std::vector<double>& rows,
@@ -43,7 +38,7 @@ double length_of_row(const Header& header, std::size_t body, const std::vector<d
 /// Mean damage of the bonded joints of each body.
 std::vector<double> damages(const ResultsReader& reader, const Frame& frame) {
   const Header& header = reader.header();
-  const std::vector<double>* const lost = field_of(header, frame, "joint_damage");
+  const std::vector<double>* const lost = results::values_of(header, frame, "joint_damage");
   const bool bonded = std::ranges::any_of(header.joints, [](const results::JointRow& j) { return j.bonded != 0; });
   if (lost == nullptr || !bonded)
     throw InputError(fmt::format("'{}' has no bonded joints, so there is no damage to show", reader.path().string()));
@@ -159,7 +154,7 @@ void colour_by_space_stress(const Header& header, const Frame& frame, std::strin
   const auto& names = stress_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw InputError(fmt::format("there is no stress '{}'{}", name, name_hint(name, names)));
-  const std::vector<double>* const recorded = field_of(header, frame, "body_stress_tensor");
+  const std::vector<double>* const recorded = results::values_of(header, frame, "body_stress_tensor");
   const std::vector<Eigen::Matrix3d> contacts = stresses_of_contacts(header, frame);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     if (scene.bodies[i].role != BodyRole::free) continue;

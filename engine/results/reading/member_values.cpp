@@ -7,18 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "results/reading/frame_values.hpp"
 
 namespace trilith::results {
-namespace {
-
-/// Values of a field of the frames, or nothing.
-const std::vector<double>* values_of(const Header& header, const Frame& frame, std::string_view name) {
-  for (std::size_t i = 0; i < header.fields.size(); ++i)
-    if (header.fields[i].name == name) return &frame.fields[i];
-  return nullptr;
-}
-
-}  // namespace
 
 const std::vector<MemberQuantity>& member_quantities(int dim) {
   static const std::vector<MemberQuantity> plane{

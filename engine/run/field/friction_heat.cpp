@@ -1,4 +1,4 @@
-#include "run/friction_heat.hpp"
+#include "run/field/friction_heat.hpp"
 
 #include <array>
 #include <cmath>

@@ -28,8 +28,8 @@ template <int D>
 Equilibrium seepage_step(const SeepageStep<D>& step, FlowSolver& solver, State<D>& state);
 
 /// The water flows for `dt` [s] between the bodies as they are now, after a step of a stage of motion. The step of the
-/// motion resolves the stiffness of the enclosed water (run/water_step.hpp), so the pressure may follow the motion
-/// explicitly. Appends the events of joints.
+/// motion resolves the stiffness of the enclosed water (run/field/water_step.hpp), so the pressure may follow the
+/// motion explicitly. Appends the events of joints.
 template <int D>
 void flow_after_step(const Model<D>& model, double dt, FlowSolver& solver, State<D>& state, std::vector<Event>& events);
 

@@ -1,4 +1,4 @@
-#include "run/water_step.hpp"
+#include "run/field/water_step.hpp"
 
 #include <algorithm>
 #include <array>

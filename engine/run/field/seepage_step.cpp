@@ -1,4 +1,4 @@
-#include "run/seepage_step.hpp"
+#include "run/field/seepage_step.hpp"
 
 #include <Eigen/QR>
 
