@@ -53,5 +53,5 @@ def fuzz(program, until, seed, findings):
                 lines = [words.line(draw, repair, "run.h5", 0)]
                 lines += [words.line(draw, draw.choice(verbs), "run.h5", 0.02) for _ in range(3)]
             for line in lines:
-                shared.attempt(shared.Job("results", f"{path} {line}", files), findings)
+                shared.attempt(shared.Job("results", words.command(path, line), files), findings)
         return f"{len(shared.in_parallel(until, work))} damaged results files, each shown to repair and three more verbs"

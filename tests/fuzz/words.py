@@ -67,6 +67,12 @@ def verbs_of(program):
     return [Verb(program, name) for name in re.findall(r"^  ([a-z]+) {2,}", output.split("Subcommands:")[1], re.M)]
 
 
+def command(program, words):
+    """The shell command of a line; `live`, which serves a page until it is interrupted, is interrupted after 2 s."""
+    interrupted = "timeout --preserve-status -s INT 2 " if words.startswith(quoted("live")) else ""
+    return f"{interrupted}{program} {words}"
+
+
 def quoted(word):
     return "'" + word.replace("'", "'\\''") + "'"
 
@@ -124,10 +130,10 @@ def fuzz(program, until, seed, findings):
         verb = draw.choice(scripted) if draw.random() < 0.6 else draw.choice(verbs)
         # The results of a run are read, even if it failed.
         first = line(draw, verb, draw.choice([None, "study.lua", "case.lua"]) if verb in scripted else None)
-        command = f"{path} {first} {draw.choice(STREAMS)}"
+        words = f"{command(path, first)} {draw.choice(STREAMS)}"
         if verb.name == "run" and draw.random() < 0.5:
-            command = f"{path} run case.lua {draw.choice(STREAMS)} && {path} info run.h5"
+            words = f"{path} run case.lua {draw.choice(STREAMS)} && {path} info run.h5"
         elif "RESULT" in verb.positionals and draw.random() < 0.8:
-            command = f"{path} run -q case.lua && {path} {line(draw, verb, None)} {draw.choice(STREAMS)}"
-        shared.attempt(shared.Job("words", command, files), findings)
+            words = f"{path} run -q case.lua && {command(path, line(draw, verb, None))} {draw.choice(STREAMS)}"
+        shared.attempt(shared.Job("words", words, files), findings)
     return f"{len(shared.in_parallel(until, work))} command lines"
