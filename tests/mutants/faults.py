@@ -92,6 +92,8 @@ def problems(found, root=ROOT):
             out.append(f"{where}: needs an original and another, faulty part")
         if fault.is_statement != fault.faulty.endswith(";"):
             out.append(f"{where}: a statement must be replaced by a statement, an expression by an expression")
+        if not re.search(r"\w", fault.original + fault.faulty):
+            out.append(f"{where}: the marked part is an operator; mark an operand with it")
         path = root / fault.file
         times = path.read_text().count(fault.text) if path.is_file() else -1
         if times != 1:
