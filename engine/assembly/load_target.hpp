@@ -80,7 +80,4 @@ struct LoadTarget<3> : LoadPlaces<3> {
   }
 };
 
-static_assert(LoadKinds<2>::all([]<class L>() { return LoadKind<L, 2, LoadTarget<2>>; }));
-static_assert(LoadKinds<3>::all([]<class L>() { return !L::in_space || LoadKind<L, 3, LoadTarget<3>>; }));
-
 }  // namespace trilith

@@ -94,7 +94,6 @@ concept BodyKindType = requires {
   requires(K::nodes == 1) == (K::skin == SkinLayout::one_node);
   requires(K::nodes == 1) == (K::resistance == Resistance::none);
 };
-static_assert(BodyKinds::all([]<class K>() { return BodyKindType<K>; }));
 
 struct BodyKindInfo {
   std::string_view name, sentence;

@@ -22,9 +22,6 @@ using LoadKinds = TypeList<PointLoad<D>, FaceLoad<D>, Water<D>, Uplift<D>, Drag<
 /// so that the fingerprints of all other models do not change.
 inline constexpr std::size_t plain_load_kinds = 2;
 
-static_assert(LoadKinds<2>::all([]<class L>() { return LoadData<L>; }));
-static_assert(LoadKinds<3>::all([]<class L>() { return LoadData<L>; }));
-
 /// One array for each kind of a list.
 template <class List>
 struct LoadArrays;

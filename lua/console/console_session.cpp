@@ -8,7 +8,7 @@
 #include "bindings/core/no_solution_error.hpp"
 #include "bindings/core/open.hpp"
 #include "interrupt.hpp"
-#include "script_run.hpp"
+#include "program/script/run.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

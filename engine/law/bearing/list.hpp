@@ -32,12 +32,6 @@ concept DirectionLawType = Declared<L> && requires(const L& law, const Direction
   { law.tangent() } -> std::convertible_to<double>;
   { law.dashpot() } -> std::convertible_to<double>;
 };
-static_assert(DirectionLaws::all([]<class L>() { return DirectionLawType<L>; }));
-
-/// True for a law that both horizontal directions may share.
-constexpr bool is_horizontal(const DirectionLaw& law) {
-  return std::visit([](const auto& l) { return HorizontalLaw<std::decay_t<decltype(l)>>; }, law);
-}
 
 /// Numbers that a bearing reserves for its law of both horizontal directions: the largest memory of these laws.
 inline constexpr std::size_t most_horizontal_numbers = [] {

@@ -65,11 +65,6 @@ concept ContactLawType = Declared<L> && requires(const L& law) {
   requires law_numbers<typename L::Kernel>
   % 2 == 0;
 };
-static_assert(ContactLaws::all([]<class L>() { return ContactLawType<L>; }));
-static_assert(ContactLaws::all([]<class L>() { return has_whole_point_form<typename L::Kernel>; }),
-              "a kernel K with its own effective() or friction() begins with PointLaw<K>; one with its own effective() "
-              "has its own tangent()");
-
 /// A law in use: between bodies of some thickness [m], for a step [s].
 struct LawInUse {
   const ContactLaw& law;

@@ -26,7 +26,6 @@ concept UniaxialLawType = Declared<L> && requires(const L& law, double strain, c
   { law.stored(before) } -> std::same_as<double>;
   { law.respond(strain, before) } -> std::same_as<UniaxialResponse<L::memory_size>>;
 };
-static_assert(UniaxialLaws::all([]<class L>() { return UniaxialLawType<L>; }));
 
 /// Size of the memory of a fibre with `law`.
 inline int memory_size(const UniaxialLaw& law) {

@@ -29,7 +29,6 @@ concept SolidLawType = Declared<L> && requires(const L& law, const PlaneVector& 
     { law.respond(Plane::strain, strain, memory) } -> std::same_as<PointResponse>;
   };
 };
-static_assert(SolidLaws::all([]<class L>() { return SolidLawType<L>; }));
 
 /// How an element's strain follows from nodal displacements, see element/solid/plane_element.hpp.
 enum class ElementForm : std::uint8_t { assumed, plain };

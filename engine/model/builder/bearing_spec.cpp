@@ -47,6 +47,11 @@ std::vector<double> all_limits(const BearingSpecOf<D>& spec) {
   return limits;
 }
 
+/// True for a law that both horizontal directions may share.
+bool is_horizontal(const DirectionLaw& law) {
+  return std::visit([](const auto& l) { return HorizontalLaw<std::decay_t<decltype(l)>>; }, law);
+}
+
 /// Only some laws support both horizontal directions; along and across must then have no single laws.
 void check_horizontal(const BearingSpecOf<3>& spec, const std::string& owner) {
   if (is_none(spec.horizontal)) return;

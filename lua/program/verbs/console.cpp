@@ -12,10 +12,10 @@
 #include "program/assignment.hpp"
 #include "program/interrupt.hpp"
 #include "program/live.hpp"
-#include "program/room_options.hpp"
-#include "program/run_options.hpp"
-#include "program/script_run.hpp"
-#include "program/script_state.hpp"
+#include "program/script/room_options.hpp"
+#include "program/script/run.hpp"
+#include "program/script/run_options.hpp"
+#include "program/script/state.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {

@@ -19,7 +19,7 @@
 #include "bindings/core/host.hpp"
 #include "bindings/core/open.hpp"
 #include "draw/picture_font.hpp"
-#include "program/script_run.hpp"
+#include "program/script/run.hpp"
 #include "program/verbs.hpp"
 #include "results/file/provenance.hpp"
 #include "results/reading/reader.hpp"

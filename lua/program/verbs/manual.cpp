@@ -6,7 +6,7 @@
 #include "base/whole_file.hpp"
 #include "console/console_session.hpp"
 #include "program/man_page.hpp"
-#include "program/script_state.hpp"
+#include "program/script/state.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
 #include "bindings/restart/restart_book.hpp"
-#include "program/run_options.hpp"
+#include "program/script/run_options.hpp"
 #include "program/verbs.hpp"
 #include "results/file/part_path.hpp"
 

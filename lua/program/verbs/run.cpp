@@ -15,8 +15,8 @@
 #include "program/assignment.hpp"
 #include "program/positive.hpp"
 #include "program/profile_text.hpp"
-#include "program/run_options.hpp"
-#include "program/script_run.hpp"
+#include "program/script/run.hpp"
+#include "program/script/run_options.hpp"
 #include "program/since_option.hpp"
 #include "program/verbs.hpp"
 

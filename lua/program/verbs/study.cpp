@@ -13,9 +13,9 @@
 #include "program/interrupt.hpp"
 #include "program/live.hpp"
 #include "program/positive.hpp"
-#include "program/room_options.hpp"
-#include "program/run_options.hpp"
-#include "program/script_run.hpp"
+#include "program/script/room_options.hpp"
+#include "program/script/run.hpp"
+#include "program/script/run_options.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {

@@ -17,10 +17,10 @@
 #include "draw/chart/chart.hpp"
 #include "program/interrupt.hpp"
 #include "program/positive.hpp"
-#include "program/room_options.hpp"
 #include "program/screen.hpp"
-#include "program/script_run.hpp"
-#include "program/script_state.hpp"
+#include "program/script/room_options.hpp"
+#include "program/script/run.hpp"
+#include "program/script/state.hpp"
 #include "program/verbs.hpp"
 #include "run/study/processes.hpp"
 

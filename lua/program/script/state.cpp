@@ -1,4 +1,4 @@
-#include "script_state.hpp"
+#include "program/script/state.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include "bindings/core/open.hpp"
 #include "bindings/restart/random_state.hpp"
 #include "interrupt.hpp"
-#include "script_limits.hpp"
-#include "script_room.hpp"
+#include "program/script/limits.hpp"
+#include "program/script/room.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

@@ -8,7 +8,7 @@
 
 #include "bindings/restart/restart_files.hpp"
 #include "program/live.hpp"
-#include "program/room_options.hpp"
+#include "program/script/room_options.hpp"
 
 namespace trilith::program {
 

@@ -1,4 +1,4 @@
-#include "script_run.hpp"
+#include "program/script/run.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "bindings/model/script_model.hpp"
 #include "bindings/readings/figures_reading.hpp"
 #include "interrupt.hpp"
-#include "script_state.hpp"
+#include "program/script/state.hpp"
 #include "verbs.hpp"
 
 namespace trilith::program {

@@ -1,4 +1,4 @@
-#include "room_options.hpp"
+#include "program/script/room_options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "script_room.hpp"
+#include "program/script/room.hpp"
 
 #include <fmt/format.h>
 

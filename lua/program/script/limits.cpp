@@ -1,4 +1,4 @@
-#include "script_limits.hpp"
+#include "program/script/limits.hpp"
 
 #include <fmt/format.h>
 #include <pthread.h>
