@@ -10,7 +10,7 @@
 #include "near.hpp"
 #include "physics/members/yielding.hpp"
 #include "report/report.hpp"
-#include "results/csv/csv_table.hpp"
+#include "results/tables/csv_table.hpp"
 #include "results/reading/member_summary.hpp"
 #include "results/sample_run.hpp"
 #include "run/record/recording.hpp"

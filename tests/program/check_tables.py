@@ -1,11 +1,14 @@
 #!/usr/bin/python3
-"""The tables of `trilith export --to csv`, and the Python module trilith_results, against the results file.
+"""The tables of `trilith export --to csv` and `--to xlsx`, and the Python module trilith_results, against the results file.
 usage: check_tables.py PROGRAM FOLDER_OF_THE_MODULE FOLDER"""
 import csv
+import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import h5py
 import numpy as np
@@ -49,6 +52,48 @@ def rows_of(path):
         return list(csv.reader(file))
 
 
+def sheets_of(path):
+    """Rows of each sheet of a workbook, by its name: texts and numbers; an empty cell is ""."""
+    sheets = {}
+    with zipfile.ZipFile(folder / path) as book:
+        check(book.testzip() is None, f"{path} is damaged")
+        names = [e.get("name") for e in ElementTree.fromstring(book.read("xl/workbook.xml")).iter() if e.tag.endswith("}sheet")]
+        for number, name in enumerate(names, 1):
+            rows = []
+            for row in ElementTree.fromstring(book.read(f"xl/worksheets/sheet{number}.xml")).iter():
+                if not row.tag.endswith("}row"):
+                    continue
+                cells = {}
+                for cell in row:
+                    column = 0
+                    for letter in re.match("[A-Z]+", cell.get("r"))[0]:
+                        column = 26 * column + ord(letter) - 64
+                    text = "".join(cell.itertext())
+                    cells[column - 1] = text if cell.get("t") else float(text)
+                rows.append([cells.get(k, "") for k in range(max(cells) + 1)] if cells else [])
+            sheets[name] = rows
+    return sheets
+
+
+def as_cell(text, is_number):
+    return float(text) if is_number and text else text
+
+
+def check_workbook(name, tables, *at):
+    """A sheet for each table has the cells of the csv file."""
+    made = run_program("export", f"{name}.h5", "--to", "xlsx", *at)
+    check(made.returncode == 0 and made.stdout == f"{name}.xlsx\n", made.stderr)
+    sheets = sheets_of(f"{name}.xlsx")
+    check(list(sheets) == tables, sheets.keys())
+    for table, sheet in sheets.items():
+        expected = rows_of(f"{name}_csv/{table}.csv")
+        check(len(sheet) == len(expected), f"{table}: {len(sheet)} rows for {len(expected)}")
+        for own, row in zip(sheet, expected):
+            own += [""] * (len(row) - len(own))
+            check(own == [as_cell(text, isinstance(cell, float)) for cell, text in zip(own, row)], (table, own, row))
+    check(isinstance(sheets["histories"][1][0], float) and isinstance(sheets["bodies"][1][1], str), "cells have the wrong type")
+
+
 def script(name, **parts):
     text = MODEL
     for key, value in {"NAME": name, "DIM": "", **PLANE, **parts}.items():
@@ -70,6 +115,7 @@ for name, axes in (("plane", "xy"), ("space", "xyz")):
     tables = ["histories", "energy", "events", "stages", "bodies", "bearings", "members", "modes", "notes",
               "parameters"]
     check(result.stdout.splitlines() == [f"{name}_csv/{t}.csv" for t in tables], result.stdout)
+    check_workbook(name, tables, "--at", "0,0.1,end")
     file = h5py.File(folder / f"{name}.h5")
     histories = rows_of(f"{name}_csv/histories.csv")
     check(histories[0] == ["time [s]", 'uy, of "block" [m]'], histories[0])
@@ -111,6 +157,14 @@ check(run_program("export", "plane.h5", "--to", "csv", "--table", "events", "-o"
 for words, part in ((["--at", "9"], "outside the frames"), (["--frames", "0:1"], "csv takes moments")):
     result = run_program("export", "plane.h5", "--to", "csv", *words)
     check(result.returncode == 1 and part in result.stderr, result.stderr)
+(folder / "blocked.xlsx").mkdir()
+for words, part in ((["-o", "a.xls"], "must end in .xlsx"), (["--frames", "0:1"], "xlsx takes moments"),
+                    (["-o", "blocked.xlsx"], "'blocked.xlsx' cannot be written")):
+    result = run_program("export", "plane.h5", "--to", "xlsx", *words)
+    check(result.returncode == 1 and part in result.stderr, result.stderr)
+check(not list(folder.glob("*.part")), "an unfinished workbook remains")
+one = run_program("export", "plane.h5", "--to", "xlsx", "--table", "energy", "-o", "energy.xlsx")
+check(one.returncode == 0 and list(sheets_of("energy.xlsx")) == ["energy"], one.stderr)
 
 # From Python: parameters in, run, results out.
 import os  # noqa: E402  pylint: disable=wrong-import-position,wrong-import-order

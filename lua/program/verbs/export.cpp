@@ -1,4 +1,4 @@
-// trilith export RESULT --to vtk|csv [-o FOLDER] [--frames FROM:TO:EVERY] [--table NAME] [--at T,...]
+// trilith export RESULT --to vtk|csv|xlsx [-o FOLDER] [--frames FROM:TO:EVERY] [--table NAME] [--at T,...]
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,8 +11,10 @@
 #include "program/output_folder.hpp"
 #include "program/scene_options.hpp"
 #include "program/share_status.hpp"
+#include "program/spreadsheet.hpp"
 #include "program/verbs.hpp"
-#include "results/csv/csv_table.hpp"
+#include "results/tables/csv_table.hpp"
+#include "results/tables/run_tables.hpp"
 #include "results/vtk/vtk_export.hpp"
 
 namespace trilith::program {
@@ -57,7 +59,7 @@ std::filesystem::path folder_of(const ExportOptions& options, const char* ending
 }
 
 /// Moments for the tables of bodies and bearings; empty without frames.
-std::vector<double> csv_times(const results::ResultsReader& reader, const std::string& at) {
+std::vector<double> table_times(const results::ResultsReader& reader, const std::string& at) {
   std::vector<double> times;
   if (reader.frame_times().empty()) return times;
   const SceneWindow window = scene_window(reader, {});
@@ -70,10 +72,34 @@ std::vector<double> csv_times(const results::ResultsReader& reader, const std::s
   return times;
 }
 
-int export_csv(const ExportOptions& options) {
-  if (!options.frames.empty()) throw InputError("--frames: is for --to vtk; csv takes moments, --at T[,T...]");
+void refuse_frames(const ExportOptions& options) {
+  if (!options.frames.empty())
+    throw InputError(fmt::format("--frames: is for --to vtk; {} takes moments, --at T[,T...]", options.to));
+}
+
+int export_xlsx(const ExportOptions& options) {
+  refuse_frames(options);
   const results::ResultsReader reader(options.result);
-  const std::vector<double> times = csv_times(reader, options.at);
+  const std::vector<double> times = table_times(reader, options.at);
+  std::filesystem::path out = options.result;
+  out = options.out.empty() ? out.replace_extension(".xlsx") : std::filesystem::path(options.out);
+  if (out.extension() != ".xlsx") throw InputError(fmt::format("--output: '{}' must end in .xlsx", out.string()));
+  make_folder_for(out);
+  Spreadsheet book(out);
+  for (const std::string& name : options.table.empty() ? results::table_names() : std::vector{options.table}) {
+    book.begin_sheet(name);
+    results::write_table(reader, name, times, book);
+  }
+  book.close();
+  fmt::print("{}\n", out.string());
+  tell_of_newer_run(reader);
+  return ended_well;
+}
+
+int export_csv(const ExportOptions& options) {
+  refuse_frames(options);
+  const results::ResultsReader reader(options.result);
+  const std::vector<double> times = table_times(reader, options.at);
   if (!options.table.empty()) {
     const std::string text = results::csv_table(reader, options.table, times);
     if (options.out.empty() || options.out == "-") {
@@ -87,7 +113,7 @@ int export_csv(const ExportOptions& options) {
   }
   const std::filesystem::path out = folder_of(options, "_csv");
   make_folder_for(out / "");
-  for (const std::string& name : results::csv_table_names()) {
+  for (const std::string& name : results::table_names()) {
     const std::filesystem::path path = out / (name + ".csv");
     write_whole_file(path, results::csv_table(reader, name, times));
     fmt::print("{}\n", path.string());
@@ -98,7 +124,8 @@ int export_csv(const ExportOptions& options) {
 
 int export_results(const ExportOptions& options) {
   if (options.to == "csv") return export_csv(options);
-  if (!options.table.empty()) throw InputError("--table: is for --to csv");
+  if (options.to == "xlsx") return export_xlsx(options);
+  if (!options.table.empty()) throw InputError("--table: is for --to csv and --to xlsx");
   const std::filesystem::path out = folder_of(options, "_vtk");
   const results::FrameRange range = options.frames.empty() ? results::FrameRange{} : frame_range(options.frames);
   const results::ResultsReader reader(options.result);
@@ -115,19 +142,20 @@ int export_results(const ExportOptions& options) {
 void add_export(CLI::App& app, int& code) {
   auto o = std::make_shared<ExportOptions>();
   CLI::App* verb =
-      app.add_subcommand("export", "Write a run for other programs: csv for spreadsheets, vtk for ParaView");
+      app.add_subcommand("export", "Write a run for other programs: xlsx or csv for spreadsheets, vtk for ParaView");
   verb->add_option("result", o->result, "results file, also of a run that was killed or is in progress")
       ->required()
       ->type_name("RESULT");
-  verb->add_option("--to", o->to, "the format")->check(CLI::IsMember({"vtk", "csv"}))->capture_default_str();
+  verb->add_option("--to", o->to, "the format")->check(CLI::IsMember({"vtk", "csv", "xlsx"}))->capture_default_str();
   verb->add_option("-o,--output", o->out,
-                   "folder; default RESULT with _vtk or _csv; with --table a file, or - for here")
+                   "folder; default RESULT with _vtk or _csv; for xlsx, or with --table, a file, or - for here")
       ->type_name("FOLDER");
   verb->add_option("--frames", o->frames, "vtk: which frames, counted from 0, as in 0:300:10; default all")
       ->type_name("FROM:TO:EVERY");
-  verb->add_option("--table", o->table, "csv: only one table")->check(CLI::IsMember(results::csv_table_names()));
-  verb->add_option("--at", o->at,
-                   "csv: moments of the tables of bodies, bearings and members: seconds, 'start', 'end' or an event")
+  verb->add_option("--table", o->table, "csv, xlsx: only one table")->check(CLI::IsMember(results::table_names()));
+  verb->add_option(
+          "--at", o->at,
+          "csv, xlsx: moments of the tables of bodies, bearings and members: seconds, 'start', 'end' or an event")
       ->type_name("T[,T...]")
       ->capture_default_str();
   verb->callback([o, &code] { code = export_results(*o); });

@@ -1,4 +1,4 @@
-#include "results/csv/csv_table.hpp"
+#include "results/tables/run_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -17,56 +17,43 @@
 namespace trilith::results {
 namespace {
 
-/// Rows of cells under construction.
-class CsvText {
+/// Cells that are given to a sink one after the other.
+class Cells {
  public:
-  CsvText& cell(std::string_view text) {
-    if (!begun_)
-      begun_ = true;
-    else
-      text_ += ',';
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-      text_ += text;
-      return *this;
-    }
-    text_ += '"';
-    for (const char c : text) {
-      if (c == '"') text_ += '"';
-      text_ += c;
-    }
-    text_ += '"';
+  explicit Cells(TableSink& out) : out_(out) {}
+  Cells& cell(std::string_view text) {
+    out_.text(text);
     return *this;
   }
-  /// The shortest digits that give the same number; empty for NaN.
-  CsvText& cell(double value) { return cell(std::isnan(value) ? std::string() : fmt::format("{}", value)); }
-  CsvText& count(std::int64_t value) { return cell(fmt::format("{}", value)); }
-  CsvText& head(std::string_view name, std::string_view unit) {
+  Cells& cell(double value) {
+    out_.number(value);
+    return *this;
+  }
+  Cells& count(std::int64_t value) {
+    out_.count(value);
+    return *this;
+  }
+  Cells& head(std::string_view name, std::string_view unit) {
     return cell(unit.empty() || unit == "1" ? std::string(name) : fmt::format("{} [{}]", name, unit));
   }
   /// "x [m]", "y [m]" and, in space, "z [m]" behind `prefix`.
-  CsvText& axes(std::string_view prefix, std::string_view unit, int dim) {
+  Cells& axes(std::string_view prefix, std::string_view unit, int dim) {
     for (int k = 0; k < dim; ++k) head(fmt::format("{}{}", prefix, "xyz"[k]), unit);
     return *this;
   }
-  CsvText& triple(const Vec3& value, int dim) {
+  Cells& triple(const Vec3& value, int dim) {
     for (int k = 0; k < dim; ++k) cell(value[k]);
     return *this;
   }
-  void end_row() {
-    text_ += '\n';
-    begun_ = false;
-  }
-  [[nodiscard]] std::string take() { return std::move(text_); }
+  void end_row() { out_.end_row(); }
 
  private:
-  std::string text_;
-  bool begun_ = false;
+  TableSink& out_;
 };
 
 /// Columns of numbers below a time.
-std::string columns_text(const std::vector<double>& times, const std::vector<Quantity>& heads,
-                         const std::vector<std::vector<double>>& columns) {
-  CsvText out;
+void write_columns(const std::vector<double>& times, const std::vector<Quantity>& heads,
+                   const std::vector<std::vector<double>>& columns, Cells& out) {
   out.head("time", "s");
   for (const Quantity& q : heads) out.head(q.name, q.unit);
   out.end_row();
@@ -75,22 +62,21 @@ std::string columns_text(const std::vector<double>& times, const std::vector<Qua
     for (const std::vector<double>& column : columns) out.cell(column[i]);
     out.end_row();
   }
-  return out.take();
 }
 
-std::string histories_text(const ResultsReader& reader) {
+void write_histories(const ResultsReader& reader, Cells& out) {
   std::vector<std::vector<double>> columns;
   for (const Quantity& q : reader.header().histories) columns.push_back(reader.history(q.name));
-  return columns_text(reader.history_times(), reader.header().histories, columns);
+  write_columns(reader.history_times(), reader.header().histories, columns, out);
 }
 
-std::string energy_text(const ResultsReader& reader) {
+void write_energy(const ResultsReader& reader, Cells& out) {
   const EnergyTable energy = reader.energy();
   std::vector<Quantity> heads = reader.header().energy_terms;
   std::vector<std::vector<double>> columns = energy.terms;
   heads.push_back({"residual", "J", ""});
   columns.push_back(energy.residual);
-  return columns_text(energy.time, heads, columns);
+  write_columns(energy.time, heads, columns, out);
 }
 
 /// The word for the number of a failure mode; "" for a number of a later version.
@@ -100,8 +86,7 @@ std::string_view joint_mode(double code) {
   return "";
 }
 
-std::string events_text(const ResultsReader& reader) {
-  CsvText out;
+void write_events(const ResultsReader& reader, Cells& out) {
   for (const char* name :
        {"id",    "time [s]", "step",     "stage",   "type",   "body_a",   "body_b",  "bearing", "x [m]", "y [m]",
         "z [m]", "mode",     "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2",  "cause", "text"})
@@ -126,11 +111,9 @@ std::string events_text(const ResultsReader& reader) {
     }
     out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).cell(e.text).end_row();
   }
-  return out.take();
 }
 
-std::string stages_text(const ResultsReader& reader) {
-  CsvText out;
+void write_stages(const ResultsReader& reader, Cells& out) {
   out.cell("name").cell("kind").head("begin", "s").head("end", "s").cell("why").end_row();
   for (const StageRow& s : reader.stages()) {
     out.cell(s.name).cell(s.kind).cell(s.begin);
@@ -140,34 +123,27 @@ std::string stages_text(const ResultsReader& reader) {
       out.cell("");
     out.cell(s.why).end_row();
   }
-  return out.take();
 }
 
-std::string notes_text(const ResultsReader& reader) {
-  CsvText out;
+void write_notes(const ResultsReader& reader, Cells& out) {
   out.head("time", "s").cell("text").end_row();
   for (const Note& n : reader.notes()) out.cell(n.time).cell(n.text).end_row();
-  return out.take();
 }
 
-std::string modes_text(const ResultsReader& reader) {
+void write_modes(const ResultsReader& reader, Cells& out) {
   const int dim = reader.header().dim;
-  CsvText out;
   out.cell("analysis").cell("number").head("time", "s").head("frequency", "Hz").cell("damping");
   out.axes("effective mass ", "kg", dim).end_row();
   for (const ModeRow& m : reader.modes()) {
     out.count(m.analysis).count(m.number).cell(m.time).cell(m.frequency).cell(m.damping);
     out.triple(Vec3(m.mass[0], m.mass[1], m.mass[2]), dim).end_row();
   }
-  return out.take();
 }
 
-std::string parameters_text(const ResultsReader& reader) {
-  CsvText out;
+void write_parameters(const ResultsReader& reader, Cells& out) {
   out.cell("name").cell("value").cell("unit").cell("default").cell("text").end_row();
   for (const ParameterRow& p : reader.header().provenance.parameters)
     out.cell(p.name).cell(p.value).cell(p.unit).cell(p.fallback).cell(p.text).end_row();
-  return out.take();
 }
 
 double mass_of(const Header& header, const BodyRow& body) {
@@ -189,12 +165,11 @@ Vec3 centre_of(const Header& header, const BodyRow& body, const Placement& at) {
 }
 
 /// The centre at the start, the displacement from it, and the rotation of the first node.
-std::string bodies_text(const ResultsReader& reader, const std::vector<double>& times) {
+void write_bodies(const ResultsReader& reader, const std::vector<double>& times, Cells& out) {
   const Header& header = reader.header();
   const Presence presence(reader.events(), header.bodies.size());
   const Frame start = start_frame(header);
   const Placement at_start(header, start);
-  CsvText out;
   out.head("time", "s").cell("body").cell("kind").cell("material").cell("groups").cell("support").head("mass", "kg");
   out.cell("present").axes("", "m", header.dim).axes("u", "m", header.dim).head("rotation", "rad").end_row();
   for (const double time : times) {
@@ -208,7 +183,6 @@ std::string bodies_text(const ResultsReader& reader, const std::vector<double>& 
       out.triple(centre - centre_of(header, body, at_start), header.dim).cell(now.turned(body.first_node)).end_row();
     }
   }
-  return out.take();
 }
 
 const char* state_name(BearingState state) {
@@ -216,10 +190,9 @@ const char* state_name(BearingState state) {
   return names[static_cast<int>(state)];
 }
 
-std::string bearings_text(const ResultsReader& reader, const std::vector<double>& times) {
+void write_bearings(const ResultsReader& reader, const std::vector<double>& times, Cells& out) {
   const Header& header = reader.header();
   const auto dim = static_cast<std::size_t>(header.dim);
-  CsvText out;
   out.head("time", "s").cell("bearing").cell("body_a").cell("body_b").cell("law").cell("state");
   out.axes("force on b, ", "N", header.dim).head("displacement along", "m");
   if (header.dim == 3) out.head("displacement across", "m");
@@ -236,7 +209,6 @@ std::string bearings_text(const ResultsReader& reader, const std::vector<double>
       out.end_row();
     }
   }
-  return out.take();
 }
 
 const char* state_name(MemberState state) {
@@ -245,14 +217,13 @@ const char* state_name(MemberState state) {
 }
 
 /// A row for each end of each beam, with the distance from the start of the member.
-std::string members_text(const ResultsReader& reader, const std::vector<double>& times) {
+void write_members(const ResultsReader& reader, const std::vector<double>& times, Cells& out) {
   const Header& header = reader.header();
-  CsvText out;
   out.head("time", "s").cell("body").cell("member").cell("from").cell("to").head("along", "m");
   out.axes("", "m", header.dim);
   for (const MemberQuantity& q : member_quantities(header.dim)) out.head(q.name, q.unit == "N*m" ? "N m" : q.unit);
   out.cell("state").cell("deformation [rad or 1/m]").end_row();
-  if (header.members.empty()) return out.take();
+  if (header.members.empty()) return;
   for (const double time : times) {
     const Frame frame = reader.frame(reader.nearest_frame(time));
     const Placement at(header, frame);
@@ -275,34 +246,33 @@ std::string members_text(const ResultsReader& reader, const std::vector<double>&
       }
     }
   }
-  return out.take();
 }
 
-using Writer = std::function<std::string(const ResultsReader&, const std::vector<double>&)>;
+using Writer = std::function<void(const ResultsReader&, const std::vector<double>&, Cells&)>;
 
 /// A table without moments.
-template <std::string (*write)(const ResultsReader&)>
-std::string whole_run(const ResultsReader& reader, const std::vector<double>&) {
-  return write(reader);
+template <void (*write)(const ResultsReader&, Cells&)>
+void whole_run(const ResultsReader& reader, const std::vector<double>&, Cells& out) {
+  write(reader, out);
 }
 
 const std::vector<std::pair<std::string, Writer>>& writers() {
-  static const std::vector<std::pair<std::string, Writer>> list{{"histories", whole_run<histories_text>},
-                                                                {"energy", whole_run<energy_text>},
-                                                                {"events", whole_run<events_text>},
-                                                                {"stages", whole_run<stages_text>},
-                                                                {"bodies", bodies_text},
-                                                                {"bearings", bearings_text},
-                                                                {"members", members_text},
-                                                                {"modes", whole_run<modes_text>},
-                                                                {"notes", whole_run<notes_text>},
-                                                                {"parameters", whole_run<parameters_text>}};
+  static const std::vector<std::pair<std::string, Writer>> list{{"histories", whole_run<write_histories>},
+                                                                {"energy", whole_run<write_energy>},
+                                                                {"events", whole_run<write_events>},
+                                                                {"stages", whole_run<write_stages>},
+                                                                {"bodies", write_bodies},
+                                                                {"bearings", write_bearings},
+                                                                {"members", write_members},
+                                                                {"modes", whole_run<write_modes>},
+                                                                {"notes", whole_run<write_notes>},
+                                                                {"parameters", whole_run<write_parameters>}};
   return list;
 }
 
 }  // namespace
 
-const std::vector<std::string>& csv_table_names() {
+const std::vector<std::string>& table_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;
     for (const auto& entry : writers()) list.push_back(entry.first);
@@ -311,10 +281,11 @@ const std::vector<std::string>& csv_table_names() {
   return names;
 }
 
-std::string csv_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times) {
+void write_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times, TableSink& out) {
+  Cells cells(out);
   for (const auto& [known, write] : writers())
-    if (known == name) return write(reader, times);
-  throw InputError(fmt::format("there is no table '{}'{}", name, name_hint(name, csv_table_names())));
+    if (known == name) return write(reader, times, cells);
+  throw InputError(fmt::format("there is no table '{}'{}", name, name_hint(name, table_names())));
 }
 
 }  // namespace trilith::results
