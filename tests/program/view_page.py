@@ -287,6 +287,30 @@ def shows_solids(page):
     page.picture("front")
 
 
+def shades_depth(page):
+    """Surfaces that others hide from the sky are darker, with a chip; nothing gets lighter, and paper stays."""
+    lighter, darker, same = page.evaluate("""(() => {
+      const { gl, canvas, scene } = { gl: trilith.scene.gl, canvas: trilith.scene.canvas, scene: trilith.scene };
+      const picture = (isDeep) => {
+        scene.show.depth = isDeep;
+        scene.lastDraw = -Infinity;  // the view rests
+        trilith.draw();
+        const all = new Uint8Array(4 * canvas.width * canvas.height);
+        gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+        return all;
+      };
+      const flat = picture(false), deep = picture(true), count = [0, 0, 0];
+      for (let i = 0; i < flat.length; i += 4) count[deep[i] > flat[i] + 1 ? 0 : deep[i] < flat[i] - 10 ? 1 : 2]++;
+      return count;
+    })()""")
+    # Some pixels of edges fall on another side of their face, since both depths are rounded.
+    assert lighter < 1e-4 * same and darker > 500 and same > 10 * darker, (lighter, darker, same)
+    page.picture("depth")
+    page.click("#show-depth")
+    assert not page.evaluate("trilith.scene.show.depth")
+    page.click("#show-depth")
+
+
 def cuts_solids(page):
     """A cut across x removes the part in front of it from any view direction; sections are shown and can be clicked."""
     page.keys(Keys.HOME, "x")

@@ -171,7 +171,7 @@ TEST_CASE("the page of a model in space shows, turns and cuts solids and describ
   const testing::Folder here;
   testing::record_boxes(here / "solids.h5", testing::tumbling_boxes(), 11, 0.1);
   CHECK(run_program(here.path, "view solids.h5").out == "solids.html\n");
-  browse(here / "solids.html", "plays_to_the_end shows_solids cuts_solids");
+  browse(here / "solids.html", "plays_to_the_end shows_solids shades_depth cuts_solids");
 }
 
 TEST_CASE("the page of a wall in space shows its cracks after they open") {

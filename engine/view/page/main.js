@@ -17,7 +17,7 @@ import { Modes } from "./modes.js";
 import { byId, clock, make, seconds } from "./words.js";
 
 const toggles = [["forces", "forces", "contact_pair"], ["cracks", "cracks", null], ["debris", "cracks in debris", null], ["bearings", "bearings", "bearing_state"],
-  ["hinges", "hinges", "member_state"], ["names", "names", null], ["start", "start", null]];
+  ["hinges", "hinges", "member_state"], ["names", "names", null], ["start", "start", null], ["depth", "depth shading", null]];
 const states = { finished: "", running: "still in progress when this page was made", stopped: "stopped before its end: the page shows the part up to the last flush" };
 
 class App {
@@ -63,6 +63,7 @@ class App {
     by.append(...this.ways.map((w) => make("option", { value: w.id }, w.label)));
     by.addEventListener("change", () => this.colourBy(by.value));
     for (const [name, label, block] of toggles) {
+      if (name === "depth" && this.run.dim !== 3) continue;
       const there = name === "cracks" || name === "debris" ? this.run.joints.length : block ? this.run.block(block).rows : this.run.frames;
       if (!there) {
         this.scene.show[name] = false;

@@ -21,7 +21,7 @@ export class Scene {
     this.canvas = canvas;
     this.camera = camera;
     this.context = this.contextOf(canvas);
-    this.show = { forces: false, cracks: true, debris: false, bearings: true, hinges: true, names: false, start: false };
+    this.show = { forces: false, cracks: true, debris: false, bearings: true, hinges: true, names: false, start: false, depth: true };
     this.order = [...run.bodies].sort((a, b) => a.free - b.free);
     this.usualForce = this.findUsualForce();
     const areas = run.bodies.filter((b) => b.free && b.area > 0).map((b) => b.area).sort((a, b) => a - b);

@@ -1,27 +1,13 @@
 // Draws a model in space: polyhedra with WebGL; marks, forces and the selection on a canvas over it.
 import { Cut } from "./cut.js";
 import { Scene, crackColour } from "./scene.js";
-import { ballPixelCode, ballVertexCode, pixelCode, vertexCode } from "./space_shaders.js";
+import { DepthShading } from "./space_depth.js";
+import { ballPixelCode, ballVertexCode, compiled, pixelCode, vertexCode } from "./space_shaders.js";
 
 /** #rrggbb, or rgb(r, g, b) from style sheets, to three numbers up to 1. */
 function shares(colour) {
   if (colour.startsWith("#")) return [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16) / 255);
   return (colour.match(/[\d.]+/g) ?? [0, 0, 0]).slice(0, 3).map((v) => Number(v) / 255);
-}
-
-function compiled(gl, ofVertices, ofPixels) {
-  const program = gl.createProgram();
-  // Fixed attribute locations, so that both programs read the same buffers.
-  ["point", "colour", "radius"].forEach((name, place) => gl.bindAttribLocation(program, place, name));
-  for (const [kind, code] of [[gl.VERTEX_SHADER, ofVertices], [gl.FRAGMENT_SHADER, ofPixels]]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, code);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`WebGL: ${gl.getProgramInfoLog(program)}`);
-  return program;
 }
 
 export class SpaceScene extends Scene {
@@ -38,6 +24,7 @@ export class SpaceScene extends Scene {
     canvas.addEventListener("contextmenu", (e) => e.preventDefault());
     this.solids = compiled(gl, vertexCode, pixelCode);
     if (this.run.spheres.length) this.balls = compiled(gl, ballVertexCode, ballPixelCode);
+    this.depthShading = new DepthShading(gl);
     this.program = this.solids;
     gl.useProgram(this.program);
     this.at = (name) => gl.getUniformLocation(this.program, name);
@@ -78,6 +65,19 @@ export class SpaceScene extends Scene {
     numbers(2, 1, gl.FLOAT, false);
     gl.bufferData(gl.ARRAY_BUFFER, run.radius, gl.STATIC_DRAW);
     this.sectionBuffer = gl.createBuffer();
+    this.bodyLength = this.findBodyLength();
+  }
+
+  /** The median over the bodies of the shortest extent along an axis [m]. */
+  findBodyLength() {
+    const { run } = this;
+    if (!run.frames) return 1;
+    run.pose(run.begin);
+    const lengths = run.bodies.map((body) => Math.min(...[run.pointX, run.pointY, run.pointZ].map((values) => {
+      const own = values.subarray(body.vertex, body.vertex + body.vertices), radius = run.radius[body.vertex] || 0;
+      return 2 * radius + own.reduce((a, b) => Math.max(a, b), -Infinity) - own.reduce((a, b) => Math.min(a, b), Infinity);
+    }))).filter((length) => length > 0).sort((a, b) => a - b);
+    return lengths[Math.floor(lengths.length / 2)] ?? 1;
   }
 
   resize() {
@@ -95,11 +95,12 @@ export class SpaceScene extends Scene {
 
   draw(time, colours, selection) {
     const { run, gl, context: c, camera } = this, theme = colours.theme;
+    const { depthShading } = this, deepens = this.hasTimeToDeepen(() => this.draw(time, colours, selection));
     gl.clearColor(...shares(theme.paper), 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
-    if (!run.frames) return;
+    if (!run.frames) return deepens ? depthShading.finish() : undefined;
     run.pose(time);
     this.measure();
     this.shade = colours.groups ? 0.56 : 0.85;  // shading would change the colour of a value
@@ -110,19 +111,45 @@ export class SpaceScene extends Scene {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 2);
     this.drawFaces();
+    this.drawSpheres();
+    if (deepens) this.deepen(colours);
     this.drawList(gl.LINES, this.edges, [...shares(theme.outline), 1]);
     this.drawSectionOutlines(theme);
     if (this.show.cracks) this.drawSolidCracks(time, theme);
-    this.drawSpheres();
     if (run.mode) this.drawStood(theme);
     else if (this.show.start) this.drawStart(theme);
+    if (deepens) depthShading.finish();
     if (this.show.forces && !run.mode) this.drawForces(theme);
     this.drawMembers(theme);
     if (this.show.bearings) this.drawBearings(theme, selection);
     if (this.show.names) this.drawNames(theme);
     if (selection) this.drawSelection(selection, theme);
     this.drawAxes(theme);
+    return undefined;
   }
+
+  /** Begins the picture that is darkened. A slow machine does so only once the view rests, and draws `again` then. */
+  hasTimeToDeepen(again) {
+    const { depthShading } = this, now = performance.now(), moves = now - (this.lastDraw ?? -Infinity) < 200;
+    clearTimeout(this.later);
+    this.lastDraw = now;
+    if (!this.show.depth) return false;
+    if (!moves || !depthShading.isSlow) return depthShading.begin(this.canvas.width, this.canvas.height);
+    this.later = setTimeout(again, 250);
+    return false;
+  }
+
+  /** Darkens what its surroundings hide: less where colours are values, which darkening changes. */
+  deepen(colours) {
+    const { camera, gl } = this;
+    this.depthShading.darken({ height: 2 * this.depthRange(), pixel: camera.width / (camera.scale * this.canvas.width),
+      reach: 1.5 * this.bodyLength, strength: colours.groups ? 0.6 : 0.3 });
+    gl.useProgram(this.program);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.pointBuffer);
+  }
+
+  /** The picture holds points this far in front of and behind the origin of the view [m]. */
+  depthRange() { return this.farthest + Math.hypot(this.camera.x, this.camera.y, this.camera.z); }
 
   drawStart(theme, xs = this.startX, ys = this.startY, zs = this.startZ) {
     this.upload(xs, ys, zs);
@@ -140,7 +167,7 @@ export class SpaceScene extends Scene {
     const { gl, camera } = this;
     for (const name of ["right", "up", "toward"]) gl.uniform3fv(this.at(name), camera[name]);
     gl.uniform3f(this.at("middle"), camera.x, camera.y, camera.z);
-    const deep = 1 / (this.farthest + Math.hypot(camera.x, camera.y, camera.z));
+    const deep = 1 / this.depthRange();
     gl.uniform3f(this.at("scale"), (2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height, deep);
     gl.uniform4fv(this.at("cut"), this.cut.plane());
     gl.uniform1i(this.at("isCut"), this.cut.isThere);

@@ -72,3 +72,18 @@ void main() {
   shown = vec4(fill * (0.42 + 0.58 * light), 1.0);
   gl_FragDepth = 0.5 + 0.5 * (deep.x - deep.y * n.z);
 }`;
+
+/** A program of WebGL. Fixed attribute locations, so that all programs read the same buffers. */
+export function compiled(gl, ofVertices, ofPixels) {
+  const program = gl.createProgram();
+  ["point", "colour", "radius"].forEach((name, place) => gl.bindAttribLocation(program, place, name));
+  for (const [kind, code] of [[gl.VERTEX_SHADER, ofVertices], [gl.FRAGMENT_SHADER, ofPixels]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, code);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`WebGL: ${gl.getProgramInfoLog(program)}`);
+  return program;
+}
