@@ -6,7 +6,7 @@
 
 namespace trilith {
 
-// Every kind of load has what a target needs. Checked here, as the lists are included nearly everywhere.
+// Every kind of load has the members that a target needs. Checked here, as the lists are included nearly everywhere.
 static_assert(LoadKinds<2>::all([]<class L>() { return LoadKind<L, 2, LoadTarget<2>>; }));
 static_assert(LoadKinds<3>::all([]<class L>() { return !L::in_space || LoadKind<L, 3, LoadTarget<3>>; }));
 

@@ -211,6 +211,6 @@ for _, name in ipairs { "trilith.study", "model:story", "model:wait", "model:bre
   "model:compare", "model:change", "model:lint", "model:calibrate", "model:modes", "model:heat", "model:heat_exchange",
   "model:heat_contact", "model:set_temperature", "model:temperature", "model:heat_state", "model:process",
   "model:seepage", "model:seepage_head", "model:seepage_state", "model:absorbing_boundary", "model:bolt", "model:creep",
-  "model:creep_process", "model:bridge", "space:bridge", "body:fibres" } do
+  "model:creep_process", "trilith.concrete_creep", "model:bridge", "space:bridge", "body:fibres" } do
   rules.refused[name] = true
 end

@@ -50,14 +50,15 @@ prestress_ramp  number s?      time in which the prestress grows; default at onc
       .. 'm:block { name = "rock", width = 2, height = 1, at = { 20, -1 }, material = "stone", support = "fixed" }\n'
       .. 'm:bolt { name = "anchor", bodies = { "slab", "rock" }, from = { 21, 0.5 }, to = { 21, -0.9 },\n'
       .. '  joints = { 0.5 }, material = "steel", E = 2.1e11, diameter = 0.02, bond = 5e8, bond_strength = 3e6 }' },
-  { "model:creep", "Lets a bearing creep: a Kelvin element stands behind the spring of one direction. The bearing has "
-    .. "a linear law of the same stiffness at first. Time passes in m:creep_process alone.",
+  { "model:creep", "Lets a bearing creep: a Kelvin element, or a chain of them, stands behind the spring of one "
+    .. "direction. The bearing has a linear law of the same stiffness at first. Time passes in m:creep_process alone.",
     also = "viscoelastic, relaxation, mortar, concrete, long-term deformation, ageing", keys = [[
 bearing    bearing    bearing or its name
 direction  text       along, axial or turning; in space across, turning_along, turning_across and turning_axial too
 stiffness  number     stiffness of its linear law [N/m] or [N m/rad]  <above 0>
-factor     number     final creep displacement over the elastic one  <above 0>
-time       number s   time constant of creep under constant force  <above 0>]],
+factor     number?    final creep displacement over the elastic one; needed without chain  <above 0>
+time       number s?  time constant of creep under constant force; needed without chain  <above 0>
+chain      list?      1 to 20 elements { factor = , time = } instead, as of trilith.concrete_creep]],
     example = 'local day = 86400\n'
       .. 'm:bearing { name = "pad", between = { "ground", "block" }, at = { 0, 0 },\n'
       .. '  axial = trilith.linear { stiffness = 2e8 }, along = trilith.linear { stiffness = 1e8 } }\n'
@@ -66,7 +67,7 @@ time       number s   time constant of creep under constant force  <above 0>]],
     .. "structure is brought to static equilibrium. Returns the time of all such processes [s].",
     also = "creep, long-term analysis, season", keys = [[
 duration   number s      duration  <above 0>
-step       number s      longest step, at most time/(1 + factor) of each creeping bearing  <above 0>
+step       number s      longest step; the error is of second order  <above 0>
 heat       flag = false  the clock of the heat runs too: m:process of the same steps
 within     number?       as for m:consolidate
 tolerance  number?       as for m:consolidate
@@ -79,4 +80,16 @@ name       text = "creep"  name in results]], gives = "number",
       .. 'm:creep { bearing = "pad", direction = "axial", stiffness = 2e8, factor = 2, time = 30*day }\n'
       .. 'm:consolidate { integrator = "static" }\n'
       .. 'm:creep_process { duration = 30*day, step = 10*day }' },
+  { "trilith.concrete_creep", "The creep coefficient of concrete of EN 1992-1-1:2004, annex B.1, for a load from "
+    .. "the given age on. Returns { notional, chain, coefficient }: the final coefficient, a chain for m:creep that "
+    .. "follows it within 0.3 % from one day to 100 years after loading, and a function of the time under load [s].",
+    also = "Eurocode 2, creep coefficient, shrinkage, humidity, notional size", keys = [[
+strength   number Pa     mean compressive strength at 28 days  <10e6 to 120e6>
+humidity   number        relative humidity, 0.4 to 1  <0.4 to 1>
+size       number m      notional size: twice the area of the section over its drying perimeter  <0.05 to 3>
+age        number s      age at loading  <43200 to 3155760000>
+cement     text = "N"    S slow, N normal or R rapid ]], gives = "table",
+    example = 'local day = 86400\n'
+      .. 'local creep = trilith.concrete_creep { strength = 38e6, humidity = 0.7, size = 0.3, age = 28*day }\n'
+      .. 'print(creep.notional, creep.coefficient(365*day))' },
 }

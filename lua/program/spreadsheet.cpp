@@ -27,7 +27,7 @@ std::string cell_text(std::string_view text) {
 Spreadsheet::Spreadsheet(const std::filesystem::path& path, unsigned most_rows)
     : path_(path), unfinished_(path.string() + ".part"), folder_(path.parent_path().string()), most_rows_(most_rows) {
   if (folder_.empty()) folder_ = ".";
-  // Rows go to temporary files beside the result, so that long histories need no memory.
+  // Rows go to temporary files in the folder of the result, so that long histories need no memory.
   lxw_workbook_options options{};
   options.constant_memory = LXW_TRUE;
   options.tmpdir = folder_.data();

@@ -139,7 +139,7 @@ export class SpaceScene extends Scene {
     return false;
   }
 
-  /** Darkens what its surroundings hide: less where colours are values, which darkening changes. */
+  /** Darkens surfaces that their surroundings hide: less where colours are values, which darkening changes. */
   deepen(colours) {
     const { camera, gl } = this;
     this.depthShading.darken({ height: 2 * this.depthRange(), pixel: camera.width / (camera.scale * this.canvas.width),

@@ -1,4 +1,4 @@
-// Declares bearings: m:bearing and m:seat. What a script reads of them later is in bearing_handle.cpp.
+// Declares bearings: m:bearing and m:seat. The properties that a script reads later are in bearing_handle.cpp.
 #include <algorithm>
 
 #include "bindings/core/bindings.hpp"

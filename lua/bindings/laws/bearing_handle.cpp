@@ -1,4 +1,4 @@
-// What a script reads of a bearing: status, bodies, forces and displacements.
+// The properties of a bearing that a script reads: status, bodies, forces and displacements.
 #include <algorithm>
 #include <cmath>
 

@@ -156,6 +156,11 @@ refused("there is no 'twist' for the key 'direction'", t.creep, t, with(row, { d
 refused("'bearing' is 3, must be a bearing or its name", t.creep, t, with(row, { bearing = 3 }))
 t:creep(row)
 refused("creeps in the direction turning already", t.creep, t, row)
-refused("must be at most 864000 s for bearing 'foot'", t.creep_process, t, { duration = 30*day, step = 15*day })
+local chain = { { factor = 1, time = day }, { factor = 0.5, time = 100*day } }
+local chained = with(row, { bearing = "foot", direction = "along", factor = "none", time = "none" })
+refused("'chain' and 'factor' or 'time' are given", t.creep, t, with(row, { chain = chain }))
+refused("'chain' is a list of 0, must be a list of 1 to 20 elements", t.creep, t, with(chained, { chain = {} }))
+refused("element 2 of 'chain': 'time' is missing", t.creep, t, with(chained, { chain = { chain[1], { factor = 1 } } }))
+refused("element 1 of 'chain': 'factor' is -1", t.creep, t, with(chained, { chain = { { factor = -1, time = 1 } } }))
 refused("more than 100000 steps", t.creep_process, t, { duration = 1e9, step = 1 })
 refused("'each' is 3, must be a function", t.creep_process, t, { duration = day, step = day, each = 3 })
