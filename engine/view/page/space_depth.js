@@ -1,7 +1,7 @@
 // Ambient occlusion: points that their surroundings hide from the sky are darker, so that corners, joints and openings read
 // as deep. It follows from the depth of the picture alone: at each pixel, the heights of its neighbours over its own
-// tangent plane (Mittring, "Finding next gen: CryEngine 2", SIGGRAPH 2007 course notes; the tangent plane as in Bavoil,
-// Sainz and Dimitrov, "Image-space horizon-based ambient occlusion", SIGGRAPH 2008).
+// tangent plane. Sources: Mittring, "Finding next gen: CryEngine 2", SIGGRAPH 2007 course notes. For the tangent plane:
+// Bavoil, Sainz and Dimitrov, "Image-space horizon-based ambient occlusion", SIGGRAPH 2008.
 import { compiled } from "./space_shaders.js";
 
 const wholeVertexCode = `#version 300 es
