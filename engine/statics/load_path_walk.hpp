@@ -48,7 +48,8 @@ class LoadPathWalk {
   bool detour(double size);
   bool search(double size);
   [[nodiscard]] bool is_search_due(int failed, double size) const;
-  bool search_rest(double push);
+  bool search_rest(double push, bool snaps);
+  bool end_search(const State<D>& begin, bool snaps);
   bool pseudo_step(double h, double push);
   [[nodiscard]] bool goes_far(const Eigen::VectorXd& way, double share, double rotation) const;
   [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
@@ -56,6 +57,9 @@ class LoadPathWalk {
   bool fractures();
   double missed_work();
   bool misses_work();
+  [[nodiscard]] bool is_judged() const;
+  double mean_error();
+  bool strays();
   bool predict(double size, bool reversed);
   bool predict_dissipation(double energy);
   double reach(const Eigen::VectorXd& direction, double factor, double energy);
@@ -94,6 +98,10 @@ class LoadPathWalk {
   bool may_leap_ = false;                             // see fractures()
   bool strict_ = false, missed_ = false;              // see misses_work()
   double most_work_ = 0;                              // largest force times displacement so far [J]
+  bool strayed_ = false;                              // the present step is refused by strays()
+  double accurate_ = std::numeric_limits<double>::infinity();  // longest next step by strays() [m]
+  double last_error_ = std::numeric_limits<double>::infinity();  // of the longer try for the same point
+  double budget_ = 0;                                 // points taken; shortened ones by their share
   bool refused_ = false;                              // the present arc, for its fracture
   int next_search_ = 0, failed_searches_ = 0;         // number of points before the next search; failed ones in a row
   bool searched_ = false;                             // the last point was found by search()
