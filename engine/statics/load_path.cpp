@@ -214,9 +214,9 @@ void LoadPathWalk<D>::follow() {
       return;
     }
     const double now = size_to_go(size);
-    out_.end = now == 0                                                       ? PathEnd::arrived
+    out_.end = now == 0                              ? PathEnd::arrived
                : budget_ + 1 >= options_.most_points ? PathEnd::most_points
-                                                                              : PathEnd::stuck;
+                                                     : PathEnd::stuck;
     if (out_.end != PathEnd::stuck || std::abs(size) < shortest) return;
     const bool by_arc = options_.control == PathControl::arc;
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);

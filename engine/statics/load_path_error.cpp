@@ -3,7 +3,7 @@
 // A step is solved at its end only. Along the straight way to it the joints that open, close or slide within the step
 // leave a residual, whose work is missing in the balance of the step:
 //
-//     error = 3/8 (|r(1/3) . d| + |r(2/3) . d|) / (largest load so far |d|)
+//     error = 3/8 (|r(1/3) . d| + |r(2/3) . d|) / (largest load so far max(|d|, part of the first step))
 //
 // with the way d and the residual r at its thirds, where the factor is interpolated too (Simpson's second rule; the
 // residual is 0 at both ends). It is the mean deviation of the force from the chord between both points, as a share of
@@ -18,12 +18,13 @@
 namespace trilith {
 namespace {
 
-/// Largest mean deviation of the force within a step, as a share of the largest force so far.
-constexpr double most_error = 0.005;
 /// The next step is this share of the one that the estimate permits; its change is limited.
 constexpr double share_of_permitted = 0.9, least_accurate = 0.25, most_accurate = 4;
 /// Steps are not shortened below this share of the first one. There the law itself jumps.
-constexpr double least_for_accuracy = 1.0 / 256;
+constexpr double least_for_accuracy = 1.0 / 64;
+/// The work that a step may miss is at least that of a step with this share of the first one: what shorter steps miss
+/// is negligible on the path.
+constexpr double share_of_first = 1.0 / 8;
 /// A shorter step whose error is above this share of the longer one's crosses a jump of the path, which no step length
 /// resolves. The error of a path with kinks is proportional to the step, that of a smooth path to its square.
 constexpr double share_at_jump = 0.7;
@@ -50,23 +51,26 @@ double LoadPathWalk<D>::mean_error() {
   try_at(way, rise, 1);
   double most = std::abs(end);
   for (const PathPoint& p : out_.points) most = std::max(most, std::abs(p.factor));
-  return 0.375 * sum / (most * std::max(std::abs(followed_.dot(way)), length_of(way)));
+  const double way_length = std::max(std::abs(followed_.dot(way)), length_of(way));
+  return 0.375 * sum / (most * std::max(way_length, share_of_first * std::abs(options_.first)));
 }
 
-/// True if the step is too long for its accuracy and can be shortened. `accurate_` becomes the permitted length.
+/// True if the step is too long for its accuracy and can be shortened. `accurate_` becomes the permitted length. A step
+/// that cannot counts as inexact where it misses this share of the largest force times the displacement so far.
 template <int D>
 bool LoadPathWalk<D>::strays() {
   if (!is_judged()) return false;
   const double error = mean_error(), length = length_of(trial_.way());
-  const double permitted = share_of_permitted * std::sqrt(most_error / std::max(error, 1e-300));
-  if (getenv("DBG")) fprintf(stderr, "%g u %g f %g err %g it %d\n", length, followed_place(), factor_, error, out_.iterations);
+  const double permitted = share_of_permitted * std::sqrt(most_path_error / std::max(error, 1e-300));
   if (!std::isfinite(error)) return false;
   const bool jumps = error > share_at_jump * std::exchange(last_error_, error);
   const double least = least_for_accuracy * std::abs(options_.first);
   accurate_ = std::max(least, length * std::clamp(permitted, least_accurate, most_accurate));
-  strayed_ = error > most_error && length > least && !jumps;
-  if (error > most_error && !strayed_) ++out_.inexact;
-  return strayed_;
+  strayed_ = error > most_path_error && length > least && !jumps && !lenient_;
+  if (strayed_) return true;
+  if (jumps) accurate_ = most_accurate * length;
+  if (error * length > most_path_error * std::abs(followed_place())) ++out_.inexact;
+  return false;
 }
 
 template bool LoadPathWalk<2>::strays();

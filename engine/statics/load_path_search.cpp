@@ -15,8 +15,9 @@
 namespace trilith {
 namespace {
 
-/// Limits of the search: steps of pseudo-time, iterations of each, iterations without halving the residual.
-constexpr int most_pseudo_steps = 100, most_pseudo_iterations = 20, pseudo_patience = 5;
+/// Limits of the search: steps of pseudo-time, also while the memories are those of the last point, iterations of each,
+/// iterations without halving the residual.
+constexpr int most_pseudo_steps = 100, most_held_steps = 30, most_pseudo_iterations = 20, pseudo_patience = 5;
 /// Pseudo-time of the first step and of the last try [s], factor of a failed step, and growth after an easy step and
 /// otherwise.
 constexpr double first_pseudo = 1, least_pseudo = 1e-7, pseudo_cut = 0.2, easy_growth = 10, usual_growth = 2;
@@ -30,7 +31,7 @@ constexpr double most_share = 0.1, most_rotation = 0.3;
 /// A search fails if a body moves farther than this share of its size, or rotates by more [rad].
 constexpr double most_of_search = 0.25, most_rotation_of_search = 0.5;
 /// Cuts of the displacement by a quarter each, where there is no rest; where the step is too long for its accuracy, it
-/// is halved instead.
+/// is halved instead. The last try is accepted at any accuracy.
 constexpr int most_search_cuts = 3;
 constexpr double search_cut = 0.25, accuracy_cut_of_search = 0.5;
 /// After this number of failed searches in a row the wait for the next one grows no more.
@@ -49,8 +50,8 @@ bool LoadPathWalk<D>::goes_far(const Eigen::VectorXd& way, double share, double 
   return false;
 }
 
-/// A step of pseudo-time h [s] at whose end the followed displacement has moved by `push` since the start of the step of
-/// the path. True if it has converged.
+/// A step of pseudo-time h [s] at whose end the followed displacement has moved by `push` since the start of the step
+/// of the path. True if it has converged.
 template <int D>
 bool LoadPathWalk<D>::pseudo_step(double h, double push) {
   const double inertia = 1 / (h * h), begun = factor_;
@@ -94,7 +95,8 @@ bool LoadPathWalk<D>::search_rest(double push, bool snaps) {
   typename StaticTrial<D>::Begin begin = trial_.begin();
   double h = first_pseudo, left = push;
   bool cut = false, found = false;
-  for (int steps = 0; steps < most_pseudo_steps && h > least_pseudo && !stopped() && !found; ++steps) {
+  for (int steps = 0; steps < (snaps ? most_pseudo_steps : most_held_steps) && h > least_pseudo && !stopped() && !found;
+       ++steps) {
     const int taken = out_.iterations;
     if (!pseudo_step(h, left)) {
       const double square = trial_.highest_square();
@@ -128,9 +130,9 @@ bool LoadPathWalk<D>::end_search(const State<D>& begin, bool snaps) {
   return true;
 }
 
-/// The next point by a search for rest, if no arc of this size converges. The displacement continues in the sense of the
-/// path's first step. Where no rest is found across any part of the step, the shortest one that ends at rest is crossed
-/// as a snap.
+/// The next point by a search for rest, if no arc of this size converges. The displacement continues in the sense of
+/// the path's first step. Where no rest is found across any part of the step, the shortest one that ends at rest is
+/// crossed as a snap.
 template <int D>
 bool LoadPathWalk<D>::search(double size) {
   if (options_.followed.empty()) return false;
@@ -139,13 +141,14 @@ bool LoadPathWalk<D>::search(double size) {
   if (last_way_.size() > 0)
     push = std::copysign(std::abs(size) / length_of(last_way_) * followed_.dot(last_way_), options_.first);
   bool found = false;
-  for (int cuts = 0; cuts <= most_search_cuts && push != 0 && !found && !stopped();) {
-    strayed_ = false;
+  for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i) {
+    strayed_ = false, lenient_ = i == most_search_cuts;
     found = search_rest(push, false);
-    if (!found) push *= strayed_ ? accuracy_cut_of_search : search_cut, cuts += strayed_ ? 0 : 1;
+    if (!found && i < most_search_cuts) push *= strayed_ ? accuracy_cut_of_search : search_cut;
   }
-  for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i)
-    push /= search_cut, found = search_rest(push, true);
+  lenient_ = false;
+  for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i, push /= search_cut)
+    found = search_rest(push, true);
   if (found) {
     taken_ = out_.iterations - before;
     return true;
