@@ -214,32 +214,39 @@ void LoadPathWalk<D>::follow() {
       return;
     }
     const double now = size_to_go(size);
-    out_.end = now == 0                                                       ? PathEnd::arrived
-               : static_cast<int>(out_.points.size()) >= options_.most_points ? PathEnd::most_points
-                                                                              : PathEnd::stuck;
+    out_.end = now == 0                              ? PathEnd::arrived
+               : budget_ + 1 >= options_.most_points ? PathEnd::most_points
+                                                     : PathEnd::stuck;
     if (out_.end != PathEnd::stuck || std::abs(size) < shortest) return;
     const bool by_arc = options_.control == PathControl::arc;
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
     bool searched = false;
+    strayed_ = false;
     if (!goes_on_softening && !arc(now)) {
+      if (strayed_) {
+        size = std::copysign(std::min(accurate_, 0.5 * std::abs(now)), now), ++out_.cuts;
+        continue;
+      }
       if (failed++ == 0) asked = now;
       size = cut_of_path * now, ++out_.cuts;
       if (!by_arc) continue;
       const bool found = failed >= arcs_before_detour && detour(now);
-      searched = !found && is_search_due(failed, now) && search(std::copysign(std::max(std::abs(asked), first), asked));
+      searched = !found && (is_search_due(failed, now) || std::abs(size) < shortest) &&
+                 search(std::copysign(std::min(std::max(std::abs(asked), first), accurate_), asked));
       if (!found && !searched) continue;
       size = std::min(searched ? longest : first, std::max(length_of(last_way_), shortest));
     }
     searched_ = searched;
+    last_error_ = std::numeric_limits<double>::infinity();
     failed = 0;
     on = add_point(taken_);
     if (on && !resists()) {
       out_.end = PathEnd::no_resistance;
       return;
     }
-    if (energy_ > 0 || searched) continue;
-    size *= growth();
-    size = std::copysign(std::min(std::abs(size), longest), size);
+    budget_ += accurate_ < longest && last_way_.size() > 0 ? std::min(1.0, length_of(last_way_) / first) : 1;
+    if (!(energy_ > 0 || searched)) size *= growth();
+    size = std::copysign(std::min({std::abs(size), longest, accurate_}), size);
   }
   out_.end = PathEnd::arrived;
 }

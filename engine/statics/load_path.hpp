@@ -63,7 +63,7 @@ struct LoadPathOptions {
   double longest = 0;   ///< longest step; 0: ten times the first
   double shortest = 0;  ///< shortest step; 0: 1e-5 of the first
   double to = std::numeric_limits<double>::infinity();  ///< factor or displacement at the end, if it is controlled
-  int most_points = 1000;
+  int most_points = 1000;   ///< steps that are shortened for their accuracy count by their share of the first one
   double tolerance = 1e-8;  ///< as in EquilibriumOptions
   int most_iterations = 15;
   int wanted_iterations = 4;  ///< the step length is scaled by the square root of this over the iterations taken.
@@ -87,9 +87,15 @@ struct LoadPath {
   double left = 0;  ///< of the last try, see Equilibrium
   int worst = -1;
   int jumps = 0;     ///< steps across a brittle break without an equilibrium between their ends
+  int inexact = 0;   ///< shortest steps whose force deviates from their chord by more than the error control permits
   int searched = 0;  ///< points found by a search for rest at a given displacement
+  int snaps = 0;     ///< points across a snap, where no rest lies next to the point before
   std::vector<Event> events;
 };
+
+/// Largest mean deviation of the factor from the straight line between two points, as a share of the largest factor so
+/// far, in structures of several bodies that an arc follows; steps are shortened to it.
+inline constexpr double most_path_error = 0.005;
 
 /// Follows the path from rest at options.begin. `state` becomes the state of the last point, as after find_equilibrium;
 /// it belongs to loads scaled by that point's factor (scale_loads). Without rest at the start it remains unchanged.

@@ -230,7 +230,7 @@ bool LoadPathWalk<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would return along its path.
   if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures() &&
-      !misses_work()) {
+      !misses_work() && !strays()) {
     last_way_ = trial_.way();
     last_rise_ = factor_ - last_factor_;
     last_factor_ = factor_;

@@ -48,7 +48,8 @@ class LoadPathWalk {
   bool detour(double size);
   bool search(double size);
   [[nodiscard]] bool is_search_due(int failed, double size) const;
-  bool search_rest(double push);
+  bool search_rest(double push, bool snaps);
+  bool end_search(const State<D>& begin, bool snaps);
   bool pseudo_step(double h, double push);
   [[nodiscard]] bool goes_far(const Eigen::VectorXd& way, double share, double rotation) const;
   [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
@@ -56,6 +57,9 @@ class LoadPathWalk {
   bool fractures();
   double missed_work();
   bool misses_work();
+  [[nodiscard]] bool is_judged() const;
+  double mean_error();
+  bool strays();
   bool predict(double size, bool reversed);
   bool predict_dissipation(double energy);
   double reach(const Eigen::VectorXd& direction, double factor, double energy);
@@ -90,11 +94,16 @@ class LoadPathWalk {
   double factor_, last_factor_;
   PathControl control_;  // of the present step
   double origin_ = 0, longest_ = 0;
-  double last_rise_ = 0, last_energy_ = 0;            // of the last step: change of the factor, dissipation [J]
-  bool may_leap_ = false;                             // see fractures()
-  bool strict_ = false, missed_ = false;              // see misses_work()
-  double most_work_ = 0;                              // largest force times displacement so far [J]
-  bool refused_ = false;                              // the present arc, for its fracture
+  double last_rise_ = 0, last_energy_ = 0;  // of the last step: change of the factor, dissipation [J]
+  bool may_leap_ = false;                   // see fractures()
+  bool strict_ = false, missed_ = false;    // see misses_work()
+  double most_work_ = 0;                    // largest force times displacement so far [J]
+  bool lenient_ = false;                    // a search is not shortened any further
+  bool strayed_ = false;                    // the present step is refused by strays()
+  double accurate_ = std::numeric_limits<double>::infinity();    // longest next step by strays() [m]
+  double last_error_ = std::numeric_limits<double>::infinity();  // of the longer try for the same point
+  double budget_ = 0;                                            // points taken; shortened ones by their share
+  bool refused_ = false;                                         // the present arc, for its fracture
   int next_search_ = 0, failed_searches_ = 0;         // number of points before the next search; failed ones in a row
   bool searched_ = false;                             // the last point was found by search()
   double energy_ = 0;                                 // of the next step under dissipation control [J]; 0: none yet

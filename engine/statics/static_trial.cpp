@@ -96,6 +96,7 @@ template <int D>
 void StaticTrial<D>::begin_here() {
   state_.position_before = begin_position_ = state_.position;
   state_.rotation_before = begin_rotation_ = state_.rotation;
+  hold_here();
   evaluate_here();
   begin_force_ = all_forces();
 }
@@ -143,6 +144,24 @@ Dofs<D> StaticTrial<D>::way_of(int node) const {
 }
 
 template <int D>
+Dofs<D> StaticTrial<D>::held_way_of(int node) const {
+  return dofs_of(Vec<D>(state_.position[node] - held_position_[node]),
+                 turn_between(held_rotation_[node], state_.rotation[node]));
+}
+
+template <int D>
+Eigen::VectorXd StaticTrial<D>::way_from_held() const {
+  Eigen::VectorXd out(coupling().size());
+  Dofs<D> of{};
+  for (int i = 0, node = -1; i < coupling().size(); ++i) {
+    const auto [n, k] = coupling().freedom[i];
+    if (n != node) of = held_way_of(n), node = n;
+    out[i] = of[k];
+  }
+  return out;
+}
+
+template <int D>
 Eigen::VectorXd StaticTrial<D>::way() const {
   Eigen::VectorXd out(coupling().size());
   Dofs<D> of{};
@@ -180,7 +199,7 @@ double StaticTrial<D>::measure(double inertia) {
     const Freedom f = coupling().freedom[i];
     if (f.node != node) {
       node = f.node, masses = mass_of(model_, state_, node);
-      held = inertia > 0 ? held_by_mass(model_, state_, node, inertia, way_of(node)) : Dofs<D>{};
+      held = inertia > 0 ? held_by_mass(model_, state_, node, inertia, held_way_of(node)) : Dofs<D>{};
     }
     const double mass = masses[f.k];
     left_[i] = net_force(model_, state_, work_, f) - held[f.k];
@@ -264,6 +283,13 @@ void StaticTrial<D>::move(const Eigen::VectorXd& by, double share) {
 template <int D>
 void StaticTrial<D>::go_back() {
   state_.position = begin_position_, state_.rotation = begin_rotation_;
+  hold_here();
+  evaluate_here();
+}
+
+template <int D>
+void StaticTrial<D>::go_to_held() {
+  state_.position = held_position_, state_.rotation = held_rotation_;
   evaluate_here();
 }
 

@@ -36,6 +36,13 @@ class StaticTrial {
   [[nodiscard]] Eigen::VectorXd way_from(const State<D>& from) const;
   /// Returns to the start of the step, and evaluates it.
   void go_back();
+  /// The inertia of `measure` acts from here on against displacements from the present position, until the step is
+  /// accepted or returned: steps of pseudo-time within one step, whose memories remain those of its start.
+  void hold_here() { held_position_ = state_.position, held_rotation_ = state_.rotation; }
+  /// Returns to the held position, and evaluates it.
+  void go_to_held();
+  /// Displacement from the held position, by unknown [m] or [rad].
+  [[nodiscard]] Eigen::VectorXd way_from_held() const;
   /// Makes the last evaluated position the start of the next step. Commits it, books the work of weight, loads and
   /// supports along the path with the mean of their forces at both ends, and evaluates it again.
   void accept();
@@ -102,6 +109,8 @@ class StaticTrial {
   double balance_ = 0;                  // of the ledger at the start [J]
   std::vector<Vec<D>> begin_position_;  // of the step
   std::vector<Rotation<D>> begin_rotation_;
+  std::vector<Vec<D>> held_position_;  // where pseudo-time stands; the start of the step unless hold_here() is used
+  std::vector<Rotation<D>> held_rotation_;
   std::vector<NodeForces<D>> begin_force_;
   std::vector<double> reach_;        // [node] of its body [m]
   double disturbance_;               // perturbation of nodes for the tangent [m]
@@ -112,6 +121,7 @@ class StaticTrial {
   std::vector<Event> events_;
 
   [[nodiscard]] Dofs<D> way_of(int node) const;
+  [[nodiscard]] Dofs<D> held_way_of(int node) const;
 };
 
 }  // namespace trilith

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/terminal_text.hpp"
+#include "model/caution.hpp"
 #include "model/event/event_list.hpp"
 
 namespace trilith::program {
@@ -17,7 +19,17 @@ constexpr double redraw_interval = 0.15, line_interval = 5, status_interval = 30
 Live::Live(std::FILE* out, const EventLines& lines, bool quiet) : screen_(out), lines_(lines), quiet_(quiet) {}
 
 void Live::note(const std::string& text) {
-  if (!quiet_) screen_.line("note: " + text);
+  if (is_caution(text))
+    caution(text);
+  else if (!quiet_)
+    screen_.line("note: " + text);
+}
+
+/// A note that limits a result reaches the reader of a quiet run too, on stderr and apart from the script's own output.
+void Live::caution(const std::string& text) {
+  if (!quiet_) return screen_.line(text, true);
+  screen_.clear();
+  fmt::print(stderr, "{}\n", terminal_text(text));
 }
 
 template <int D>

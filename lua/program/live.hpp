@@ -12,7 +12,7 @@ namespace trilith::program {
 
 class Live : public script::RunObserver {
  public:
-  /// `quiet`: shows only errors.
+  /// `quiet`: shows only errors and, on stderr, notes that limit a result (model/caution.hpp).
   Live(std::FILE* out, const EventLines& lines, bool quiet = false);
 
   void note(const std::string& text) override;
@@ -36,6 +36,7 @@ class Live : public script::RunObserver {
   void tell_event(const Event& event, const Instant<D>& now);
   template <int D>
   void tell_step(const Instant<D>& now);
+  void caution(const std::string& text);
   template <int D>
   void show(const Instant<D>& now, double at);
 

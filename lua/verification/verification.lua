@@ -216,10 +216,24 @@ local function print_subject(subject, tally)
     end
     print((line:gsub("%s+$", "")))
   end
+  for _, line in ipairs(subject.cautions or {}) do print(line) end
   print ""
 end
 
+-- Notes that limit a result, one line each, below the rows of the subject.
+local function take_cautions(part, errors)
+  local subject = part.file.subject
+  subject.cautions = subject.cautions or {}
+  for line in errors:gmatch "[^\n]+" do
+    if line:find("caution: ", 1, true) == 1 then
+      local where = part.file.path:match "([^/]+)%.lua$"
+      table.insert(subject.cautions, ("  %s: %s"):format(where, line))
+    end
+  end
+end
+
 local function taken(text, part, trouble, errors)
+  take_cautions(part, errors)
   local by_name = {}
   for _, case in ipairs(part.cases) do by_name[case.name] = case end
   local environment = {

@@ -9,6 +9,7 @@
 #include "base/quantity_text.hpp"
 #include "bindings/core/guard.hpp"
 #include "bindings/model/simulated_model.hpp"
+#include "model/caution.hpp"
 
 namespace trilith::script {
 namespace {
@@ -96,7 +97,8 @@ std::string SimulatedModel<D>::finish(const std::string& error) {
     simulation_->add_check(checked_step_->first, checked_step_->second);
     *verdict_ = simulation_->verdict();
   }
-  const std::vector<SealRow> seal = simulation_->seal().rows(*verdict_, notes().size());
+  std::vector<SealRow> seal = simulation_->seal().rows(*verdict_, notes().size());
+  seal.back().text += caution_text(notes());
   if (!modes_alone) recording->seal(seal);
   recording->finish();
   static_cast<void>(close_restart(true));

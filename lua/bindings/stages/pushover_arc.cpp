@@ -7,6 +7,7 @@
 #include "bindings/core/interrupt_watch.hpp"
 #include "bindings/stages/pushover_parts.hpp"
 #include "bindings/stages/stage_run.hpp"
+#include "model/caution.hpp"
 #include "model/loads.hpp"
 #include "model/pose.hpp"
 #include "model/postpone.hpp"
@@ -121,11 +122,14 @@ std::string stuck_note(SimulatedModel<D>& m, const LoadPath& path) {
 template <int D>
 void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path, Host& host) {
   const auto note = [&](const std::string& text) { m.note_at_once(fmt::format("{}: {}", o.stage.name, text), host); };
-  if (path.end == PathEnd::stuck) note("the load path " + stuck_note(m, path));
+  const auto caution = [&](const std::string& text) {
+    m.note_at_once(fmt::format("{}{}: {}", caution_mark, o.stage.name, text), host);
+  };
+  if (path.end == PathEnd::stuck) caution("the load path " + stuck_note(m, path));
   if (path.end == PathEnd::no_resistance)
     note(fmt::format("the load path ends at {}: the structure can no longer carry the load", last_point(path)));
   if (path.end == PathEnd::most_points)
-    note(
+    caution(
         fmt::format("the load path ends at {} after the largest number of points, {}, before the displacement of {:g} "
                     "m; give more 'samples' or a longer 'arc'",
                     last_point(path), path.points.size(), o.displacement));
@@ -134,6 +138,16 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
         fmt::format("{} of {} points were found by a search for rest at a given displacement, because contacts that "
                     "open, close or slide let no arc converge there",
                     path.searched, path.points.size()));
+  if (path.inexact > 0)
+    caution(fmt::format(
+        "{} of {} steps miss more than {:g} % of the work of the push, because the path jumps there. Compare "
+        "with a shorter 'arc'",
+        path.inexact, path.points.size() - 1, 100 * most_path_error));
+  if (path.snaps > 0)
+    note(fmt::format(
+        "{} times a part snapped, as no equilibrium lay next to the last point; rest was found behind it, and "
+        "what slid on the way depends on the search",
+        path.snaps));
   if (path.jumps > 0)
     note(
         fmt::format("{} times a bond broke and equilibrium was found again at the same displacement with another force",

@@ -9,6 +9,7 @@
 #include "bindings/stages/stage_run.hpp"
 #include "load/motion.hpp"
 #include "load/ramp.hpp"
+#include "model/caution.hpp"
 #include "model/loads.hpp"
 #include "model/pose.hpp"
 #include "model/pushes.hpp"
@@ -90,13 +91,13 @@ void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double 
                   const PushPeak& peak) {
   if (peak.is_static()) return;
   const double slower = std::min(usual, rate * PushPeak::most_of_inertia / peak.share_of_inertia());
-  m.note_at_once(
-      fmt::format(
-          "{}: the peak of {} at {} is not a static capacity: the structure carries {} of it, and inertia and damping "
-          "the rest, {:.1f} %. Push more slowly, at {:.2g} m/s or less, {}or use control = \"arc\"",
-          name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"), quantity_text(peak.carried, "N"),
-          100 * peak.share_of_inertia(), slower, gently ? "" : "or leave out rate, "),
-      host(L));
+  m.note_at_once(fmt::format("{}{}: the peak of {} at {} is not a static capacity: the structure carries {} of it, and "
+                             "inertia and damping "
+                             "the rest, {:.1f} %. Push more slowly, at {:.2g} m/s or less, {}or use control = \"arc\"",
+                             caution_mark, name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"),
+                             quantity_text(peak.carried, "N"), 100 * peak.share_of_inertia(), slower,
+                             gently ? "" : "or leave out rate, "),
+                 host(L));
 }
 
 /// m:pushover{ control = "time", ... }: steadily in time.

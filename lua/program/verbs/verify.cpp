@@ -16,6 +16,7 @@
 #include "bindings/core/open.hpp"
 #include "draw/chart/chart.hpp"
 #include "program/interrupt.hpp"
+#include "program/live.hpp"
 #include "program/positive.hpp"
 #include "program/screen.hpp"
 #include "program/script/room_options.hpp"
@@ -253,6 +254,8 @@ int verify(VerifyOptions options) {
   host.records = script::record_folders();
   host.threads = 1;
   set_room(host, {});
+  Live cautions(stdout, EventLines(), true);  // the process that starts this one prints them below the subject
+  if (!options.file.empty()) host.observer = &cautions;
   const ScriptState state = new_script_state(host);
   lua_State* L = state.get();
   const InterruptScope scope(L, on_signal);
