@@ -65,7 +65,8 @@ if last.ending == "rest" then
   print(("%.2f s: the arch stands without falsework; the crown has settled by %.3f mm, thrust %.3f of the weight")
     :format(m.time, 1e3*(before - crown.y), thrust))
 else
-  print(("%.2f s: the arch has collapsed (%s)"):format(m.time, last.reason))
+  local outcome = last.ending == "stopped" and "has collapsed" or "is not at rest"
+  print(("%.2f s: the arch %s (%s)"):format(m.time, outcome, last.reason))
 end
 local e = m.energy
 print(("energy removed with the falsework %.3g J, added with the stones %.3g J"):format(e.removed, e.added))

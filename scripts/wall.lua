@@ -12,6 +12,7 @@ local p = trilith.params {
   cohesion = { 0.51, "shear strength at no pressure, as a share of the tensile strength" },
   friction = { 35, unit = "deg", "friction angle" }, kn = { 1e5, unit = "psi", "stiffness of a joint, per inch" },
   pga = { 1.0, unit = "g", "peak horizontal acceleration" }, sign = { 1, "sign of the record: 1 or -1" },
+  crack = { 0, unit = "psi", "tensile strength of rigid units that may crack at mid-length; 0: they do not crack" },
   damping = { 1, "factor of the damping" }, onset = { 0, unit = "s", "more time at rest before the record" },
   jitter = { 0, unit = "m", "largest random shift of the head joints" }, seed = { 1, "seed of the jitter" },
   stand = { 0, unit = "s", "time at rest before the shaking" },
@@ -21,6 +22,11 @@ local brick = m:material { name = "brick", unit_weight = 120*pcf, E = 1.5e6*psi,
 local concrete = m:material { name = "concrete", unit_weight = 150*pcf }
 local kn, mass = p.kn/inch, 120*pcf*16*inch*(8*inch)^2/g
 local beta = p.damping*2*0.1/math.sqrt(kn*16*8*inch^2/mass) -- 10 % of critical for one unit on its bed joint
+if p.crack > 0 then -- cohesion twice the tension, fracture energy 40 um times the tension, as in the experiments
+  m:contact { between = { "*", "*" }, name = "unit", law = trilith.cohesive { kn = 10*kn, ks = 4*kn, mu = 0.7,
+    beta = beta/3, tension = p.crack, cohesion = 2*p.crack, energy_tension = 40e-6*p.crack,
+    energy_shear = 400e-6*p.crack } }
+end
 m:contact { between = { "*", "*" }, name = "mortar", law = trilith.bonded {
   kn = kn, ks = 0.4*kn, mu = trilith.math.tan(p.friction), beta = beta,
   tension = p.tension, cohesion = p.cohesion*p.tension } }
@@ -33,7 +39,9 @@ local wall = m:wall {
                window({ 2, 3 }, 2*ft + 8*inch), window({ 2, 3 }, 10*ft + 8*inch) },
   lintel_bearing = 8*inch, jitter = p.jitter, seed = p.seed, material = brick, fixed = "base",
   body = p.body == "mesh" and { mesh = { 2, 2 } } or p.body,
-  by_group = { slabs = { weight = 1.2*kip/ft*16*ft, body = "rigid" }, base = { material = concrete, body = "rigid" } } }
+  cracks = p.crack > 0 and "mid" or nil, crack_law = p.crack > 0 and "unit" or nil,
+  by_group = { slabs = { weight = 1.2*kip/ft*16*ft, body = "rigid", cracks = p.crack > 0 and false or nil },
+               base = { material = concrete, body = "rigid", cracks = p.crack > 0 and false or nil } } }
 print(("%d bodies, %.1f kip"):format(#wall, (wall - "wall.base").mass*g/kip))
 
 m:results { file = p.out, frames = 0.05*s, histories = 0.02*s, energy = 0.05*s }
@@ -51,6 +59,8 @@ if p.stand > 0 then
   m:run { name = "standing", duration = p.stand }
   print(("stood %g s: top drifted by %.1e m, %d bonds broke"):format(p.stand, math.abs(top.ux - before), #times))
 end
+local cracked = m:keep { units = 0 }
+if p.crack > 0 then m:on("unit.cracked", function() cracked.units = cracked.units + 1 end) end
 local ns = trilith.motion "elcentro_1940_rest_ns.csv":scale { pga = p.pga }:scale { factor = p.sign }
 if p.onset > 0 then ns = ns:delay(p.onset) end
 local report = m:shake { body = "wall.base", x = ns, duration = p.duration, safety = 0.8 }
@@ -70,5 +80,7 @@ if times[1] then
   figures["half of all"] = { times[(#times + 1)//2] - report.begun - p.onset, unit = "s" }
 end
 print(("first bond broke after %s, half of all by %s"):format(at(1), at((#times + 1)//2)))
+if p.crack > 0 then print(("%d units cracked"):format(cracked.units)) end
+figures["units cracked"] = cracked.units
 figures.collapsed = m:body "wall.s3.slab".uy < -1*ft
 return figures

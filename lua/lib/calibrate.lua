@@ -126,7 +126,8 @@ local function likeness(a, b)
   for body, s in pairs(a) do
     local t = b[body]
     if t then
-      ab, aa, bb = ab + s.x*t.x + s.y*t.y, aa + s.x^2 + s.y^2, bb + t.x^2 + t.y^2
+      local sz, tz = s.z or 0, t.z or 0
+      ab, aa, bb = ab + s.x*t.x + s.y*t.y + sz*tz, aa + s.x^2 + s.y^2 + sz^2, bb + t.x^2 + t.y^2 + tz^2
     end
   end
   return aa > 0 and bb > 0 and ab^2/(aa*bb) or 0
@@ -227,10 +228,16 @@ end
 
 local calibrate_keys = { "frequency", "vary", "mode", "shape", "between", "tolerance", "settle" }
 
---- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps the result.
+core.read_varied, core.likeness = read_varied, likeness
+
+--- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps the result. With
+--- `frequencies`: lib/calibrate_fit.lua.
 function model_methods.calibrate(model, options)
-  if model.dim ~= 2 then
-    core.fail(("calibrate: is for models in the plane, but model '%s' has dim = %d"):format(model.name, model.dim))
+  if type(options) == "table" and options.frequencies ~= nil then
+    if options.frequency ~= nil then
+      core.fail "calibrate: 'frequency' and 'frequencies' are given, must be one of them"
+    end
+    return core.calibrate_several(model, options)
   end
   check_keys("calibrate", options, calibrate_keys)
   local wanted = { frequency = positive("calibrate", "frequency", options.frequency, " Hz"), mode = options.mode or 1,

@@ -207,7 +207,8 @@ rules.plain = { ["trilith.joint_stiffness"] = true, ["trilith.bilinear"] = true,
 
 --- Functions that do not convert; each of them is refused.
 rules.refused = {}
-for _, name in ipairs { "trilith.study", "model:story", "model:wait", "model:break_on", "model:rewind",
+for _, name in ipairs { "trilith.study", "trilith.calibrate", "model:story", "model:wait", "model:break_on",
+  "model:rewind",
   "model:compare", "model:change", "model:lint", "model:calibrate", "model:modes", "model:heat", "model:heat_exchange",
   "model:heat_contact", "model:set_temperature", "model:temperature", "model:heat_state", "model:process",
   "model:seepage", "model:seepage_head", "model:seepage_state", "model:absorbing_boundary", "model:bolt", "model:creep",

@@ -61,14 +61,24 @@ joints      flag = true       write opening, slip and damage of each joint]] },
     .. "elements, bands, mass }, the sum and its parts. The fields step and unbanded_step [s] are the longest stable "
     .. "step with and without band damping. Prints as a table.",
     keys = "count  integer = 10  number of modes  <at least 1>", gives = "table[]" },
-  { "model:calibrate", "Fits stiffnesses of joints to a measured frequency, in the plane. The model keeps them. "
-    .. "Returns { value, values, frequency, mode, tries }, which prints as a table of the tries.", keys = [[
-frequency  number Hz        measured frequency  <above 0>
-vary       names            such as "mortar.kn"; several keep their ratio: { "mortar.kn", "mortar.ks" }
-mode       integer = 1      number of the mode with this frequency; or  <at least 1>
-shape      table?           a shape from m:modes: the most similar mode is used
-between    numbers?         least and greatest value of the first number; default 0.001 and 1000 times its present value
-tolerance  number = 0.0001  relative tolerance of the frequency  <above 0>
+  { "model:calibrate", "Fits stiffnesses of joints to measured frequencies. The model keeps them. With frequency: one "
+    .. "number, until the mode has this frequency; returns { value, values, frequency, mode, tries }. With "
+    .. "frequencies: "
+    .. "several numbers by least squares of the logarithms; returns { values, factors, frequencies, modes, likeness, "
+    .. "sensitivity, deviations, rms, rounds }. Both print as a table. sensitivity[i][j] is the relative change of "
+    .. "frequency i for a unit relative change of number j.",
+    also = "model updating, system identification, operational modal analysis, MAC, ambient vibration", keys = [[
+frequency  number Hz?       measured frequency; or frequencies  <above 0>
+frequencies  numbers?       measured frequencies, at least as many as numbers vary, in Hz
+vary       names            such as "mortar.kn"; several keep their ratio; with frequencies each entry is one unknown
+mode       integer = 1      with frequency: number of its mode; or  <at least 1>
+shape      table?           with frequency: a shape from m:modes; the most similar mode is used
+modes      table?           with frequencies: numbers of their modes; 1, 2, ... if left out; or
+shapes     table?           with frequencies: their shapes, { body = { x =, y = } }; the most similar modes are used
+between    numbers?         with frequency: least and greatest value; default 0.001 and 1000 times the present one
+range      number = 1000    with frequencies: greatest factor by which a number changes  <above 0>
+scatter    number = 0.01    with frequencies: relative scatter of the measured frequencies, for deviations  <above 0>
+tolerance  number = 0.0001  relative tolerance of the frequency, or of the numbers  <above 0>
 settle     flag = false     finds rest by statics after each change]], gives = "table" },
   { "model:stresses", "Mean stress by body name, in the plane: { xx, yy, xy, major, minor } [Pa].", gives = "table" },
   examples = {

@@ -35,6 +35,18 @@ unit_modulus   number Pa?    modulus of the units, above the wall's modulus; rig
 course_height  number m      height of a course with its joint  <above 0>
 stress         number Pa?    with rows: stress at which the stiffness is wanted  <above 0>
 shear_ratio    number = 0.4  ks over kn  <above 0>]], gives = "table" },
+  { "trilith.calibrate", "Fits any numbers of a script to measured frequencies, by least squares of the logarithms. It "
+    .. "builds one model for each trial, in the plane or in space, and closes it. Returns as m:calibrate with "
+    .. "frequencies.",
+    also = "model updating, system identification, Young's modulus, soil stiffness, measured frequencies", keys = [[
+build        function         f(values): builds a model, brings it to rest and returns it
+vary         table            start values by name, above 0, such as { E = 3e9, kn = 1e9 }
+frequencies  numbers          measured frequencies, at least as many as numbers vary, in Hz
+modes        table?           numbers of their modes; 1, 2, ... if left out; or
+shapes       table?           their shapes, { body = { x =, y = } }, in space z too; the most similar modes are used
+range        number = 1000    greatest factor by which a number changes  <above 0>
+scatter      number = 0.01    relative scatter of the measured frequencies, for deviations  <above 0>
+tolerance    number = 0.0001  relative tolerance of the numbers  <above 0>]], gives = "table" },
   { "trilith.params", "Parameters of the script, set by trilith run model.lua name=value.",
     args = "declared  table  name = { default, unit = , choices = , \"sentence\" }", gives = "table" },
   { "trilith.version", "Version of the program.", type = "string" },
@@ -172,6 +184,16 @@ print(trilith.version)]],
     ["trilith.rayleigh"] = [[
 local damping = trilith.rayleigh { ratios = { 0.05, 0.05 }, frequencies = { 1, 10 } }
 print(damping.mass_damping, damping.beta)]],
+    ["trilith.calibrate"] = [[
+local found = trilith.calibrate { frequencies = { 36 }, vary = { E = 2e11 }, build = function(v)
+  local mast = trilith.model { name = "mast", thickness = 1, gravity = 0 }
+  mast:material { name = "steel", density = 7850, E = v.E }
+  mast:frame { name = "mast", material = "steel", floating = true,
+    joints = { foot = { at = { 0, 0 }, support = "fixed" }, head = { 0, 3 } },
+    members = { { from = "foot", to = "head", section = trilith.rectangle_section { width = 0.1, depth = 0.2 } } } }
+  return mast
+end }
+print(found.values.E)]],
     ["trilith.joint_stiffness"] = [[
 local joint = trilith.joint_stiffness { wall_modulus = { { 1.5e5, 5.66e8 }, { 5e5, 7.56e8 } }, stress = 3e5,
   unit_modulus = 15.5e9, course_height = 0.1 }

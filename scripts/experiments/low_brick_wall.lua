@@ -6,7 +6,7 @@ local setting = ... or {}
 
 -- Assumptions, fixed before the first run.
 local height = 1.35
-local series = { courses = 21, unit_width = 0.25, unit_height = height/21, thickness = 0.25, beam_height = 0.2,
+local series = { courses = 21, unit_width = 0.125, unit_height = height/21, thickness = 0.25, beam_height = 0.2,
   length = 1.0, vertical = 150e3, density = 1886, mu = 0.58, cohesion = 0.23e6, tension = 0.6*0.23e6,
   energy_tension = 10, energy_shear = 50, compression = 6.2e6, crushing_depth = 0.010,
   crush_energy = mortar.crush_energy(6.2e6), unit_tension = 0.065*26.9e6,
@@ -26,8 +26,8 @@ return {
     "fallen by 20 %. Limits by hand: 102 kN for turning with crushed toes, 90.5 kN for friction alone, 144.5 kN for " ..
     "sliding with cohesion.",
   assumptions = {
-    { "wall", "1.00 m x 1.35 m x 0.25 m; units of 0.25 m x 0.064 m with their joint in running bond, 21 courses",
-      "Anthoine et al. 1995; the header bond as a plane wall" },
+    { "wall", "1.00 m x 1.35 m x 0.25 m; units of 0.125 m x 0.064 m with their joint in running bond, 21 courses",
+      "Anthoine et al. 1995; header bond: the face has the 0.12 m of headers. First runs had units of 0.25 m" },
     { "boundary", "double fixed: the top is kept level, N stays constant at 150 kN", "Anthoine et al. 1995" },
     { "density", "1886 kg/m3", "as in the series of piers" },
     { "kn, ks", "149 GPa/m, 0.4 of it", "E of the masonry 1000 times its strength (EN 1996-1-1, 3.7.2); E of the " ..
@@ -43,16 +43,21 @@ return {
     { "push", "0.5 mm/s", "slow enough that a slower push changes little; 4 mm/s gives a peak 8 % higher" },
   },
   moves = { -- at 4 mm/s (coarse)
-    { "peak", "rate of the push", "4 mm/s (as in the rows below)", "0.5 mm/s (as in the table above)", 1.36, 1.25 },
-    { "peak", "crushing", "softens with 9.9 N/mm", "constant strength", 1.36, 1.36 },
-    { "peak", "cohesion and tension of joints", "0.23 and 0.14 MPa", "half of them", 1.36, 1.22 },
-    { "drift at a loss of 20 %", "the same", "0.23 and 0.14 MPa", "half of them", 0.40, 0.60 },
-    { "peak", "tension of bricks over their strength", "0.065", "0.03", 1.36, 1.26 },
-    { "peak", "planes of cracks in bricks", "one at mid length", "three, at the quarters: cracks through units", 1.36,
-      1.34 },
-    { "peak", "planes of cracks in bricks", "one at mid length", "the two diagonals: none cracks, sliding", 1.36,
-      1.27 },
-    { "peak", "cracks of bricks", "possible", "not possible: sliding", 1.36, 1.27 },
+    { "peak", "length of units", "0.25 m, as stretchers: stepped rocking", "0.125 m, as headers: cracks through units",
+      1.36, 1.20 },
+    { "drift at a loss of 20 %", "the same", "0.25 m", "0.125 m", 0.40, 0.51 },
+    { "peak", "rate of the push", "4 mm/s (as in the rows below)", "0.5 mm/s (as in the table above)", 1.20, 1.15 },
+    { "peak", "protocol", "pushed in one direction", "one cycle each of 0.34, 0.68 and 1.35 mm before", 1.20, 1.15 },
+    { "peak", "kn, ks", "149 GPa/m, 0.4 of it", "a quarter of them", 1.20, 1.08 },
+    { "peak", "cohesion and tension of joints", "0.23 and 0.14 MPa", "half of them", 1.20, 1.19 },
+    { "drift at a loss of 20 %", "the same", "0.23 and 0.14 MPa", "half of them", 0.51, 0.83 },
+    { "peak", "fracture energies of joints", "50 and 10 J/m2", "500 and 100 J/m2", 1.20, 1.31 },
+    { "drift at a loss of 20 %", "the same", "50 and 10 J/m2", "500 and 100 J/m2", 0.51, 1.04 },
+    { "peak", "tension of bricks over their strength", "0.065", "0.03", 1.20, 1.31 },
+    { "peak, units of 0.25 m", "crushing", "softens with 9.9 N/mm", "constant strength", 1.36, 1.36 },
+    { "peak, units of 0.25 m", "planes of cracks in bricks", "one at mid length",
+      "three, at the quarters: cracks through units", 1.36, 1.34 },
+    { "peak, units of 0.25 m", "cracks of bricks", "possible", "not possible: sliding", 1.36, 1.27 },
   },
   cases = { {
     name = "brick_isp1", title = "wall ISP1", parameters = { { "N", 150, "kN" } },
@@ -61,8 +66,9 @@ return {
       { "mechanism", measured = "diagonal, through joints and bricks", one_of = { "diagonal through units" } },
       { "drift at a loss of 20 %", unit = "%", measured = ultimate, between = { 0.9*0.38, 1.1*0.44 } },
     },
-    known = "the wall turns about its toes before they crush and before the diagonal crack is complete, near the " ..
-      "limit of 102 kN by hand. No assumption of the table below brings the peak into the band",
+    known = "the diagonal opens through joints and bricks, as measured, but the peak is 0.5 kN above the band and " ..
+      "the force falls at half the measured drift. The stiffness of joints and a cyclic protocol move the peak, " ..
+      "their fracture energies the drift; see the table below",
     run = function()
       result = mortar.push(series, {}, setting.over)
       return { peak = result.peak/1e3, mechanism = result.mechanism,

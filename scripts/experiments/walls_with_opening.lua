@@ -36,6 +36,7 @@ return {
   },
   moves = { -- at 6 mm/s (coarse)
     { "peak", "rate of the push", "6 mm/s (as in the rows below)", "2 mm/s (as in the table above)", 1.27, 1.25 },
+    { "peak", "rate of the push", "2 mm/s", "0.5 mm/s", 1.25, 1.25 },
     { "peak", "crushing", "softens with 5 N/mm", "constant strength", 1.27, 1.41 },
     { "peak", "compressive strength, with its energy", "10.5 MPa", "5.25 MPa", 1.27, 0.80 },
     { "peak", "top", "locked", "level, N constant", 1.27, 0.49 },

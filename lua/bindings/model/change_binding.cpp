@@ -315,11 +315,8 @@ int contact_laws(lua_State* L) {
   return 1;
 }
 
-/// core.set_law_number(model, law, key, value): as m:change, without a note.
-int set_law_number(lua_State* L) {
-  PlaneModel& m = this_plane(L);
-  const std::string name = text_at(L, 2), key = text_at(L, 3);
-  const double value = lua_tonumber(L, 4);
+template <int D>
+void set_number_of_law(SimulatedModel<D>& m, const std::string& name, const std::string& key, double value) {
   const auto& names = m.simulation().model().law_names;
   const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   if (row == names.size()) throw InputError(fmt::format("there is no law '{}'", name));
@@ -330,8 +327,19 @@ int set_law_number(lua_State* L) {
           if (p.name == key) l.*(p.member) = value;
       },
       law);
-  m.change([row, law](Model<2>& model) { model.laws[row] = law; });
+  m.change([row, law](Model<D>& model) { model.laws[row] = law; });
   m.simulation().drop_step();
+}
+
+/// core.set_law_number(model, law, key, value): as m:change, without a note.
+int set_law_number(lua_State* L) {
+  ScriptModel& m = handle<ModelBox>(L, 1).get();
+  const std::string name = text_at(L, 2), key = text_at(L, 3);
+  const double value = lua_tonumber(L, 4);
+  if (PlaneModel* plane = as_plane(m))
+    set_number_of_law<2>(*plane, name, key, value);
+  else
+    set_number_of_law<3>(*as_space(m), name, key, value);
   return 0;
 }
 

@@ -153,6 +153,44 @@ local function fallen(m, share)
   end
 end
 
+-- Displacements [m] at which a cyclic protocol turns: `repeats` (1) cycles of each amplitude, then the last push.
+local function turning_points(s)
+  local points = {}
+  for _, amplitude in ipairs(s.cycles) do
+    for _ = 1, s.repeats or 1 do
+      points[#points + 1], points[#points + 2] = amplitude, -amplitude
+    end
+  end
+  points[#points + 1] = s.displacement
+  return points
+end
+
+-- Drives the beam along x through the turning points, at steady speed. The mean force of 0.02 s is recorded, and its
+-- envelope over the amplitude: the largest force of both directions.
+local function drive_cycles(m, beam, s)
+  local at_rest, curve, peak, at = beam.x, { displacement = {}, force = {} }, 0, 0
+  local mean, last, fell, before = 0, m.time, false, m.time
+  local function read()
+    local part = math.min(1, (m.time - last)/0.02)
+    last, mean = m.time, mean + part*(beam.reaction_x - mean)
+    if m.time - before > 0.01 then
+      before = m.time
+      curve.displacement[#curve.displacement + 1], curve.force[#curve.force + 1] = beam.x - at_rest, mean
+    end
+    if math.abs(mean) > peak then peak, at = math.abs(mean), beam.x - at_rest end
+    fell = #curve.force > 10 and beam.x - at_rest > s.cycles[#s.cycles] and mean < s.drop*peak
+    return fell
+  end
+  for i, to in ipairs(turning_points(s)) do
+    local way = to - (beam.x - at_rest)
+    local time = math.abs(way)/s.rate
+    m:drive { body = beam, x = trilith.motion { velocity = way/time, duration = time } }
+    m:run { name = ("leg %d"):format(i), duration = time, local_damping = 0.8, until_true = read }
+  end
+  return { curve = curve, peak_force = peak, displacement_at_peak = at, force = mean, displacement = beam.x - at_rest,
+    limit = fell and "until" or "displacement" }
+end
+
 --- Builds, pushes and reads. Adds to s: displacement, rate, samples, drop. Returns { curve (m, N), peak, at, last [N],
 --- quasi_static, found, mechanism, crushed, broken, cracked, modes, displacement [m] and limit of the end, vertical:
 --- lowest and highest reaction of a locked top [N], model }.
@@ -167,7 +205,7 @@ function W.push(s)
   else
     push.rate, push.local_damping, push.until_true = s.rate, 0.8, s.drop and fallen(m, s.drop)
   end
-  local p = m:pushover(push)
+  local p = s.cycles and drive_cycles(m, beam, s) or m:pushover(push)
   local found = W.motion_of_joints(m, p.displacement, s.courses*s.unit_height)
   local by = counts.by_mode
   return { curve = p.curve, peak = p.peak_force, at = p.displacement_at_peak, last = p.force,

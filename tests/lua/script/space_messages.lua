@@ -94,8 +94,8 @@ local cases = {
   { function() m:building { name = "h", walls = { { from = { 0, 0 }, to = { 2, 0 } } }, courses = 3,
       storey_height = 1, material = "stone" } end,
     "building 'h': storey 1: 3 courses are given, but its height of 1 m holds 5; keep one of the two" },
-  { function() m:calibrate { frequency = 10, vary = "frictional 1.kn" } end,
-    "calibrate: is for models in the plane, but model 'wrong' has dim = 3" },
+  { function() m:calibrate { frequency = 10, vary = "frictional 1.kx" } end,
+    "calibrate: there is no stiffness 'frictional 1.kx'; it may vary frictional 1.kn, frictional 1.ks" },
   -- input without effect
   { function() m:block { name = "b", size = { 1, 1, 1 }, material = "stone", body = "brick",
       hold = { { from = { 7, 7, 7 }, to = { 8, 8, 8 } } } } end,
