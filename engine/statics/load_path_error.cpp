@@ -56,7 +56,7 @@ double LoadPathWalk<D>::mean_error() {
 }
 
 /// True if the step is too long for its accuracy and can be shortened. `accurate_` becomes the permitted length. A step
-/// that cannot counts as inexact where it misses this share of the largest force times the displacement so far.
+/// that cannot adds to the missed work.
 template <int D>
 bool LoadPathWalk<D>::strays() {
   if (!is_judged()) return false;
@@ -69,7 +69,7 @@ bool LoadPathWalk<D>::strays() {
   strayed_ = error > most_path_error && length > least && !jumps && !lenient_;
   if (strayed_) return true;
   if (jumps) accurate_ = most_accurate * length;
-  if (error * length > most_path_error * std::abs(followed_place())) ++out_.inexact;
+  if (error > most_path_error) out_.missed += error * length;
   return false;
 }
 
