@@ -145,7 +145,7 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
   if (path.snaps > 0)
     note(fmt::format(
         "{} times a part snapped, as no equilibrium lay next to the last point; rest was found behind it, and "
-        "what slid on the way depends on the search",
+        "the slip on the way depends on the search",
         path.snaps));
   if (path.jumps > 0)
     note(
