@@ -8,8 +8,8 @@
 
 namespace trilith {
 
-/// Begins a note that says that a result of the run is not what its name promises: a peak that inertia carries, a load
-/// path that ended early. Such a note is displayed in quiet runs too, and the seal of the run repeats the first one.
+/// Begins a note that limits a result: inertia carries a part of the peak, a load path has ended early. Quiet runs
+/// display it too, and the seal of the run repeats the first one.
 inline constexpr std::string_view caution_mark = "caution: ";
 
 inline bool is_caution(std::string_view note) {

@@ -86,10 +86,10 @@ struct LoadPath {
   int cuts = 0;
   double left = 0;  ///< of the last try, see Equilibrium
   int worst = -1;
-  int jumps = 0;     ///< steps across a brittle break without an equilibrium between their ends
-  int inexact = 0;   ///< shortest steps whose force deviates from their chord by more than the error control permits
-  int searched = 0;  ///< points found by a search for rest at a given displacement
-  int snaps = 0;     ///< points across a snap, where no rest lies next to the point before
+  int jumps = 0;      ///< steps across a brittle break without an equilibrium between their ends
+  double missed = 0;  ///< work that the shortest steps miss, over the largest factor [m], see most_path_error
+  int searched = 0;   ///< points found by a search for rest at a given displacement
+  int snaps = 0;      ///< points across a snap, where no rest lies next to the point before
   std::vector<Event> events;
 };
 

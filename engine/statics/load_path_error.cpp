@@ -22,8 +22,8 @@ namespace {
 constexpr double share_of_permitted = 0.9, least_accurate = 0.25, most_accurate = 4;
 /// Steps are not shortened below this share of the first one. There the law itself jumps.
 constexpr double least_for_accuracy = 1.0 / 64;
-/// The work that a step may miss is at least that of a step with this share of the first one: what shorter steps miss
-/// is negligible on the path.
+/// The work that a step may miss is at least that of a step with this share of the first one. Shorter steps add little
+/// to the work of the path.
 constexpr double share_of_first = 1.0 / 8;
 /// A shorter step whose error is above this share of the longer one's crosses a jump of the path, which no step length
 /// resolves. The error of a path with kinks is proportional to the step, that of a smooth path to its square.
@@ -56,7 +56,7 @@ double LoadPathWalk<D>::mean_error() {
 }
 
 /// True if the step is too long for its accuracy and can be shortened. `accurate_` becomes the permitted length. A step
-/// that cannot counts as inexact where it misses this share of the largest force times the displacement so far.
+/// that cannot adds to the missed work.
 template <int D>
 bool LoadPathWalk<D>::strays() {
   if (!is_judged()) return false;
@@ -69,7 +69,7 @@ bool LoadPathWalk<D>::strays() {
   strayed_ = error > most_path_error && length > least && !jumps && !lenient_;
   if (strayed_) return true;
   if (jumps) accurate_ = most_accurate * length;
-  if (error * length > most_path_error * std::abs(followed_place())) ++out_.inexact;
+  if (error > most_path_error) out_.missed += error * length;
   return false;
 }
 

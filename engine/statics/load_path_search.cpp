@@ -36,6 +36,9 @@ constexpr int most_search_cuts = 3;
 constexpr double search_cut = 0.25, accuracy_cut_of_search = 0.5;
 /// After this number of failed searches in a row the wait for the next one grows no more.
 constexpr int most_waits = 5;
+/// Growth of the displacement from one snap to the next one, and tries of such a one, each with a cut.
+constexpr double growth_of_snap = 2;
+constexpr int most_slides = 3;
 
 }  // namespace
 
@@ -112,10 +115,33 @@ bool LoadPathWalk<D>::search_rest(double push, bool snaps) {
     h *= out_.iterations - taken <= easy_pseudo_iterations ? easy_growth : usual_growth;
   }
   out_.left = trial_.share(), out_.worst = trial_.worst();
-  if (found && (snaps || !strays())) return end_search(begin.state, snaps);
+  const bool good = found && (snaps ? !even_only_ || is_even() : !strays());
+  if (good) return end_search(begin.state, snaps);
   set_factor(before);
   trial_.return_to(std::move(begin));
   return false;
+}
+
+/// True if the factor has changed by less than a step may miss: parts slide on at the same load.
+template <int D>
+bool LoadPathWalk<D>::is_even() const {
+  return std::abs(factor_ - last_factor_) <= most_path_error * std::abs(last_factor_);
+}
+
+/// After a snap parts may slide on at the same load, where no search within one step converges. Then snaps of
+/// increasing length follow each other, as long as the factor remains.
+template <int D>
+bool LoadPathWalk<D>::slide_on() {
+  bool found = false;
+  even_only_ = true;
+  for (int i = 0; i < most_slides && snap_ != 0 && !found && !stopped(); ++i) {
+    found = search_rest(snap_, true);
+    if (!found) snap_ *= search_cut;
+    if (found && i == 0) snap_ = std::copysign(std::min(growth_of_snap * std::abs(snap_), longest_), snap_);
+  }
+  even_only_ = false;
+  if (!found) snap_ = 0;
+  return found;
 }
 
 /// Makes the rest that a search has found the next point.
@@ -140,15 +166,18 @@ bool LoadPathWalk<D>::search(double size) {
   double push = size;
   if (last_way_.size() > 0)
     push = std::copysign(std::abs(size) / length_of(last_way_) * followed_.dot(last_way_), options_.first);
-  bool found = false;
+  bool found = slide_on();
   for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i) {
     strayed_ = false, lenient_ = i == most_search_cuts;
     found = search_rest(push, false);
     if (!found && i < most_search_cuts) push *= strayed_ ? accuracy_cut_of_search : search_cut;
   }
   lenient_ = false;
-  for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i, push /= search_cut)
+  for (int i = 0; i <= most_search_cuts && push != 0 && !found && !stopped(); ++i) {
     found = search_rest(push, true);
+    if (found) snap_ = growth_of_snap * push;
+    push /= search_cut;
+  }
   if (found) {
     taken_ = out_.iterations - before;
     return true;

@@ -49,6 +49,8 @@ class LoadPathWalk {
   bool search(double size);
   [[nodiscard]] bool is_search_due(int failed, double size) const;
   bool search_rest(double push, bool snaps);
+  [[nodiscard]] bool is_even() const;
+  bool slide_on();
   bool end_search(const State<D>& begin, bool snaps);
   bool pseudo_step(double h, double push);
   [[nodiscard]] bool goes_far(const Eigen::VectorXd& way, double share, double rotation) const;
@@ -102,6 +104,8 @@ class LoadPathWalk {
   bool strayed_ = false;                    // the present step is refused by strays()
   double accurate_ = std::numeric_limits<double>::infinity();    // longest next step by strays() [m]
   double last_error_ = std::numeric_limits<double>::infinity();  // of the longer try for the same point
+  double snap_ = 0;                                              // displacement of the next snap [m]; 0: none
+  bool even_only_ = false;                                       // a search is refused where the factor changes
   double budget_ = 0;                                            // points taken; shortened ones by their share
   bool refused_ = false;                                         // the present arc, for its fracture
   int next_search_ = 0, failed_searches_ = 0;         // number of points before the next search; failed ones in a row

@@ -1,4 +1,4 @@
--- A load path between two stages: motions and load curves in progress wait for its second, as in a run that is not killed.
+-- A load path between two stages: motions and load curves in progress wait for its second.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/load_path.h5", "results" }, blocks = { 6, "blocks of the stack" },
                            duration = { 12, unit = "s", "of each stage in time" } }
@@ -12,7 +12,8 @@ end
 m:results { file = p.out, frames = 0.05, histories = 0.01, energy = 0.05 }
 m:consolidate { integrator = "static" }
 local top = m:body("b" .. p.blocks)
-m:point_load { name = "wind", body = top, force = { 20, 0 }, load_curve = { { 0, 0 }, { 2, 1 }, { 2*p.duration + 1, -1 } } }
+m:point_load { name = "wind", body = top, force = { 20, 0 },
+               load_curve = { { 0, 0 }, { 2, 1 }, { 2*p.duration + 1, -1 } } }
 local wave = {}
 for i = 1, 400 do wave[i] = 0.1 * trilith.math.sin(0.25 * i) end
 wave[401] = 0

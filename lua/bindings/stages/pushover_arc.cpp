@@ -138,15 +138,14 @@ void note_end(SimulatedModel<D>& m, const PushOrder<D>& o, const LoadPath& path,
         fmt::format("{} of {} points were found by a search for rest at a given displacement, because contacts that "
                     "open, close or slide let no arc converge there",
                     path.searched, path.points.size()));
-  if (path.inexact > 0)
-    caution(fmt::format(
-        "{} of {} steps miss more than {:g} % of the work of the push, because the path jumps there. Compare "
-        "with a shorter 'arc'",
-        path.inexact, path.points.size() - 1, 100 * most_path_error));
+  if (const double whole = std::abs(path.points.back().displacement); path.missed > most_path_error * whole)
+    caution(
+        fmt::format("the steps miss {:.1f} % of the work of the push, as the path jumps; compare with a shorter 'arc'",
+                    100 * path.missed / whole));
   if (path.snaps > 0)
     note(fmt::format(
         "{} times a part snapped, as no equilibrium lay next to the last point; rest was found behind it, and "
-        "what slid on the way depends on the search",
+        "the slip on the way depends on the search",
         path.snaps));
   if (path.jumps > 0)
     note(

@@ -1,5 +1,5 @@
--- A joint with a crushing energy spends it once, above its residual strength: G + fr z, for a body from the start and for
--- one added to a running model, in the plane and in space, by all integrators.
+-- A joint with a crushing energy spends it once, above its residual strength: G + fr z. A body added to a running model
+-- does as one from the start, in the plane and in space, by all integrators.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
@@ -19,8 +19,9 @@ end
 local function crush(dim, how, later)
   local m = trilith.model { name = "crush", dim = dim, thickness = dim == 2 and 1 or nil, gravity = 0 }
   m:material { name = "stone", density = 2400 }
-  m:contact { between = { "*", "*" }, law = trilith.cohesive { kn = kn, ks = 5e8, mu = 0.6, cohesion = 1e6, tension = 1e5,
-    energy_tension = 100, energy_shear = 1e4, compression = strength, crush_energy = energy, crush_residual = residual,
+  m:contact { between = { "*", "*" }, law = trilith.cohesive { kn = kn, ks = 5e8, mu = 0.6, cohesion = 1e6,
+    tension = 1e5, energy_tension = 100, energy_shear = 1e4, compression = strength,
+    crush_energy = energy, crush_residual = residual,
     crushing_depth = 0.05 } }
   box(m, "floor", -2, -0.5, 4, 0.5, "fixed")
   box(m, "beside", -2, 0, 0.5, 0.5)

@@ -1,6 +1,5 @@
--- A support that a motion sets in motion with a speed at once tears a bond: the bond spends its energy, whatever the
--- integrator, step and direction, and the block keeps the speed that the energy leaves. Below the speed of the energy
--- the bond holds.
+-- A motion that begins with a speed tears a bond from its support. The bond spends its energy by all integrators, and
+-- the block keeps the speed that the energy leaves. Below that energy the bond holds.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 

@@ -1,5 +1,5 @@
--- Statics after bodies were added whose contacts did not exist before: each joint is pressed as by its weight, rigid and
--- deformable, in the plane and in space, and the bodies stay at rest when time goes on.
+-- Statics after bodies were added whose contacts did not exist before. Each joint carries the weight above it, rigid
+-- and deformable, in the plane and in space. The bodies stay at rest when time goes on.
 local trilith = require "trilith"
 local near = dofile "near_expected.lua"
 
