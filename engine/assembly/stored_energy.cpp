@@ -7,6 +7,7 @@
 #include "contact/joint/face_resultant.hpp"
 #include "contact/joint/joint.hpp"
 #include "contact/plane/overlap_energy.hpp"
+#include "contact/space/recorded_energy.hpp"
 
 namespace trilith {
 namespace {
@@ -71,8 +72,8 @@ double contact_energy(const Model<3>& model, const State<3>& state, const Work<3
       sum += joint_energy(*joint, law);
       continue;
     }
-    sum += solid_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b],
-                                work.contacts.memory[g.row], law, shared, cell);
+    sum += recorded_contact_energy(work.solids.placed[p.piece_a], work.solids.placed[p.piece_b],
+                                   work.contacts.memory[g.row], law, shared, cell);
   }
   return sum;
 }

@@ -216,13 +216,37 @@ def counted(program, case, words):
     return None, 0
 
 
+# The searches that keep fast and thin bodies from passing through each other: before a step, and after it.
+SWEEPS = ("trilith::tunnelling_limit(*", "trilith::report_deep_penetration(*")
+
+
+def counted_in(program, case, words, functions):
+    """Instructions of a whole run within these functions and all that they call, by callgrind; None without it."""
+    if not shutil.which("valgrind"):
+        return None
+    inside = [f"--toggle-collect={name}" for name in functions]
+    done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *inside,
+                           *order(program, case, words, 1)], capture_output=True, text=True, check=False)
+    found = re.search(r"Collected : (\d+)", done.stderr)
+    return int(found[1]) if found else None
+
+
+def print_sweep(program, case, few, many, longer):
+    """Share of the instructions between two runs that the searches against tunnelling take."""
+    brief, whole = (counted_in(program, case, words, SWEEPS) for words in (case.brief, longer))
+    if brief is not None and whole is not None:
+        print(f"    search against tunnelling: {100 * (whole - brief) / (many - few):.1f} % of them")
+
+
 def print_instructions(program, case):
-    """Instructions of a step: the difference to a run of twice the length, divided by the additional steps."""
+    """Instructions of a step: the difference to a run of twice the length, divided by the additional steps. Then the
+    share of the searches against tunnelling in them."""
     longer = re.sub(r"(seconds|duration)=([\d.]+)", lambda m: f"{m[1]}={2 * float(m[2]):g}", case.brief)
     (few, steps), (many, more) = counted(program, case, case.brief), counted(program, case, longer)
     if few is None or many is None or more <= steps:
         return print("    instructions: neither perf nor valgrind counts them here")
-    return print(f"    {(many - few) / (more - steps) / 1e3:.1f} thousand instructions a step")
+    print(f"    {(many - few) / (more - steps) / 1e3:.1f} thousand instructions a step")
+    return print_sweep(program, case, few, many, longer)
 
 
 def compare(program, other, case, threads, args):

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "contact/plane/edge_energy.hpp"
+#include "contact/space/solid_energy.hpp"
 #include "geometry/space/random_convex_3d.hpp"
 #include "geometry/space/separation_3d.hpp"
 #include "near.hpp"
@@ -95,6 +97,37 @@ double check_pairs(const Pairs& of, double within, Solid&& solid) {
   return 1e3 * left / of.pairs;
 }
 
+/// The same pairs: the energy from the triangles against the energy from cells, relative.
+template <class Solid>
+double check_energies(const Pairs& of, double within, Solid&& solid) {
+  std::mt19937_64 bits(of.seed);
+  Frictional law;
+  law.kn = 2;  // kn / 2 is 1
+  int touching = 0, left = 0;
+  double worst = 0;
+  std::vector<FourTriangles> room;
+  SolidOverlapBuffer shared, cell;
+  while (touching < of.pairs) {
+    const ConvexSolid sa = solid(bits), sb = solid(bits);
+    const UnitQuaternion turn = random_rotation(bits);
+    const Vec3 at = of.far + 0.1 * random_in_ball(bits);
+    const PlacedSolid a = put(sa, random_rotation(bits), of.far), b = put(sb, turn, at);
+    const Separation3 apart = separation(a, b);
+    if (!(apart.distance < 0)) continue;
+    const PlacedSolid moved = put(sb, turn, at - (1 - of.deep) * apart.distance * apart.axis);
+    const double expected = solid_energy(a, moved, {law}, shared, cell);
+    if (!(expected > 0)) continue;
+    ++touching;
+    double found = 0;
+    if (edge_depths(a, moved, room, found))
+      worst = std::max(worst, std::abs(found / expected - 1));
+    else
+      ++left;
+  }
+  CHECK(worst < within);
+  return 1e3 * left / of.pairs;
+}
+
 }  // namespace
 
 TEST_CASE("contact of boxes from edges equals contact from cutting") {
@@ -114,4 +147,15 @@ TEST_CASE("... at deep overlap, where few have at most four nearest faces") {
 
 TEST_CASE("... and far from the origin, within the rounding of the corners") {
   CHECK(check_pairs({27, 2000, 1e-3, Vec3(1e3, -2e3, 5e2)}, 1e-6, a_box) < 5);
+}
+
+TEST_CASE("the energy of a contact is the same from its triangles and from the cells of its volume") {
+  CHECK(check_energies({31, 2000, 1e-4}, 1e-9, a_box) < 20);
+  CHECK(check_energies({32, 2000, 1e-2}, 1e-10, a_box) < 100);
+  CHECK(check_energies({33, 2000, 1e-2}, 1e-10, of_few_faces) < 300);
+}
+
+TEST_CASE("... at deep overlap too, or there is none from the triangles") {
+  CHECK(check_energies({34, 1000, 0.1}, 1e-10, a_box) < 900);
+  CHECK(check_energies({35, 1000, 0.5}, 1e-10, of_few_faces) <= 1000);
 }

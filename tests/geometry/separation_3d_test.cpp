@@ -8,6 +8,7 @@
 
 #include "geometry/space/overlap_3d.hpp"
 #include "geometry/space/random_convex_3d.hpp"
+#include "geometry/space/separation_parts.hpp"
 #include "near.hpp"
 
 using namespace trilith;
@@ -174,4 +175,54 @@ TEST_CASE("the search stops at the first axis with a sufficient distance") {
   CHECK(separation(a, b).distance == 3);
   CHECK(separation(a, b, 0).distance > 0);
   CHECK(separation(a, b, 2.5).distance == 3);
+}
+
+TEST_CASE("the two stages of the separating axis test give its bits, and faces alone a lower bound") {
+  std::mt19937_64 bits(83);
+  const auto turned = [&] {
+    return rotation_by(Vec3(random_between(bits, -3, 3), random_between(bits, -3, 3), random_between(bits, -3, 3)));
+  };
+  int by_edges = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    // Boxes have few enough features for tables, the other solids often not.
+    const ConvexSolid one = trial % 2 == 0 ? brick_of(1, 0.7, 0.4) : any_solid(bits), other = any_solid(bits);
+    const PlacedSolid a = solid_at(one, turned(), Vec3(0, 0, 0)),
+                      b = solid_at(other, turned(), Vec3(random_between(bits, -2, 2), random_between(bits, -2, 2), 1));
+    const Separation3 whole = separation(a, b), faces = face_separation(a, b), both = separation_beyond(a, b, faces);
+    CAPTURE(trial);
+    CHECK(both.distance == whole.distance);
+    CHECK(both.axis == whole.axis);
+    CHECK(both.a == whole.a);
+    CHECK(both.b == whole.b);
+    CHECK(faces.distance <= whole.distance);
+    if (whole.feature == SeparatingFeature::edges) ++by_edges;
+  }
+  CHECK(by_edges > 40);
+}
+
+TEST_CASE("distances in lanes have the bits of products one by one") {
+  std::mt19937_64 bits(84);
+  int faces = 0, edges = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const ConvexSolid of_a = brick_of(1, 0.7, 0.4), of_b = trial % 2 == 0 ? of_a : any_solid(bits);
+    const PlacedSolid a = solid_at(of_a, random_rotation(bits), Vec3(0.1, 0.2, 0.3)),
+                      b = solid_at(of_b, random_rotation(bits), Vec3(1.5 * random_in_ball(bits)));
+    const Separation3 s = separation(a, b);
+    if (s.feature == SeparatingFeature::face_of_a) {
+      double lowest = 1e9;
+      for (const Vec3& x : b.corners) lowest = std::min(lowest, s.axis.dot(x));
+      const Vec3& on_face = a.corners[static_cast<std::size_t>(of_a.shape.faces[s.a][0])];
+      CHECK(s.distance == lowest - s.axis.dot(on_face));
+      CHECK(s.axis.dot(b.corners[static_cast<std::size_t>(s.b)]) == lowest);
+      ++faces;
+    }
+    if (s.feature == SeparatingFeature::edges) {
+      const Vec3& from_a = a.corners[static_cast<std::size_t>(of_a.edges[static_cast<std::size_t>(s.a)].from)];
+      const Vec3& from_b = b.corners[static_cast<std::size_t>(of_b.edges[static_cast<std::size_t>(s.b)].from)];
+      CHECK(s.distance == s.axis.dot(from_b - from_a));
+      ++edges;
+    }
+  }
+  CHECK(faces > 50);
+  CHECK(edges > 50);
 }

@@ -131,7 +131,8 @@ void divide_joint(JointPlan& plan) {
 }
 
 void leave_out_patches(JointPlan& plan) {
-  plan.corner = {}, plan.patch = {};
+  // An empty list in braces would empty the vectors, but not release their memory.
+  plan.corner = std::vector<Vec2>(), plan.patch = std::vector<JointPatch>();
 }
 
 void divide(JointMemory& joint) {

@@ -2,26 +2,62 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <span>
 
 #include "contact/plane/placed_edges.hpp"
 
 namespace trilith {
 namespace {
 
-using Outline = std::vector<Vec2>;
+/// A convex polygon. Each cut adds at most one corner: the intersection of two pieces, cut into the cells of their
+/// faces, has fewer than three times the corners of a piece.
+class Outline {
+ public:
+  static constexpr std::size_t most = 3 * max_piece_corners + 1;
+
+  Outline() = default;
+  explicit Outline(std::span<const Vec2> corners) : count_(corners.size()) {
+    std::copy(corners.begin(), corners.end(), corner_.begin());
+  }
+  Outline(const Outline& other) : count_(other.count_) { std::copy_n(other.corner_.begin(), count_, corner_.begin()); }
+  Outline& operator=(const Outline& other) {
+    count_ = other.count_;
+    std::copy_n(other.corner_.begin(), count_, corner_.begin());
+    return *this;
+  }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] const Vec2& operator[](std::size_t i) const { return corner_[i]; }
+  void clear() { count_ = 0; }
+  /// Rounding may cut a polygon of very short edges more than twice: corners beyond the capacity are dropped.
+  void push_back(const Vec2& p) {
+    if (count_ < most) corner_[count_++] = p;
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::array<Vec2, most> corner_;
+};
 
 /// Keeps the part of `outline` where `inside_depth` (linear in x) is not negative.
 template <class Depth>
-Outline clip(const Outline& outline, Depth&& inside_depth) {
-  Outline kept;
+void clip(Outline& outline, Depth&& inside_depth) {
+  std::array<double, Outline::most> depth;
+  double least = 0, most = -1;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &p = outline[i], &q = outline[(i + 1) % outline.size()];
-    const double dp = inside_depth(p), dq = inside_depth(q);
-    if (dp >= 0) kept.push_back(p);
-    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) kept.push_back(p + (dp / (dp - dq)) * (q - p));
+    depth[i] = inside_depth(outline[i]);
+    least = std::min(least, depth[i]), most = std::max(most, depth[i]);
   }
-  return kept;
+  if (least >= 0) return;
+  if (most < 0) return outline.clear();
+  const Outline before = outline;
+  outline.clear();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const std::size_t next = i + 1 == before.size() ? 0 : i + 1;
+    const Vec2 &p = before[i], &q = before[next];
+    const double dp = depth[i], dq = depth[next];
+    if (dp >= 0) outline.push_back(p);
+    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) outline.push_back(p + (dp / (dp - dq)) * (q - p));
+  }
 }
 
 /// Region where points lie deeper in a piece than the crushed depth of its mortar: its area, and the integral of the
@@ -47,8 +83,8 @@ Pressed pressed_in(const K& law, const Outline& outline, const PlacedPiece& piec
     if (!edges.surface[f]) continue;
     Outline cell = outline;
     for (int g = 0; g < edges.count && cell.size() > 2; ++g)
-      if (g != f && edges.surface[g]) cell = clip(cell, [&](const Vec2& x) { return depth(g, x) - depth(f, x); });
-    if (crushed > 0) cell = clip(cell, [&](const Vec2& x) { return depth(f, x); });
+      if (g != f && edges.surface[g]) clip(cell, [&](const Vec2& x) { return depth(g, x) - depth(f, x); });
+    if (crushed > 0) clip(cell, [&](const Vec2& x) { return depth(f, x); });
     for (std::size_t i = 2; i < cell.size(); ++i) {
       const double area = 0.5 * cross(Vec2(cell[i - 1] - cell[0]), Vec2(cell[i] - cell[0]));
       sum += {area, law.over(area, depth(f, cell[0]), depth(f, cell[i - 1]), depth(f, cell[i]))};
@@ -66,9 +102,9 @@ template <class K>
 Pressed pressed_between(const K& law, const PlacedPiece& a, const PlacedPiece& b, double crushed) {
   const PlacedEdges edges_a(a), edges_b(b);
   // The intersection: b, clipped by the line of each edge of a, including inner cuts.
-  Outline common(b.corner.begin(), b.corner.end());
+  Outline common(b.corner);
   for (int f = 0; f < edges_a.count && common.size() > 2; ++f)
-    common = clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
+    clip(common, [&](const Vec2& x) { return edges_a.normal[f].dot(a.corner[f] - x); });
   if (common.size() < 3) return {};
   Pressed sum = pressed_in(law, common, a, edges_a, crushed);
   return sum += pressed_in(law, common, b, edges_b, crushed);

@@ -65,7 +65,7 @@ struct PressedPart {
   std::array<DampedCorner, 4> corner;
   std::size_t count = 0;
 
-  PressedPart(const FourTriangles& in, const CountedFour& of, double beta, int lane) {
+  TRILITH_INLINE PressedPart(const FourTriangles& in, const CountedFour& of, double beta, int lane) {
     std::array<DampedCorner, 3> all;
     for (std::size_t k = 0; k < 3; ++k) {
       const double depth = in.depth[k][lane], closing = of.closing[k][lane];
@@ -88,39 +88,68 @@ class PressedParts {
  public:
   PressedParts(double beta, TriangleSums& sums) : beta_(beta), sums_(sums) {}
 
-  [[gnu::noinline]] void add(const FourTriangles& in, const CountedFour& of, int lane) {
+  TRILITH_INLINE void add(const FourTriangles& in, const CountedFour& of, int lane) {
     const PressedPart part(in, of, beta_, lane);
     for (std::size_t i = 2; i < part.count; ++i) {
       for (const std::size_t k : {0U, 1U, 2U}) {
         const DampedCorner& c = part.corner[k == 0 ? 0 : i + k - 2];
         set(four_.arm[k], c.arm);
-        four_.depth[k][count_] = c.depth, counted_.closing[k][count_] = c.closing;
+        four_.depth[k][count_] = c.depth, closing_[k][count_] = c.closing;
       }
       set(four_.normal, lane_of(in.normal, lane));
-      four_.sign[count_] = in.sign[lane], counted_.along[count_] = of.along[lane];
+      along_[count_] = of.along[lane];
       if (++count_ == lane_count) flush();
     }
   }
-  void flush() {
+  /// Adds the damped pressure of the parts; unused lanes have no weight.
+  TRILITH_INLINE void flush() {
     if (count_ == 0) return;
-    const LaneMask counts = LaneMask{0, 1, 2, 3} < count_;
-    counted_.springs = Lanes{}, counted_.damped = select(counts, Lanes{} + 1.0, Lanes{});
-    sum_four(four_, counted_, beta_, sums_);
+    const Lanes counts = select(LaneMask{0, 1, 2, 3} < count_, Lanes{} + 1.0, Lanes{});
+    const Triple<Lanes> u = four_.arm[0] + four_.arm[1] + four_.arm[2];
+    const Lanes area = area_of(four_), speed = closing_[0] + closing_[1] + closing_[2];
+    std::array<Lanes, 3> damped;
+    for (std::size_t i = 0; i < 3; ++i) damped[i] = four_.depth[i] + beta_ * closing_[i];
+    const LinearPressure total(damped, four_, closing_, u, speed, area * counts * (1.0 / 12));
+    sums_.add_damped(along_, total);
+    total.add_second(four_, u, area * counts * (1.0 / 60), sums_.arm_second);
     count_ = 0;
   }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
 
  private:
-  void set(Triple<Lanes>& to, const Vec3& v) { to.x[count_] = v.x(), to.y[count_] = v.y(), to.z[count_] = v.z(); }
+  TRILITH_INLINE void set(Triple<Lanes>& to, const Vec3& v) {
+    to.x[count_] = v.x(), to.y[count_] = v.y(), to.z[count_] = v.z();
+  }
 
   double beta_;
   TriangleSums& sums_;
   int count_ = 0;
   FourTriangles four_{};
-  CountedFour counted_{};
+  std::array<Lanes, 3> closing_{};
+  Lanes along_{};
 };
+
+/// The calls of PressedParts for one width of registers. They stay outside of the loop over all triangles, because few
+/// triangles are partly pressed and the loop then keeps its sums in registers.
+struct NarrowParts {
+  [[gnu::noinline]] static void add(PressedParts& parts, const FourTriangles& in, const CountedFour& of, int lane) {
+    parts.add(in, of, lane);
+  }
+  [[gnu::noinline]] static void flush(PressedParts& parts) { parts.flush(); }
+};
+#ifdef __x86_64__
+struct WideParts {
+  [[gnu::noinline, gnu::target("avx2")]] static void add(PressedParts& parts, const FourTriangles& in,
+                                                         const CountedFour& of, int lane) {
+    parts.add(in, of, lane);
+  }
+  [[gnu::noinline, gnu::target("avx2")]] static void flush(PressedParts& parts) { parts.flush(); }
+};
+#endif
 
 /// Springs and area of all triangles, and damping of triangles whose pressure is positive at all corners. If it is
 /// positive at some corners only, the pressed part is added separately.
+template <class Parts>
 TRILITH_INLINE TriangleSums sum_all(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
   TriangleSums sums;
   PressedParts parts(beta, sums);
@@ -136,21 +165,21 @@ TRILITH_INLINE TriangleSums sum_all(std::span<const FourTriangles> triangles, do
     sum_four(in, of, beta, sums);
     if (const LaneMask mixed = some & ~all; any(mixed))
       for (int i = 0; i < lane_count; ++i)
-        if (mixed[i] != 0) parts.add(in, of, i);
+        if (mixed[i] != 0) Parts::add(parts, in, of, i);
   }
-  parts.flush();
+  if (!parts.empty()) Parts::flush(parts);
   return sums;
 }
 
 // One copy for wide registers and one for any machine: the same operations, so the same bits.
 
 TriangleSums sum_narrow(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
-  return sum_all(triangles, beta, motion);
+  return sum_all<NarrowParts>(triangles, beta, motion);
 }
 #ifdef __x86_64__
 [[gnu::target("avx2")]] TriangleSums sum_wide(std::span<const FourTriangles> triangles, double beta,
                                               const DampedMotion& motion) {
-  return sum_all(triangles, beta, motion);
+  return sum_all<WideParts>(triangles, beta, motion);
 }
 #endif
 

@@ -2,7 +2,9 @@
 
 #include "contact/joint/area_limit.hpp"
 #include "contact/joint/chord.hpp"
+#include "contact/plane/edge_energy.hpp"
 #include "contact/plane/edge_pressure.hpp"
+#include "contact/space/recorded_energy.hpp"
 #include "contact/space/sampled_faces.hpp"
 #include "contact/space/solid_energy.hpp"
 #include "contact/space/solid_faces.hpp"
@@ -195,6 +197,19 @@ double solid_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const So
                           : flat           ? sampled_face_energy(use, faces, shared.triangles)
                                  : solid_energy(a, b, use, shared, scratch, std::max(memory.crushed, use.held));
   return pressure + sliding_energy(plain_friction(use).ks, memory.shear);
+}
+
+double recorded_contact_energy(const PlacedSolid& a, const PlacedSolid& b, const SolidMemory& memory,
+                               const LawInUse& use, SolidOverlapBuffer& shared, SolidOverlapBuffer& scratch) {
+  const bool sphere = a.solid->is_sphere() || b.solid->is_sphere();
+  const bool whole = !sphere && is_linear(use.law) && !(use.held > 0) && !(memory.crushed > 0);
+  FaceOverlap3 faces;
+  double depths = 0;
+  if (whole && have_few_faces(a, b) && !flat_faces(a, b, faces) && edge_depths(a, b, shared.triangles, depths)) {
+    const PlainFriction law = plain_friction(use);
+    return 0.5 * law.kn * depths + sliding_energy(law.ks, memory.shear);
+  }
+  return solid_contact_energy(a, b, memory, use, shared, scratch);
 }
 
 }  // namespace trilith

@@ -76,20 +76,50 @@ void for_planes(const PlacedSolid& owner, F&& f) {
   for (std::size_t i = 0; i < owner.beside.size(); ++i) f(owner.beside[i], faces.count() + static_cast<int>(i));
 }
 
+/// Copies the solid alone, without the scratch of the buffer.
+void copy_solid(const SolidOverlapBuffer& from, SolidOverlapBuffer& to) {
+  to.points = from.points, to.edges = from.edges, to.faces = from.faces;
+}
+
+/// The half-space in which the depth below `own` is at most the depth below `other`.
+HalfSpace nearer_to(const BoundingPlane& own, const BoundingPlane& other) {
+  const Vec3 &n = own.normal, &m = other.normal;
+  return {m - n, m.dot(other.point) - n.dot(own.point), 0};
+}
+
+/// True where no point of the solid in `shared` is in the half-space, as cut() finds it.
+bool is_beyond(const SolidOverlapBuffer& shared, const HalfSpace& half) {
+  double lowest = 0, highest = 0;
+  for (const Vec3& p : shared.points) {
+    const double height = half.normal.dot(p) - half.offset;
+    lowest = std::min(lowest, height), highest = std::max(highest, height);
+  }
+  return highest > 0 && lowest >= 0;
+}
+
+/// Cuts the cell in which `own`, plane `f` of the owner, is nearest out of the solid in `shared`. False where it is
+/// empty, which is most often found before anything is copied: few planes are near a small shared solid.
+bool cut_cell(const PlacedSolid& owner, const BoundingPlane& own, int f, const SolidOverlapBuffer& shared,
+              SolidOverlapBuffer& cell) {
+  bool some = !shared.faces.empty();
+  for_planes(owner, [&](const BoundingPlane& other, int g) {
+    some = some && (g == f || !is_beyond(shared, nearer_to(own, other)));
+  });
+  if (!some) return false;
+  copy_solid(shared, cell);
+  for_planes(owner, [&](const BoundingPlane& other, int g) {
+    if (g != f && some) some = cut(nearer_to(own, other), cell) && !cell.edges.empty();
+  });
+  return some;
+}
+
 /// Over the part of the solid in `shared` that is deeper in `owner` than its mortar is crushed, cell by cell.
 template <class K>
 PressedVolume pressed_in(const PlacedSolid& owner, const K& law, const SolidOverlapBuffer& shared,
                          SolidOverlapBuffer& cell, double crushed) {
   PressedVolume sum;
   for_planes(owner, [&](const BoundingPlane& own, int f) {
-    cell = shared;
-    bool some = !cell.faces.empty();
-    for_planes(owner, [&](const BoundingPlane& other, int g) {
-      if (g == f || !some) return;
-      // depth below f at most the depth below g
-      const Vec3 &n = own.normal, &m = other.normal;
-      some = cut({m - n, m.dot(other.point) - n.dot(own.point), 0}, cell) && !cell.edges.empty();
-    });
+    bool some = cut_cell(owner, own, f, shared, cell);
     if (some && crushed > 0)
       some = cut({own.normal, own.normal.dot(own.point) - crushed, 0}, cell) && !cell.edges.empty();
     if (some) sum += over_cell(own, law, cell, crushed);

@@ -97,6 +97,14 @@ struct alignas(32) TriangleSums {
     power += total.power - springs.power;
     pressure += total.force, arm = arm + total.first;
   }
+  /// The same for triangles whose springs count elsewhere.
+  TRILITH_INLINE void add_damped(const Lanes& along, const TrianglePressure& total) {
+    const Lanes facing = larger<Lanes>(along, Lanes{});
+    force += along * total.force;
+    damping += facing * total.force, turning = turning + total.first * facing;
+    power += total.power;
+    pressure += total.force, arm = arm + total.first;
+  }
   /// Triangles whose corners' arms sum to `u`, with their areas over 12.
   TRILITH_INLINE void add_area(const FourTriangles& in, const Triple<Lanes>& u, const Lanes& twelfth) {
     area += 12.0 * twelfth, area_arm = area_arm + u * (4.0 * twelfth);

@@ -6,7 +6,7 @@
 
 #include "broad_phase/moving_piece.hpp"
 #include "contact/space/solid_pressure.hpp"
-#include "geometry/space/separation_3d.hpp"
+#include "geometry/space/separation_parts.hpp"
 #include "integrate/explicit/node_gain.hpp"
 #include "law/contact/list.hpp"
 #include "model/contact/contact_frame.hpp"
@@ -77,8 +77,14 @@ template <int D>
 Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double depth, double behind) {
   Front<D> front;
   front.low.fill(unbounded), front.high.fill(-unbounded);
-  const auto reach = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
-  for (std::size_t i = 0; i < side.corners(); ++i) front.outermost = std::max(front.outermost, reach(i));
+  std::array<double, 64> stored;
+  const auto reach_at = [&](std::size_t i) { return along * axes[0].dot(side.at(i)) + side.radius; };
+  for (std::size_t i = 0; i < side.corners(); ++i) {
+    const double at = reach_at(i);
+    if (i < stored.size()) stored[i] = at;
+    front.outermost = std::max(front.outermost, at);
+  }
+  const auto reach = [&](std::size_t i) { return i < stored.size() ? stored[i] : reach_at(i); };
   // A sphere: radius of the cap of this depth, at most the radius of its equator.
   const double half = std::sqrt(2 * side.radius * std::min(depth, side.radius)), level = front.outermost - depth;
   const auto add = [&](const Vec<D>& x) {
@@ -94,6 +100,7 @@ Front<D> front_of(const Side<D>& side, const Axes<D>& axes, double along, double
     front.gain = std::max(front.gain, gain);
     add(side.at(i));
   }
+  if (!(depth < unbounded)) return front;  // all corners are in front
   // Points where edges cross the level.
   for (std::size_t e = 0; e < side.edges(); ++e) {
     const auto [i, j] = side.edge(e);
@@ -202,14 +209,13 @@ void look_along_edges(const MovingPiece& a, const MovingPiece& b, double turned,
   }
 }
 
-/// Unit vector from a to b: the line between the centres of two spheres, or the normal of the face farthest from a
-/// centre.
-Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
+/// Unit vector from a to b, of which one is a sphere: the line between two centres, or the normal of the face farthest
+/// from a centre.
+Vec3 sphere_normal(const PlacedSolid& a, const PlacedSolid& b) {
   if (a.solid->is_sphere() && b.solid->is_sphere()) {
     const Vec3 way = b.corners[0] - a.corners[0];
     return way.squaredNorm() > 0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ());
   }
-  if (!a.solid->is_sphere() && !b.solid->is_sphere()) return separation(a, b).axis;
   const PlacedSolid &sphere = a.solid->is_sphere() ? a : b, &other = a.solid->is_sphere() ? b : a;
   double most = -unbounded;
   Vec3 normal = Vec3::UnitZ();
@@ -218,6 +224,28 @@ Vec3 parting_normal(const PlacedSolid& a, const PlacedSolid& b) {
     if (height > most) most = height, normal = other.normals[static_cast<std::size_t>(f)];
   }
   return a.solid->is_sphere() ? Vec3(-normal) : normal;
+}
+
+/// Largest distance of a corner from the point that its motion refers to [m].
+double farthest_corner(const Side<3>& side) {
+  double most = 0;
+  for (const Vec3& x : side.placed.corners) most = std::max(most, (x - side.motion.place).squaredNorm());
+  return std::sqrt(most);
+}
+
+/// True if meet() finds the pieces apart along every direction in which they are apart by `gap` [m] or more: the bound
+/// of their motion toward each other is the same for all directions.
+bool stay_apart(const Side<3>& a, const Side<3>& b, double gap, double behind, double dt) {
+  const double rounding = 1e-9 * (a.placed.solid->size + b.placed.solid->size) +
+                          1e-13 * (a.motion.place.cwiseAbs().maxCoeff() + b.motion.place.cwiseAbs().maxCoeff());
+  if (!(gap > rounding)) return false;
+  const double arm_a = farthest_corner(a), arm_b = farthest_corner(b);
+  const Vec3 gain = a.gains.along - b.gains.along;
+  const double speed = Vec3(a.motion.velocity - b.motion.velocity + behind * gain).norm() +
+                       Vec3(a.motion.spin + behind * a.gains.about).norm() * arm_a +
+                       Vec3(b.motion.spin + behind * b.gains.about).norm() * arm_b;
+  const double more = gain.norm() + a.gains.about.norm() * arm_a + b.gains.about.norm() * arm_b;
+  return gap > rounding + (1 + 1e-9) * farthest(speed, more, dt);
 }
 
 }  // namespace
@@ -242,7 +270,22 @@ ApproachEstimate approach_estimate(const Model<3>& model, const State<3>& state,
     return Side<3>{placed, motion_of(model, state, model.carrier_of(piece)),
                    gain_of_piece(model, state, work, piece, dt), placed.solid->radius, piece_mass(model, piece)};
   };
-  return meet<3>(side(a, p), side(b, q), parting_normal(a, b), closing_stiffness(model, p, q), 0.5 * state.last_dt, dt);
+  const Side<3> of_a = side(a, p), of_b = side(b, q);
+  const double behind = 0.5 * state.last_dt;
+  Vec3 normal;
+  if (a.solid->is_sphere() || b.solid->is_sphere()) {
+    normal = sphere_normal(a, b);
+  } else {
+    // Most pairs on the list do not meet within the step, and their faces alone show it.
+    const Separation3 faces = face_separation(a, b);
+    if (stay_apart(of_a, of_b, faces.distance, behind, dt)) {
+      ApproachEstimate none;
+      none.gap = faces.distance, none.apart = true;
+      return none;
+    }
+    normal = separation_beyond(a, b, faces).axis;
+  }
+  return meet<3>(of_a, of_b, normal, closing_stiffness(model, p, q), behind, dt);
 }
 
 }  // namespace trilith

@@ -156,10 +156,13 @@ template <int D>
 template <class Visit>
 void Search<D>::for_each(Visit&& visit) {
   find_common();
+  const auto looks = [&](int p) { return 2 * beside_common(p) > least_; };
+  bool any = false;
+  for (int p = 0; p < model_.pieces() && !any; ++p) any = looks(p);
+  if (!any) return;  // all move alike, as in free fall
   HierarchicalHashGrid<D> boxes;
   boxes.reset(model_.pieces());
   for (int p = 0; p < model_.pieces(); ++p) boxes.put(p, swept_box(p));
-  const auto looks = [&](int p) { return 2 * beside_common(p) > least_; };
   for (int p = 0; p < model_.pieces(); ++p) {
     if (!looks(p)) continue;
     bool ends = false;

@@ -19,19 +19,21 @@ double reach_of(const Model<3>& model, int piece) {
   return std::sqrt(most);
 }
 
-/// Upper bound of the speed of any point of the body that a piece belongs to [m/s].
-double fastest_point(const Model<3>& model, const State<3>& state, int piece) {
-  const BodyMotion m = motion_of(model, state, model.carrier_of(piece));
-  return m.velocity.norm() + m.spin.norm() * reach_of(model, piece);
-}
+/// Bounds of the motion of all points of the body that a piece belongs to.
+struct PointSpeeds {
+  Vec3 velocity;       ///< of the reference point [m/s]
+  double turning = 0;  ///< largest speed relative to it [m/s]
 
-/// Upper bound of the closing speed of any points of two pieces [m/s].
-double closing_bound(const Model<3>& model, const State<3>& state, int a, int b) {
-  const BodyMotion of_a = motion_of(model, state, model.carrier_of(a)),
-                   of_b = motion_of(model, state, model.carrier_of(b));
-  return (of_a.velocity - of_b.velocity).norm() + of_a.spin.norm() * reach_of(model, a) +
-         of_b.spin.norm() * reach_of(model, b);
-}
+  PointSpeeds(const Model<3>& model, const State<3>& state, int piece) {
+    const BodyMotion m = motion_of(model, state, model.carrier_of(piece));
+    velocity = m.velocity, turning = m.spin.norm() * reach_of(model, piece);
+  }
+  [[nodiscard]] double fastest() const { return velocity.norm() + turning; }
+  /// Upper bound of the closing speed of any points of the two [m/s].
+  [[nodiscard]] double against(const PointSpeeds& other) const {
+    return (velocity - other.velocity).norm() + turning + other.turning;
+  }
+};
 
 /// Distance of two boxes along the axis that separates them best; 0 if they overlap [m].
 double gap_of(const FatBox<3>& a, const FatBox<3>& b) {
@@ -52,15 +54,17 @@ TunnellingLimit tunnelling_limit(const Model<3>& model, const State<3>& state, c
   for (int p = 0; p < model.pieces(); ++p) {
     const int body = model.piece_body[p];
     if (state.left[body] != 0 || !model.body_moves(body)) continue;
-    const double reach = (fastest_point(model, state, p) + work.fastest) * step.dt;
+    const PointSpeeds own(model, state, p);
+    const double reach = (own.fastest() + work.fastest) * step.dt;
     if (reach <= share * model.least_thickness || !work.search.boxes.holds(p)) continue;
     const FatBox<3> box = box_around(work.solids.placed[p]);
     work.search.boxes.for_meeting(widened(box, reach), [&](int q) {
       const int other = model.piece_body[q];
       if (other == body || state.left[other] != 0) return;
       if (model.law_of[model.bodies[body].surface * model.surfaces + model.bodies[other].surface] < 0) return;
-      const double speed = closing_bound(model, state, p, q),
+      const double speed = own.against(PointSpeeds(model, state, q)),
                    thickness = std::min(model.piece_thickness[p], model.piece_thickness[q]);
+      if (!(speed * step.dt > share * thickness)) return;  // whatever the gap
       const double path = gap_of(box, box_around(work.solids.placed[q])) + share * thickness;
       if (speed * step.dt > path) step = {path / speed, p, q, speed, thickness};
     });
