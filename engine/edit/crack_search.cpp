@@ -7,6 +7,7 @@
 
 #include "assembly/contact/solid_resultants.hpp"
 #include "base/rotation_3d.hpp"
+#include "edit/mesh_section.hpp"
 #include "geometry/space/face_overlap_3d.hpp"
 #include "law/contact/list.hpp"
 #include "readings/section_forces.hpp"
@@ -120,10 +121,16 @@ bool can_crack(const Model<D>& model, const State<D>& state, int body) {
   return true;
 }
 
+template <int D>
+bool is_mesh(const CrackingBody<D>& body) {
+  return body.sections.front().cut != nullptr;
+}
+
 /// Calls add(body, size) for the forces of contacts on cracking bodies [N].
 template <class Add>
 void contact_sizes(const Model<2>& model, const Work<2>& work, const Cracking<2>& cracking, Add&& add) {
   for (const CrackingBody<2>& c : cracking.bodies) {
+    if (is_mesh(c)) continue;
     const Body& body = model.bodies[static_cast<std::size_t>(c.body)];
     double sum = 0;
     for (int s = body.first_skin; s < body.first_skin + body.skins; ++s)
@@ -223,12 +230,16 @@ template <int D>
 CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking) {
   CrackSearch<D> found{{}, cracking.watch};
   found.watch.resize(cracking.bodies.size());
+  if (std::any_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) {
+    found.cracks = mesh_cracks(model, state, cracking);
+    if (std::all_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) return found;
+  }
   const std::vector<double> load = surface_loads(model, state, work, cracking);
   std::vector<int> bodies, rows;
   for (std::size_t i = 0; i < cracking.bodies.size(); ++i) {
     const CrackWatch& watch = found.watch[i];
     const bool due = state.implicit() || state.step >= watch.next || load[i] > watch.load;
-    if (!due || !can_crack(model, state, cracking.bodies[i].body)) continue;
+    if (is_mesh(cracking.bodies[i]) || !due || !can_crack(model, state, cracking.bodies[i].body)) continue;
     bodies.push_back(cracking.bodies[i].body), rows.push_back(static_cast<int>(i));
   }
   if (bodies.empty()) return found;
@@ -240,6 +251,8 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
     found.watch[row] = {state.step + steps_until_next(worst.use.share), load[row] * allowed_growth(worst.use.share)};
     if (worst.use.share > 1) found.cracks.push_back(crack_of(model, state, cracking.bodies[row], worst));
   }
+  std::sort(found.cracks.begin(), found.cracks.end(),
+            [](const Crack<D>& a, const Crack<D>& b) { return a.body < b.body; });
   return found;
 }
 

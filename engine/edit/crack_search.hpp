@@ -1,4 +1,4 @@
-// Search for rigid bodies that crack, at the border of a step.
+// Search for bodies that crack, at the border of a step.
 //
 // The forces in a section (readings/section_forces.hpp) give a linear normal stress over its length and a mean shear
 // stress. They are compared with the strengths of a contact law with a bond. The edges, in space the corners, have its
@@ -9,6 +9,8 @@
 // forces on its surface have grown by a quarter, or by more far from its strength. It is computed at the latest after a
 // number of steps that falls with the share of its strength used. The watch is saved with a run, so that a restarted
 // run computes the same bodies.
+//
+// A mesh is compared at every step: its section needs the elements next to it alone (edit/mesh_section.hpp).
 #pragma once
 
 #include <vector>
@@ -47,21 +49,37 @@ struct Crack<2> {
   double stress = 0;                         ///< [Pa]
   Vec2 place = Vec2::Zero();                 ///< where it begins [m]
   double normal = 0, shear = 0, moment = 0;  ///< its PlaneForces [N], [N], [N m]
+  /// [node of the cut] of a mesh: stress on the part behind at the thickness of the model's contacts, turned back to
+  /// the initial position of the body [Pa]
+  std::vector<Vec2> traction = {};
 };
 template <>
 struct Crack<3> {
   int body = -1, section = -1;
   JointMode mode{};
-  double stress = 0;          ///< [Pa]
-  Vec3 place = Vec3::Zero();  ///< [m]
-  SpaceForces forces;         ///< of its section
+  double stress = 0;                ///< [Pa]
+  Vec3 place = Vec3::Zero();        ///< [m]
+  SpaceForces forces;               ///< of its section
+  std::vector<Vec3> traction = {};  ///< as in the plane
 };
+
+/// The vectors of a list, as their coordinates in a row.
+template <class File, int D>
+void each_vector(File& file, std::vector<Eigen::Matrix<double, D, 1>>& vectors) {
+  std::vector<double> numbers;
+  for (const auto& v : vectors) numbers.insert(numbers.end(), v.data(), v.data() + D);
+  file.item(numbers);
+  vectors.resize(numbers.size() / D);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    for (int k = 0; k < D; ++k) vectors[i][k] = numbers[D * i + static_cast<std::size_t>(k)];
+}
 
 /// For restart files, see base/bytes.hpp.
 template <class File>
 void each_field(File& file, Crack<2>& c) {
   file.item(c.body), file.item(c.section), file.item(c.mode), file.item(c.stress);
   file.item(c.place.x()), file.item(c.place.y()), file.item(c.normal), file.item(c.shear), file.item(c.moment);
+  each_vector<File, 2>(file, c.traction);
 }
 template <class File>
 void each_field(File& file, Crack<3>& c) {
@@ -70,6 +88,7 @@ void each_field(File& file, Crack<3>& c) {
   SpaceForces& f = c.forces;
   file.item(f.normal), file.item(f.shear.x()), file.item(f.shear.y());
   file.item(f.bending.x()), file.item(f.bending.y()), file.item(f.torsion);
+  each_vector<File, 3>(file, c.traction);
 }
 
 template <int D>

@@ -8,9 +8,11 @@
 #include "assembly/evaluate.hpp"
 #include "base/quantity_text.hpp"
 #include "edit/deactivate.hpp"
+#include "edit/mesh_section.hpp"
 #include "edit/restart.hpp"
 #include "edit/split_contacts.hpp"
 #include "edit/split_contacts_space.hpp"
+#include "edit/split_mesh.hpp"
 #include "edit/split_parts.hpp"
 #include "law/contact/list.hpp"
 #include "statics/displacement_control.hpp"
@@ -91,7 +93,10 @@ Model<2> with_cracks(ModelBuilder& builder, const Model<2>& model, const std::ve
     const CrackingBody<2>& row = row_of(bodies, crack);
     const CrackSection<2>& section = row.sections[static_cast<std::size_t>(crack.section)];
     const ContactLaw& law = model.laws[static_cast<std::size_t>(row.law)];
-    builder.crack(model, crack.body, section, opening_of(law, crack, section.length(), model.thickness));
+    if (section.cut)
+      builder.crack_mesh(crack.body, section, cut_openings(model, crack.body, *section.cut, crack.traction, law));
+    else
+      builder.crack(model, crack.body, section, opening_of(law, crack, section.length(), model.thickness));
   }
   return builder.with_parts(model);
 }
@@ -110,6 +115,23 @@ std::vector<ContactRecord> records_of(const Model<2>& model, const State<2>& sta
 }
 std::vector<SolidRecord> records_of(const Model<3>& model, const State<3>& state, const Work<3>& work) {
   return solid_records(model, state, work);
+}
+
+/// Moves a mesh to its parts, with all its contacts.
+std::vector<ContactRecord> give_mesh(Model<2>& model, State<2>& state, const std::vector<ContactRecord>& records,
+                                     const SplitBody& parts, const CrackingBody<2>& row, const Crack<2>& crack) {
+  const MeshCut& cut = *row.sections[static_cast<std::size_t>(crack.section)].cut;
+  place_mesh_parts(model, state, parts, cut);
+  hand_over_mesh_links(model, parts, cut);
+  std::vector<ContactRecord> given = mesh_handed_over(model, records, parts, cut);
+  const std::vector<ContactRecord> own = mesh_crack_contacts(model, parts, row, crack);
+  given.insert(given.end(), own.begin(), own.end());
+  return given;
+}
+std::vector<SolidRecord> give_mesh(Model<3>& /*model*/, State<3>& /*state*/, const std::vector<SolidRecord>& records,
+                                   const SplitBody& /*parts*/, const CrackingBody<3>& /*row*/,
+                                   const Crack<3>& /*crack*/) {
+  return records;
 }
 
 std::vector<ContactRecord> divided(const Model<2>& model, const State<2>& state,
@@ -142,10 +164,14 @@ std::vector<Event> split(Model<D>& model, State<D>& state, Work<D>& work, const 
     const SplitBody parts{crack.body, next, next + 1};
     next += 2;
     const CrackSection<D>& section = row.sections[static_cast<std::size_t>(crack.section)];
-    place_parts(model, state, parts);
-    hand_over_links(model, parts, section);
-    records = divided(model, state, records, parts, section);
-    if (auto contact = crack_contact(model, state, parts, row, crack)) records.push_back(std::move(*contact));
+    if (section.cut) {
+      records = give_mesh(model, state, records, parts, row, crack);
+    } else {
+      place_parts(model, state, parts);
+      hand_over_links(model, parts, section);
+      records = divided(model, state, records, parts, section);
+      if (auto contact = crack_contact(model, state, parts, row, crack)) records.push_back(std::move(*contact));
+    }
     append_events(model, state, crack, parts, section, events);
   }
   put_contacts(state, std::move(records));

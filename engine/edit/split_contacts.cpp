@@ -174,10 +174,13 @@ NearPiece piece_near(const Model<2>& model, const SkinPlaces& places, int body, 
   return best;
 }
 
-/// Puts the pieces of a record in their order, lower index first.
+}  // namespace
+
 ContactRecord ordered(ContactRecord record) {
   return record.piece_a < record.piece_b ? record : turned(record);
 }
+
+namespace {
 
 /// Divides the contacts of one body among its parts.
 class Divider {

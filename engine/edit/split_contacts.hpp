@@ -40,6 +40,9 @@ std::optional<ContactRecord> crack_contact(const Model<2>& model, const State<2>
 std::vector<ContactRecord> handed_over(const Model<2>& model, const State<2>& state,
                                        const std::vector<ContactRecord>& records, const SplitBody& split);
 
+/// Puts the pieces of a record in their order, lower index first.
+ContactRecord ordered(ContactRecord record);
+
 /// Writes all records to the state, in the order of their pieces.
 void put_contacts(State<2>& state, std::vector<ContactRecord> records);
 

@@ -1,10 +1,13 @@
-// Planes inside rigid bodies on which they may crack: the input of a user, and the rows of a model.
+// Planes inside bodies on which they may crack: the input of a user, and the rows of a model.
 //
 // A plane divides a body into two parts: one behind it and one ahead of it along its normal. Until the body cracks it
-// is one rigid body, and its planes change nothing. See edit/crack_search.hpp and edit/split.hpp.
+// is one body, and its planes change nothing. A rigid body parts along the plane, a mesh along the faces of its
+// elements next to it. See edit/crack_search.hpp and edit/split.hpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,18 +42,30 @@ struct CrackSpec {
   [[nodiscard]] bool empty() const { return pattern == CrackPattern::planes && planes.empty(); }
 };
 
-/// A plane's section of a body, and the part behind it. Positions are relative to the body's node, in its axes.
+/// Where a mesh parts: the faces between the elements on both sides of a plane, edges in the plane. Nodes and elements
+/// count from the first of the body.
+struct MeshCut {
+  std::vector<std::uint8_t> behind;       ///< [element] 1: in the part behind, 0: in the part ahead
+  std::vector<std::array<int, 4>> faces;  ///< nodes of each face, in the order of its element behind; -1: no node. In
+                                          ///< the plane one face follows the other along the crack
+  std::vector<int> nodes;                 ///< on the faces; in the plane in the order of the crack
+  std::vector<int> elements;              ///< with a node on the faces, ascending
+};
+
+/// A plane's section of a body, and the part behind it. Positions are relative to the body's node, in its axes. Of a
+/// mesh they are initial positions in the world, and mass, inertia and centroid are not used.
 template <int D>
 struct CrackSection {};
 template <>
 struct CrackSection<2> {
-  int number = 0;                ///< of the plane in the whole body, from 1
-  Vec2 from = Vec2::Zero();      ///< end of the section [m]
-  Vec2 to = Vec2::Zero();        ///< its other end, to the left of the normal [m]
-  Vec2 normal = Vec2::UnitX();   ///< unit vector, from the part behind to the part ahead
-  double mass = 0;               ///< of the part behind [kg]
-  double inertia = 0;            ///< of the part behind about its centroid [kg m2]
-  Vec2 centroid = Vec2::Zero();  ///< of the part behind [m]
+  int number = 0;                           ///< of the plane in the whole body, from 1
+  Vec2 from = Vec2::Zero();                 ///< end of the section [m]
+  Vec2 to = Vec2::Zero();                   ///< its other end, to the left of the normal [m]
+  Vec2 normal = Vec2::UnitX();              ///< unit vector, from the part behind to the part ahead
+  double mass = 0;                          ///< of the part behind [kg]
+  double inertia = 0;                       ///< of the part behind about its centroid [kg m2]
+  Vec2 centroid = Vec2::Zero();             ///< of the part behind [m]
+  std::shared_ptr<const MeshCut> cut = {};  ///< of a mesh; none: the body is rigid
 
   [[nodiscard]] Vec2 middle() const { return 0.5 * (from + to); }
   [[nodiscard]] double length() const { return (to - from).norm(); }
@@ -70,13 +85,14 @@ struct CrackSection<3> {
   double mass = 0;                ///< of the part behind [kg]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< of the part behind about its centroid [kg m2]
   Vec3 centroid = Vec3::Zero();                       ///< of the part behind [m]
+  std::shared_ptr<const MeshCut> cut = {};            ///< of a mesh; none: the body is rigid
 
   [[nodiscard]] const Vec3& middle() const { return centre; }
   [[nodiscard]] Vec3 at(const Vec2& p) const { return centre + p.x() * x + p.y() * y; }
   [[nodiscard]] double polar() const { return xx + yy; }
 };
 
-/// A rigid body that may crack.
+/// A body that may crack.
 template <int D>
 struct CrackingBody {
   int body = -1;

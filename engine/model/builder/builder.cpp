@@ -295,6 +295,7 @@ void ModelBuilder::append_deformable(const BodySpec& spec, Model<2>& model) cons
     for (int i = 0; i < max_element_nodes; ++i) element.node[i] = i < element.nodes ? first + corners[i] : -1;
     append_element(model, element, mass / (body.area * wide));
   }
+  std::copy(spec.node_mass.begin(), spec.node_mass.end(), model.mass.begin() + first);
   for (int n = first; n < first + body.nodes; ++n) model.load[n] = spec.load * (model.mass[n] / mass);
   append_element_pieces(mesh, false, index, model);
   model.bodies[index].pieces = model.pieces() - body.first_piece;

@@ -36,21 +36,22 @@ struct BodySpec {
   std::vector<NodeSupport> supports;  ///< for some nodes of a deformable body
   std::string material;
   std::vector<std::string> groups;
-  std::optional<double> density;     ///< [kg/m3]
-  std::optional<double> mass;        ///< [kg]
-  std::optional<double> weight;      ///< [N], at standard gravity
-  std::optional<double> inertia;     ///< about the centroid [kg m2]; default: from the shape. Rigid bodies only
-  std::optional<double> thickness;   ///< for mass and the stiffness of a deformable body; default: the model's [m]
-  std::array<Support, 3> support{};  ///< x, y, rotation; of all nodes
-  Vec2 velocity = Vec2::Zero();      ///< at the start [m/s]
-  double spin = 0;                   ///< at the start [rad/s]
-  Vec2 load = Vec2::Zero();          ///< steady force at the centroid, distributed like the mass [N]
-  bool floating = false;             ///< may start unsupported
-  CrackSpec<2> cracks = {};          ///< planes on which it may crack; rigid bodies only
-  Polygon solid = {};                ///< outline of its mass, if the opening of a crack separates it from `outline`
-  int cracked_from = -1;             ///< the body that it is a part of, or -1
-  int first_part = -1;               ///< once it has cracked: the part behind its plane; the next body is the other
-  CrackPlane<2> parted_at = {};      ///< this plane
+  std::optional<double> density;       ///< [kg/m3]
+  std::optional<double> mass;          ///< [kg]
+  std::optional<double> weight;        ///< [N], at standard gravity
+  std::optional<double> inertia;       ///< about the centroid [kg m2]; default: from the shape. Rigid bodies only
+  std::optional<double> thickness;     ///< for mass and the stiffness of a deformable body; default: the model's [m]
+  std::array<Support, 3> support{};    ///< x, y, rotation; of all nodes
+  Vec2 velocity = Vec2::Zero();        ///< at the start [m/s]
+  double spin = 0;                     ///< at the start [rad/s]
+  Vec2 load = Vec2::Zero();            ///< steady force at the centroid, distributed like the mass [N]
+  bool floating = false;               ///< may start unsupported
+  CrackSpec<2> cracks = {};            ///< planes on which it may crack; not for frames
+  Polygon solid = {};                  ///< outline of its mass, if the opening of a crack separates it from `outline`
+  std::vector<double> node_mass = {};  ///< [node of mesh] of a part of a deformable body; empty: from its elements [kg]
+  int cracked_from = -1;               ///< the body that it is a part of, or -1
+  int first_part = -1;                 ///< once it has cracked: the part behind its plane; the next body is the other
+  CrackPlane<2> parted_at = {};        ///< this plane
 };
 
 /// Area, centroid and second moment of the body's shape, after its check.
@@ -98,6 +99,9 @@ class ModelBuilder {
   /// "u17.a" (behind the plane) and "u17.b", and the group "pieces of u17". Their faces at the section are apart by
   /// `opening`; their masses are divided by the plane.
   void crack(const Model<2>& model, int body, const CrackSection<2>& section, const CrackOpening& opening);
+  /// The same for a mesh that cracks along the faces of its section. Both copies of a node are apart by its `opening`
+  /// [node of the cut], which their masses divide, so that the centre of mass stays [m].
+  void crack_mesh(int body, const CrackSection<2>& section, const std::vector<Vec2>& opening);
   /// Extends `model` by these parts, in the initial position of their bodies, without checks.
   [[nodiscard]] Model<2> with_parts(const Model<2>& model) const;
   /// Removes everything added after the given numbers of bodies, bearings and seats.

@@ -1,7 +1,10 @@
 // Bodies of a plane model that may crack, and their parts.
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "model/builder/builder.hpp"
+#include "model/builder/crack_mesh.hpp"
 #include "model/builder/crack_sections.hpp"
 #include "model/builder/extend.hpp"
 #include "model/names.hpp"
@@ -13,8 +16,14 @@ const Polygon& solid_of(const BodySpec& spec) {
   return spec.solid.empty() ? spec.outline : spec.solid;
 }
 
-/// A part with all that it takes from its body: the planes that cut it, except plane `number`.
-BodySpec part_spec(const BodySpec& whole, int number, const Polygon& solid) {
+bool is_deformable(const BodySpec& spec) {
+  return !spec.frame && info_of(spec.kind).resistance == Resistance::elements;
+}
+
+/// A part with all that it takes from its body: the planes that cut it, except plane `number`. `cuts(plane)`: true if
+/// it divides the part.
+template <class Cuts>
+BodySpec part_spec(const BodySpec& whole, int number, Cuts&& cuts) {
   BodySpec part = whole;
   part.groups.push_back(pieces_group(whole.name));
   part.density.reset(), part.weight.reset();
@@ -25,10 +34,38 @@ BodySpec part_spec(const BodySpec& whole, int number, const Polygon& solid) {
   part.cracks.law = whole.cracks.law, part.cracks.where_met = true;
   const std::vector<CrackPlane<2>> planes = crack_planes(whole.cracks, solid_of(whole));
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (number_of(whole.cracks, i) == number || !parts_of(solid, planes[i])) continue;
+    if (number_of(whole.cracks, i) == number || !cuts(planes[i])) continue;
     part.cracks.planes.push_back(planes[i]), part.cracks.numbers.push_back(number_of(whole.cracks, i));
   }
   return part;
+}
+
+/// The reason why a plane does not divide a body; "" if it does.
+std::string plane_fault(const BodySpec& spec, const CrackPlane<2>& plane, int number) {
+  if (!is_deformable(spec)) return parts_of(spec.outline, plane) ? "" : missed_plane_text(spec.outline, plane, number);
+  const std::string fault = mesh_plane_fault(*spec.mesh, plane, number);
+  return fault.empty() ? "" : "cracks: " + fault;
+}
+
+void check_planes(const BodySpec& spec, const std::string& owner) {
+  int number = 0;
+  for (const CrackPlane<2>& plane : crack_planes(spec.cracks, spec.outline)) {
+    ++number;
+    if (!(plane.normal.norm() > 0)) refuse_cracks(owner, fmt::format("the normal of plane {} has no length", number));
+    if (spec.cracks.where_met) continue;
+    if (const std::string fault = plane_fault(spec, plane, number); !fault.empty())
+      throw InputError(owner + ": " + fault);
+  }
+}
+
+/// A mesh may be held at some of its nodes, but not at all of them.
+void check_mesh_cracks(const BodySpec& spec, const std::string& owner) {
+  if (spec.support[0] != Support::free || spec.support[1] != Support::free)
+    refuse_cracks(
+        owner,
+        "all nodes of the body are held along an axis, so that no crack can open; hold some of them with hold "
+        "= { { from = ..., to = ... } }, or give cracks = false");
+  check_crack_support({}, spec.cracks.law, owner);
 }
 
 }  // namespace
@@ -36,23 +73,21 @@ BodySpec part_spec(const BodySpec& whole, int number, const Polygon& solid) {
 /// All that does not depend on laws, which may be added later.
 void ModelBuilder::check_cracks(const BodySpec& spec, const std::string& owner) {
   if (spec.cracks.empty()) return;
-  if (spec.kind != BodyKind::rigid || spec.frame)
-    refuse_cracks(
-        owner,
-        "planes are for rigid bodies, this one deforms; give it body = \"rigid\", or several rigid or deformable "
-        "bodies with a bonded or cohesive law between them");
+  if (spec.frame)
+    refuse_cracks(owner,
+                  "planes are for rigid bodies and bodies of elements, this one is a frame; give cracks = false, or "
+                  "hinges that yield");
+  if (is_deformable(spec)) {
+    check_mesh_cracks(spec, owner);
+    check_planes(spec, owner);
+    return;
+  }
   if (spec.mesh)
     refuse_cracks(owner, "a rigid body of a mesh has no planes; give it an outline, or make its pieces bodies");
   if (spec.inertia)
     refuse_cracks(owner, "inertia is given, but the parts take theirs from their shapes; leave inertia out");
   check_crack_support(spec.support, spec.cracks.law, owner);
-  int number = 0;
-  for (const CrackPlane<2>& plane : crack_planes(spec.cracks, spec.outline)) {
-    ++number;
-    if (!(plane.normal.norm() > 0)) refuse_cracks(owner, fmt::format("the normal of plane {} has no length", number));
-    if (!spec.cracks.where_met && !parts_of(spec.outline, plane))
-      throw InputError(owner + ": " + missed_plane_text(spec.outline, plane, number));
-  }
+  check_planes(spec, owner);
 }
 
 /// Laws may be added after bodies, so their strengths are checked when the model is built.
@@ -76,9 +111,15 @@ std::vector<CrackingBody<2>> ModelBuilder::cracking(const Model<2>& model) const
     row.depth = spec.thickness.value_or(thickness);
     const double mass = model.mass[static_cast<std::size_t>(model.bodies[b].first_node)];
     const std::vector<CrackPlane<2>> planes = crack_planes(spec.cracks, solid_of(spec));
-    for (std::size_t i = 0; i < planes.size(); ++i)
-      if (const auto section = crack_section(solid_of(spec), mass, planes[i], number_of(spec.cracks, i)))
-        row.sections.push_back(*section);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const int number = number_of(spec.cracks, i);
+      if (!is_deformable(spec)) {
+        if (const auto section = crack_section(solid_of(spec), mass, planes[i], number))
+          row.sections.push_back(*section);
+      } else if (mesh_plane_fault(*spec.mesh, planes[i], number).empty()) {
+        row.sections.push_back(mesh_section(*spec.mesh, planes[i], number));
+      }
+    }
     if (!row.sections.empty()) rows.push_back(std::move(row));
   }
   return rows;
@@ -98,10 +139,51 @@ void ModelBuilder::crack(const Model<2>& model, int body, const CrackSection<2>&
   bodies_[at].first_part = static_cast<int>(bodies_.size()), bodies_[at].parted_at = plane;
   const double mass = model.mass[static_cast<std::size_t>(model.bodies[at].first_node)];
   for (const std::size_t side : {0, 1}) {
-    BodySpec part = part_spec(whole, section.number, (*solids)[side]);
+    BodySpec part = part_spec(whole, section.number,
+                              [&](const CrackPlane<2>& of) { return parts_of((*solids)[side], of).has_value(); });
     part.name = new_part_name(body_names_known_, bodies_, whole.name + (side == 0 ? ".a" : ".b"));
     part.outline = (*skins)[side], part.solid = (*solids)[side];
     part.mass = side == 0 ? section.mass : mass - section.mass;
+    part.cracked_from = body;
+    bodies_.push_back(std::move(part));
+  }
+}
+
+/// Nodes keep the mass of their elements, so that mass, momentum and centre of mass remain. An opening is small: it
+/// sets the faces apart, and changes the elements at them by its ratio to their size.
+void ModelBuilder::crack_mesh(int body, const CrackSection<2>& section, const std::vector<Vec2>& opening) {
+  const auto at = static_cast<std::size_t>(body);
+  const BodySpec whole = bodies_[at];
+  const MeshCut& cut = *section.cut;
+  Model<2> lone;
+  append_deformable(whole, lone);
+  rules_.inherit(whole.name, pieces_group(whole.name));
+  rules_.set_contact(pieces_group(whole.name), pieces_group(whole.name), whole.cracks.law);
+  bodies_[at].first_part = static_cast<int>(bodies_.size());
+  bodies_[at].parted_at = {section.middle(), section.normal};
+  const std::vector<double> behind = shares_behind(*whole.mesh, cut);
+  std::vector<Vec2> apart(whole.mesh->node.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < cut.nodes.size(); ++i) apart[static_cast<std::size_t>(cut.nodes[i])] = opening[i];
+  for (const bool is_behind : {true, false}) {
+    const MeshPart piece = part_of_mesh(*whole.mesh, cut, is_behind);
+    BodySpec part = part_spec(whole, section.number, [&](const CrackPlane<2>& plane) {
+      return mesh_plane_fault(piece.mesh, plane, 0).empty();
+    });
+    part.name = new_part_name(body_names_known_, bodies_, whole.name + (is_behind ? ".a" : ".b"));
+    part.mesh = piece.mesh;
+    take_checked_mesh(part, fmt::format("body '{}'", part.name));
+    part.node_mass.assign(part.mesh->node.size(), 0);
+    for (std::size_t e = 0; e < piece.mesh.element.size(); ++e)
+      for (int i = 0; i < corners_of(piece.mesh.element[e]); ++i) {
+        const auto n = static_cast<std::size_t>(piece.node[static_cast<std::size_t>(piece.mesh.element[e][i])]);
+        const auto own = static_cast<std::size_t>(part.mesh->element[e][i]);
+        const double share = is_behind ? behind[n] : 1 - behind[n];
+        part.node_mass[own] = share * lone.mass[n];
+        part.mesh->node[own] = whole.mesh->node[n] + (is_behind ? share - 1 : 1 - share) * apart[n];
+      }
+    part.outline.assign(part.mesh->node.begin(),
+                        part.mesh->node.begin() + static_cast<std::ptrdiff_t>(part.outline.size()));
+    part.mass = std::accumulate(part.node_mass.begin(), part.node_mass.end(), 0.0);
     part.cracked_from = body;
     bodies_.push_back(std::move(part));
   }

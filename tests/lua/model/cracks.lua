@@ -29,8 +29,7 @@ local function block(m, keys)
 end
 
 -- wrong input: place, value, allowed values, remedy
-refused("cracks: planes are for rigid bodies, this one deforms; give it body = \"rigid\"", block, empty(),
-  { body = "quad" })
+refused("cracks: the mesh has one element, which has no inner edge to crack along", block, empty(), { body = "quad" })
 refused("cracks: crack_law is missing, the name of a contact law with tension and cohesion", block, empty(),
   { without = { "crack_law" } })
 refused("'crack_law' is given without 'cracks'", block, empty(), { without = { "cracks" } })

@@ -1,0 +1,222 @@
+#include "edit/mesh_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/single_terms.hpp"
+#include "base/portable.hpp"
+#include "element/solid/plane_element.hpp"
+#include "law/contact/list.hpp"
+
+namespace trilith {
+namespace {
+
+/// Edges whose directions differ by less than this sine are in one line.
+constexpr double same_direction = 1e-6;
+
+std::size_t first_node(const Model<2>& model, int body) {
+  return static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].first_node);
+}
+
+/// Index of the first element of a body.
+std::size_t first_element(const Model<2>& model, int body) {
+  const auto at = std::lower_bound(model.elements.begin(), model.elements.end(), body,
+                                   [](const Element& e, int b) { return e.body < b; });
+  return static_cast<std::size_t>(at - model.elements.begin());
+}
+
+/// The edge from each node of a cut to the next, and zero where a chain ends. `at(node)`: position.
+template <class At>
+std::vector<Vec2> edges_along(const MeshCut& cut, At&& at) {
+  std::vector<Vec2> along(cut.nodes.size(), Vec2::Zero());
+  std::size_t face = 0;
+  for (std::size_t i = 0; i + 1 < cut.nodes.size(); ++i) {
+    if (face == cut.faces.size() || cut.faces[face][0] != cut.nodes[i] || cut.faces[face][1] != cut.nodes[i + 1])
+      continue;
+    along[i] = at(cut.nodes[i + 1]) - at(cut.nodes[i]);
+    ++face;
+  }
+  return along;
+}
+std::vector<Vec2> edges_now(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut) {
+  const std::size_t first = first_node(model, body);
+  return edges_along(cut, [&](int n) { return state.position[first + static_cast<std::size_t>(n)]; });
+}
+std::vector<Vec2> edges_at_start(const Model<2>& model, int body, const MeshCut& cut) {
+  const std::size_t first = first_node(model, body);
+  return edges_along(cut, [&](int n) { return model.start_position[first + static_cast<std::size_t>(n)]; });
+}
+
+/// Internal forces and masses of the elements on both sides at the nodes of a cut.
+struct SideSums {
+  std::vector<Vec2> force[2];   // [behind, ahead][node of the cut] [N]
+  std::vector<double> mass[2];  // relative
+};
+
+SideSums side_sums(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, Work<2>& scratch) {
+  const std::size_t nodes = model.mass.size(), first = first_node(model, body), from = first_element(model, body);
+  scratch.element_force.resize(nodes, Vec2::Zero());
+  scratch.element_damping.resize(nodes, Vec2::Zero());
+  scratch.plastic.resize(state.plastic.size());
+  std::vector<double> mass(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
+  SideSums sums;
+  for (const int side : {0, 1}) {
+    std::fill(mass.begin(), mass.end(), 0);
+    const auto each = [&](auto&& see) {
+      for (const int e : cut.elements)
+        if ((cut.behind[static_cast<std::size_t>(e)] != 0) == (side == 0)) see(from + static_cast<std::size_t>(e));
+    };
+    each([&](std::size_t e) {
+      const Element& element = model.elements[e];
+      element_forces(model, state, scratch, static_cast<int>(e));
+      std::vector<Vec2> corners;
+      for (int i = 0; i < element.nodes; ++i)
+        corners.push_back(model.start_position[static_cast<std::size_t>(element.node[static_cast<std::size_t>(i)])]);
+      const auto areas = node_areas(corners);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        mass[static_cast<std::size_t>(element.node[i]) - first] += areas[i];
+    });
+    for (const int n : cut.nodes) {
+      const std::size_t at = first + static_cast<std::size_t>(n);
+      sums.force[side].emplace_back(scratch.element_force[at] + scratch.element_damping[at]);
+      sums.mass[side].push_back(mass[static_cast<std::size_t>(n)]);
+    }
+    each([&](std::size_t e) {
+      for (const int n : model.elements[e].node)
+        if (n >= 0)
+          scratch.element_force[static_cast<std::size_t>(n)].setZero(),
+              scratch.element_damping[static_cast<std::size_t>(n)].setZero();
+    });
+  }
+  return sums;
+}
+
+/// Solves the tridiagonal system with the diagonal of the edges' lengths / 3 and length / 6 beside it.
+std::vector<Vec2> stress_from_forces(std::vector<Vec2> force, const std::vector<Vec2>& along, double thickness) {
+  const std::size_t count = force.size();
+  std::vector<double> diagonal(count, 0), beside(count, 0);
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const double length = thickness * along[i].norm();
+    diagonal[i] += length / 3, diagonal[i + 1] += length / 3, beside[i] = length / 6;
+  }
+  for (std::size_t i = 1; i < count; ++i) {
+    const double share = beside[i - 1] / diagonal[i - 1];
+    diagonal[i] -= share * beside[i - 1];
+    force[i] -= share * force[i - 1];
+  }
+  for (std::size_t i = count; i-- > 0;) {
+    if (i + 1 < count) force[i] -= beside[i] * force[i + 1];
+    force[i] /= diagonal[i];
+  }
+  return force;
+}
+
+/// An edge of a cut as a section of its own: the stress is linear over it.
+SectionUse edge_use(const ContactLaw& law, const Vec2& along, const Vec2& from, const Vec2& to) {
+  const double length = along.norm();
+  const Vec2 d = along / length, normal(d.y(), -d.x());
+  const double first = normal.dot(from), last = normal.dot(to);
+  return section_use(law, 0.5 * length * (first + last), 0.5 * length * d.dot(Vec2(from + to)),
+                     length * length / 12 * (first - last), length, 1);
+}
+
+/// The edge of a section that uses most of its strength.
+struct WorstEdge {
+  SectionUse use;
+  std::size_t edge = 0;
+  std::vector<Vec2> along, traction;
+};
+WorstEdge worst_edge(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
+                     Work<2>& scratch) {
+  WorstEdge worst{{}, 0, edges_now(model, state, row.body, cut), mesh_tractions(model, state, row.body, cut, scratch)};
+  const double share = model.thickness / row.depth;  // stress of the elements over stress of the contacts
+  for (std::size_t i = 0; i + 1 < worst.along.size(); ++i) {
+    if (worst.along[i].isZero(0)) continue;
+    const SectionUse use = edge_use(model.laws[static_cast<std::size_t>(row.law)], worst.along[i],
+                                    share * worst.traction[i], share * worst.traction[i + 1]);
+    if (use.share > worst.use.share) worst.use = use, worst.edge = i;
+  }
+  return worst;
+}
+
+/// The section of a mesh that uses most of its strength, if this is more than all.
+std::optional<Crack<2>> mesh_crack(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row,
+                                   Work<2>& scratch) {
+  std::optional<Crack<2>> found;
+  double most = 1;
+  for (std::size_t s = 0; s < row.sections.size(); ++s) {
+    const MeshCut& cut = *row.sections[s].cut;
+    WorstEdge worst = worst_edge(model, state, row, cut, scratch);
+    if (!(worst.use.share > most)) continue;
+    most = worst.use.share;
+    Crack<2>& crack = found.emplace();
+    crack.body = row.body, crack.section = static_cast<int>(s);
+    crack.mode = worst.use.mode, crack.stress = worst.use.stress;
+    const Vec2& along = worst.along[worst.edge];
+    const std::size_t from = first_node(model, row.body) + static_cast<std::size_t>(cut.nodes[worst.edge]);
+    crack.place = state.position[from] + (0.5 + worst.use.at / along.norm()) * along;
+    crack.traction = std::move(worst.traction);
+    const std::vector<Turn> turns = turns_of_cut(model, state, row.body, cut);
+    for (std::size_t i = 0; i < turns.size(); ++i) crack.traction[i] = turns[i].undo(crack.traction[i]);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Turn> turns_of_cut(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut) {
+  const std::vector<Vec2> now = edges_now(model, state, body, cut), start = edges_at_start(model, body, cut);
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Vec2 to = now[i] + (i > 0 ? now[i - 1] : Vec2(Vec2::Zero()));
+    const Vec2 from = start[i] + (i > 0 ? start[i - 1] : Vec2(Vec2::Zero()));
+    turns.emplace_back(portable::atan2(cross(from, to), from.dot(to)));
+  }
+  return turns;
+}
+
+std::vector<Vec2> mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
+                                 Work<2>& scratch) {
+  const SideSums sums = side_sums(model, state, body, cut, scratch);
+  std::vector<Vec2> force;
+  for (std::size_t i = 0; i < cut.nodes.size(); ++i) {
+    const double behind = sums.mass[0][i], ahead = sums.mass[1][i];
+    force.emplace_back((behind * sums.force[1][i] - ahead * sums.force[0][i]) / (behind + ahead));
+  }
+  return stress_from_forces(std::move(force), edges_now(model, state, body, cut), model.thickness);
+}
+
+std::vector<Crack<2>> mesh_cracks(const Model<2>& model, const State<2>& state, const Cracking<2>& cracking) {
+  std::vector<Crack<2>> cracks;
+  Work<2> scratch;
+  for (const CrackingBody<2>& row : cracking.bodies) {
+    if (!row.sections.front().cut || state.left[static_cast<std::size_t>(row.body)] != 0) continue;
+    if (auto crack = mesh_crack(model, state, row, scratch)) cracks.push_back(std::move(*crack));
+  }
+  return cracks;
+}
+/// Bodies of elements in space have no planes.
+std::vector<Crack<3>> mesh_cracks(const Model<3>& /*model*/, const State<3>& /*state*/,
+                                  const Cracking<3>& /*cracking*/) {
+  return {};
+}
+
+std::vector<Vec2> cut_openings(const Model<2>& model, int body, const MeshCut& cut, const std::vector<Vec2>& traction,
+                               const ContactLaw& law) {
+  const double kn = with_kernel({law}, [](const auto& kernel) { return kernel.kn; });
+  const std::vector<Vec2> along = edges_at_start(model, body, cut);
+  std::vector<Vec2> opening;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    Vec2 open = traction[i] / kn;
+    const Vec2 before = i > 0 && !along[i - 1].isZero(0) ? along[i - 1] : along[i];
+    const Vec2 after = along[i].isZero(0) ? before : along[i];
+    if (std::abs(cross(before, after)) < same_direction * before.norm() * after.norm()) {
+      const Vec2 normal = left_of(Vec2(before + after)).normalized();
+      open = normal.dot(open) * normal;
+    }
+    opening.push_back(open);
+  }
+  return opening;
+}
+
+}  // namespace trilith
