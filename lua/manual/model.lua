@@ -104,7 +104,7 @@ velocity        point = {0, 0}  velocity at the start [m/s]
 spin            number rad/s = 0  angular velocity at the start
 load            point = {0, 0}  steady force [N]
 floating        flag = false     it needs no support at the start
-cracks          planes?          planes on which a body may crack, not a frame: "mid", "quarter", "diagonals", n or a list
+cracks          planes?          planes on which a body may crack, no frame: "mid", "quarter", "diagonals", n or a list
 crack_law       text?            contact law of these planes: strengths before, contact of the parts afterwards
 body            body form = the model's  "rigid", "quad" or { mesh = {nx, ny} }
 hold            table?           boxes { from = , to = } whose nodes are held, except in "free" directions]],

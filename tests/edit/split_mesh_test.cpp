@@ -78,15 +78,15 @@ const CrackSection<2>& section_of(const Simulation<2>& sim) {
   return sim.cracking().bodies.front().sections.front();
 }
 
-struct Motion {
+struct MeshMotion {
   double mass = 0, kinetic = 0, turning = 0;
   Vec2 momentum = Vec2::Zero(), first = Vec2::Zero();
 };
 /// Of all bodies that are present.
-Motion motion_of_present(const Simulation<2>& sim) {
+MeshMotion motion_of_present(const Simulation<2>& sim) {
   const Model<2>& model = sim.model();
   const State<2>& s = sim.state();
-  Motion sum;
+  MeshMotion sum;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (s.left[b] != 0) continue;
     const auto from = static_cast<std::size_t>(model.bodies[b].first_node);
@@ -99,7 +99,7 @@ Motion motion_of_present(const Simulation<2>& sim) {
   return sum;
 }
 
-std::vector<Crack<2>> crack_now(Simulation<2>& sim) {
+std::vector<Crack<2>> crack_mesh_now(Simulation<2>& sim) {
   sim.refresh();
   const CrackingBody<2>& row = sim.cracking().bodies.front();
   Work<2> scratch;
@@ -174,18 +174,18 @@ TEST_CASE("a mesh that splits in motion keeps mass, momentum, angular momentum a
       });
       run_for(sim, 1e-3);
       sim.grow(Model<2>(sim.model()));  // a change without a change: ends the last step, as each change does
-      const std::vector<Crack<2>> cracks = crack_now(sim);
+      const std::vector<Crack<2>> cracks = crack_mesh_now(sim);
       double size = 0;
       for (const Vec2& t : cracks.front().traction) size = std::max(size, t.norm());
       CHECK(size > 0.1 * weak);
       CHECK(size < weak);
-      const Motion before = motion_of_present(sim);
+      const MeshMotion before = motion_of_present(sim);
       const double balance = sim.energy().balance(), elastic = sim.energy()[EnergyTerm::strain];
       const std::vector<Vec2> force = sim.work().force;
       const Model<2> whole = sim.model();
       sim.split(with_cracks(builder, sim.model(), sim.cracking().bodies, cracks), cracks);
       sim.refresh();
-      const Motion after = motion_of_present(sim);
+      const MeshMotion after = motion_of_present(sim);
       CHECK(near(after.mass, before.mass, 1e-14));
       CHECK((after.momentum - before.momentum).norm() < 1e-13 * before.momentum.norm());
       CHECK((after.first - before.first).norm() < 1e-13 * before.first.norm());
