@@ -73,9 +73,13 @@ def refuses(base, port):
     assert get(base, host=f"localhost:{port}")[0] == 200
     assert get(base, method="POST")[0] == 405
     assert get(base + "../etc/passwd")[0] == 404 and get(base + "live.h5")[0] == 404
-    with socket.create_connection(("127.0.0.1", port)) as silent:  # sends nothing; others are still answered
+    with socket.create_connection(("127.0.0.1", port)) as slow:  # others are answered, and its own request when it comes
         assert get(base + "state")[0] == 200
-        silent.close()
+        slow.sendall(b"GET /state HTTP/1.1\r\n")
+        time.sleep(1)
+        assert get(base + "state")[0] == 200
+        slow.sendall(f"Host: 127.0.0.1:{port}\r\n\r\n".encode())
+        assert slow.recv(100).startswith(b"HTTP/1.1 200")
     with socket.create_connection(("127.0.0.1", port)) as damaged:
         damaged.sendall(b"\x00\xff\r\n\r\n")
         assert damaged.recv(100).startswith(b"HTTP/1.1 400")
