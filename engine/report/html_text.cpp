@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "base/markup.hpp"
 #include "draw/picture_text.hpp"
 
 namespace trilith::report {
@@ -22,22 +23,7 @@ std::string printable_lines(std::string_view text) {
 }  // namespace
 
 std::string html_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable_lines(text)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&#39;";
-    else
-      out += c;
-  }
-  return out;
+  return markup_text(printable_lines(text));
 }
 
 HtmlText& HtmlText::open(std::string_view tag, std::string_view attributes) {

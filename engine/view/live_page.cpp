@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "base/markup.hpp"
 #include "view/page_text.hpp"
 
 namespace trilith::view {
@@ -11,7 +12,7 @@ std::string live_page(std::string page, const std::string& stamp) {
   const std::size_t last = page.rfind(end);
   if (last != std::string::npos) page.insert(last, std::string("<script>\n") + view_page_live() + "</script>\n");
   const std::size_t first = page.find(root);
-  if (first != std::string::npos) page.insert(first + root.size(), "data-stamp=\"" + escaped(stamp) + "\" ");
+  if (first != std::string::npos) page.insert(first + root.size(), "data-stamp=\"" + markup_text(stamp) + "\" ");
   return page;
 }
 
@@ -20,7 +21,7 @@ std::string waiting_page(const std::string& text, const std::string& stamp) {
       "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>Trilith</title>\n"
       "<meta name=\"color-scheme\" content=\"light dark\"><link rel=\"icon\" href=\"data:,\">\n"
       "<style>body { font: 1rem system-ui, sans-serif; margin: 3rem; }</style></head>\n<body>\n<p id=\"state\">" +
-          escaped(text) + "</p>\n</body>\n</html>\n",
+          markup_text(text) + "</p>\n</body>\n</html>\n",
       stamp);
 }
 

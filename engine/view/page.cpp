@@ -1,25 +1,11 @@
 #include <string_view>
 
+#include "base/markup.hpp"
 #include "view/bytes.hpp"
 #include "view/data.hpp"
 #include "view/page_text.hpp"
 
 namespace trilith::view {
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 namespace {
 
 /// `text` with the first `mark` in it replaced.
@@ -31,7 +17,7 @@ void put(std::string& text, std::string_view mark, std::string_view by) {
 
 std::string view_page(const std::string& data, const std::string& title) {
   std::string page = view_page_html();
-  put(page, "%TITLE%", escaped(title));
+  put(page, "%TITLE%", markup_text(title));
   put(page, "%STYLE%", view_page_style());
   put(page, "%CODE%", view_page_code());
   put(page, "%DATA%", base64(gzipped(data)));

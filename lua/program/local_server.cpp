@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,37 +15,48 @@
 #include <chrono>
 #include <cstring>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 
 namespace trilith::program {
 namespace {
 
-constexpr std::size_t longest_request = 16384;                  // [bytes]
-constexpr std::chrono::milliseconds longest_request_time{300};  // browsers open connections without a request
+using Clock = std::chrono::steady_clock;
 
-/// Closes a connection at its end.
+constexpr std::size_t longest_request = 16384;       // [bytes]
+constexpr std::size_t most_connections = 64;         // waiting for a request; the oldest one is closed for a new one
+constexpr std::chrono::seconds longest_silence{60};  // browsers open connections long before their request, if any
+constexpr timeval longest_sending{.tv_sec = 30, .tv_usec = 0};  // without progress, to a browser that reads nothing
+
+/// A connection and the part of its request that has arrived. Closes it at its end.
 class Connection {
  public:
-  explicit Connection(int descriptor) : descriptor_(descriptor) {}
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
-  ~Connection() { ::close(descriptor_); }
+  explicit Connection(int descriptor) : descriptor_(descriptor) {
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &longest_sending, sizeof longest_sending);
+  }
+  Connection(Connection&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)), since_(other.since_), request_(std::move(other.request_)) {}
+  Connection& operator=(Connection&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_), std::swap(since_, other.since_), std::swap(request_, other.request_);
+    return *this;
+  }
+  ~Connection() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
 
-  /// The lines up to the empty one; "" if they do not arrive in time.
-  [[nodiscard]] std::string request() const {
-    const auto end = std::chrono::steady_clock::now() + longest_request_time;
-    std::string text;
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  [[nodiscard]] const std::string& request() const { return request_; }
+  [[nodiscard]] bool is_complete() const { return request_.find("\r\n\r\n") != std::string::npos; }
+  [[nodiscard]] bool is_too_late() const { return Clock::now() - since_ > longest_silence; }
+  /// Takes the part that has arrived. False at the end of the connection, or if the request is too long.
+  bool receive() {
     std::array<char, 2048> block;
-    while (text.find("\r\n\r\n") == std::string::npos && text.size() < longest_request) {
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-      pollfd wanted{descriptor_, POLLIN, 0};
-      if (left.count() <= 0 || ::poll(&wanted, 1, static_cast<int>(left.count())) <= 0) return "";
-      const ssize_t got = ::recv(descriptor_, block.data(), block.size(), 0);
-      if (got <= 0) return "";
-      text.append(block.data(), static_cast<std::size_t>(got));
-    }
-    return text;
+    const ssize_t got = ::recv(descriptor_, block.data(), block.size(), MSG_DONTWAIT);
+    if (got < 0) return errno == EAGAIN || errno == EINTR;
+    request_.append(block.data(), static_cast<std::size_t>(got));
+    return got > 0 && request_.size() < longest_request;
   }
   /// A browser that has gone is not an error.
   void send(std::string_view text) const {
@@ -58,7 +70,17 @@ class Connection {
 
  private:
   int descriptor_;
+  Clock::time_point since_ = Clock::now();
+  std::string request_;
 };
+
+/// Waits until something arrives, or for a second. The first row is the listening socket, the others the connections.
+std::vector<pollfd> wait_for_input(int listening, const std::vector<Connection>& open) {
+  std::vector<pollfd> rows{{listening, POLLIN, 0}};
+  for (const Connection& c : open) rows.push_back({c.descriptor(), POLLIN, 0});
+  ::poll(rows.data(), rows.size(), 1000);
+  return rows;
+}
 
 std::string_view words_of(int status) {
   switch (status) {
@@ -117,7 +139,7 @@ Reply read_request(const std::string& request, int port) {
   return {200, "", path.substr(0, path.find('?'))};
 }
 
-LocalServer::LocalServer(int port) : listening_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+LocalServer::LocalServer(int port) : listening_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -140,16 +162,28 @@ LocalServer::~LocalServer() {
 }
 
 void LocalServer::serve(const std::function<Reply(const std::string& path)>& answer) const {
+  std::vector<Connection> open;
   while (true) {
+    const std::vector<pollfd> rows = wait_for_input(listening_, open);
+    std::vector<Connection> waiting;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Connection& c = open[i];
+      if (rows[i + 1].revents != 0 ? !c.receive() : c.is_too_late()) continue;
+      if (!c.is_complete()) {
+        waiting.push_back(std::move(c));
+        continue;
+      }
+      Reply reply = read_request(c.request(), port_);
+      if (reply.status == 200) reply = answer(reply.body);
+      c.send(header_of(reply));
+      c.send(reply.body);
+    }
+    open = std::move(waiting);
+    if (rows[0].revents == 0) continue;
     const int descriptor = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC);
     if (descriptor < 0) continue;
-    const Connection connection(descriptor);
-    const std::string request = connection.request();
-    if (request.empty()) continue;
-    Reply reply = read_request(request, port_);
-    if (reply.status == 200) reply = answer(reply.body);
-    connection.send(header_of(reply));
-    connection.send(reply.body);
+    if (open.size() == most_connections) open.erase(open.begin());
+    open.emplace_back(descriptor);
   }
 }
 

@@ -67,7 +67,7 @@ end
 -- A picture of the mechanism, which is drawn apart from the cases, where the folder has one.
 local function add_picture(add, declared)
   local folder = V.pages or V.compare
-  local name = ("%s-%s.png"):format(declared.subject, declared.name)
+  local name = ("plots/%s-%s.png"):format(declared.subject, declared.name)
   local file = folder and io.open(("%s/%s"):format(folder, name))
   if not file then return end
   file:close()
@@ -105,7 +105,7 @@ local function add_file(page, file, folder)
   add_moves(add, declared)
   for _, case in ipairs(file.cases) do
     if case.plot or case.convergence then
-      local name = ("%s-%s.svg"):format(declared.subject, case.name)
+      local name = ("plots/%s-%s.svg"):format(declared.subject, case.name)
       add "" add(("![%s](%s)"):format(case.title or declared.title, name))
       local plot = folder and plot_of(case)
       if plot then V.chart(plot, folder .. "/" .. name) end

@@ -69,7 +69,7 @@ def verbs_of(program):
 
 def command(program, words):
     """The shell command of a line; `live`, which serves a page until it is interrupted, is interrupted after 2 s."""
-    interrupted = "timeout --preserve-status -s INT 2 " if words.startswith(quoted("live")) else ""
+    interrupted = "timeout --preserve-status -s INT 2 " if quoted("live") in words else ""
     return f"{interrupted}{program} {words}"
 
 
@@ -130,10 +130,10 @@ def fuzz(program, until, seed, findings):
         verb = draw.choice(scripted) if draw.random() < 0.6 else draw.choice(verbs)
         # The results of a run are read, even if it failed.
         first = line(draw, verb, draw.choice([None, "study.lua", "case.lua"]) if verb in scripted else None)
-        words = f"{command(path, first)} {draw.choice(STREAMS)}"
+        shell_line = f"{command(path, first)} {draw.choice(STREAMS)}"
         if verb.name == "run" and draw.random() < 0.5:
-            words = f"{path} run case.lua {draw.choice(STREAMS)} && {path} info run.h5"
+            shell_line = f"{path} run case.lua {draw.choice(STREAMS)} && {path} info run.h5"
         elif "RESULT" in verb.positionals and draw.random() < 0.8:
-            words = f"{path} run -q case.lua && {command(path, line(draw, verb, None))} {draw.choice(STREAMS)}"
-        shared.attempt(shared.Job("words", words, files), findings)
+            shell_line = f"{path} run -q case.lua && {command(path, line(draw, verb, None))} {draw.choice(STREAMS)}"
+        shared.attempt(shared.Job("words", shell_line, files), findings)
     return f"{len(shared.in_parallel(until, work))} command lines"

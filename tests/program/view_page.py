@@ -17,6 +17,9 @@ except ImportError:
     sys.exit(77)
 
 
+LONGEST = 400  # s for anything that is waited for; only a hang takes so long
+
+
 def open_browser():
     chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
     if not chromium or not driver:
@@ -41,10 +44,10 @@ class Page:
     def evaluate(self, code):
         return self.driver.execute_script("return " + code)
 
-    def until(self, condition, seconds=15):
-        end = time.time() + seconds
+    def until(self, condition):
+        end = time.time() + LONGEST
         while not self.evaluate(condition):
-            assert time.time() < end, f"not in {seconds} s: {condition}"
+            assert time.time() < end, f"not in {LONGEST} s: {condition}"
             time.sleep(0.03)
 
     def keys(self, *keys):

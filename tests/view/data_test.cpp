@@ -211,7 +211,7 @@ TEST_CASE("text of any kind leaves data and page valid") {
   const std::string data = view_data(ResultsReader(folder / "odd.h5"));
   CHECK(head_of(data).find("a \\\"b\\\" \\\\ </script> \\u000a\\u0009\\u0001 θ") != std::string::npos);
   const std::string page = view_page(data, "<b> & co");
-  CHECK(page.find("<title>&lt;b> &amp; co") != std::string::npos);
+  CHECK(page.find("<title>&lt;b&gt; &amp; co") != std::string::npos);
   CHECK(page.find("import ") == std::string::npos);
   CHECK(page.find("\nexport ") == std::string::npos);
   for (const char* outside : {"http:", "https:", "src="}) CHECK(page.find(outside) == std::string::npos);

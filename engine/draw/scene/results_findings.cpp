@@ -14,6 +14,7 @@
 #include "base/rotation_3d.hpp"
 #include "draw/scene/crack_mark.hpp"
 #include "results/file/placement.hpp"
+#include "results/reading/frame_values.hpp"
 
 namespace trilith::draw {
 
@@ -23,10 +24,9 @@ using results::Header;
 
 namespace {
 
-/// Index of a field of the frames, or InputError.
-std::size_t find_field(const Header& header, std::string_view name) {
-  for (std::size_t i = 0; i < header.fields.size(); ++i)
-    if (header.fields[i].name == name) return i;
+/// Values of a field of the frame, or InputError.
+const std::vector<double>& recorded_values(const Header& header, const Frame& frame, std::string_view name) {
+  if (const auto* values = results::values_of(header, frame, name)) return *values;
   throw InputError(fmt::format("the results have no '{}'; they were recorded without joints", name));
 }
 
@@ -118,7 +118,7 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
     throw InputError(fmt::format("there is no stress '{}'{}", name, name_hint(name, names)));
   if (name.find('z') != std::string_view::npos)
     throw InputError(fmt::format("a model in the plane has no stress '{}'; use minor, major, xx, yy or xy", name));
-  const std::vector<double>& stress = frame.fields[find_field(header, "body_stress")];
+  const std::vector<double>& stress = recorded_values(header, frame, "body_stress");
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (scene.bodies[i].role == BodyRole::free)
       scene.bodies[i].value = pick(name, stress[3 * i], stress[3 * i + 1], stress[3 * i + 2]);
@@ -129,9 +129,9 @@ void colour_by_stress(const Header& header, const Frame& frame, std::string_view
 /// Adds the joints that have lost part of their bonds, and dry ones that are open or have slid, at the present position
 /// of their ends on the first body. A joint with an opening above its length is ignored.
 void add_cracks(const Header& header, const Frame& frame, const std::vector<bool>& left_out, Scene& scene) {
-  const std::vector<double>&damage = frame.fields[find_field(header, "joint_damage")],
-        &opening = frame.fields[find_field(header, "joint_opening")],
-        &slip = frame.fields[find_field(header, "joint_slip")];
+  const std::vector<double>&damage = recorded_values(header, frame, "joint_damage"),
+        &opening = recorded_values(header, frame, "joint_opening"),
+        &slip = recorded_values(header, frame, "joint_slip");
   for (std::size_t j = 0; j < header.joints.size(); ++j) {
     const results::JointRow& joint = header.joints[j];
     const bool dry = joint.bonded == 0;

@@ -150,7 +150,9 @@ int draw_plot(lua_State* L) {
     panel.series.push_back(std::move(series));
   }
   chart.panels.push_back(std::move(panel));
-  draw::draw_chart(chart, script::text_at(L, 2), {.width = 380, .panel_height = 190});
+  const fs::path file = script::text_at(L, 2);
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  draw::draw_chart(chart, file, {.width = 380, .panel_height = 190});
   return 0;
 }
 
