@@ -94,7 +94,7 @@ struct LoadPath {
 };
 
 /// Largest mean deviation of the factor from the straight line between two points, as a share of the largest factor so
-/// far, in structures of several bodies that an arc follows; steps are shortened to it.
+/// far. Arcs of structures of several bodies are shortened to it.
 inline constexpr double most_path_error = 0.005;
 
 /// Follows the path from rest at options.begin. `state` becomes the state of the last point, as after find_equilibrium;

@@ -18,15 +18,15 @@
 namespace trilith {
 namespace {
 
-/// The next step is this share of the one that the estimate permits; its change is limited.
+/// The next step is this share of the step that the estimate permits; its change is limited.
 constexpr double share_of_permitted = 0.9, least_accurate = 0.25, most_accurate = 4;
 /// Steps are not shortened below this share of the first one. There the law itself jumps.
 constexpr double least_for_accuracy = 1.0 / 64;
-/// The work that a step may miss is at least that of a step with this share of the first one. Shorter steps add little
-/// to the work of the path.
+/// Steps shorter than this share of the first one may miss as much work as one of this length, as they add little to
+/// the work of the path.
 constexpr double share_of_first = 1.0 / 8;
 /// A shorter step whose error is above this share of the longer one's crosses a jump of the path, which no step length
-/// resolves. The error of a path with kinks is proportional to the step, that of a smooth path to its square.
+/// resolves. On a path with kinks the error is proportional to the step, on a smooth path to its square.
 constexpr double share_at_jump = 0.7;
 
 }  // namespace

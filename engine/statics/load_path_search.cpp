@@ -15,8 +15,8 @@
 namespace trilith {
 namespace {
 
-/// Limits of the search: steps of pseudo-time, also while the memories are those of the last point, iterations of each,
-/// iterations without halving the residual.
+/// Limits of the search: steps of pseudo-time, and fewer where the laws keep the memories of the last point; iterations
+/// of each, and those without halving the residual.
 constexpr int most_pseudo_steps = 100, most_held_steps = 30, most_pseudo_iterations = 20, pseudo_patience = 5;
 /// Pseudo-time of the first step and of the last try [s], factor of a failed step, and growth after an easy step and
 /// otherwise.
@@ -89,7 +89,7 @@ bool LoadPathWalk<D>::pseudo_step(double h, double push) {
 }
 
 /// Rest after the followed displacement has moved by `push`. If there is none, or if it is too far to be accurate,
-/// everything is restored. The memories of the laws remain those of the last point, so that a joint slides as on the
+/// everything is restored. The laws keep the memories of the last point, so a joint slides as on the
 /// straight way between both, whatever the search does in between. Where a part snaps, there is no such rest nearby:
 /// `snaps` commits each step of pseudo-time, as a motion that a large inertia slows down.
 template <int D>

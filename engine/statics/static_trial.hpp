@@ -37,7 +37,7 @@ class StaticTrial {
   /// Returns to the start of the step, and evaluates it.
   void go_back();
   /// The inertia of `measure` acts from here on against displacements from the present position, until the step is
-  /// accepted or returned: steps of pseudo-time within one step, whose memories remain those of its start.
+  /// accepted or returned. These are steps of pseudo-time within one step, in which the laws keep their first memories.
   void hold_here() { held_position_ = state_.position, held_rotation_ = state_.rotation; }
   /// Returns to the held position, and evaluates it.
   void go_to_held();
