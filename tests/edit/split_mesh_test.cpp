@@ -16,7 +16,7 @@ using namespace trilith::testing;
 
 namespace {
 
-constexpr double depth = 0.1, height = 0.2, length = 0.8, weak = 3e6;
+constexpr double bar_depth = 0.1, bar_height = 0.2, bar_length = 0.8, weak = 3e6;
 
 Cohesive concrete_joint() {
   Cohesive law;
@@ -33,12 +33,12 @@ struct MeshBar {
   explicit MeshBar(bool held_left, bool triangles = false, double turned = 0)
       : scene(Frictional{1e10, 5e9, 0.6, 0}), angle(turned) {
     ModelBuilder& builder = scene.builder;
-    builder.thickness = depth;
+    builder.thickness = bar_depth;
     scene.set_gravity(Vec2::Zero());
     builder.add_material({"concrete", 2400, Solid{LinearElastic{30e9, 0.2}}});
     builder.add_law("plane", concrete_joint());
     const Turn turn(angle);
-    Mesh mesh = grid_mesh({Vec2(0, 0), Vec2(length, 0), Vec2(length, height), Vec2(0, height)}, 16, 4);
+    Mesh mesh = grid_mesh({Vec2(0, 0), Vec2(bar_length, 0), Vec2(bar_length, bar_height), Vec2(0, bar_height)}, 16, 4);
     if (triangles) {
       Mesh halves{mesh.node, {}};
       for (const auto& q : mesh.element) {
@@ -52,9 +52,9 @@ struct MeshBar {
     spec.name = "bar", spec.kind = BodyKind::mesh, spec.mesh = mesh, spec.material = "concrete";
     spec.floating = true;
     if (held_left)
-      spec.supports = {{Vec2(0, 0), Vec2(0, height), {Support::fixed, Support::free}},
+      spec.supports = {{Vec2(0, 0), Vec2(0, bar_height), {Support::fixed, Support::free}},
                        {Vec2(0, 0), Vec2(0, 0), {Support::fixed, Support::fixed}}};
-    spec.cracks.planes = {{turn.apply(Vec2(0.5 * length, 0)), turn.apply(Vec2(1, 0))}};
+    spec.cracks.planes = {{turn.apply(Vec2(0.5 * bar_length, 0)), turn.apply(Vec2(1, 0))}};
     spec.cracks.law = "plane";
     builder.add_body(spec);
   }
@@ -64,29 +64,29 @@ struct MeshBar {
 void load_right_end(Model<2>& model, const std::function<double(double)>& stress) {
   std::vector<std::pair<double, std::size_t>> end;
   for (std::size_t n = 0; n < model.mass.size(); ++n)
-    if (std::abs(model.start_position[n].x() - length) < 1e-9) end.emplace_back(model.start_position[n].y(), n);
+    if (std::abs(model.start_position[n].x() - bar_length) < 1e-9) end.emplace_back(model.start_position[n].y(), n);
   std::sort(end.begin(), end.end());
   for (std::size_t i = 0; i + 1 < end.size(); ++i) {
-    const double size = depth * (end[i + 1].first - end[i].first), a = stress(end[i].first),
+    const double size = bar_depth * (end[i + 1].first - end[i].first), a = stress(end[i].first),
                  b = stress(end[i + 1].first);
     model.load[end[i].second].x() += size * (a / 3 + b / 6),
         model.load[end[i + 1].second].x() += size * (a / 6 + b / 3);
   }
 }
 
-const CrackSection<2>& section_of(const Simulation<2>& sim) {
+const CrackSection<2>& mesh_section_of(const Simulation<2>& sim) {
   return sim.cracking().bodies.front().sections.front();
 }
 
-struct Motion {
+struct MeshMotion {
   double mass = 0, kinetic = 0, turning = 0;
   Vec2 momentum = Vec2::Zero(), first = Vec2::Zero();
 };
 /// Of all bodies that are present.
-Motion motion_of_present(const Simulation<2>& sim) {
+MeshMotion motion_of_present(const Simulation<2>& sim) {
   const Model<2>& model = sim.model();
   const State<2>& s = sim.state();
-  Motion sum;
+  MeshMotion sum;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (s.left[b] != 0) continue;
     const auto from = static_cast<std::size_t>(model.bodies[b].first_node);
@@ -99,14 +99,14 @@ Motion motion_of_present(const Simulation<2>& sim) {
   return sum;
 }
 
-std::vector<Crack<2>> crack_now(Simulation<2>& sim) {
+std::vector<Crack<2>> mesh_crack_now(Simulation<2>& sim) {
   sim.refresh();
   const CrackingBody<2>& row = sim.cracking().bodies.front();
   Work<2> scratch;
   Crack<2> crack;
   crack.body = row.body, crack.section = 0, crack.stress = weak;
-  crack.traction = mesh_tractions(sim.model(), sim.state(), row.body, *section_of(sim).cut, scratch);
-  const std::vector<Turn> turns = turns_of_cut(sim.model(), sim.state(), row.body, *section_of(sim).cut);
+  crack.traction = mesh_tractions(sim.model(), sim.state(), row.body, *mesh_section_of(sim).cut, scratch);
+  const std::vector<Turn> turns = turns_of_cut(sim.model(), sim.state(), row.body, *mesh_section_of(sim).cut);
   for (std::size_t i = 0; i < turns.size(); ++i) crack.traction[i] = turns[i].undo(crack.traction[i]);
   return {crack};
 }
@@ -122,7 +122,7 @@ TEST_CASE("the stress at the edges of a mesh is the exact one of a pulled and of
       const MeshBar bar(true, triangles);
       ModelBuilder builder = bar.scene.builder;
       Model<2> model = builder.build();
-      const auto stress = [&](double y) { return bent ? 2e6 * (1 - 2 * y / height) : 1e6; };
+      const auto stress = [&](double y) { return bent ? 2e6 * (1 - 2 * y / bar_height) : 1e6; };
       load_right_end(model, stress);
       State<2> state = initial_state(model);
       CHECK(find_equilibrium(model, state).converged);
@@ -153,7 +153,7 @@ TEST_CASE("a mesh cracks above the strength of its law and not below it") {
     if (share < 1) continue;
     CHECK(cracks.front().mode == JointMode::tension);
     CHECK(near(cracks.front().stress, share * weak, 1e-4));
-    CHECK(near(cracks.front().place.x(), 0.5 * length, 1e-3));
+    CHECK(near(cracks.front().place.x(), 0.5 * bar_length, 1e-3));
   }
 }
 
@@ -168,24 +168,24 @@ TEST_CASE("a mesh that splits in motion keeps mass, momentum, angular momentum a
       sim.set_cracking(builder.cracking(sim.model()));
       // It spins, and waves run through it.
       sim.edit([&](Model<2>& model) {
-        const Vec2 end = Turn(angle).apply(Vec2(length, height));
+        const Vec2 end = Turn(angle).apply(Vec2(bar_length, bar_height));
         for (std::size_t n = 0; n < model.mass.size(); ++n)
           if ((model.start_position[n] - end).norm() < 0.3) model.load[n] = 6e3 * model.mass[n] * Vec2(1, 0.7);
       });
       run_for(sim, 1e-3);
       sim.grow(Model<2>(sim.model()));  // a change without a change: ends the last step, as each change does
-      const std::vector<Crack<2>> cracks = crack_now(sim);
+      const std::vector<Crack<2>> cracks = mesh_crack_now(sim);
       double size = 0;
       for (const Vec2& t : cracks.front().traction) size = std::max(size, t.norm());
       CHECK(size > 0.1 * weak);
       CHECK(size < weak);
-      const Motion before = motion_of_present(sim);
+      const MeshMotion before = motion_of_present(sim);
       const double balance = sim.energy().balance(), elastic = sim.energy()[EnergyTerm::strain];
       const std::vector<Vec2> force = sim.work().force;
       const Model<2> whole = sim.model();
       sim.split(with_cracks(builder, sim.model(), sim.cracking().bodies, cracks), cracks);
       sim.refresh();
-      const Motion after = motion_of_present(sim);
+      const MeshMotion after = motion_of_present(sim);
       CHECK(near(after.mass, before.mass, 1e-14));
       CHECK((after.momentum - before.momentum).norm() < 1e-13 * before.momentum.norm());
       CHECK((after.first - before.first).norm() < 1e-13 * before.first.norm());
@@ -196,7 +196,7 @@ TEST_CASE("a mesh that splits in motion keeps mass, momentum, angular momentum a
       CHECK(near(sim.energy()[EnergyTerm::strain], elastic, 1e-4));
       CHECK(sim.energy()[EnergyTerm::contact_elastic] > 0);
       // Both copies of a node on the cut keep its acceleration.
-      const MeshParts parts(sim.model(), {0, 1, 2}, *section_of(sim).cut);
+      const MeshParts parts(sim.model(), {0, 1, 2}, *mesh_section_of(sim).cut);
       double largest = 0, jump = 0;
       for (int n = 0; n < whole.bodies[0].nodes; ++n)
         for (const int side : {0, 1}) {
