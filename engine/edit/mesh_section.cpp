@@ -53,45 +53,51 @@ struct SideSums {
   std::vector<double> mass[2];  // relative
 };
 
-SideSums side_sums(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, Work<2>& scratch) {
-  const std::size_t nodes = model.mass.size(), first = first_node(model, body), from = first_element(model, body);
-  scratch.element_force.resize(nodes, Vec2::Zero());
-  scratch.element_damping.resize(nodes, Vec2::Zero());
-  scratch.plastic.resize(state.plastic.size());
-  std::vector<double> mass(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
-  SideSums sums;
-  for (const int side : {0, 1}) {
-    std::fill(mass.begin(), mass.end(), 0);
-    const auto each = [&](auto&& see) {
-      for (const int e : cut.elements)
-        if ((cut.behind[static_cast<std::size_t>(e)] != 0) == (side == 0)) see(from + static_cast<std::size_t>(e));
-    };
-    each([&](std::size_t e) {
-      const Element& element = model.elements[e];
-      element_forces(model, state, scratch, static_cast<int>(e));
-      std::vector<Vec2> corners;
-      for (int i = 0; i < element.nodes; ++i)
-        corners.push_back(model.start_position[static_cast<std::size_t>(element.node[static_cast<std::size_t>(i)])]);
-      const auto areas = node_areas(corners);
-      for (std::size_t i = 0; i < corners.size(); ++i)
-        mass[static_cast<std::size_t>(element.node[i]) - first] += areas[i];
-    });
-    for (const int n : cut.nodes) {
-      const std::size_t at = first + static_cast<std::size_t>(n);
-      sums.force[side].emplace_back(scratch.element_force[at] + scratch.element_damping[at]);
-      sums.mass[side].push_back(mass[static_cast<std::size_t>(n)]);
-    }
-    each([&](std::size_t e) {
-      for (const int n : model.elements[e].node)
-        if (n >= 0)
-          scratch.element_force[static_cast<std::size_t>(n)].setZero(),
-              scratch.element_damping[static_cast<std::size_t>(n)].setZero();
-    });
+/// Adds the areas of the nodes of an element, to which their masses are proportional.
+void add_areas(const Model<2>& model, const Element& element, std::size_t first, std::vector<double>& area) {
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(element.nodes); ++i)
+    corners.push_back(model.start_position[static_cast<std::size_t>(element.node[i])]);
+  const auto own = node_areas(corners);
+  for (std::size_t i = 0; i < corners.size(); ++i) area[static_cast<std::size_t>(element.node[i]) - first] += own[i];
+}
+
+/// The forces of `scratch` are 0 before and after.
+void add_side(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, int side, Work<2>& scratch,
+              SideSums& sums) {
+  const std::size_t first = first_node(model, body), from = first_element(model, body);
+  std::vector<double> area(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
+  const auto each = [&](auto&& see) {
+    for (const int e : cut.elements)
+      if ((cut.behind[static_cast<std::size_t>(e)] != 0) == (side == 0)) see(from + static_cast<std::size_t>(e));
+  };
+  each([&](std::size_t e) {
+    element_forces(model, state, scratch, static_cast<int>(e));
+    add_areas(model, model.elements[e], first, area);
+  });
+  for (const int n : cut.nodes) {
+    const std::size_t at = first + static_cast<std::size_t>(n);
+    sums.force[side].emplace_back(scratch.element_force[at] + scratch.element_damping[at]);
+    sums.mass[side].push_back(area[static_cast<std::size_t>(n)]);
   }
+  each([&](std::size_t e) {
+    for (int i = 0; i < model.elements[e].nodes; ++i) {
+      const auto n = static_cast<std::size_t>(model.elements[e].node[static_cast<std::size_t>(i)]);
+      scratch.element_force[n].setZero(), scratch.element_damping[n].setZero();
+    }
+  });
+}
+
+SideSums side_sums(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, Work<2>& scratch) {
+  scratch.element_force.resize(model.mass.size(), Vec2::Zero());
+  scratch.element_damping.resize(model.mass.size(), Vec2::Zero());
+  scratch.plastic.resize(state.plastic.size());
+  SideSums sums;
+  for (const int side : {0, 1}) add_side(model, state, body, cut, side, scratch, sums);
   return sums;
 }
 
-/// Solves the tridiagonal system with the diagonal of the edges' lengths / 3 and length / 6 beside it.
+/// Solves the tridiagonal system with the diagonal of the edges' lengths / 3 and length / 6 next to it.
 std::vector<Vec2> stress_from_forces(std::vector<Vec2> force, const std::vector<Vec2>& along, double thickness) {
   const std::size_t count = force.size();
   std::vector<double> diagonal(count, 0), beside(count, 0);

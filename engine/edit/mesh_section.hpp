@@ -1,8 +1,9 @@
 // Stress in the section of a mesh before it cracks, from the balance of its nodes.
 //
-// A node of the cut belongs to elements behind the cut and to elements ahead of it. With the masses m_a and m_b of its
-// copies behind and ahead, the internal forces F_a and F_b of the elements on both sides, and external forces E divided
-// like the masses, both copies keep the acceleration of the node if the part ahead acts on the part behind with
+// A node of the cut belongs to elements behind the cut and to elements ahead of it. Its copies behind and ahead have
+// the masses m_a and m_b, and the elements on both sides the internal forces F_a and F_b. External forces E are divided
+// like the masses. Both copies keep the acceleration of the node under the force T of the part ahead on the part
+// behind:
 //
 //     T = m_a a - F_a - E m_a / m = (m_a F_b - m_b F_a) / m,     m = m_a + m_b,    m a = F_a + F_b + E
 //

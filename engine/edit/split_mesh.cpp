@@ -253,7 +253,7 @@ class MeshLinks {
   const MeshParts& parts_;
 };
 
-/// The interface that a kind of load is given: it also asks for the faces of the crack.
+/// The parts that a kind of load sees, with the faces of the crack.
 class MeshLoadParts : public MeshLinks {
  public:
   MeshLoadParts(const MeshLinks& links, const MeshCut& cut) : MeshLinks(links), cut_(cut) {}

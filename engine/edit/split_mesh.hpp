@@ -1,4 +1,4 @@
-// Meshes that split: the rows of their parts, and the loads, supports and links that move to them from the body.
+// Meshes that split: the rows of their parts, and the motion, links and contacts that move to them from the body.
 #pragma once
 
 #include <array>

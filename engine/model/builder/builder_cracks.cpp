@@ -1,6 +1,7 @@
 // Bodies of a plane model that may crack, and their parts.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "model/builder/builder.hpp"
@@ -149,6 +150,32 @@ void ModelBuilder::crack(const Model<2>& model, int body, const CrackSection<2>&
   }
 }
 
+namespace {
+
+/// [node] of a mesh that parts.
+struct PartedNodes {
+  const std::vector<double>&mass, &behind;  // [kg]; share of it in the part behind
+  const std::vector<Vec2>& apart;           // distance of both copies [m]
+};
+
+/// Places and masses of the nodes of a part, whose checked mesh has other numbers than `piece`.
+void set_part_nodes(const MeshPart& piece, bool is_behind, const PartedNodes& whole, BodySpec& part) {
+  part.node_mass.assign(part.mesh->node.size(), 0);
+  for (std::size_t e = 0; e < piece.mesh.element.size(); ++e)
+    for (int i = 0; i < corners_of(piece.mesh.element[e]); ++i) {
+      const auto at = static_cast<std::size_t>(piece.mesh.element[e][i]);
+      const auto n = static_cast<std::size_t>(piece.node[at]);
+      const auto own = static_cast<std::size_t>(part.mesh->element[e][i]);
+      const double share = is_behind ? whole.behind[n] : 1 - whole.behind[n];
+      part.node_mass[own] = share * whole.mass[n];
+      part.mesh->node[own] = piece.mesh.node[at] + (is_behind ? share - 1 : 1 - share) * whole.apart[n];
+    }
+  std::copy_n(part.mesh->node.begin(), part.outline.size(), part.outline.begin());
+  part.mass = std::accumulate(part.node_mass.begin(), part.node_mass.end(), 0.0);
+}
+
+}  // namespace
+
 /// Nodes keep the mass of their elements, so that mass, momentum and centre of mass remain. An opening is small: it
 /// sets the faces apart, and changes the elements at them by its ratio to their size.
 void ModelBuilder::crack_mesh(int body, const CrackSection<2>& section, const std::vector<Vec2>& opening) {
@@ -172,18 +199,7 @@ void ModelBuilder::crack_mesh(int body, const CrackSection<2>& section, const st
     part.name = new_part_name(body_names_known_, bodies_, whole.name + (is_behind ? ".a" : ".b"));
     part.mesh = piece.mesh;
     take_checked_mesh(part, fmt::format("body '{}'", part.name));
-    part.node_mass.assign(part.mesh->node.size(), 0);
-    for (std::size_t e = 0; e < piece.mesh.element.size(); ++e)
-      for (int i = 0; i < corners_of(piece.mesh.element[e]); ++i) {
-        const auto n = static_cast<std::size_t>(piece.node[static_cast<std::size_t>(piece.mesh.element[e][i])]);
-        const auto own = static_cast<std::size_t>(part.mesh->element[e][i]);
-        const double share = is_behind ? behind[n] : 1 - behind[n];
-        part.node_mass[own] = share * lone.mass[n];
-        part.mesh->node[own] = whole.mesh->node[n] + (is_behind ? share - 1 : 1 - share) * apart[n];
-      }
-    part.outline.assign(part.mesh->node.begin(),
-                        part.mesh->node.begin() + static_cast<std::ptrdiff_t>(part.outline.size()));
-    part.mass = std::accumulate(part.node_mass.begin(), part.node_mass.end(), 0.0);
+    set_part_nodes(piece, is_behind, {lone.mass, behind, apart}, part);
     part.cracked_from = body;
     bodies_.push_back(std::move(part));
   }

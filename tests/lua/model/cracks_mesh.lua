@@ -38,7 +38,7 @@ do
   refused("'dry' has no strength", function() m:run { duration = 1e-4 } end)
 end
 
--- planes without a crack keep all bits and the step
+-- planes that do not crack leave all bits and all steps as they are
 local function struck(cracks)
   local m = empty()
   m:block { name = "floor", width = 4, height = 0.2, at = { -2, -0.2 }, material = "concrete", support = "fixed" }
