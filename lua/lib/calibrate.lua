@@ -227,6 +227,18 @@ local function text_of(search)
 end
 
 local calibrate_keys = { "frequency", "vary", "mode", "shape", "between", "tolerance", "settle" }
+local keys_of_several = { "frequencies", "modes", "shapes", "scatter", "range" }
+
+--- Refuses unknown keys, of which the message lists all, and keys that need `frequencies`.
+local function check_single(options)
+  local known = table.move(calibrate_keys, 1, #calibrate_keys, 1, {})
+  check_keys("calibrate", options, table.move(keys_of_several, 1, #keys_of_several, #known + 1, known))
+  for _, key in ipairs(keys_of_several) do
+    if options[key] ~= nil then
+      core.fail(("calibrate: '%s' is for a fit to several 'frequencies', which are not given"):format(key))
+    end
+  end
+end
 
 core.read_varied, core.likeness = read_varied, likeness
 
@@ -239,7 +251,7 @@ function model_methods.calibrate(model, options)
     end
     return core.calibrate_several(model, options)
   end
-  check_keys("calibrate", options, calibrate_keys)
+  check_single(options)
   local wanted = { frequency = positive("calibrate", "frequency", options.frequency, " Hz"), mode = options.mode or 1,
     shape = options.shape, settle = options.settle }
   if math.type(wanted.mode) ~= "integer" or wanted.mode < 1 then

@@ -100,6 +100,8 @@ refused("it would have to be softer", m.calibrate, m, { frequency = 1, vary = "m
 refused("'frequency' is missing", m.calibrate, m, { vary = "mortar.kn" })
 refused("'vary' is missing", m.calibrate, m, { frequency = 20 })
 refused("unknown key 'varies'", m.calibrate, m, { frequency = 20, varies = "mortar.kn" })
+refused("'scatter' is for a fit to several 'frequencies'", m.calibrate, m,
+  { frequency = 20, vary = "mortar.kn", scatter = 0.01 })
 refused("there are 3 modes, none is number 4", m.calibrate, m, { frequency = 20, vary = "mortar.kn", mode = 4 })
 near(m:modes()[1].frequency, 15.0450, 5e-4) -- rejected calls do not change it
 -- Four times all stiffnesses: twice all frequencies.
