@@ -240,7 +240,24 @@ local function check_single(options)
   end
 end
 
-core.read_varied, core.likeness = read_varied, likeness
+core.likeness = likeness
+
+--- Groups of stiffnesses: each entry of `vary` is a name, or a list of names that keep their ratio.
+function core.read_groups(model, vary)
+  local groups, names, seen = {}, {}, {}
+  if type(vary) ~= "table" or #vary == 0 then vary = { vary } end
+  for j, entry in ipairs(#vary > 0 and vary or { false }) do
+    groups[j] = read_varied(model, entry or nil)
+    local texts = {}
+    for _, row in ipairs(groups[j]) do
+      if seen[row.name] then core.fail(("calibrate: '%s' occurs twice in 'vary'"):format(row.name)) end
+      seen[row.name] = true
+      texts[#texts + 1] = row.name
+    end
+    names[j] = table.concat(texts, " with ")
+  end
+  return groups, names
+end
 
 --- m:calibrate{ frequency =, vary = } -> { value, values, frequency, tries, text }; the model keeps the result. With
 --- `frequencies`: lib/calibrate_fit.lua.

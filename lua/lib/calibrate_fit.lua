@@ -294,30 +294,13 @@ function Fit:run()
   return setmetatable(result, core.findings)
 end
 
---- Groups of stiffnesses: each entry of `vary` is a name, or a list of names that keep their ratio.
-local function read_groups(model, vary)
-  local groups, names, seen = {}, {}, {}
-  if type(vary) ~= "table" or #vary == 0 then vary = { vary } end
-  for j, entry in ipairs(#vary > 0 and vary or { false }) do
-    groups[j] = core.read_varied(model, entry or nil)
-    local texts = {}
-    for _, row in ipairs(groups[j]) do
-      if seen[row.name] then core.fail(("calibrate: '%s' occurs twice in 'vary'"):format(row.name)) end
-      seen[row.name] = true
-      texts[#texts + 1] = row.name
-    end
-    names[j] = table.concat(texts, " with ")
-  end
-  return groups, names
-end
-
 local model_keys = { "frequencies", "vary", "modes", "shapes", "tolerance", "scatter", "range", "settle" }
 
 --- m:calibrate{ frequencies =, vary = }: the model keeps the result; after an error it has its numbers from before.
 function core.calibrate_several(model, options)
   check_keys("calibrate", options, model_keys)
   local fit = setmetatable(read_targets("calibrate", options), Fit)
-  local groups, names = read_groups(model, options.vary)
+  local groups, names = core.read_groups(model, options.vary)
   local tries = 0
   fit.names = names
   local function set(x)

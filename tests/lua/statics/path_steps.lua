@@ -70,8 +70,8 @@ for _, case in ipairs { { 2, 4, 0.01 }, { 2, 3, 0.02 }, { 3, 4, 0.01 }, { 2, 3, 
   end
 end
 
--- A block of 0.5 m by 1 m pushed at its top slides at mu W or rocks at W b/(2 h), less the toe of its elastic joint. An upper
--- block slides along the joint below it. The peak is the same for each halving of the step.
+-- A block of 0.5 m by 1 m pushed at its top slides at mu W or rocks at W b/(2 h), less the toe of its elastic joint.
+-- An upper block slides along the joint below it. The peak is the same for each halving of the step.
 local function block(dim, arc, mu, form, stacked)
   local m = model(dim, { kn = 1e11, ks = 5e10, mu = mu, beta = 1e-6 })
   box(m, "base", -1, -0.2, 2, 0, { support = "fixed" })
