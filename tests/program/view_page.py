@@ -82,7 +82,7 @@ def plays_to_the_end(page):
     page.keys(Keys.HOME, Keys.ARROW_UP * 8, " ")
     # A short run may end before the first check.
     page.until("trilith.player.playing || trilith.player.time > trilith.run.begin")
-    page.until("!trilith.player.playing", 20)
+    page.until("!trilith.player.playing")
     end = page.evaluate("trilith.run.end")
     assert page.text("#clock") == f"{end:.2f} s", page.text("#clock")
     print(f"{page.name}: {page.evaluate('trilith.player.rate'):.0f} frames a second while playing")
