@@ -169,7 +169,7 @@ TEST_CASE("the page of a wall of 400 units over 30 s is below 15 MB for any moti
                        {5e3 * push(random), 5e3, 0},
                        a,
                        (a + 1) % units,
-                       ContactState::sticking};
+                       results::ContactState::sticking};
       }
       FrameRow row;
       row.time = 0.05 * i;

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "model/event/event.hpp"
+#include "results/file/body_mass.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
 #include "results/reading/member_values.hpp"
@@ -144,12 +145,6 @@ void write_parameters(const ResultsReader& reader, Cells& out) {
   out.cell("name").cell("value").cell("unit").cell("default").cell("text").end_row();
   for (const ParameterRow& p : reader.header().provenance.parameters)
     out.cell(p.name).cell(p.value).cell(p.unit).cell(p.fallback).cell(p.text).end_row();
-}
-
-double mass_of(const Header& header, const BodyRow& body) {
-  double mass = 0;
-  for (int i = 0; i < body.node_count; ++i) mass += header.node_mass[static_cast<std::size_t>(body.first_node + i)];
-  return mass;
 }
 
 /// Centre of mass of a body's nodes; without mass, the mean of its nodes.
