@@ -63,12 +63,39 @@ void bonds_of_half(const K& law, const HalfGaps& gaps, std::span<const double> l
   f(bond);
 }
 
-template <class F>
-void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work, bool after, double dt, F&& f) {
+/// Calls f for the points of the bonds of one pair of faces, see each_bond. `law`: kernel of the pair's law.
+template <class K, class F>
+void bonds_of_row(const K& law, const ContactHistory& history, std::size_t row, const FaceOverlap<double>& overlap,
+                  const FaceRates<double>& r, double back, PlacedBond bond, F&& f) {
+  const ContactMemory& memory = history.memory[row];
+  const auto own = law_memory<K>(history.law_numbers(row));
+  const std::array<HalfGaps, 2> gaps = law.gaps(overlap, memory, own);
+  const double middle = 0.5 * (r.gap_lo + r.gap_hi);
+  for (const int h : {0, 1}) {
+    if (!memory.bonded(h)) continue;
+    const std::array<double, 2> rate = {h == 0 ? r.gap_lo : middle, h == 0 ? middle : r.gap_hi};
+    HalfGaps then = gaps[h];
+    then.g0 -= back * rate[0], then.g1 -= back * rate[1];
+    std::array<double, K::parts> left;
+    left.fill(1);
+    if constexpr (K::softens)
+      for (int i = 0; i < K::parts; ++i) left[i] = 1 - own.damage[h * K::parts + i];
+    // While a half is intact its wider end reaches the strength first.
+    const bool whole = *std::min_element(left.begin(), left.end()) >= 1;
+    const double slip = (h == 0 ? 0.75 : 0.25) * r.slip_lo + (h == 0 ? 0.25 : 0.75) * r.slip_hi;
+    bonds_of_half(law, then, {left.data(), whole ? 1 : left.size()}, memory.shear_elastic[h], 0.5 * overlap.shared,
+                  rate, slip, back, bond, f);
+  }
+}
+
+/// Calls f(PlacedBond) as each_bond does, but not for pairs of faces for which skips(row, bond, overlap, rates) is
+/// true.
+template <class Skips, class F>
+void each_bond_but(const Model<2>& model, const State<2>& state, const Work<2>& work, bool after, double dt,
+                   Skips&& skips, F&& f) {
   const ContactHistory& history = after ? work.contacts : contacts_before(state, work);
   for (std::size_t row = 0; row < work.pairs.size(); ++row) {
-    const ContactMemory& memory = history.memory[row];
-    if (memory.bonds == 0) continue;
+    if (history.memory[row].bonds == 0) continue;
     const NearPair& p = work.pairs[row];
     const FaceOverlap<double> overlap = face_overlap(work, p);
     if (!(overlap.shared > 0)) continue;
@@ -76,29 +103,17 @@ void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work
     PlacedBond bond;
     bond.share = 0.5, bond.row = static_cast<int>(row);
     bond.size = overlap.shared, bond.body_a = model.piece_body[p.piece_a], bond.body_b = model.piece_body[p.piece_b];
+    if (skips(row, bond, overlap, r)) continue;
     with_kernel(law_in_use(model, p.law, dt), [&]<class K>(const K& law) {
-      if constexpr (K::bonds) {
-        const auto own = law_memory<K>(history.law_numbers(row));
-        const std::array<HalfGaps, 2> gaps = law.gaps(overlap, memory, own);
-        const double middle = 0.5 * (r.gap_lo + r.gap_hi), back = after ? 0 : dt;
-        for (const int h : {0, 1}) {
-          if (!memory.bonded(h)) continue;
-          const std::array<double, 2> rate = {h == 0 ? r.gap_lo : middle, h == 0 ? middle : r.gap_hi};
-          HalfGaps then = gaps[h];
-          then.g0 -= back * rate[0], then.g1 -= back * rate[1];
-          std::array<double, K::parts> left;
-          left.fill(1);
-          if constexpr (K::softens)
-            for (int i = 0; i < K::parts; ++i) left[i] = 1 - own.damage[h * K::parts + i];
-          // While a half is intact its wider end reaches the strength first.
-          const bool is_intact = *std::min_element(left.begin(), left.end()) >= 1;
-          const double slip = (h == 0 ? 0.75 : 0.25) * r.slip_lo + (h == 0 ? 0.25 : 0.75) * r.slip_hi;
-          bonds_of_half(law, then, {left.data(), is_intact ? 1 : left.size()}, memory.shear_elastic[h],
-                        0.5 * overlap.shared, rate, slip, back, bond, f);
-        }
-      }
+      if constexpr (K::bonds) bonds_of_row(law, history, row, overlap, r, after ? 0 : dt, bond, f);
     });
   }
+}
+
+template <class F>
+void each_bond(const Model<2>& model, const State<2>& state, const Work<2>& work, bool after, double dt, F&& f) {
+  each_bond_but(
+      model, state, work, after, dt, [](const auto&...) { return false; }, f);
 }
 
 }  // namespace trilith

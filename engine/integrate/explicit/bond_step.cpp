@@ -11,6 +11,7 @@
 #include "events/body_events.hpp"
 #include "integrate/explicit/bond_places.hpp"
 #include "integrate/explicit/drive_jumps.hpp"
+#include "integrate/explicit/intact_bonds.hpp"
 #include "integrate/explicit/skipped_bonds.hpp"
 #include "integrate/explicit/stable_step.hpp"
 
@@ -105,6 +106,35 @@ bool is_far(const State<D>& state, const Work<D>& work, double dt, BondRoom& roo
   return room.room > steps_ahead * room.speed * dt || room.speed * dt < room.way;
 }
 
+/// The coming step of bonds: its length [s], and an upper bound of the change of their rates [m/s].
+struct ComingStep {
+  double dt, gain;
+};
+
+/// Calls f(PlacedBond) for each bond that may come near its peak within the step. Intact bonds that cannot only reduce
+/// `room`, by bounds that take a fraction of the time.
+template <class F>
+void each_bond_near(const Model<2>& model, const State<2>& state, const Work<2>& work, ComingStep step,
+                    const DriveJumps<2>& jumps, BondRoom& room, F&& f) {
+  const std::vector<IntactBonds> laws = intact_bonds(model);
+  const auto is_far_from_peak = [&](std::size_t row, const PlacedBond& bond, const auto& overlap, const auto& rates) {
+    const IntactBonds& law = laws[static_cast<std::size_t>(work.pairs[row].law)];
+    if (!is_intact(law, work.contacts, row)) return false;
+    const IntactPlace place = intact_place(law, overlap, rates, work.contacts.memory[row]);
+    const double speed = place.speed + jumps.between(bond.body_a, bond.body_b);
+    if (!(place.room > steps_ahead * (speed + step.gain) * step.dt)) return false;
+    room.room = std::min(room.room, place.room), room.speed = std::max(room.speed, speed);
+    room.way = std::min(room.way, (law.soften ? past_peak : past_brittle_peak) * law.whole);
+    return true;
+  };
+  each_bond_but(model, state, work, true, 0, is_far_from_peak, f);
+}
+template <class F>
+void each_bond_near(const Model<3>& model, const State<3>& state, const Work<3>& work, ComingStep /*step*/,
+                    const DriveJumps<3>& /*jumps*/, const BondRoom& /*room*/, F&& f) {
+  each_bond(model, state, work, true, 0, f);
+}
+
 /// Longest path of a bond in one step, as steps that are not given have it [m].
 template <int D>
 double followed_path(const Work<D>& work, const PlacedBond& bond) {
@@ -140,7 +170,7 @@ double bond_step(const Model<D>& model, const State<D>& state, const Work<D>& wo
   if (room.none) return dt;
   const double gain = largest_gain(state, work, dt);
   double time = dt;
-  each_bond(model, state, work, true, 0, [&](const PlacedBond& bond) {
+  each_bond_near(model, state, work, {dt, gain}, jumps, room, [&](const PlacedBond& bond) {
     const BondCurve& c = bond.curve;
     if (!(c.top > 0)) return;
     const double jump = jumps.between(bond.body_a, bond.body_b);

@@ -78,6 +78,35 @@ for name, make in pairs(bodies) do
   end
 end
 
+-- Slow and fast: 0.5 to 300 rad/s, with given and free steps, a clump of pieces that lies askew to its principal axes,
+-- and a standing body nearby.
+bodies.clump = function(m)
+  return m:body { name = "b", material = "stone", support = "fixed", floating = true, pieces = {
+    { hull = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } },
+    { hull = { { 0, 0, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } } } } }
+end
+for _, name in ipairs { "askew", "clump" } do
+  for _, rate in ipairs { 0.5, 5, 50, 300 } do
+    for k, axis in ipairs(units) do
+      for _, scheme in ipairs { { integrator = "explicit" }, { integrator = "implicit" }, { integrator = "auto" },
+                                { integrator = "explicit", dt = 1e-3 }, { integrator = "implicit", dt = 5e-3 } } do
+        local m = model { name = "rates" }
+        m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e8, ks = 5e7, mu = 0.6, beta = 1e-3 } }
+        local b = bodies[name](m)
+        m:block { name = "free", size = { 0.2, 0.2, 0.2 }, at = { 5, 5, 0 }, material = "stone", floating = true }
+        local centre = { b.x, b.y, b.z }
+        m:drive { body = b, [names[k]] = trilith.ramp { by = 0.2*rate, duration = 0.2 } }
+        run(m, scheme, 0.21)
+        local what = ("%s about %s at %g rad/s, %s, dt %s"):format(name, names[k], rate, scheme.integrator, scheme.dt)
+        assert(m.verdict.sound, what)
+        assert(missed(b, { { axis, 0.2*rate } }, centre) < 1e-9, what)
+        for j, other in ipairs(names) do is_at(what .. ": " .. other, b[other], j == k and 0.2*rate or 0, 1e-9) end
+        m:close()
+      end
+    end
+  end
+end
+
 -- About a diagonal, and two drives after each other: about one axis, and about two.
 for name, make in pairs(bodies) do
   for _, scheme in ipairs(schemes) do

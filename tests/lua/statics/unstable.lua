@@ -153,6 +153,29 @@ for _, how in ipairs { "static", "explicit" } do
     m:close()
   end
 end
+-- Overhangs from far below to far above the limit of half the length, and a support that is taken away.
+for _, how in ipairs { "static", "explicit" } do
+  local keys = how == "static" and { integrator = "static", or_go_on = true }
+    or { duration = 12, rest = { ratio = 1e-3, speed = 1e-3, hold = 0.1 } }
+  for _, dim in ipairs { 2, 3 } do
+    for _, over in ipairs { 0.3, 0.45, 0.49, 0.51, 0.55, 0.7 } do
+      local m = tower(dim)
+      box(m, "top", over - 1, 0.5, over, 0.8)
+      local ending = m:consolidate(keys).ending
+      assert(ending == (over < 0.5 and "rest" or "unstable"), ("%s, dim %d, overhang %g: %s"):format(how, dim, over,
+        ending))
+      m:close()
+    end
+    local m = tower(dim)
+    box(m, "top", -0.55, 0.5, 0.65, 0.8)
+    box(m, "weight", -0.55, 0.8, -0.05, 1.2)
+    assert(m:consolidate { integrator = "static" }.ending == "rest", "held by a weight")
+    m:remove "weight"
+    local ending = m:consolidate(keys).ending
+    assert(ending == "unstable", ("%s, dim %d, its weight removed: %s"):format(how, dim, ending))
+    m:close()
+  end
+end
 do
   local m = model(2, 0.7)
   box(m, "floor", -4, -0.5, 4, 0, "fixed")
