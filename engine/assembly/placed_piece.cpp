@@ -108,11 +108,26 @@ bool are_laid(const Model<2>& model, const Work<2>& work, const PlacedPieces& pl
                          placed.piece[0].is_face.data() == model.edge_is_face.data());
 }
 
+/// move_piece() for a rigid piece after an explicit step, which needs no velocities of its corners.
+void move_rigid_piece(const Model<2>& model, const State<2>& state, const Work<2>& work, const PieceSource& source,
+                      Vec2* place, PlacedPiece& placed) {
+  const int* const skin = model.corner_skin.data() + source.corner;
+  const SkinMotion<2>* const of = work.skin.data();
+  const std::size_t count = placed.corner.size();
+  for (std::size_t c = 0; c < count; ++c) store_pair(place[c].data(), load_pair(&of[skin[c]].x));
+  const int node = source.node;
+  placed.origin = state.position[node], placed.velocity = state.velocity[node], placed.spin = state.spin[node];
+}
+
 /// Places a piece with its edges in `all`.
 void place_sides(const Model<2>& model, const State<2>& state, const Work<2>& work, int piece, PlacedPieces& all) {
   PlacedPiece& placed = all.piece[piece];
-  move_piece(model, state, work, piece, piece_room(model, piece, all), placed);
-  place_edges(placed.corner, &all.row[PlacedPieces::first_row(piece, all.source[piece].corner)]);
+  const PieceSource& source = all.source[piece];
+  if (placed.corner_velocity.empty() && placed.over_step == nullptr)
+    move_rigid_piece(model, state, work, source, &all.place[source.corner], placed);
+  else
+    move_piece(model, state, work, piece, piece_room(model, piece, all), placed);
+  place_edges(placed.corner, &all.row[PlacedPieces::first_row(piece, source.corner)]);
 }
 
 }  // namespace

@@ -82,34 +82,44 @@ struct ForcesByBorder {
   }
 };
 
+/// Skin points of the corners of pieces. A copy of the addresses, because the compiler must assume that adding a force
+/// changes any other.
+struct PieceSkins {
+  const int *skins, *first;
+
+  explicit PieceSkins(const Model<2>& model) : skins(model.corner_skin.data()), first(model.piece_first.data()) {}
+  [[nodiscard]] const int* of(int piece) const { return skins + first[piece]; }
+  [[nodiscard]] int count(int piece) const { return first[piece + 1] - first[piece]; }
+};
+
 template <class Sink>
-void add_to_piece(const Model<2>& model, int piece, const Vec2* force, const Sink& sink) {
-  const int *skin = &model.corner_skin[model.piece_first[piece]], count = model.corners_of(piece);
+void add_to_piece(const PieceSkins& skins, int piece, const Vec2* force, const Sink& sink) {
+  const int *skin = skins.of(piece), count = skins.count(piece);
   for (int c = 0; c < count; ++c) sink.add(skin[c], force[c]);
 }
 
 /// Adds forces to the corners at both ends of edge e.
 template <class Sink>
-TRILITH_INLINE void add_to_edge(const Model<2>& model, int piece, int e, const std::array<Vec2, 2>& force,
+TRILITH_INLINE void add_to_edge(const PieceSkins& skins, int piece, int e, const std::array<Vec2, 2>& force,
                                 const Sink& sink) {
-  const int *skin = &model.corner_skin[model.piece_first[piece]], next = e + 1 < model.corners_of(piece) ? e + 1 : 0;
+  const int *skin = skins.of(piece), next = e + 1 < skins.count(piece) ? e + 1 : 0;
   sink.add(skin[e], force[0]), sink.add(skin[next], force[1]);
 }
 
 /// `sink_of(piece)`: sink for the forces on a piece.
 template <class SinkOf>
-TRILITH_INLINE void add_forces(const Model<2>& model, const NearPair& pair, const OverlapAnswer& answer,
+TRILITH_INLINE void add_forces(const PieceSkins& skins, const NearPair& pair, const OverlapAnswer& answer,
                                SinkOf&& sink_of) {
   const CornerOnFace at = answer.corner_at;
   if (!at.is_there()) {
-    add_to_piece(model, pair.piece_a, answer.on_a, sink_of(pair.piece_a));
-    add_to_piece(model, pair.piece_b, answer.on_b, sink_of(pair.piece_b));
+    add_to_piece(skins, pair.piece_a, answer.on_a, sink_of(pair.piece_a));
+    add_to_piece(skins, pair.piece_b, answer.on_b, sink_of(pair.piece_b));
     return;
   }
   const int wedge = at.wedge_is_b ? pair.piece_b : pair.piece_a, owner = at.wedge_is_b ? pair.piece_a : pair.piece_b;
-  const int before = (at.corner > 0 ? static_cast<int>(at.corner) : model.corners_of(wedge)) - 1;
-  add_to_edge(model, wedge, before, answer.push.on_wedge, sink_of(wedge));
-  add_to_edge(model, owner, at.face, answer.push.on_owner, sink_of(owner));
+  const int before = (at.corner > 0 ? static_cast<int>(at.corner) : skins.count(wedge)) - 1;
+  add_to_edge(skins, wedge, before, answer.push.on_wedge, sink_of(wedge));
+  add_to_edge(skins, owner, at.face, answer.push.on_owner, sink_of(owner));
 }
 
 void dissipate(const RowLoss& loss, Energy& given) {
@@ -125,13 +135,13 @@ RowLoss loss_of(const OverlapAnswer& answer) {
 
 /// Adds the results of a row that counts to the lists, and its forces.
 template <class SinkOf>
-TRILITH_INLINE void take_up_row(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int i,
+TRILITH_INLINE void take_up_row(const PieceSkins& skins, Work<2>& work, GeneralRun<2>& run, int i,
                                 const OverlapAnswer& answer, SinkOf&& sink_of) {
   const int row = work.awake_rows[i];
   if (answer.changed) run.changed.push_back(row);
   if (!answer.touching) return;
   const OverlapResponse& r = answer.response;
-  add_forces(model, work.pairs[row], answer, sink_of);
+  add_forces(skins, work.pairs[row], answer, sink_of);
   work.general_touching.at(i) = {row, r.length, r.depth, r.centre, r.force};
   run.touching.push_back(i);
 }
@@ -191,11 +201,13 @@ int partition_general_contacts(const Model<3>& model, Work<3>& work) {
 void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first, int last,
              const OverlapAnswer* answers) {
   const ForcesNow now{work.skin_force.data()};
+  const PieceSkins skins(model);
   if (one_has_all(work)) {
+    const auto sink_of = [now](int /*piece*/) { return now; };
     for (int i = first; i < last; ++i, ++answers) {
       if (!answers->counts) continue;
       dissipate(loss_of(*answers), work.given);
-      take_up_row(model, work, run, i, *answers, [&](int /*piece*/) { return now; });
+      take_up_row(skins, work, run, i, *answers, sink_of);
     }
     return;
   }
@@ -205,7 +217,7 @@ void take_up(const Model<2>& model, Work<2>& work, GeneralRun<2>& run, int first
   for (int i = first; i < last; ++i, ++answers) {
     if (!answers->counts) continue;
     run.losses.push_back(loss_of(*answers));
-    take_up_row(model, work, run, i, *answers, sink_of);
+    take_up_row(skins, work, run, i, *answers, sink_of);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "assembly/contact/contact_rows.hpp"
+#include "assembly/contact/corner_rows.hpp"
 #include "assembly/contact/general_contact_partition.hpp"
 #include "assembly/contact/shared_edge_normal.hpp"
 #include "assembly/evaluate.hpp"
@@ -75,15 +76,19 @@ struct GeneralPass {
     // Each of the two may approach by the travel of the fastest point.
     work.asleep_until[row] = work.travel + 0.5 * (1 - 1e-9) * distance;
   }
-  /// True if the special case of one corner below one face is implemented for the law of a pair with the memory
-  /// `memory`.
-  [[nodiscard]] bool knows_corners(const NearPair& pair, const ContactMemory& memory) const {
-    return is_plain_friction(model.laws[pair.law]) && !pair.replaced &&
-           (memory.empty() || (memory.state & contact_general) != 0);
+  /// True if the special case of one corner below one face is implemented for a pair with the memory `memory`.
+  [[nodiscard]] bool knows_corners(const NearPair& pair, const ContactMemory& memory, LawOfCorners& last) const {
+    return last.knows(model, pair.law) && !pair.replaced && (memory.empty() || (memory.state & contact_general) != 0);
   }
   [[nodiscard]] PlainFriction friction_of(int law) const { return plain_friction(law_in_use(model, law, dt)); }
   void fetch_pairs(std::span<const int> rows) const;
   void fetch(std::span<const int> rows) const;
+  /// As place_once(), without a call for a piece that is placed already, as for nearly all rows.
+  void place(int piece) const {
+    constexpr std::uint8_t is_made = 2;  // see make_once
+    if (std::atomic_ref(work.placed.is_placed[piece]).load(std::memory_order_acquire) != is_made)
+      place_once(model, state, work, piece);
+  }
   void respond_run(GeneralRun<2>& run, OverlapAnswer* answers, Vec2* force) const;
   void respond_rows(std::span<const int> rows, OverlapAnswer* answers, Vec2* force) const;
   void respond(int row, CornerOnFace tried, OverlapAnswer& answer) const;
@@ -93,30 +98,6 @@ struct GeneralPass {
   CornerOnFace respond_any(int row, OverlapAnswer& answer, bool may_be_corner, const Vec2* along = nullptr) const;
   void finish(int row, OverlapAnswer& answer) const;
 };
-
-/// Rows of one law with one corner below a face, or one corner of each piece in the other, now or before; they are
-/// evaluated together.
-struct CornerRows {
-  std::array<CornerCase, most_corner_cases> pair;
-  std::array<int, most_corner_cases> row;
-  std::array<OverlapAnswer*, most_corner_cases> answer;
-  std::size_t count = 0;
-  int law = -1;
-
-  void add(int r, int l, const CornerCase& of, OverlapAnswer& to) {
-    pair[count] = of, row[count] = r, answer[count] = &to;
-    law = l;
-    ++count;
-  }
-};
-
-/// True if the corner and face of the last evaluation, or one corner of each piece, still exist. With the pieces
-/// exchanged the bits would differ, so that case is excluded.
-bool there_is(const CornerOnFace& at, const PlacedPiece& a, const PlacedPiece& b) {
-  if (at.both && !at.wedge_is_b) return false;
-  const PlacedPiece &wedge = at.wedge_is_b ? b : a, &owner = at.wedge_is_b ? a : b;
-  return at.corner < wedge.corner.size() && at.face < owner.corner.size();
-}
 
 std::span<Vec2> forces_on(Vec2* on, const PlacedPiece& piece) {
   return {on, piece.corner.size()};
@@ -141,13 +122,18 @@ void GeneralPass::fetch_pairs(std::span<const int> rows) const {
 /// Prefetches the memories of the next rows, and the data that placing their pieces reads and writes.
 void GeneralPass::fetch(std::span<const int> rows) const {
   PlacedPieces& placed = work.placed;
+  constexpr std::size_t room = 64;
+  std::array<int, room> asked;  // pieces asked for already, which have several of the rows
+  asked.fill(-1);
   for (const int row : rows) {
     const NearPair& pair = work.pairs[row];
     ask_for<Asked::read, sizeof(ContactMemory)>(&before.memory[row]);
     ask_for<Asked::write, sizeof(ContactMemory)>(&work.contacts.memory[row]);
     for (const int piece : {pair.piece_a, pair.piece_b}) {
       // If another thread is placing it, the prefetch is merely useless.
-      if (std::atomic_ref(placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
+      int& last = asked[static_cast<std::size_t>(piece) % room];
+      if (last == piece || std::atomic_ref(placed.is_placed[piece]).load(std::memory_order_relaxed) != 0) continue;
+      last = piece;
       const PieceSource& source = placed.source[piece];
       ask_for<Asked::read, lane_count * sizeof(SkinMotion<2>)>(&work.skin[source.skin]);
       ask_for<Asked::read, sizeof(Vec2)>(&state.position[source.node]);
@@ -168,12 +154,13 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
   // All pieces first: a short loop allows more parallel memory accesses.
   for (const int row : rows) {
     const NearPair& pair = work.pairs[row];
-    place_once(model, state, work, pair.piece_a), place_once(model, state, work, pair.piece_b);
+    place(pair.piece_a), place(pair.piece_b);
   }
-  std::array<CornerRows, 2> kinds;  // one corner under a face; one corner of each piece in the other
+  LawOfCorners last;
+  CornerRows one, both;  // one corner under a face; one corner of each piece in the other
   const auto answer_waiting = [&](CornerRows& waiting) {
     if (waiting.count == 0) return;
-    const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), friction_of(waiting.law));
+    const std::uint32_t done = respond_corners(std::span(waiting.pair).first(waiting.count), *waiting.friction);
     for (std::size_t k = 0; k < waiting.count; ++k)
       (done >> k & 1U) != 0 ? finish_corner(waiting.row[k], waiting.pair[k].at, *waiting.answer[k])
                             : respond(waiting.row[k], waiting.pair[k].at, *waiting.answer[k]);
@@ -194,22 +181,22 @@ void GeneralPass::respond_rows(std::span<const int> rows, OverlapAnswer* answers
         continue;
       }
     force = make_ready(answer, a, b, force);
-    if (Vec2 along; direction_at_shared_edges(work, row, along)) {
+    if (Vec2 along; !work.met.empty() && direction_at_shared_edges(work, row, along)) {
       respond_any(row, answer, false, &along);
       continue;
     }
-    const bool knows = knows_corners(pair, memory) && has_plain_corners(a) && has_plain_corners(b);
+    const bool knows = knows_corners(pair, memory, last) && has_plain_corners(a) && has_plain_corners(b);
     CornerOnFace at = pair.corner_at;
     if (!knows || !at.is_there() || !there_is(at, a, b)) {
       at = respond_any(row, answer, knows);
       if (!at.is_there()) continue;
     }
-    CornerRows& waiting = kinds[at.both ? 1 : 0];
-    if (waiting.count > 0 && waiting.law != pair.law) answer_waiting(waiting);
-    waiting.add(row, pair.law, corner_case(row, at, answer), answer);
+    CornerRows& waiting = at.both ? both : one;
+    if (waiting.law != pair.law) answer_waiting(waiting), waiting.begin(pair.law, friction_of(pair.law));
+    waiting.add(row, {&a, &b, at, &memory, &work.contacts.memory[row], &answer.response, &answer.push}, answer);
     if (waiting.count == waiting.pair.size()) answer_waiting(waiting);
   }
-  for (CornerRows& waiting : kinds) answer_waiting(waiting);
+  answer_waiting(one), answer_waiting(both);
 }
 
 /// True if a bearing carries the load of its two faces. Flat contact is suppressed and its depth is stored; a tilted
@@ -303,7 +290,7 @@ void GeneralPass::finish(int row, OverlapAnswer& answer) const {
 }
 
 /// Rows that are evaluated before their results are added.
-constexpr int general_stretch = 32;
+constexpr int general_stretch = 64;
 
 /// Rows of a run in the chunk from `first`, not beyond its end.
 std::span<const int> rows_from(const Work<2>& work, const GeneralRun<2>& run, int first) {

@@ -7,7 +7,7 @@
 
 namespace trilith {
 
-/// Indices of the data that a piece is placed from, which a contact needs to prefetch it.
+/// Indices of the data that a piece is placed from: its first corner, the skin point of this corner, its first node.
 struct PieceSource {
   int corner, skin, node;
 };
