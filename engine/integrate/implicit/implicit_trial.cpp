@@ -190,6 +190,7 @@ bool ImplicitTrial<D>::attempt(double dt, ImplicitStep& out) {
   const TangentOptions wanted{dt_, per_place(), 1 - scheme_.alpha_f, (1 - scheme_.alpha_m) / (scheme_.b * dt_ * dt_)};
   clock_.mark(StepPart::advance);
   bool serves = tangent_.take(state_, wanted);
+  factored_ = serves;
   clock_.mark(StepPart::factorise);
   for (int i = 0; i < options_.most_iterations; ++i) {
     out.left = share_left_, out.worst = worst_;
@@ -205,6 +206,7 @@ bool ImplicitTrial<D>::attempt(double dt, ImplicitStep& out) {
     if (!serves) {
       clock_.mark(StepPart::advance);
       if (!tangent_.find(model_, state_, work_, wanted, times_)) return false;
+      factored_ = true;
       clock_.skip();
       find_rounding();
     }

@@ -57,6 +57,7 @@ class ImplicitTrial {
   void move(const Eigen::VectorXd& by, double share);
   [[nodiscard]] double net_work(const std::vector<NodeForces<D>>& end, const Vec<D>& frame) const;
   [[nodiscard]] double kinetic_beside() const;
+  [[nodiscard]] double velocity_error() const;
   /// True if the frame of the step moves.
   [[nodiscard]] bool in_frame() const { return frame_ != Vec<D>(Vec<D>::Zero()); }
   [[nodiscard]] double per_place() const { return scheme_.g / (scheme_.b * dt_); }
@@ -85,6 +86,7 @@ class ImplicitTrial {
   double carried_ = 0, dt_ = 0;
   double merit_ = 0, share_left_ = 0;
   int worst_ = -1;
+  bool factored_ = false;     // `tangent_` is factorised for a step of length dt_
   Eigen::VectorXd left_;      // residual of the equation of motion, by unknown
   Eigen::VectorXd rounding_;  // rounding error of the forces due to the rounding of positions, by unknown
   StepTimes* const times_;
