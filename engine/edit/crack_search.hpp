@@ -57,10 +57,11 @@ template <>
 struct Crack<3> {
   int body = -1, section = -1;
   JointMode mode{};
-  double stress = 0;                ///< [Pa]
-  Vec3 place = Vec3::Zero();        ///< [m]
-  SpaceForces forces;               ///< of its section
-  std::vector<Vec3> traction = {};  ///< as in the plane
+  double stress = 0;          ///< [Pa]
+  Vec3 place = Vec3::Zero();  ///< [m]
+  SpaceForces forces;         ///< of its section
+  /// Of a mesh, for each face of the cut: force (along its x, y and normal) and moment on the part behind [N], [N m]
+  std::vector<Vec3> traction = {};
 };
 
 /// The vectors of a list, as their coordinates in a row.

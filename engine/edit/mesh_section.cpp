@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "assembly/single_terms.hpp"
 #include "base/portable.hpp"
@@ -14,15 +15,18 @@ namespace {
 /// Edges whose directions differ by less than this sine are in one line.
 constexpr double same_direction = 1e-6;
 
-std::size_t first_node(const Model<2>& model, int body) {
+template <int D>
+std::size_t first_node(const Model<D>& model, int body) {
   return static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].first_node);
 }
 
 /// Index of the first element of a body.
-std::size_t first_element(const Model<2>& model, int body) {
-  const auto at = std::lower_bound(model.elements.begin(), model.elements.end(), body,
-                                   [](const Element& e, int b) { return e.body < b; });
-  return static_cast<std::size_t>(at - model.elements.begin());
+template <int D>
+std::size_t first_element_in(const Model<D>& model, int body) {
+  const auto& elements = elements_of(model);
+  const auto at =
+      std::lower_bound(elements.begin(), elements.end(), body, [](const auto& e, int b) { return e.body < b; });
+  return static_cast<std::size_t>(at - elements.begin());
 }
 
 /// The edge from each node of a cut to the next, and zero where a chain ends. `at(node)`: position.
@@ -48,9 +52,10 @@ std::vector<Vec2> edges_at_start(const Model<2>& model, int body, const MeshCut&
 }
 
 /// Internal forces and masses of the elements on both sides at the nodes of a cut.
+template <int D>
 struct SideSums {
-  std::vector<Vec2> force[2];   // [behind, ahead][node of the cut] [N]
-  std::vector<double> mass[2];  // relative
+  std::vector<Vec<D>> force[2];  // [behind, ahead][node of the cut] [N]
+  std::vector<double> mass[2];   // relative
 };
 
 /// Adds the areas of the nodes of an element, to which their masses are proportional.
@@ -62,37 +67,60 @@ void add_areas(const Model<2>& model, const Element& element, std::size_t first,
   for (std::size_t i = 0; i < corners.size(); ++i) area[static_cast<std::size_t>(element.node[i]) - first] += own[i];
 }
 
+/// Adds the forces of an element to the forces of `scratch`.
+void add_forces(const Model<2>& model, const State<2>& state, Work<2>& scratch, std::size_t e) {
+  element_forces(model, state, scratch, static_cast<int>(e));
+}
+void add_forces(const Model<3>& model, const State<3>& state, Work<3>& scratch, std::size_t e) {
+  const SpaceElement& element = model.space_elements[e];
+  SpaceElementAnswer answer;
+  element_forces(model, state, scratch, static_cast<int>(e), answer);
+  const bool damped = model.solids[static_cast<std::size_t>(element.solid)].damping() > 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nodes_of(element)); ++i) {
+    const auto n = static_cast<std::size_t>(element.node[i]);
+    scratch.element_force[n] -= answer.force[i];
+    if (damped) scratch.element_damping[n] -= answer.damping[i];
+  }
+}
+
 /// The forces of `scratch` are 0 before and after.
-void add_side(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, int side, Work<2>& scratch,
-              SideSums& sums) {
-  const std::size_t first = first_node(model, body), from = first_element(model, body);
-  std::vector<double> area(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
+template <int D>
+void add_side(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, int side, Work<D>& scratch,
+              SideSums<D>& sums) {
+  const std::size_t first = first_node(model, body), from = first_element_in(model, body);
+  std::vector<double> area;
+  if constexpr (D == 2) area.resize(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
   const auto each = [&](auto&& see) {
     for (const int e : cut.elements)
       if ((cut.behind[static_cast<std::size_t>(e)] != 0) == (side == 0)) see(from + static_cast<std::size_t>(e));
   };
   each([&](std::size_t e) {
-    element_forces(model, state, scratch, static_cast<int>(e));
-    add_areas(model, model.elements[e], first, area);
+    add_forces(model, state, scratch, e);
+    if constexpr (D == 2) add_areas(model, model.elements[e], first, area);
   });
-  for (const int n : cut.nodes) {
-    const std::size_t at = first + static_cast<std::size_t>(n);
-    sums.force[side].emplace_back(scratch.element_force[at] + scratch.element_damping[at]);
-    sums.mass[side].push_back(area[static_cast<std::size_t>(n)]);
+  for (std::size_t i = 0; i < cut.nodes.size(); ++i) {
+    const auto n = static_cast<std::size_t>(cut.nodes[i]);
+    sums.force[side].emplace_back(scratch.element_force[first + n] + scratch.element_damping[first + n]);
+    if constexpr (D == 2)
+      sums.mass[side].push_back(area[n]);
+    else
+      sums.mass[side].push_back(side == 0 ? space_cut(cut).behind_share[i] : 1 - space_cut(cut).behind_share[i]);
   }
   each([&](std::size_t e) {
-    for (int i = 0; i < model.elements[e].nodes; ++i) {
-      const auto n = static_cast<std::size_t>(model.elements[e].node[static_cast<std::size_t>(i)]);
+    const auto& element = elements_of(model)[e];
+    for (int i = 0; i < nodes_of(element); ++i) {
+      const auto n = static_cast<std::size_t>(element.node[static_cast<std::size_t>(i)]);
       scratch.element_force[n].setZero(), scratch.element_damping[n].setZero();
     }
   });
 }
 
-SideSums side_sums(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut, Work<2>& scratch) {
-  scratch.element_force.resize(model.mass.size(), Vec2::Zero());
-  scratch.element_damping.resize(model.mass.size(), Vec2::Zero());
+template <int D>
+SideSums<D> side_sums(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, Work<D>& scratch) {
+  scratch.element_force.resize(model.mass.size(), Vec<D>::Zero());
+  scratch.element_damping.resize(model.mass.size(), Vec<D>::Zero());
   scratch.plastic.resize(state.plastic.size());
-  SideSums sums;
+  SideSums<D> sums;
   for (const int side : {0, 1}) add_side(model, state, body, cut, side, scratch, sums);
   return sums;
 }
@@ -126,44 +154,45 @@ SectionUse edge_use(const ContactLaw& law, const Vec2& along, const Vec2& from, 
                      length * length / 12 * (first - last), length, 1);
 }
 
-/// The edge of a section that uses most of its strength.
-struct WorstEdge {
-  SectionUse use;
+}  // namespace
+
+WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
+                          Work<2>& scratch) {
+  WorstPlace<2> worst;
+  worst.traction = mesh_tractions(model, state, row.body, cut, scratch);
+  const std::vector<Vec2> along = edges_now(model, state, row.body, cut);
   std::size_t edge = 0;
-  std::vector<Vec2> along, traction;
-};
-WorstEdge worst_edge(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
-                     Work<2>& scratch) {
-  WorstEdge worst{{}, 0, edges_now(model, state, row.body, cut), mesh_tractions(model, state, row.body, cut, scratch)};
   const double share = model.thickness / row.depth;  // stress of the elements over stress of the contacts
-  for (std::size_t i = 0; i + 1 < worst.along.size(); ++i) {
-    if (worst.along[i].isZero(0)) continue;
-    const SectionUse use = edge_use(model.laws[static_cast<std::size_t>(row.law)], worst.along[i],
-                                    share * worst.traction[i], share * worst.traction[i + 1]);
-    if (use.share > worst.use.share) worst.use = use, worst.edge = i;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    if (along[i].isZero(0)) continue;
+    const SectionUse use = edge_use(model.laws[static_cast<std::size_t>(row.law)], along[i], share * worst.traction[i],
+                                    share * worst.traction[i + 1]);
+    if (use.share > worst.use.share) worst.use = use, edge = i;
   }
+  if (!(worst.use.share > 1)) return worst;
+  const std::size_t from = first_node(model, row.body) + static_cast<std::size_t>(cut.nodes[edge]);
+  worst.place = state.position[from] + (0.5 + worst.use.at / along[edge].norm()) * along[edge];
+  const std::vector<Turn> turns = turns_of_cut(model, state, row.body, cut);
+  for (std::size_t i = 0; i < turns.size(); ++i) worst.traction[i] = turns[i].undo(worst.traction[i]);
   return worst;
 }
 
+namespace {
+
 /// The section of a mesh that uses most of its strength, if this is more than all.
-std::optional<Crack<2>> mesh_crack(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row,
-                                   Work<2>& scratch) {
-  std::optional<Crack<2>> found;
+template <int D>
+std::optional<Crack<D>> mesh_crack(const Model<D>& model, const State<D>& state, const CrackingBody<D>& row,
+                                   Work<D>& scratch) {
+  std::optional<Crack<D>> found;
   double most = 1;
   for (std::size_t s = 0; s < row.sections.size(); ++s) {
-    const MeshCut& cut = *row.sections[s].cut;
-    WorstEdge worst = worst_edge(model, state, row, cut, scratch);
+    WorstPlace<D> worst = worst_place(model, state, row, *row.sections[s].cut, scratch);
     if (!(worst.use.share > most)) continue;
     most = worst.use.share;
-    Crack<2>& crack = found.emplace();
+    Crack<D>& crack = found.emplace();
     crack.body = row.body, crack.section = static_cast<int>(s);
     crack.mode = worst.use.mode, crack.stress = worst.use.stress;
-    const Vec2& along = worst.along[worst.edge];
-    const std::size_t from = first_node(model, row.body) + static_cast<std::size_t>(cut.nodes[worst.edge]);
-    crack.place = state.position[from] + (0.5 + worst.use.at / along.norm()) * along;
-    crack.traction = std::move(worst.traction);
-    const std::vector<Turn> turns = turns_of_cut(model, state, row.body, cut);
-    for (std::size_t i = 0; i < turns.size(); ++i) crack.traction[i] = turns[i].undo(crack.traction[i]);
+    crack.place = worst.place, crack.traction = std::move(worst.traction);
   }
   return found;
 }
@@ -181,31 +210,38 @@ std::vector<Turn> turns_of_cut(const Model<2>& model, const State<2>& state, int
   return turns;
 }
 
-std::vector<Vec2> mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
-                                 Work<2>& scratch) {
-  const SideSums sums = side_sums(model, state, body, cut, scratch);
-  std::vector<Vec2> force;
+template <int D>
+std::vector<Vec<D>> cut_forces(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut,
+                               Work<D>& scratch) {
+  const SideSums<D> sums = side_sums(model, state, body, cut, scratch);
+  std::vector<Vec<D>> force;
   for (std::size_t i = 0; i < cut.nodes.size(); ++i) {
     const double behind = sums.mass[0][i], ahead = sums.mass[1][i];
     force.emplace_back((behind * sums.force[1][i] - ahead * sums.force[0][i]) / (behind + ahead));
   }
-  return stress_from_forces(std::move(force), edges_now(model, state, body, cut), model.thickness);
+  return force;
+}
+template std::vector<Vec2> cut_forces(const Model<2>&, const State<2>&, int, const MeshCut&, Work<2>&);
+template std::vector<Vec3> cut_forces(const Model<3>&, const State<3>&, int, const MeshCut&, Work<3>&);
+
+std::vector<Vec2> mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
+                                 Work<2>& scratch) {
+  return stress_from_forces(cut_forces(model, state, body, cut, scratch), edges_now(model, state, body, cut),
+                            model.thickness);
 }
 
-std::vector<Crack<2>> mesh_cracks(const Model<2>& model, const State<2>& state, const Cracking<2>& cracking) {
-  std::vector<Crack<2>> cracks;
-  Work<2> scratch;
-  for (const CrackingBody<2>& row : cracking.bodies) {
+template <int D>
+std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking) {
+  std::vector<Crack<D>> cracks;
+  Work<D> scratch;
+  for (const CrackingBody<D>& row : cracking.bodies) {
     if (!row.sections.front().cut || state.left[static_cast<std::size_t>(row.body)] != 0) continue;
     if (auto crack = mesh_crack(model, state, row, scratch)) cracks.push_back(std::move(*crack));
   }
   return cracks;
 }
-/// Bodies of elements in space have no planes.
-std::vector<Crack<3>> mesh_cracks(const Model<3>& /*model*/, const State<3>& /*state*/,
-                                  const Cracking<3>& /*cracking*/) {
-  return {};
-}
+template std::vector<Crack<2>> mesh_cracks(const Model<2>&, const State<2>&, const Cracking<2>&);
+template std::vector<Crack<3>> mesh_cracks(const Model<3>&, const State<3>&, const Cracking<3>&);
 
 std::vector<Vec2> cut_openings(const Model<2>& model, int body, const MeshCut& cut, const std::vector<Vec2>& traction,
                                const ContactLaw& law) {

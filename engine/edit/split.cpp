@@ -118,20 +118,16 @@ std::vector<SolidRecord> records_of(const Model<3>& model, const State<3>& state
 }
 
 /// Moves a mesh to its parts, with all its contacts.
-std::vector<ContactRecord> give_mesh(Model<2>& model, State<2>& state, const std::vector<ContactRecord>& records,
-                                     const SplitBody& parts, const CrackingBody<2>& row, const Crack<2>& crack) {
+template <int D, class Records>
+Records give_mesh(Model<D>& model, State<D>& state, const Records& records, const SplitBody& parts,
+                  const CrackingBody<D>& row, const Crack<D>& crack) {
   const MeshCut& cut = *row.sections[static_cast<std::size_t>(crack.section)].cut;
   place_mesh_parts(model, state, parts, cut);
   hand_over_mesh_links(model, parts, cut);
-  std::vector<ContactRecord> given = mesh_handed_over(model, records, parts, cut);
-  const std::vector<ContactRecord> own = mesh_crack_contacts(model, parts, row, crack);
+  Records given = mesh_handed_over(model, state, records, parts, cut);
+  const Records own = mesh_crack_contacts(model, state, parts, row, crack);
   given.insert(given.end(), own.begin(), own.end());
   return given;
-}
-std::vector<SolidRecord> give_mesh(Model<3>& /*model*/, State<3>& /*state*/, const std::vector<SolidRecord>& records,
-                                   const SplitBody& /*parts*/, const CrackingBody<3>& /*row*/,
-                                   const Crack<3>& /*crack*/) {
-  return records;
 }
 
 std::vector<ContactRecord> divided(const Model<2>& model, const State<2>& state,

@@ -51,6 +51,17 @@ SolidRecord turned(SolidRecord record, const Vec3& between) {
   return record;
 }
 
+}  // namespace
+
+SolidRecord ordered(const Model<3>& model, const State<3>& state, SolidRecord record) {
+  if (record.piece_a < record.piece_b) return record;
+  const auto origin_of = [&](int piece) { return motion_of(model, state, model.carrier_of(piece)).place; };
+  const Vec3 between = origin_of(record.piece_b) - origin_of(record.piece_a);
+  return turned(std::move(record), between);
+}
+
+namespace {
+
 /// Divides the contacts of one body among its parts.
 class SolidDivider {
  public:
@@ -84,8 +95,7 @@ class SolidDivider {
     if (first) record.memory.damping_moment += cross(Vec3(from.place - to.place), record.memory.damping);
     if (!record.joint.empty()) move_seat(record.joint, first, from, to);
     (first ? record.piece_a : record.piece_b) = model_.bodies[static_cast<std::size_t>(part)].first_piece;
-    const Vec3 between = origin_of(record.piece_b) - origin_of(record.piece_a);
-    out.push_back(record.piece_a < record.piece_b ? std::move(record) : turned(std::move(record), between));
+    out.push_back(ordered(model_, state_, std::move(record)));
   }
 
   /// The part of a contact of faces on one side of the plane. `sign`: 1 behind, -1 ahead.
@@ -148,13 +158,9 @@ double softening_stiffness(const ContactLaw& law) {
 }
 
 /// Seats of a joint across a section: apart by `opening`, and turned against each other by its slopes.
-void set_seats(const BodyMotion& a, const BodyMotion& b, const BodyMotion& body, const CrackSection<3>& section,
+void set_seats(const BodyMotion& a, const BodyMotion& b, const Vec3& centre, const Eigen::Matrix3d& axes,
                const SectionStress& opening, JointPlan& plan) {
-  const Turn3 turn(body.rotation);
-  Eigen::Matrix3d axes;
-  axes.col(0) = turn.apply(section.x), axes.col(1) = turn.apply(section.y), axes.col(2) = turn.apply(section.normal);
   const UnitQuaternion middle = rotation_of(axes);
-  const Vec3 centre = body.place + turn.apply(section.centre);
   const Vec3 apart = 0.5 * opening.mean * axes.col(2);
   const Vec3 turned = 0.5 * Vec3(opening.slope.y() * axes.col(0) - opening.slope.x() * axes.col(1));
   const auto seat = [&](const BodyMotion& of, double sign) {
@@ -195,36 +201,47 @@ std::vector<SolidRecord> handed_over(const Model<3>& model, const State<3>& stat
   return out;
 }
 
-/// The joint is intact. Compression is overlap, so the opening is the stress over the stiffness.
+SolidRecord section_joint(const Model<3>& model, const State<3>& state, const CrackFaces& faces,
+                          const CrackSection<3>& section, const Vec3& centre, const Eigen::Matrix3d& axes,
+                          const SpaceForces& forces, double kn) {
+  const SectionStress stress = section_stress(section, forces);
+  const SectionStress opening{stress.mean / kn, stress.slope / kn};
+  const auto plan = std::make_shared<JointPlan>();
+  set_seats(body_motion(model, state, faces.piece_a, faces.face_a),
+            body_motion(model, state, faces.piece_b, faces.face_b), centre, axes, opening, *plan);
+  plan->face_a = faces.face_a, plan->face_b = faces.face_b;
+  plan->outline = section.corners;
+  divide_joint(*plan);
+  SolidRecord r;
+  r.piece_a = faces.piece_a, r.piece_b = faces.piece_b;
+  r.joint.bonds = (1U << plan->patches) - 1U, r.joint.sound = true;
+  r.joint.moved = {-opening.mean, Vec2(-opening.slope)};
+  r.joint.elastic = r.joint.total = Vec3(forces.shear.x(), forces.shear.y(), forces.torsion);
+  r.memory.normal = axes.col(2);
+  r.memory.shear.elastic = r.memory.shear.total =
+      axes * Vec3(forces.shear.x(), forces.shear.y(), forces.torsion / plan->radius);
+  r.memory.shear.area = section.area;
+  r.memory.state = contact_touching | contact_general;
+  leave_out_patches(*plan);
+  r.joint.plan = plan;
+  return r;
+}
+
 std::optional<SolidRecord> crack_contact(const Model<3>& model, const State<3>& state, const SplitBody& split,
                                          const CrackingBody<3>& row, const Crack<3>& crack) {
   const double kn = softening_stiffness(model.laws[static_cast<std::size_t>(row.law)]);
   if (!(kn > 0)) return std::nullopt;
   const CrackSection<3>& section = row.sections[static_cast<std::size_t>(crack.section)];
-  const auto motion = [&](int body) {
-    return motion_of(model, state, model.bodies[static_cast<std::size_t>(body)].first_node);
-  };
-  const SectionStress stress = section_stress(section, crack.forces);
-  const SectionStress opening{stress.mean / kn, stress.slope / kn};
-  const auto plan = std::make_shared<JointPlan>();
-  set_seats(motion(split.behind), motion(split.ahead), motion(split.body), section, opening, *plan);
-  plan->outline = section.corners;
-  divide_joint(*plan);
-  SolidRecord r;
-  r.piece_a = model.bodies[static_cast<std::size_t>(split.behind)].first_piece;
-  r.piece_b = model.bodies[static_cast<std::size_t>(split.ahead)].first_piece;
-  r.joint.bonds = (1U << plan->patches) - 1U, r.joint.sound = true;
-  r.joint.moved = {-opening.mean, Vec2(-opening.slope)};
-  r.joint.elastic = r.joint.total = Vec3(crack.forces.shear.x(), crack.forces.shear.y(), crack.forces.torsion);
-  const Turn3 turn(motion(split.body).rotation);
-  r.memory.normal = turn.apply(section.normal);
+  const auto piece = [&](int body) { return model.bodies[static_cast<std::size_t>(body)].first_piece; };
+  const BodyMotion body = motion_of(model, state, model.bodies[static_cast<std::size_t>(split.body)].first_node);
+  const Turn3 turn(body.rotation);
+  Eigen::Matrix3d axes;
+  axes.col(0) = turn.apply(section.x), axes.col(1) = turn.apply(section.y), axes.col(2) = turn.apply(section.normal);
+  SolidRecord r = section_joint(model, state, {piece(split.behind), -1, piece(split.ahead), -1}, section,
+                                body.place + turn.apply(section.centre), axes, crack.forces, kn);
   r.memory.shear.elastic = r.memory.shear.total =
       turn.apply(Vec3(crack.forces.shear.x() * section.x + crack.forces.shear.y() * section.y +
-                      crack.forces.torsion / plan->radius * section.normal));
-  r.memory.shear.area = section.area;
-  r.memory.state = contact_touching | contact_general;
-  leave_out_patches(*plan);
-  r.joint.plan = plan;
+                      crack.forces.torsion / r.joint.plan->radius * section.normal));
   return r;
 }
 

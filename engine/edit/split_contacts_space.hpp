@@ -40,6 +40,21 @@ std::vector<SolidRecord> handed_over(const Model<3>& model, const State<3>& stat
 std::optional<SolidRecord> crack_contact(const Model<3>& model, const State<3>& state, const SplitBody& split,
                                          const CrackingBody<3>& row, const Crack<3>& crack);
 
+/// The two faces of a crack: pieces, and faces of pieces that deform (-1: the piece moves with a node).
+struct CrackFaces {
+  int piece_a = -1, face_a = -1, piece_b = -1, face_b = -1;
+};
+
+/// The intact joint of two faces across a section, with these forces. `centre` and `axes` (x, y and normal as columns):
+/// its present position. `kn`: stiffness of its law [Pa/m]. Compression is overlap, so the opening is the stress over
+/// the stiffness.
+SolidRecord section_joint(const Model<3>& model, const State<3>& state, const CrackFaces& faces,
+                          const CrackSection<3>& section, const Vec3& centre, const Eigen::Matrix3d& axes,
+                          const SpaceForces& forces, double kn);
+
+/// Puts the pieces of a record in their order, lower index first.
+SolidRecord ordered(const Model<3>& model, const State<3>& state, SolidRecord record);
+
 /// Writes all records to the state, in the order of their pieces.
 void put_contacts(State<3>& state, std::vector<SolidRecord> records);
 

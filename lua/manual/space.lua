@@ -14,7 +14,7 @@ velocity     vector = {0, 0, 0}  velocity at the start [m/s]
 spin         vector = {0, 0, 0}  angular velocity at the start [rad/s]
 load         vector = {0, 0, 0}  steady force at the centroid [N]
 floating     flag = false     it needs no support at the start
-cracks       planes?          planes on which a rigid body may crack: "mid", "quarter", n or a list
+cracks       planes?          planes on which a body may crack, no frame: "mid", "quarter", n or a list
 crack_law    text?            contact law of these planes: strengths before, contact of the parts afterwards
 body         body form?       "rigid", "brick" or { mesh = {nx, ny, nz}, element = "brick", "wedge", "tet4" or "tet10" }
 hold         list?            deformable body: { { from = , to = , x = , y = , z = }, ... } holds nodes in boxes]],

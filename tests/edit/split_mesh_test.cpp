@@ -196,7 +196,7 @@ TEST_CASE("a mesh that splits in motion keeps mass, momentum, angular momentum a
       CHECK(near(sim.energy()[EnergyTerm::strain], elastic, 1e-4));
       CHECK(sim.energy()[EnergyTerm::contact_elastic] > 0);
       // Both copies of a node on the cut keep its acceleration.
-      const MeshParts parts(sim.model(), {0, 1, 2}, *section_of(sim).cut);
+      const MeshParts<2> parts(sim.model(), {0, 1, 2}, *section_of(sim).cut);
       double largest = 0, jump = 0;
       for (int n = 0; n < whole.bodies[0].nodes; ++n)
         for (const int side : {0, 1}) {

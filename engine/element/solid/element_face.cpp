@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "element/solid/face_products.hpp"
 #include "element/solid/space_element.hpp"
 
 namespace trilith {
@@ -116,6 +117,22 @@ FaceFit fit_face(ElementShape shape, std::span<const Vec3> nodes, int face) {
   const Eigen::Matrix2d inverse = second.inverse();
   for (Vec2& g : fit.gradient) g = inverse * g;
   return fit;
+}
+
+FaceProducts face_products(ElementShape shape, std::span<const Vec3> nodes, int face) {
+  const FaceFit fit = fit_face(shape, nodes, face);
+  const FaceNodes f(shape, nodes, face);
+  FaceProducts out;
+  for (std::size_t p = 0; p < f.points.size(); ++p) {
+    const Vec3 arm = f.at(f.points[p]) - fit.middle;
+    const Vec2 s(fit.x.dot(arm), fit.y.dot(arm));
+    out.second += f.area[p] * s * s.transpose();
+    for (std::size_t i = 0; i < f.place.size(); ++i)
+      for (std::size_t j = 0; j < f.place.size(); ++j)
+        out.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) +=
+            f.area[p] * f.points[p].n[i] * f.points[p].n[j];
+  }
+  return out;
 }
 
 }  // namespace trilith

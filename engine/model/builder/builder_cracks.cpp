@@ -159,7 +159,7 @@ struct PartedNodes {
 };
 
 /// Places and masses of the nodes of a part, whose checked mesh has other numbers than `piece`.
-void set_part_nodes(const MeshPart& piece, bool is_behind, const PartedNodes& whole, BodySpec& part) {
+void set_part_nodes(const MeshPart<Mesh>& piece, bool is_behind, const PartedNodes& whole, BodySpec& part) {
   part.node_mass.assign(part.mesh->node.size(), 0);
   for (std::size_t e = 0; e < piece.mesh.element.size(); ++e)
     for (int i = 0; i < corners_of(piece.mesh.element[e]); ++i) {
@@ -192,7 +192,7 @@ void ModelBuilder::crack_mesh(int body, const CrackSection<2>& section, const st
   std::vector<Vec2> apart(whole.mesh->node.size(), Vec2::Zero());
   for (std::size_t i = 0; i < cut.nodes.size(); ++i) apart[static_cast<std::size_t>(cut.nodes[i])] = opening[i];
   for (const bool is_behind : {true, false}) {
-    const MeshPart piece = part_of_mesh(*whole.mesh, cut, is_behind);
+    const MeshPart<Mesh> piece = part_of_mesh(*whole.mesh, cut, is_behind);
     BodySpec part = part_spec(whole, section.number, [&](const CrackPlane<2>& plane) {
       return mesh_plane_fault(piece.mesh, plane, 0).empty();
     });

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/rotation_3d.hpp"
 #include "geometry/plane/outline_moments.hpp"
 #include "geometry/space/cut_solid.hpp"
+#include "model/space_builder/space_solid.hpp"
 
 namespace trilith {
 namespace {
@@ -21,8 +23,8 @@ constexpr double least_part_volume = 1e-6;
 constexpr double same_moment = 1e-6;
 
 /// Unit vector along the longest principal axis; the first of equally long ones. Its largest component is positive.
-Vec3 longest_axis(const Polyhedron& solid) {
-  const PrincipalInertia inertia = principal_inertia(solid_moments(solid).inertia);
+Vec3 longest_axis(const Eigen::Matrix3d& about_centroid) {
+  const PrincipalInertia inertia = principal_inertia(about_centroid);
   int longest = 0;
   for (const int k : {1, 2})
     if (inertia.moments[k] < inertia.moments[longest] * (1 - same_moment)) longest = k;
@@ -50,8 +52,9 @@ Vec2 along_longest_side(const std::vector<Vec2>& corners) {
   return best.normalized();
 }
 
-/// Centre, axes, corners and moments of a section whose normal is set, from its corners in the axes of the body.
-void set_polygon(const std::vector<Vec3>& corners, CrackSection<3>& section) {
+}  // namespace
+
+void set_section_polygon(const std::vector<Vec3>& corners, CrackSection<3>& section) {
   const Vec3 x = some_across(section.normal), y = cross(section.normal, x);
   std::vector<Vec2> flat;
   for (const Vec3& p : corners) flat.emplace_back(x.dot(p - corners[0]), y.dot(p - corners[0]));
@@ -64,18 +67,41 @@ void set_polygon(const std::vector<Vec3>& corners, CrackSection<3>& section) {
   section.area = own.area, section.xx = own.xx, section.xy = own.xy, section.yy = own.yy;
 }
 
+namespace {
+
+/// Planes across the longest axis of a body with these points, that divide its extent into equal parts.
+std::vector<CrackPlane<3>> equal_planes(int count, const Eigen::Matrix3d& inertia, const Vec3& centre,
+                                        std::span<const Vec3> points) {
+  const Vec3 along = longest_axis(inertia);
+  double low = std::numeric_limits<double>::max(), high = -low;
+  for (const Vec3& p : points) low = std::min(low, along.dot(p - centre)), high = std::max(high, along.dot(p - centre));
+  std::vector<CrackPlane<3>> planes;
+  for (int i = 1; i <= count; ++i) planes.push_back({centre + (low + (high - low) * i / (count + 1)) * along, along});
+  return planes;
+}
+
 }  // namespace
 
 std::vector<CrackPlane<3>> crack_planes(const CrackSpec<3>& spec, const Polyhedron& solid) {
   if (spec.pattern == CrackPattern::planes) return spec.planes;
-  const Vec3 along = longest_axis(solid), centre = solid_moments(solid).centroid;
-  double low = std::numeric_limits<double>::max(), high = -low;
-  for (const Vec3& p : solid.corners)
-    low = std::min(low, along.dot(p - centre)), high = std::max(high, along.dot(p - centre));
-  std::vector<CrackPlane<3>> planes;
-  for (int i = 1; i <= spec.count; ++i)
-    planes.push_back({centre + (low + (high - low) * i / (spec.count + 1)) * along, along});
-  return planes;
+  const SolidMoments moments = solid_moments(solid);
+  return equal_planes(spec.count, moments.inertia, moments.centroid, solid.corners);
+}
+
+std::vector<CrackPlane<3>> crack_planes(const CrackSpec<3>& spec, const SpaceMesh& mesh) {
+  if (spec.pattern == CrackPattern::planes) return spec.planes;
+  const Vec3 centre = centre_of(mesh);
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (std::size_t e = 0; e < mesh.cell.size(); ++e) {
+    const std::vector<Vec3> nodes = nodes_of(mesh, e);
+    const ElementVolume shares = node_shares(mesh.cell[e].shape, nodes);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Vec3 arm = nodes[i] - centre;
+      inertia +=
+          shares.share[i] * shares.volume * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
+    }
+  }
+  return equal_planes(spec.count, inertia, centre, mesh.node);
 }
 
 std::optional<std::array<Polyhedron, 2>> parts_of(const Polyhedron& solid, const CrackPlane<3>& plane) {
@@ -101,7 +127,7 @@ std::optional<CrackSection<3>> crack_section(const Polyhedron& solid, double mas
   std::vector<Vec3> corners;
   for (const int c : part.faces[part.faces.count() - 1])
     corners.push_back(turn.undo(Vec3(part.corners[static_cast<std::size_t>(c)] - whole.centroid)));
-  set_polygon(corners, section);
+  set_section_polygon(corners, section);
   section.mass = mass * behind.volume / whole.volume;
   Eigen::Matrix3d to_world;
   to_world.col(0) = turn.x(), to_world.col(1) = turn.y(), to_world.col(2) = turn.z();

@@ -1,4 +1,4 @@
-// Planes of rigid bodies in space: their arrangements, sections, and the two parts of a convex solid.
+// Planes of bodies in space: their arrangements, sections, and the two parts of a convex solid.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "element/solid/space_mesh.hpp"
 #include "geometry/space/polyhedron.hpp"
 #include "model/crack_planes.hpp"
 
@@ -14,6 +15,13 @@ namespace trilith {
 /// The planes of `spec` for a convex solid, in the order in which they are numbered. Arrangements of equal parts are
 /// across its longest principal axis.
 std::vector<CrackPlane<3>> crack_planes(const CrackSpec<3>& spec, const Polyhedron& solid);
+
+/// The same for a body of elements, whose axes follow from the masses of its nodes.
+std::vector<CrackPlane<3>> crack_planes(const CrackSpec<3>& spec, const SpaceMesh& mesh);
+
+/// Centre, axes, corners and moments of a section whose normal is set, from its corners in the axes of the body. They
+/// are plane and counter-clockwise about the normal.
+void set_section_polygon(const std::vector<Vec3>& corners, CrackSection<3>& section);
 
 /// The two parts of a convex solid, behind a plane and ahead of it; none where the plane misses it or touches it. The
 /// last face of each part is its section.

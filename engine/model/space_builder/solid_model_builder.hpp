@@ -41,7 +41,7 @@ struct SolidSpec {
   std::vector<SpaceNodeSupport> supports = {};  ///< for some nodes of a deformable body, or of a frame
   std::optional<SolidMoments> moments = {};     ///< of a rigid body, instead of the pieces' moments
   std::optional<Vec3> inertia = {};  ///< rigid body: about x, y, z through its centroid, at the start [kg m2]
-  CrackSpec<3> cracks = {};          ///< planes on which it may crack; rigid bodies of one piece only
+  CrackSpec<3> cracks = {};          ///< planes on which it may crack; rigid of one piece, or elements
   int cracked_from = -1;             ///< the body that it is a part of, or -1
   int first_part = -1;               ///< once it has cracked: the part behind its plane; the next body is the other
   CrackPlane<3> parted_at = {};      ///< this plane

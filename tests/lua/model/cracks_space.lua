@@ -30,7 +30,7 @@ local function rod(m, keys)
 end
 
 -- wrong input: place, value, allowed values, remedy
-refused("cracks: planes are for rigid bodies, this one deforms", rod, empty(), { body = "brick" })
+refused("cracks: the mesh has one element, which has no inner face to crack along", rod, empty(), { body = "brick" })
 refused("cracks: crack_law is missing", rod, empty(), { without = { "crack_law" } })
 refused("'crack_law' is given without 'cracks'", rod, empty(), { without = { "cracks" } })
 refused("cracks: the body is held", rod, empty(), { support = "fixed" })
