@@ -85,7 +85,7 @@ TEST_CASE("bounds of intact bonds are met at each point of their bonds") {
   check_bounds(brittle_mortar());
 }
 
-TEST_CASE("an unloaded intact bond has the whole opening at its peak left, and a moved one what remains of it") {
+TEST_CASE("an unloaded intact bond is as far from its peak as the opening at the peak less its gap") {
   const Cohesive law = softening_mortar();
   const ContactLaw any(law);
   const IntactBonds bonds = intact_bonds({any, 1});

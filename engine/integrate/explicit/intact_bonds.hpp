@@ -15,7 +15,7 @@
 
 namespace trilith {
 
-/// What all intact bonds of a law have in common. The lengths are lower bounds.
+/// Numbers that all intact bonds of a law share. The lengths are lower bounds.
 struct IntactBonds {
   bool are_plain = false;        ///< the law bonds, and sliding does not open its joints
   double opening = 0, slip = 0;  ///< at the peaks in tension, and in shear without pressure [m]

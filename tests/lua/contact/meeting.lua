@@ -1,5 +1,5 @@
--- Bodies that meet in the air at high speed, and a driven ram, do not pass through each other without a report: thin
--- plates, meshes and spheres, in the plane and in space, by every integrator and with steps in which they could pass.
+-- Bodies that meet in the air at high speed, and a driven ram, do not pass through each other without a report. They
+-- are thin plates, meshes and spheres, in the plane and in space. Steps are long enough to pass in each integrator.
 local trilith = require "trilith"
 
 local function model(dim)

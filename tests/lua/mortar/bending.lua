@@ -12,7 +12,7 @@ local function stress(w, last)
   return math.max(0, (last - w)/(last - 1))
 end
 
--- Largest moment over that of an elastic joint that breaks at its edge. `axial`: mean stress over the strength.
+-- Largest moment over the moment at which an elastic joint breaks at its edge. `axial`: mean stress over the strength.
 local function capacity(last, axial, most_turn)
   local strips, turns, most = 400, 200, 0
   for i = 1, turns do

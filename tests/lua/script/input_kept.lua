@@ -160,8 +160,8 @@ for _, bulge in ipairs { 0, 0.5, 1 } do
   assert((told ~= nil) == (bulge > 0), m.notes[1])
 end
 
--- A deforming body of the same elements has the same mass: its weight is that of the integral, in statics and as it
--- falls, also where edges are curved unevenly. It is thrown about its centre of mass.
+-- A deforming body of the same elements has the same mass, also where edges are curved unevenly. It is checked as the
+-- body falls and by its weight in statics.
 local function uneven(points, by)
   local out = {}
   for i, p in ipairs(points) do

@@ -57,7 +57,7 @@ for _, case in ipairs { { 2, 4, 0.01 }, { 2, 3, 0.02 }, { 3, 4, 0.01 }, { 2, 3, 
   local fine = wall(dim, 1e-4*most, courses, 0.3*most, form)
   for _, share in ipairs { 0.01, 0.005, 0.0025 } do
     local r, notes = wall(dim, share*most, courses, most, form)
-    assert(r.limit == "displacement" or notes:find("caution: pushover: the load path ends at", 1, true), notes)
+    assert(r.limit == "displacement", notes)
     for _, at in ipairs { 0.01, 0.02, 0.05, 0.1, 0.2, 0.29 } do
       local expected, got = force_at(fine.curve, at*most), force_at(r.curve, at*most)
       if expected and got then
@@ -70,8 +70,8 @@ for _, case in ipairs { { 2, 4, 0.01 }, { 2, 3, 0.02 }, { 3, 4, 0.01 }, { 2, 3, 
   end
 end
 
--- A block of 0.5 m by 1 m pushed at its top slides at mu W or rocks at W b/(2 h), less the toe of its elastic joint.
--- An upper block slides along the joint below it. The peak is the same for each halving of the step.
+-- A block of 0.5 m by 1 m pushed at its top slides at mu W or rocks at W b/(2 h), less the toe of its elastic joint. An
+-- upper block slides along the joint below it. The peak is the same for each halving of the step.
 local function block(dim, arc, mu, form, stacked)
   local m = model(dim, { kn = 1e11, ks = 5e10, mu = mu, beta = 1e-6 })
   box(m, "base", -1, -0.2, 2, 0, { support = "fixed" })
