@@ -1,15 +1,15 @@
 // Error of an implicit step in frames of fibres, without the vibrations that the step does not resolve.
 //
-// Where a crack closes or a fibre yields or crushes, the stiffness of a section jumps, and light nodes of the frame
-// vibrate at a few hundred hertz with about 1e-6 of the energy of the motion. The changes a' - a of their accelerations
-// are as large as those of the motion itself, so an estimate by a' - a alone would follow these vibrations with steps
-// of tens of microseconds. As for stiff equations (E. Hairer and G. Wanner, "Solving Ordinary Differential Equations
-// II", 1996, section IV.8; L. F. Shampine), the estimate is multiplied by the inverse of Newton's matrix, twice:
+// The stiffness of a section jumps where a crack closes or a fibre yields or crushes. Light nodes of the frame then
+// vibrate at a few hundred hertz, with a very small share of the energy of the motion. But the changes a' - a of their
+// accelerations are as large as at the joints, so an estimate by a' - a alone would follow these vibrations with steps
+// of tens of microseconds. As for stiff equations, the estimate is multiplied by the inverse of Newton's matrix, here
+// twice (E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", 1996, section IV.8):
 //
 //     z = (A^-1 a_m M)^2 (a' - a),   A = a_m M + (1 - alpha_f) (K + ...),   a_m = (1 - alpha_m) / (b dt^2)
 //
-// A mode of the angular frequency w keeps the share 1 / (1 + s (w dt)^2 / 4)^2 of its estimate, with s near 1. So what
-// a step resolves counts in full, and as dt decreases the estimate becomes the usual one.
+// A mode of the angular frequency w keeps about the share 1 / (1 + (w dt)^2 / 4)^2 of its estimate. So motion that a
+// step resolves counts in full, and as dt decreases the estimate becomes the usual one.
 #pragma once
 
 #include <vector>
