@@ -43,7 +43,7 @@ local function pulled(p)
 end
 
 local function bar_case(element, planes, divisions, integrator)
-  return { name = ("bar_%s_%d_%d_%s"):format(element, planes, divisions, integrator),
+  return { name = ("space_bar_%s_%d_%d_%s"):format(element, planes, divisions, integrator),
     title = "a bar of 0.5 m that is pulled apart",
     parameters = { { "element", element }, { "planes", planes }, { "divisions", divisions },
       { "integrator", integrator }, { "duration", 0.02, "s" } },
@@ -86,7 +86,7 @@ return {
     "along the faces next to the plane, and each face begins at its stress.",
   cases = { bar_case("brick", 1, 10, "explicit"), bar_case("brick", 3, 20, "explicit"),
     bar_case("brick", 1, 10, "implicit"), bar_case("tet4", 1, 10, "explicit"), bar_case("tet10", 1, 10, "implicit"),
-    { name = "beam_0.1_8", title = "beam of 0.1 m depth in three-point bending",
+    { name = "space_beam", title = "beam of 0.1 m depth in three-point bending",
       parameters = { { "depth", 0.1, "m" }, { "rows", 8 }, { "rise", 1.5e-4, "m" }, { "duration", 0.04, "s" } },
       checks = { { "largest load", unit = "N", exact = 8539, tolerance = 0.03 },
         { "residual of the energy balance", unit = "J", exact = 0, within = 0.01 } },
