@@ -69,8 +69,8 @@ return {
   formula = [[\sigma = \tfrac12 \rho c v, \qquad l = c\, t_p/2, \qquad v_\text{piece} = v]],
   text = "A bar of 0.5 m strikes a bar of 3 m flat. The pulse of 10 MPa is 1 m long. It returns from the free end " ..
     "as tension, and the joint where this first exceeds 4 MPa is 0.5 m from the end. All momentum is in the piece " ..
-    "that flies off. It has a brittle joint every 0.1 m; its pieces are meshes. The second bar is one mesh with " ..
-    "brittle planes in these places.",
+    "that flies off. The bar has a brittle joint every 0.1 m; its pieces are meshes. The second bar is one mesh " ..
+    "with brittle planes in these places.",
   cases = { { name = "spall", title = "bar of 3 m with joints of 4 MPa",
     parameters = { { "elements", 5 } },
     checks = { { "distance of the first crack from the end", unit = "m", exact = 0.5, within = 0.1001 },
