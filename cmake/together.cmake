@@ -1,6 +1,6 @@
 # Where CMAKE_UNITY_BUILD is on (every preset but apart), sources of one folder are compiled several at a time, as one file: their
-# shared headers are read once for all of them. Folders with few sources are compiled with those of the folder around them. A name
-# inside a file must be its own among them. Called from the folder that makes the target; why:
+# shared headers are read once for all of them. Folders with few sources are compiled with the sources of the folder around them.
+# A name inside a file must be its own among them. Called from the folder that makes the target; why:
 # docs/decisions/code/0002-unity-builds.md.
 set(TRILITH_TOGETHER 12 CACHE STRING "Sources that are compiled as one file where CMAKE_UNITY_BUILD is on; up to half more or fewer")
 set(TRILITH_FEW 5)

@@ -31,7 +31,9 @@ def open_browser():
     if os.getuid() == 0:
         options.add_argument("--no-sandbox")
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service(driver), options=options)
+    browser = webdriver.Chrome(service=Service(driver), options=options)
+    browser.set_script_timeout(LONGEST)
+    return browser
 
 
 class Page:

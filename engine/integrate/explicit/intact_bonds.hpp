@@ -28,8 +28,8 @@ struct IntactBonds {
 
 /// Bounds of one pair of faces.
 struct IntactPlace {
-  double room = 0;   ///< distance of any of its bonds from its peak, at most [m]
-  double speed = 0;  ///< rate of any of its bonds, at least [m/s]
+  double room = 0;   ///< no bond is nearer to its peak [m]
+  double speed = 0;  ///< no bond moves faster [m/s]
 };
 
 inline IntactBonds intact_bonds(const LawInUse& use) {
