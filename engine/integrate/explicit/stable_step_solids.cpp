@@ -6,6 +6,7 @@
 // bodies. Bearings are springs and dashpots along and about their axes. With mass scaling, meshed bodies have the same
 // springs about their centres of mass too, as if they were rigid.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -48,14 +49,28 @@ DirectionStiffness stiffness_of(const DirectionLaw& law) {
       law);
 }
 
+/// Nodal forces of a fit per unit force at the point of a bearing. If the point lies off the plane of a face, the tilt
+/// of the face moves it along the plane, so that a force along the plane also acts on the nodes across it.
+std::array<double, most_fit_nodes> lever_weights(const Model<3>& model, const Fit& fit, const Fitted& now,
+                                                 const Vec3& at) {
+  std::array<double, most_fit_nodes> out = weights_at(model, fit, now, at, false);
+  if (!fit.is_face) return out;
+  const double lever = std::abs(now.axes.col(2).dot(at - now.place));
+  for (int i = 0; i < fit.nodes; ++i) {
+    const double* const number = &model.fit_number[static_cast<std::size_t>(fit.first_number + 4 * i)];
+    double& weight = out[static_cast<std::size_t>(i)];
+    weight = std::abs(weight) + lever * std::hypot(number[1], number[2]);
+  }
+  return out;
+}
+
 /// Adds a spring through a point, or about an axis. A spring about an axis has forces across the axis, at the distance
 /// of the nodes.
 void add_spring_to_fit(const Model<3>& model, const State<3>& state, int contact_frame, const Vec3& at, bool along,
                        double weight, const DirectionStiffness& s, NodeRows& rows) {
   const Fit& fit = model.fits[static_cast<std::size_t>(-1 - contact_frame)];
   const Fitted now = fitted(model, fit, state.position, state.velocity);
-  if (along)
-    return rows.add(model, fit, weights_at(model, fit, now, at, false), weight * s.tangent, weight * s.dashpot);
+  if (along) return rows.add(model, fit, lever_weights(model, fit, now, at), weight * s.tangent, weight * s.dashpot);
   for (const Vec3& e : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
     rows.add(model, fit, weights_at(model, fit, now, e, true), weight * s.tangent, weight * s.dashpot);
 }
