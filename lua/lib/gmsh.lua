@@ -268,6 +268,23 @@ local function by_group_name(file, dim, nodes)
   return groups, order
 end
 
+--- Notes where parts of a group have nodes at the same places: a mesh that was cut, not merged, has them twice.
+local function note_doubled(model, name, parts, nodes)
+  local part_at, doubled = {}, false
+  for i, elements in ipairs(parts) do
+    for _, element in ipairs(elements) do
+      for k = 1, element.kind.corners do
+        local place = ("%.9g %.9g %.9g"):format(table.unpack(nodes[element[k]], 1, 3))
+        doubled = doubled or (part_at[place] or i) ~= i
+        part_at[place] = i
+      end
+    end
+  end
+  if not doubled then return end
+  core.note_input(model, ("%s: group '%s' becomes %d bodies, which touch but share no node; if it is one body, merge "
+    .. "the nodes in Gmsh with Coherence Mesh, and save the mesh again"):format(owner, name, #parts))
+end
+
 local body_keys = { "material", "density", "unit_weight", "support", "velocity", "floating", "body", "hold" }
 
 local function list_of(value) return type(value) == "table" and value or { value } end
@@ -322,6 +339,7 @@ function methods.gmsh(model, options)
   local made, prefix = {}, options.name and options.name .. "." or ""
   for _, name in ipairs(order) do
     local parts = connected_parts(groups[name])
+    if #parts > 1 then note_doubled(model, name, parts, nodes) end
     for i, elements in ipairs(parts) do
       local keys = keys_of(options, name)
       keys.name = prefix .. name .. (#parts > 1 and "." .. i or "")

@@ -43,6 +43,14 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+TEST_CASE("times in pictures have two decimals, and three digits where these would show zero") {
+  CHECK(time_label(12.345) == "12.35 s");
+  CHECK(time_label(0) == "0.00 s");
+  CHECK(time_label(0.0333) == "0.03 s");
+  CHECK(time_label(0.0045) == "0.0045 s");
+  CHECK(time_label(-2.34567e-5) == "-2.35e-05 s");
+}
+
 TEST_CASE("the view fits the free bodies and a border of a large ground") {
   const SceneView view = scene_view({block_on_ground()}, {});
   CHECK(view.world.x0 < 0);

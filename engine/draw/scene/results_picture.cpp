@@ -201,7 +201,7 @@ std::string event_before(const ResultsReader& reader, double time, double zero) 
     if (e.type == "stage.begun" || e.time < time - recent)
       out.clear();
     else
-      out = fmt::format("{:.2f} s: {}", e.time - zero, e.text);
+      out = fmt::format("{}: {}", time_label(e.time - zero), e.text);
   }
   return out;
 }

@@ -26,7 +26,7 @@ TextStyle subtitle_style(const PictureStyle& s) {
 }
 
 std::string subtitle(const Scene& scene) {
-  std::string out = scene.time ? fmt::format("t = {:.2f} s{}", *scene.time, scene.since) : "";
+  std::string out = scene.time ? fmt::format("t = {}{}", time_label(*scene.time), scene.since) : "";
   for (const std::string& part : {scene.stage, scene.event, scene.verdict})
     if (!part.empty()) out += (out.empty() ? "" : " · ") + part;
   return out;
@@ -135,6 +135,11 @@ void draw_panel(Canvas& canvas, const Scene& scene, const SceneView& view, const
 }
 
 }  // namespace
+
+std::string time_label(double time) {
+  constexpr double shows_zero = 0.005;
+  return time != 0 && std::abs(time) < shows_zero ? fmt::format("{:.3g} s", time) : fmt::format("{:.2f} s", time);
+}
 
 Canvas scene_canvas(const std::vector<Scene>& scenes, int columns, const PictureStyle& style) {
   if (columns < 1) throw InputError(fmt::format("columns of panels is {}, must be at least 1", columns));

@@ -162,6 +162,9 @@ struct PictureStyle {
   double pixels_per_inch = 220;  ///< PNG only
 };
 
+/// A time [s] with two decimals, or with three digits where these would show 0.00.
+std::string time_label(double time);
+
 /// Draws one or more scenes in `columns` columns, with one scale, one view and one legend; several are lettered (a),
 /// (b), ... Throws InputError (with scene and body) for no scene or no body, an outline with fewer than three points,
 /// and a value that is not finite. It also throws for a point beyond 1e9 m and an invalid view or style.

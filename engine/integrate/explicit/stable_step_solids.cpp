@@ -59,7 +59,7 @@ std::array<double, most_fit_nodes> lever_weights(const Model<3>& model, const Fi
   for (int i = 0; i < fit.nodes; ++i) {
     const double* const number = &model.fit_number[static_cast<std::size_t>(fit.first_number + 4 * i)];
     double& weight = out[static_cast<std::size_t>(i)];
-    weight = std::abs(weight) + lever * std::hypot(number[1], number[2]);
+    weight = std::abs(weight) + lever * std::sqrt(number[1] * number[1] + number[2] * number[2]);
   }
   return out;
 }

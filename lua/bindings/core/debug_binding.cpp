@@ -148,6 +148,12 @@ int note(lua_State* L) {
   return 0;
 }
 
+/// core.note_input(model, text): a note on the input of a function, told at once.
+int note_input(lua_State* L) {
+  this_model(L).note_at_once(text_at(L, 2), host(L));
+  return 0;
+}
+
 /// core.records(model): true if results or histories were requested.
 int records(lua_State* L) {
   const ScriptModel& m = this_model(L);
@@ -285,6 +291,7 @@ void open_debug(lua_State* L) {
   set_function(L, "pause_reason", guarded<pause_reason>);
   set_function(L, "resume", guarded<resume>);
   set_function(L, "note", guarded<note>);
+  set_function(L, "note_input", guarded<note_input>);
   set_function(L, "note_small_peak", guarded<note_small_peak>);
   set_function(L, "save", guarded<save>);
   set_function(L, "records", guarded<records>);

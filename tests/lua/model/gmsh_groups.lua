@@ -21,6 +21,7 @@ near(m:body("pier").mass, 2*0.5*2000, 1e-12)
 near(m:body("loose_stone.1").mass, 0.5*0.5*3000, 1e-12)
 near(m:body("loose_stone.2").mass, 1*0.5*3000, 1e-12)
 assert(#m:bodies { group = "loose_stone" } == 2 and #m:bodies { group = "mesh" } == 3)
+local plane_notes = m.notes
 local before = m:body("loose_stone.2").y
 m:run { duration = 0.1 }
 assert(m:body("pier").uy == 0)
@@ -32,6 +33,13 @@ bodies = m:gmsh { file = "gmsh/plane_4_1.msh", name = "wall", scale = 0.5, mater
 near(bodies[1].mass, 0.25*0.5*2000, 1e-12)
 near(bodies[2].mass, 0.25*0.5*2000, 1e-12)
 assert(bodies[1].name == "wall.left" and bodies[1].kind == "mesh")
+
+-- One surface whose halves were not merged becomes two bodies, with a note; the loose stones above are apart.
+local cut = plane "cut"
+assert(#cut:gmsh { file = "gmsh/doubled_2_2.msh", material = "stone" } == 2)
+assert(#cut.notes == 1 and cut.notes[1]:find "gmsh: group 'wall' becomes 2 bodies, which touch but share no node",
+  table.concat(cut.notes, "; "))
+for _, note in ipairs(plane_notes) do assert(not note:find "share no node", note) end
 
 -- In space, as rigid bodies: the lower cube carries the upper one.
 local box = trilith.model { name = "cubes", dim = 3 }
