@@ -69,7 +69,7 @@ PartPiece MeshParts<D>::piece(int piece) const {
 
 /// The nodes of a mesh are its skin points.
 template <int D>
-int MeshParts<D>::skin_copy(int side, int skin) const requires(D == 2) {
+int MeshParts<D>::skin_copy(int side, int skin) const {
   const int node = model_.skin_node[static_cast<std::size_t>(skin)];
   if (!has_node(node) || copy(side, node) < 0) return -1;
   const Body& part = model_.bodies[static_cast<std::size_t>(body(side))];
@@ -77,14 +77,14 @@ int MeshParts<D>::skin_copy(int side, int skin) const requires(D == 2) {
 }
 
 template <int D>
-int MeshParts<D>::piece_at(int side, int from, int to) const requires(D == 2) {
+int MeshParts<D>::piece_at(int side, int from, int to) const {
   const auto& faces = faces_[static_cast<std::size_t>(side)];
   const auto at = faces.find({from, to});
   return at == faces.end() ? -1 : at->second;
 }
 
 template <int D>
-PartPiece MeshParts<D>::face(int from, int to) const requires(D == 2) {
+PartPiece MeshParts<D>::face(int from, int to) const {
   for (const int side : {0, 1}) {
     const int a = skin_copy(side, from), b = skin_copy(side, to);
     if (a < 0 || b < 0) continue;
@@ -95,7 +95,7 @@ PartPiece MeshParts<D>::face(int from, int to) const requires(D == 2) {
 
 /// The rows of Model::fits of a piece follow each other, and its part has as many.
 template <int D>
-typename MeshParts<D>::Frame MeshParts<D>::frame(int frame) const requires(D == 3) {
+typename MeshParts<D>::Frame MeshParts<D>::frame(int frame) const {
   const Body& whole = model_.bodies[static_cast<std::size_t>(split_.body)];
   const int fit = -1 - frame;
   if (frame >= 0 || fit < whole.first_fit || fit >= whole.first_fit + whole.fits) return {};
@@ -110,7 +110,7 @@ typename MeshParts<D>::Frame MeshParts<D>::frame(int frame) const requires(D == 
 }
 
 template <int D>
-int MeshParts<D>::piece_of_element(int element) const requires(D == 3) {
+int MeshParts<D>::piece_of_element(int element) const {
   const int own = elements_[static_cast<std::size_t>(element)][1];
   const SpaceElement& e = model_.space_elements[static_cast<std::size_t>(own)];
   std::vector<int> nodes(e.node.begin(), e.node.begin() + info_of(e.shape).corners);

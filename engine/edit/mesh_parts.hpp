@@ -36,20 +36,20 @@ class MeshParts {
   /// Pairs of elements: of the body, and of the part that has it.
   [[nodiscard]] const std::vector<std::array<int, 2>>& elements() const { return elements_; }
 
-  /// The skin point of a part at a skin point of the body, or -1.
-  [[nodiscard]] int skin_copy(int side, int skin) const requires(D == 2);
-  /// The piece whose face lies between two skin points of the body, counter-clockwise.
-  [[nodiscard]] PartPiece face(int from, int to) const requires(D == 2);
-  /// The piece of a part at a face between two of its own skin points; -1: none.
-  [[nodiscard]] int piece_at(int side, int from, int to) const requires(D == 2);
+  /// In the plane: the skin point of a part at a skin point of the body, or -1.
+  [[nodiscard]] int skin_copy(int side, int skin) const;
+  /// In the plane: the piece whose face lies between two skin points of the body, counter-clockwise.
+  [[nodiscard]] PartPiece face(int from, int to) const;
+  /// In the plane: the piece of a part at a face between two of its own skin points; -1: none.
+  [[nodiscard]] int piece_at(int side, int from, int to) const;
 
-  /// The contact frame of the body's parts that continues one of its contact frames, and its side; -1: none.
+  /// In space: the contact frame of the body's parts that continues one of its contact frames, and its side; -1: none.
   struct Frame {
     int side = -1, frame = 0;
   };
-  [[nodiscard]] Frame frame(int frame) const requires(D == 3);
-  /// The piece of a part that has an element of the body (counted from its first), or -1.
-  [[nodiscard]] int piece_of_element(int element) const requires(D == 3);
+  [[nodiscard]] Frame frame(int frame) const;
+  /// In space: the piece of a part that has an element of the body (counted from its first), or -1.
+  [[nodiscard]] int piece_of_element(int element) const;
 
  private:
   void add_pieces(int side);

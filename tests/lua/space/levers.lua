@@ -1,5 +1,5 @@
--- A body of elements that hangs from a point far off its face, by springs along three axes: the stable step counts the
--- tilt of the face, so that the energy balance closes for each length of the lever, and the body swings.
+-- A body of elements hangs from a point far off its face, by springs along three axes. The stable step counts the tilt
+-- of the face, so the energy balance closes for each length of the lever.
 local trilith = require "trilith"
 
 local stiffness, width, height = 1e7, 0.2, 1
