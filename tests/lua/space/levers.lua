@@ -7,7 +7,8 @@ for _, gap in ipairs { 0, 0.3, 1, 5, 15 } do
   local m = trilith.model { dim = 3 }
   m:material { name = "concrete", density = 2400, E = 3e10, nu = 0.2 }
   m:contact { between = { "*", "*" }, law = "none" }
-  m:block { name = "base", size = { 1, 1, 0.2 }, at = { 0, 0, height + gap }, material = "concrete", support = "fixed" }
+  m:block { name = "base", size = { 1, 1, 0.2 }, at = { 0, 0, height + gap }, material = "concrete",
+    support = "fixed" }
   local bob = m:block { name = "bob", size = { width, width, width }, at = { 0.4, 0.4, height - width }, floating = true,
     material = "concrete", body = { mesh = { 2, 2, 2 } }, velocity = { 0.01, 0, 0 } }
   local spring = trilith.linear { stiffness = stiffness }
