@@ -9,8 +9,8 @@ for _, gap in ipairs { 0, 0.3, 1, 5, 15 } do
   m:contact { between = { "*", "*" }, law = "none" }
   m:block { name = "base", size = { 1, 1, 0.2 }, at = { 0, 0, height + gap }, material = "concrete",
     support = "fixed" }
-  local bob = m:block { name = "bob", size = { width, width, width }, at = { 0.4, 0.4, height - width }, floating = true,
-    material = "concrete", body = { mesh = { 2, 2, 2 } }, velocity = { 0.01, 0, 0 } }
+  local bob = m:block { name = "bob", size = { width, width, width }, at = { 0.4, 0.4, height - width },
+    floating = true, material = "concrete", body = { mesh = { 2, 2, 2 } }, velocity = { 0.01, 0, 0 } }
   local spring = trilith.linear { stiffness = stiffness }
   m:bearing { name = "link", between = { "base", "bob" }, at = { 0.5, 0.5, height + gap }, arm = gap + 0.1,
     along = spring, across = spring, axial = spring }
