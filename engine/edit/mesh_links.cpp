@@ -7,7 +7,7 @@
 
 #include "base/rotation_3d.hpp"
 #include "edit/split_mesh.hpp"
-#include "load/list.hpp"
+#include "edit/split_parts.hpp"
 #include "model/crack_cut.hpp"
 
 namespace trilith {
@@ -228,13 +228,7 @@ void give_ends(Model<D>& model, const MeshParts<D>& rows, const MeshLinks<D>& pa
 
 template <int D>
 void give_loads_of_mesh(Model<D>& model, const MeshLinks<D>& parts) {
-  model.loads.for_each_kind([&]<class L>(std::vector<L>& loads) {
-    if constexpr (acts_in<L, D> && !is_inertia<L>) {
-      std::vector<L> given;
-      for (const L& load : loads) give_load(load, parts, given);
-      loads = std::move(given);
-    }
-  });
+  replace_loads(model, [&](const auto& load, auto& given) { give_load(load, parts, given); });
 }
 
 }  // namespace

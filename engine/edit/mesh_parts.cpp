@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "model/element/one_element.hpp"
+
 namespace trilith {
 
 template <int D>
 int first_element_of(const Model<D>& model, int body) {
   const auto& elements = elements_of(model);
-  const auto at =
-      std::lower_bound(elements.begin(), elements.end(), body, [](const auto& e, int b) { return e.body < b; });
-  return static_cast<int>(at - elements.begin());
+  return static_cast<int>(&first_element(elements, body) - elements.data());
 }
 template int first_element_of(const Model<2>&, int);
 template int first_element_of(const Model<3>&, int);

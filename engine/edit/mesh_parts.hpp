@@ -63,7 +63,7 @@ class MeshParts {
   std::vector<std::array<int, 2>> elements_;
 };
 
-/// Index of the first element of a body; elements are stored body by body.
+/// Index of the first element of a body that has elements.
 template <int D>
 int first_element_of(const Model<D>& model, int body);
 

@@ -6,6 +6,7 @@
 
 #include "assembly/single_terms.hpp"
 #include "base/portable.hpp"
+#include "edit/mesh_parts.hpp"
 #include "element/solid/plane_element.hpp"
 #include "law/contact/list.hpp"
 
@@ -18,15 +19,6 @@ constexpr double same_direction = 1e-6;
 template <int D>
 std::size_t first_node(const Model<D>& model, int body) {
   return static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].first_node);
-}
-
-/// Index of the first element of a body.
-template <int D>
-std::size_t first_element_in(const Model<D>& model, int body) {
-  const auto& elements = elements_of(model);
-  const auto at =
-      std::lower_bound(elements.begin(), elements.end(), body, [](const auto& e, int b) { return e.body < b; });
-  return static_cast<std::size_t>(at - elements.begin());
 }
 
 /// The edge from each node of a cut to the next, and zero where a chain ends. `at(node)`: position.
@@ -87,7 +79,8 @@ void add_forces(const Model<3>& model, const State<3>& state, Work<3>& scratch, 
 template <int D>
 void add_side(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, int side, Work<D>& scratch,
               SideSums<D>& sums) {
-  const std::size_t first = first_node(model, body), from = first_element_in(model, body);
+  const std::size_t first = first_node(model, body);
+  const auto from = static_cast<std::size_t>(first_element_of(model, body));
   std::vector<double> area;
   if constexpr (D == 2) area.resize(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
   const auto each = [&](auto&& see) {

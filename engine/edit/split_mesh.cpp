@@ -85,28 +85,38 @@ void place_mesh_parts(const Model<D>& model, State<D>& state, const SplitBody& s
 template void place_mesh_parts(const Model<2>&, State<2>&, const SplitBody&, const MeshCut&);
 template void place_mesh_parts(const Model<3>&, State<3>&, const SplitBody&, const MeshCut&);
 
+namespace {
+
+/// Contacts after a split. `give(record, first)` moves a contact of the body, as its first or second piece, to a part;
+/// false if no part has its face. Contacts of other bodies stay.
+template <int D, class Record, class Give>
+std::vector<Record> given_contacts(const Model<D>& model, const std::vector<Record>& records, int body, Give&& give) {
+  const auto is_on = [&](int piece) { return model.piece_body[static_cast<std::size_t>(piece)] == body; };
+  std::vector<Record> out;
+  for (const Record& record : records) {
+    const bool first = is_on(record.piece_a);
+    Record given = record;
+    if ((!first && !is_on(record.piece_b)) || give(given, first)) out.push_back(std::move(given));
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<ContactRecord> mesh_handed_over(const Model<2>& model, const State<2>& /*state*/,
                                             const std::vector<ContactRecord>& records, const SplitBody& split,
                                             const MeshCut& cut) {
   const MeshParts<2> parts(model, split, cut);
-  const auto body_of = [&](int piece) { return model.piece_body[static_cast<std::size_t>(piece)]; };
-  std::vector<ContactRecord> out;
-  for (const ContactRecord& record : records) {
-    const bool first = body_of(record.piece_a) == split.body;
-    if (!first && body_of(record.piece_b) != split.body) {
-      out.push_back(record);
-      continue;
-    }
-    ContactRecord given = record;
+  return given_contacts(model, records, split.body, [&](ContactRecord& given, bool first) {
     int &piece = first ? given.piece_a : given.piece_b, &from = first ? given.a0 : given.b0,
         &to = first ? given.a1 : given.b1;
-    const PartPiece own = record.general ? parts.piece(piece) : parts.face(from, to);
-    if (own.piece < 0) continue;
+    const PartPiece own = given.general ? parts.piece(piece) : parts.face(from, to);
+    if (own.piece < 0) return false;
     piece = own.piece;
-    if (!record.general) from = parts.skin_copy(own.side, from), to = parts.skin_copy(own.side, to);
-    out.push_back(ordered(std::move(given)));
-  }
-  return out;
+    if (!given.general) from = parts.skin_copy(own.side, from), to = parts.skin_copy(own.side, to);
+    given = ordered(std::move(given));
+    return true;
+  });
 }
 
 /// The shear of an edge is linear. Its two halves act at a quarter and three quarters of the edge, so that they have
@@ -147,22 +157,14 @@ std::vector<SolidRecord> mesh_handed_over(const Model<3>& model, const State<3>&
                                           const std::vector<SolidRecord>& records, const SplitBody& split,
                                           const MeshCut& cut) {
   const MeshParts<3> parts(model, split, cut);
-  const auto body_of = [&](int piece) { return model.piece_body[static_cast<std::size_t>(piece)]; };
-  std::vector<SolidRecord> out;
-  for (const SolidRecord& record : records) {
-    const bool first = body_of(record.piece_a) == split.body;
-    if (!first && body_of(record.piece_b) != split.body) {
-      out.push_back(record);
-      continue;
-    }
-    SolidRecord given = record;
+  return given_contacts(model, records, split.body, [&](SolidRecord& given, bool first) {
     int& piece = first ? given.piece_a : given.piece_b;
     const PartPiece own = parts.piece(piece);
-    if (own.piece < 0) continue;
+    if (own.piece < 0) return false;
     piece = own.piece;
-    out.push_back(ordered(model, state, std::move(given)));
-  }
-  return out;
+    given = ordered(model, state, std::move(given));
+    return true;
+  });
 }
 
 /// The faces of both elements move with the nodes that were one, so the joint follows them from the present position.

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/rotation_3d.hpp"
-#include "load/list.hpp"
 #include "model/contact/skin_places.hpp"
 
 namespace trilith {
@@ -210,13 +209,7 @@ PartPlace3 place_in_body(const Model<3>& model, const State<3>& state, std::size
 
 template <int D>
 void give_loads(Model<D>& model, const SplitParts<D>& parts) {
-  model.loads.for_each_kind([&]<class L>(std::vector<L>& loads) {
-    if constexpr (acts_in<L, D> && !is_inertia<L>) {
-      std::vector<L> given;
-      for (const L& load : loads) hand_over(load, parts, given);
-      loads = std::move(given);
-    }
-  });
+  replace_loads(model, [&](const auto& load, auto& given) { hand_over(load, parts, given); });
 }
 
 }  // namespace

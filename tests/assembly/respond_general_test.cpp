@@ -159,8 +159,8 @@ TEST_CASE("each row of a pile with two laws has the pressure and the friction of
       for_rows_alone(model, state, work, dt,
                      [&](const GeneralContact<2>& in_group, const ContactMemory& kept, const OverlapResponse& alone) {
                        const NearPair& pair = work.pairs[static_cast<std::size_t>(in_group.row)];
-                       // A group of four adds the same numbers in another order. Rounding of positions, 1e-15 m, times
-                       // stiffness and length is below 1e-7 N. A stone weighs 1 kN.
+                       // Four rows evaluated together differ from single rows by rounding. The rounding error of a
+                       // position, 1e-15 m, times stiffness and length is below 1e-7 N. A stone weighs 1 kN.
                        constexpr double rounding = 1e-6;
                        CHECK((in_group.force - alone.force).norm() < rounding);
                        CHECK(std::abs(in_group.size - alone.length) < 1e-9);

@@ -79,7 +79,6 @@ for _, last in ipairs { 10, 50 } do
         local found, expected = bent(dim, case[1], about, last, axial, case[2])
         local what = ("%s, %s, last opening %g, axial %g, %s"):format(about, case[1], last, axial,
           case[2] and "added later" or "from the start")
-        if os.getenv "TRILITH_SHOW" then print(what, found, expected, found/expected - 1) end
         assert(math.abs(found/expected - 1) < 0.01, ("%s: %.5g for %.5g"):format(what, found, expected))
       end
     end
