@@ -64,6 +64,8 @@ constexpr std::array usual_ranges{
     PlausibleRange{"density", "kg/m3", 25, unbounded, "is it in t/m3 or g/cm3? 2.4 t/m3 are 2400 kg/m3"},
     PlausibleRange{"least side", "m", 0, 40,
                    "is it in mm? multiply it by trilith.units \"mm\", or give a file scale = 0.001"},
+    PlausibleRange{"greatest side", "m", 0, 1000,
+                   "is it in mm? multiply it by trilith.units \"mm\", or give a file scale = 0.001"},
     PlausibleRange{"rate", "rad/s", -0.5, 0.5, "is it in degrees? multiply it by trilith.units \"deg\""},
     PlausibleRange{"by", "rad", 0, 3.2, "is it in degrees? multiply it by trilith.units \"deg\""},
 };

@@ -5,6 +5,9 @@ local owner = "level_ground"
 local methods = core.members "model"
 local with_profile = methods.ground
 
+-- Density of a ground without material [kg/m3]: that of dense sand. The ground is fixed, so no result depends on it.
+local density = 2000
+
 -- The ground extends beyond the model by this number of times its size.
 local times = 10
 
@@ -46,11 +49,12 @@ function methods.level_ground(model, options)
   local name, deep = options.name or "ground", 0.5*reach
   local groups = options.groups or { "ground" }
   local x0, x1 = low[1] - reach, high[1] + reach
+  local own_density = options.material == nil and density or nil
   if model.dim == 2 then
-    return model:polygon { name = name, material = options.material, groups = groups, support = "fixed",
-      outline = { { x0, level - deep }, { x1, level - deep }, { x1, level }, { x0, level } } }
+    return model:polygon { name = name, material = options.material, density = own_density, groups = groups,
+      support = "fixed", outline = { { x0, level - deep }, { x1, level - deep }, { x1, level }, { x0, level } } }
   end
-  return model:block { name = name, material = options.material, groups = groups, support = "fixed",
+  return model:block { name = name, material = options.material, density = own_density, groups = groups, support = "fixed",
     at = { x0, low[2] - reach, level - deep }, size = { x1 - x0, high[2] - low[2] + 2*reach, deep } }
 end
 

@@ -44,7 +44,7 @@ span          table?        default keys of all spans]], gives = "table" },
     .. "bodies.",
     also = "ground plane, floor, soil, infinite ground", keys = [[
 level     number m        height of its surface
-material  text            its material
+material  text?           its material; without one the ground has 2000 kg/m3, which no result depends on
 name      text = "ground"  name
 groups    names?          groups; default "ground"
 reach     number m?       distance from the bodies to its edges; default 10 times the size of the model  <above 0>]],

@@ -24,11 +24,19 @@
 namespace trilith {
 namespace {
 
-/// Smaller side of the box around an outline [m].
-double least_side(const Polygon& outline) {
+/// Sides of the box around an outline [m].
+Vec2 sides_of(const Polygon& outline) {
   Vec2 low = Vec2::Constant(unbounded), high = -low;
   for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return outline.empty() ? 0 : (high - low).minCoeff();
+  return outline.empty() ? Vec2::Zero() : Vec2(high - low);
+}
+
+/// A note on sizes that are probably in mm. Fixed bodies may be ground, which extends far.
+void note_sides(const BodySpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  const Vec2 sides = sides_of(spec.outline);
+  add_plausibility_note_once(notes, owner, "least side", "m", sides.minCoeff());
+  if (spec.support[0] == Support::free)
+    add_plausibility_note_once(notes, owner, "greatest side", "m", sides.maxCoeff());
 }
 
 double mass_of(const BodySpec& spec, double area, double thickness, const std::vector<Material>& materials) {
@@ -101,7 +109,7 @@ void ModelBuilder::add_body(BodySpec spec) {
   if (spec.frame)
     add_frame_plausibility_notes(*spec.frame, owner, notes_);
   else
-    add_plausibility_note_once(notes_, owner, "least side", "m", least_side(spec.outline));
+    note_sides(spec, owner, notes_);
   note_held_motion(spec, owner, notes_);
   bodies_.push_back(std::move(spec));
 }

@@ -62,12 +62,23 @@ void check_inertia(const SolidSpec& spec, const std::string& owner) {
                     owner, i.x(), i.y(), i.z()));
 }
 
-/// Smallest side of the axis-aligned box around all pieces [m].
-double least_side(const std::vector<Polyhedron>& pieces) {
+/// Sides of the axis-aligned box around all pieces [m].
+Vec3 sides_of(const std::vector<Polyhedron>& pieces) {
   Vec3 low = pieces[0].corners[0], high = low;
   for (const Polyhedron& piece : pieces)
     for (const Vec3& x : piece.corners) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  return (high - low).minCoeff();
+  return high - low;
+}
+
+/// A note on sizes that are probably in mm. Fixed bodies may be ground, which extends far.
+void note_sides(const SolidSpec& spec, const std::string& owner, std::vector<std::string>& notes) {
+  for (const Sphere& sphere : spec.spheres)
+    add_plausibility_note_once(notes, owner, "least side", "m", 2 * sphere.radius);
+  if (spec.pieces.empty() || spec.frame) return;
+  const Vec3 sides = sides_of(spec.pieces);
+  add_plausibility_note_once(notes, owner, "least side", "m", sides.minCoeff());
+  if (spec.support[0] == Support::free)
+    add_plausibility_note_once(notes, owner, "greatest side", "m", sides.maxCoeff());
 }
 
 /// A held degree of freedom does not move, whatever its given velocity.
@@ -141,10 +152,7 @@ void SolidModelBuilder::add_body(SolidSpec spec) {
   if (!spec.material.empty()) require_material(materials_, spec.material, owner);
   (void)(spec.frame ? frame_body(spec).material.front().mass : density_of(spec));
   if (spec.density) add_plausibility_note_once(notes_, owner, "density", "kg/m3", *spec.density);
-  if (!spec.pieces.empty() && !spec.frame)
-    add_plausibility_note_once(notes_, owner, "least side", "m", least_side(spec.pieces));
-  for (const Sphere& sphere : spec.spheres)
-    add_plausibility_note_once(notes_, owner, "least side", "m", 2 * sphere.radius);
+  note_sides(spec, owner, notes_);
   if (spec.frame) add_frame_plausibility_notes(*spec.frame, owner, notes_);
   if (spec.inertia) check_inertia(spec, owner);
   check_cracks(spec, owner);

@@ -136,6 +136,8 @@ TRILITH_KIND(SectionValue, "section");
 
 /// InputError for a property that a body has only while it is in the model.
 void require_readable(const BodyHandle& b, std::string_view property);
+/// Throws InputError if `property` is a stress and the body has no elements: its value 0 would look like a result.
+void require_stress(const BodyHandle& b, std::string_view property);
 
 /// The model whose method is called: argument 1. InputError if it is not a model, or closed.
 ScriptModel& this_model(lua_State* L);

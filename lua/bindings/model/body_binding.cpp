@@ -74,14 +74,21 @@ void push_groups(lua_State* L, const BodyHandle& b) {
   }
 }
 
-/// A mean over the area of a deformable body; 0 for a rigid one and before the first stage.
+/// The body itself, or the part at its centroid once it has cracked.
+int present_part(const BodyHandle& b) {
+  const int part = b.model().heir_of(b.index);
+  return part < 0 ? b.index : part;
+}
+
+/// A mean over the area of a deformable body; 0 before the first stage.
 template <class Value>
 double mean_stress(const BodyHandle& b, Value&& value) {
   const Simulation<2>* s = b.plane().if_built();
   if (s == nullptr) return 0;
+  const int body = present_part(b);
   double sum = 0, area = 0;
   for (std::size_t e = 0; e < s->model().elements.size(); ++e) {
-    if (s->model().elements[e].body != b.index) continue;
+    if (s->model().elements[e].body != body) continue;
     const ElementStress stress = element_stress(s->model(), s->state(), static_cast<int>(e));
     sum += stress.area * value(stress);
     area += stress.area;
@@ -94,9 +101,10 @@ template <class Value>
 double mean_in_space(const BodyHandle& b, Value&& value) {
   const Simulation<3>* s = as_space(b.model())->if_built();
   if (s == nullptr) return 0;
+  const int body = present_part(b);
   double sum = 0, volume = 0;
   for (std::size_t e = 0; e < s->model().space_elements.size(); ++e) {
-    if (s->model().space_elements[e].body != b.index) continue;
+    if (s->model().space_elements[e].body != body) continue;
     const SpaceElementStress stress = element_stress(s->model(), s->state(), static_cast<int>(e));
     sum += stress.volume * value(stress), volume += stress.volume;
   }
@@ -280,15 +288,33 @@ const std::array body_methods{
     Method{"forces", guarded<push_member_forces>},
 };
 
+BodyKind kind_of(const BodyHandle& b) {
+  const SpaceModel* space = as_space(b.model());
+  return space != nullptr ? space->spec(b.index).kind() : spec(b).kind;
+}
+
 }  // namespace
+
+void require_stress(const BodyHandle& b, std::string_view property) {
+  constexpr std::array of_elements{"sxx", "syy", "szz", "sxy", "syz", "szx", "plastic"};
+  if (std::none_of(of_elements.begin(), of_elements.end(), [&](const char* name) { return property == name; })) return;
+  const BodyKind kind = kind_of(b);
+  const Resistance resistance = info_of(kind).resistance;
+  if (resistance == Resistance::elements) return;
+  throw InputError(
+      fmt::format("'{}': body '{}' is of kind '{}' and has no stress; {}", property, name_of_body(b), name_of(kind),
+                  resistance == Resistance::none
+                      ? "give it elements with the key body, or read the forces of its contacts with m:contacts"
+                      : "read its section forces with body:forces"));
+}
 
 /// The properties of a body remain known; its position and motion only while it is in the model.
 void require_readable(const BodyHandle& b, std::string_view property) {
   constexpr std::array known{"name",    "material", "groups", "present",  "removed_at", "mass",
                              "inertia", "area",     "kind",   "bearings", "seats"};
-  const int part = b.model().heir_of(b.index);  // a cracked body is read at its centroid
   if (std::none_of(known.begin(), known.end(), [&](const char* name) { return property == name; }))
-    b.model().require_present(part < 0 ? b.index : part, "");
+    b.model().require_present(present_part(b), "");  // a cracked body is read at its centroid
+  require_stress(b, property);
 }
 
 std::span<const Property<BodyHandle>> Kind<BodyHandle>::properties() {

@@ -164,6 +164,7 @@ void follow(Keys& keys, History& history, const std::string& what, const H& h) {
                              name_hint(what, number_names(h))));
     return;
   }
+  if constexpr (requires { require_stress(h, what); }) require_stress(h, what);
   history.sample = [h, p, name = history.name] {
     if (is_out(h)) return std::numeric_limits<double>::quiet_NaN();
     const double value = p->number(h);

@@ -268,7 +268,8 @@ int verify(VerifyOptions options) {
   if (lua_pcall(L, 2, 1, 1) == LUA_OK) return static_cast<int>(lua_tointeger(L, -1));
   screen.clear();
   if (signal_code() != 0) return signal_code();
-  fmt::print(stderr, "{}\n", terminal_text(message_at_top(L)));
+  const std::string message = message_at_top(L);  // it names the file; the calls within the library help nobody
+  fmt::print(stderr, "{}\n", terminal_text(message.substr(0, message.find("\nstack traceback:"))));
   return wrong_input;
 }
 

@@ -48,6 +48,9 @@ refused("must be 1 to 1000", m.body, m, { name = "a", outline = four, material =
 refused("names node 9", m.body, m,
         { name = "a", material = "stone", mesh = { nodes = four, elements = { { 1, 2, 9 } } } })
 refused("cannot read mesh", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
+local solid = m:block { name = "rigid", width = 1, height = 1, at = { 3, 0 }, material = "stone", floating = true }
+refused("body 'rigid' is of kind 'rigid' and has no stress", function() return solid.sxx end)
+refused("body 'rigid' is of kind 'rigid' and has no stress", m.history, m, { body = "rigid", what = "plastic" })
 refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
 refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
 refused("dilation_angle is", trilith.mohr_coulomb,

@@ -18,7 +18,7 @@ end
 local m = model(2)
 local still = m:block { name = "still", width = 1, height = 0.5, at = { 0, 2 }, material = "stone" }
 local fast = m:block { name = "fast", width = 1, height = 0.2, at = { 5, 2 }, material = "stone", velocity = { 8, 0 } }
-local ground = m:ground { level = 2, material = "stone" }
+local ground = m:ground { level = 2 } -- a fixed body needs no material
 assert(ground.name == "ground" and ground.y < 2)
 m:run { duration = 3 }
 assert(math.abs(still.ux) < 1e-3 and math.abs(still.uy) < 1e-3, "the block at rest moved")
@@ -31,7 +31,7 @@ local s = model(3)
 local tower = s:block { name = "tower", size = { 0.5, 0.5, 2 }, at = { 0, 0, 0 }, material = "stone" }
 local stone = s:block { name = "stone", size = { 0.3, 0.3, 0.3 }, at = { 3, -4, 0.2 }, material = "stone",
   floating = true }
-s:level_ground { level = 0, material = "stone", name = "plain", reach = 40 }
+s:level_ground { level = 0, name = "plain", reach = 40 }
 s:run { duration = 2 }
 assert(math.abs(stone.z - 0.15) < 1e-3 and stone.speed < 1e-3, "the stone does not rest on the ground")
 assert(math.abs(tower.uz) < 1e-3 and math.abs(tower.ux) < 1e-3)

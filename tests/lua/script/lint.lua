@@ -43,6 +43,17 @@ local usual = model { mu = 2, beta = 0.1, density = 25, own = 25 }
 assert(#usual.notes == 0)
 lacks(usual:lint(), "usual")
 
+-- A body of 5,000 m has a small side too; a fixed one may be ground.
+for _, case in ipairs { { 2, 5000, 1 }, { 2, 900, 0 }, { 3, 5000, 1 }, { 3, 900, 0 }, { 2, 5000, 0, "fixed" } } do
+  local dim, size, notes, support = table.unpack(case)
+  local m = trilith.model { name = "long", dim = dim }
+  m:block { name = "wall", width = dim == 2 and size or nil, height = dim == 2 and 0.3 or nil, density = 2000,
+    size = dim == 3 and { 0.3, size, 0.3 } or nil, at = dim == 2 and { 0, 0 } or { 0, 0, 0 }, support = support,
+    floating = not support or nil }
+  assert(#m.notes == notes, table.concat(m.notes, "\n"))
+  if notes == 1 then has(m.notes, "body 'wall': greatest side = 5000 m is above the usual 1000 m: is it in mm?") end
+end
+
 local sliding = model {}
 sliding:bearing { name = "B", between = { "low", "top" }, at = { 0.5, 0.5 },
                   along = trilith.friction { mu = 35, stiffness = 1e6 }, axial = trilith.linear { stiffness = 1e6 } }
