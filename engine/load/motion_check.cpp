@@ -38,10 +38,10 @@ std::string drift_of(const GroundMotion& motion) {
   if (!moves_at_end && !travels) return "";
   const double offset = motion.samples().back().displacement - motion.start().displacement;
   return fmt::format(
-      "motion '{}' drifts: {:.3g} m in {:.4g} s, end velocity {:.3g} cm/s ({:.2g} % of PGV), mean of the last quarter "
-      "{:.3g} cm/s ({:.2g} %). Correct its baseline, as by motion:baseline(1), start it from the velocity of its "
+      "motion '{}' drifts: {:.3g} m in {:.4g} s, end velocity {:.3g} cm/s ({:.3g} % of PGV), mean of the last quarter "
+      "{:.3g} cm/s ({:.3g} %). Correct its baseline, as by motion:baseline(1), start it from the velocity of its "
       "source (zero mean velocity needs {:.4g} cm/s), or use a version of the record that begins and ends at rest. To "
-      "allow the drift, give allow_drift = true",
+      "allow the drift, give trilith.motion the key allow_drift = true",
       motion.description(), offset, motion.duration(), end * 100, 100 * std::abs(end) / pgv, late * 100,
       100 * std::abs(late) / pgv, 100 * balanced_start_velocity(motion));
 }
@@ -58,7 +58,7 @@ std::string end_drift(const GroundMotion& motion) {
   const double pgv = std::abs(motion_peaks(motion).velocity.value), end = motion.samples().back().velocity;
   if (!(std::abs(end) > end_velocity_negligible * pgv)) return "";
   const double offset = motion.samples().back().displacement - motion.start().displacement;
-  return fmt::format("the ground still moves at {} at the end ({:.2g} % of PGV), {} from its start",
+  return fmt::format("the ground still moves at {} at the end ({:.3g} % of PGV), {} from its start",
                      quantity_text(end, "m/s"), 100 * std::abs(end) / pgv, quantity_text(offset, "m"));
 }
 

@@ -54,10 +54,10 @@ given.check {
   { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 0, 0 }, dt = 1 } } end,
     "shake: 'x': motion 'samples of the script' is zero everywhere; check the file and its column" },
   { function() b:shake { body = "base", x = trilith.motion { acceleration = { 0, 1, 0 }, dt = 1 } } end,
-    "shake: 'x': motion 'samples of the script' drifts: 1 m in 2 s, end velocity 100 cm/s (1e+02 % of "
-      .. "PGV), mean of the last quarter 83.3 cm/s (83 %). Correct its baseline, as by motion:baseline(1), start it "
+    "shake: 'x': motion 'samples of the script' drifts: 1 m in 2 s, end velocity 100 cm/s (100 % of "
+      .. "PGV), mean of the last quarter 83.3 cm/s (83.3 %). Correct its baseline, as by motion:baseline(1), start it "
       .. "from the velocity of its source (zero mean velocity needs -50 cm/s), or use a version of the record that "
-      .. "begins and ends at rest. To allow the drift, give allow_drift = true" },
+      .. "begins and ends at rest. To allow the drift, give trilith.motion the key allow_drift = true" },
   { function() b:fix("block", "xz") end,
     "fix: directions are the text 'xz', must be a text of x, y and r, as in \"xy\"" },
   { function() b:shake { body = "base", motions = { { body = "base", x = trilith.ramp { by = 1, duration = 1 } } } }
