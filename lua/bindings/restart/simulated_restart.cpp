@@ -58,15 +58,33 @@ void require_same_stage(const MomentHead& saved, const MomentHead& now, const st
     throw InputError(fmt::format("{}: the model has another state at the start of stage {}", owner, now.stage));
 }
 
-/// Moves the rows of the interrupted run to the restart folder. If they are there already, an earlier continuation was
-/// interrupted before it had copied them.
-void take_rows(const RestartFiles& files, const std::filesystem::path& results) {
-  const std::filesystem::path part = results::part_path(results), before = results::replaced_part_path(results);
+/// Gives the file with the rows of an interrupted run the name of its part file. Rows in the restart folder come first:
+/// a continuation was interrupted before it had copied them, so its own files have none. A file that was being replaced
+/// by one with more bodies comes next.
+void gather_rows(const RestartFiles& files, const std::filesystem::path& results) {
   std::error_code error;
-  const bool copied_before = std::filesystem::exists(before, error);  // it was being replaced by one with more bodies
-  if (copied_before || std::filesystem::exists(kept_rows(files), error)) std::filesystem::remove(part, error);
-  const std::filesystem::path& rows = copied_before ? before : part;
-  if (std::filesystem::exists(rows, error)) std::filesystem::rename(rows, kept_rows(files), error);
+  for (const auto& whole : {kept_rows(files), results::replaced_part_path(results)}) {
+    if (!std::filesystem::exists(whole, error)) continue;
+    std::filesystem::rename(whole, results::part_path(results), error);
+    std::filesystem::remove(results::replaced_part_path(results), error);
+    return;
+  }
+}
+
+/// Moves the rows of the interrupted run to the restart folder.
+void take_rows(const RestartFiles& files, const std::filesystem::path& results) {
+  gather_rows(files, results);
+  std::error_code error;
+  std::filesystem::rename(results::part_path(results), kept_rows(files), error);
+}
+
+/// Removes the checkpoints of an earlier run; its rows get another name when the file is opened. A run that still
+/// writes keeps both, and the file cannot be opened.
+void set_aside(const std::filesystem::path& results) {
+  if (results::is_being_written(results::part_path(results))) return;
+  RestartFiles files(restart_folder(results));
+  gather_rows(files, results);
+  files.remove_all();
 }
 
 template <class T>
@@ -84,8 +102,7 @@ void replace_tail(std::vector<T>& all, std::size_t from, std::vector<T> tail) {
 template <int D>
 void SimulatedModel<D>::open_restart(Host& host) {
   const RestartChoice& choice = host.restart;
-  if (results && !choice.resumes)  // of an earlier run, whose rows get another name
-    RestartFiles(restart_folder(std::filesystem::absolute(results->file))).remove_all();
+  if (results && !choice.resumes) set_aside(std::filesystem::absolute(results->file));
   if (restart || (!(choice.every > 0) && !choice.resumes && !choice.in_memory)) return;
   restart = std::make_unique<RestartBook>();
   RestartBook& book = *restart;

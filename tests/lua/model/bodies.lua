@@ -50,7 +50,8 @@ refused("names node 9", m.body, m,
 refused("cannot read mesh", m.body, m, { name = "a", material = "stone", mesh = { file = "none.msh" } })
 local solid = m:block { name = "rigid", width = 1, height = 1, at = { 3, 0 }, material = "stone", floating = true }
 refused("body 'rigid' is of kind 'rigid' and has no stress", function() return solid.sxx end)
-refused("body 'rigid' is of kind 'rigid' and has no stress", m.history, m, { body = "rigid", what = "plastic" })
+refused("body 'rigid' is of kind 'rigid' and has no stress", m.history, m,
+  { name = "h", body = "rigid", what = "plastic" })
 refused("both E and solid", m.material, m, { name = "b", density = 1, E = 1, solid = trilith.j2 { E = 1, yield = 1 } })
 refused("without E", m.material, m, { name = "b", density = 1, nu = 0.2 })
 refused("dilation_angle is", trilith.mohr_coulomb,
