@@ -87,6 +87,11 @@ void set_aside(const std::filesystem::path& results) {
   files.remove_all();
 }
 
+/// True if a signal ends the run; with a console it only pauses.
+bool is_signalled(const Host& host) {
+  return host.interrupted != nullptr && host.console == nullptr && host.interrupted();
+}
+
 template <class T>
 std::vector<T> tail(const std::vector<T>& all, std::size_t from) {
   return {all.begin() + static_cast<std::ptrdiff_t>(std::min(from, all.size())), all.end()};
@@ -176,7 +181,9 @@ void SimulatedModel<D>::tell_restart(Host& host, const std::string& text) {
 template <int D>
 void SimulatedModel<D>::end_kept_stage(const StageReport& report, const ScriptListener& listener, Host& host) {
   RestartBook& book = *restart;
-  if (book.keeps() && !book.signalled) {
+  // A signal ends a search for equilibrium before its end, so that stage is repeated.
+  const bool broken_off = book.signalled || is_signalled(host);
+  if (book.keeps() && !broken_off) {
     std::string bytes = moment(&report, listener);
     book.stage_bytes += bytes.size();
     if (book.stage_bytes > most_of_changes) book.off = fmt::format("{} stages have ended", book.head.stage);
@@ -194,7 +201,7 @@ void SimulatedModel<D>::keep_checkpoint(const ScriptListener& listener, Host& ho
   if (book.change_bytes > most_of_changes && !std::exchange(book.told, true))
     tell_restart(host, fmt::format("no further checkpoints: {}, and each change stores a state", book.off));
   if (!book.keeps() || simulation_->stopping()) return;
-  const bool ends = host.interrupted != nullptr && host.console == nullptr && host.interrupted();
+  const bool ends = is_signalled(host);
   if (!ends && !book.due(coarse_clock())) return;
   if (!std::exchange(book.looked, true))
     if (const std::string lost = listener.unkept(); !lost.empty()) tell_restart(host, lost);
