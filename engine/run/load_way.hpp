@@ -39,4 +39,9 @@ struct LoadWay {
   }
 };
 
+/// Shifts motions and load curves as a path that was reported has shifted them, with the same rounding: the model of a
+/// run that is continued after the path is then as it was at its end.
+template <int D>
+void postpone_by_way(Model<D>& model, const LoadWay<D>& way);
+
 }  // namespace trilith

@@ -32,10 +32,26 @@ StageEnd rest_end(const Equilibrium& found) {
   return found.converged ? StageEnd::rest : StageEnd::not_at_rest;
 }
 
+/// Number of the points of a path that are reported: all up to the first one that is strained beyond its limit.
+template <int D>
+std::size_t reported_points(const Model<D>& model, const LoadWay<D>& way) {
+  std::size_t count = 0;
+  while (count < way.points.size() && !is_overstrained(model, way.points[count].state)) ++count;
+  return count;
+}
+
 }  // namespace
 
+template <int D>
+void postpone_by_way(Model<D>& model, const LoadWay<D>& way) {
+  double told = 0;
+  for (std::size_t i = 0; i < reported_points(model, way); ++i)
+    postpone_courses(model, way.time_of(i) - std::exchange(told, way.time_of(i)));
+  postpone_courses(model, way.duration() - told);
+}
+
 /// Sets state and scaled loads to each point of the path in turn and reports it. Time increases from point to point;
-/// motions and load curves are shifted by the same time. A point strained beyond its limit is not reported.
+/// motions and load curves are shifted by the same time.
 template <int D>
 void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
   const State<D> end = state_;
@@ -50,14 +66,13 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
     drop_work();
     refresh();
   };
-  const std::size_t last = way.points.size() - 1;
+  const std::size_t last = way.points.size() - 1, reported = reported_points(model_, way);
   try {
-    for (std::size_t i = 0; i <= last; ++i) {
-      const Waypoint<D>& point = way.points[i];
-      go_to(point, point.state, way.time_of(i));
-      if (i == 0) tell(stage_event(EventType::stage_begun, instant(), stage_->options.name), listener, instant());
-      if (is_overstrained(model_, state_)) break;
-      tell_point(point, listener);
+    if (reported > 0) go_to(way.points[0], way.points[0].state, way.time_of(0));
+    tell(stage_event(EventType::stage_begun, instant(), stage_->options.name), listener, instant());
+    for (std::size_t i = 0; i < reported; ++i) {
+      if (i > 0) go_to(way.points[i], way.points[i].state, way.time_of(i));
+      tell_point(way.points[i], listener);
     }
   } catch (...) {  // a handler failed: the model still ends at the end of the path
     go_to(way.points[last], end, way.duration());
@@ -151,5 +166,8 @@ template StageReport Simulation<2>::settle(const StageOptions&, const Equilibriu
                                            const LoadWay<2>*);
 template StageReport Simulation<3>::settle(const StageOptions&, const EquilibriumOptions&, const RunListener<3>&,
                                            const LoadWay<3>*);
+
+template void postpone_by_way(Model<2>&, const LoadWay<2>&);
+template void postpone_by_way(Model<3>&, const LoadWay<3>&);
 
 }  // namespace trilith

@@ -335,11 +335,10 @@ StageReport SimulatedModel<D>::run(const StageOptions& asked, const ScriptListen
     const RunListener<D> all = listen_with(listener, host);
     if (restart) begin_kept_stage(options, statics == nullptr, host.restart.script_ended);
     std::optional<StageReport> report;
-    if (restart) report = restored_stage(options, listener, all, host);
-    const auto* const own = std::get_if<const LoadWay<D>*>(&way);
-    if (!report)
-      report =
-          statics == nullptr ? s.run(options, all) : s.settle(options, *statics, all, own == nullptr ? nullptr : *own);
+    const auto* const found = std::get_if<const LoadWay<D>*>(&way);
+    const LoadWay<D>* const own = found == nullptr ? nullptr : *found;
+    if (restart) report = restored_stage(options, listener, own, all, host);
+    if (!report) report = statics == nullptr ? s.run(options, all) : s.settle(options, *statics, all, own);
     if (restart) end_kept_stage(*report, listener, host);
     if (step_check_)
       if (const auto row = step_check_->repeat(s)) checked_step_.emplace(*row, report->begun);

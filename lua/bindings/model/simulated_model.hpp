@@ -147,9 +147,10 @@ class SimulatedModel : public ScriptModel {
   void end_kept_stage(const StageReport& report, const ScriptListener& listener, Host& host);
   void keep_checkpoint(const ScriptListener& listener, Host& host);
   [[nodiscard]] std::optional<StageReport> restored_stage(const StageOptions& options, const ScriptListener& listener,
-                                                          const RunListener<D>& all, Host& host);
+                                                          const LoadWay<D>* way, const RunListener<D>& all, Host& host);
   [[nodiscard]] std::optional<StageReport> go_to_moment(const std::string& name, const StageOptions& options,
-                                                        const ScriptListener& listener, bool is_last);
+                                                        const LoadWay<D>* way, const ScriptListener& listener,
+                                                        bool is_last);
   void replay_changes(int last, const std::vector<Event>& all, const ScriptListener& listener);
   [[nodiscard]] std::string moment(const StageReport* ended, const ScriptListener& listener);
   void store_restart(Host& host);

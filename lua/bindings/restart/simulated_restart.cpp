@@ -11,6 +11,7 @@
 #include "model/io/fingerprint.hpp"
 #include "model/io/state_words.hpp"
 #include "results/file/part_path.hpp"
+#include "run/load_way.hpp"
 #include "run/process_time.hpp"
 #include "run/restart/stage_fields.hpp"
 
@@ -262,7 +263,8 @@ void SimulatedModel<D>::replay_changes(int last, const std::vector<Event>& all, 
 /// Returns the model to the instant of the file `name`.
 template <int D>
 std::optional<StageReport> SimulatedModel<D>::go_to_moment(const std::string& name, const StageOptions& options,
-                                                           const ScriptListener& listener, bool is_last) {
+                                                           const LoadWay<D>* way, const ScriptListener& listener,
+                                                           bool is_last) {
   RestartBook& book = *restart;
   const std::string bytes = book.files.get(name), owner = fmt::format("restart file '{}'", name);
   ByteReader in(bytes, owner);
@@ -276,6 +278,11 @@ std::optional<StageReport> SimulatedModel<D>::go_to_moment(const std::string& na
   if (ended && options.process)
     simulation_->apply([&](Model<D>& model) {
       postpone_by_process(model, *options.process, *ended);
+      return true;
+    });
+  if (ended && way != nullptr)
+    simulation_->apply([&](Model<D>& model) {
+      postpone_by_way(model, *way);
       return true;
     });
   simulation_->read(in, head.ended ? nullptr : &options);
@@ -296,8 +303,8 @@ std::optional<StageReport> SimulatedModel<D>::go_to_moment(const std::string& na
 /// The report of a stage that was completed before, or is continued now; nothing if the stage is new.
 template <int D>
 std::optional<StageReport> SimulatedModel<D>::restored_stage(const StageOptions& options,
-                                                             const ScriptListener& listener, const RunListener<D>& all,
-                                                             Host& host) {
+                                                             const ScriptListener& listener, const LoadWay<D>* way,
+                                                             const RunListener<D>& all, Host& host) {
   RestartBook& book = *restart;
   if (!book.looked) listener.watch_state();
   if (!book.restoring) return std::nullopt;
@@ -310,7 +317,7 @@ std::optional<StageReport> SimulatedModel<D>::restored_stage(const StageOptions&
       goes_on || (!book.files.has(stage_name(book.head.stage + 1)) && !(head.stage == book.head.stage + 1));
   const std::uint64_t sequence = book.head.sequence;
   const std::optional<StageReport> ended =
-      go_to_moment(is_done ? stage_name(book.head.stage) : latest, options, listener, is_last);
+      go_to_moment(is_done ? stage_name(book.head.stage) : latest, options, way, listener, is_last);
   book.head.sequence = sequence;
   if (is_last) {
     std::error_code error;
@@ -372,17 +379,17 @@ void SimulatedModel<D>::save_instant(const std::filesystem::path& file, const Sc
   book.files.save_as(file, names);
 }
 
-#define TRILITH_RESTART(D)                                                                                          \
-  template void SimulatedModel<D>::open_restart(Host&);                                                             \
-  template void SimulatedModel<D>::begin_kept_stage(const StageOptions&, bool, bool);                               \
-  template void SimulatedModel<D>::end_kept_stage(const StageReport&, const ScriptListener&, Host&);                \
-  template void SimulatedModel<D>::keep_checkpoint(const ScriptListener&, Host&);                                   \
-  template void SimulatedModel<D>::keep_change(const HandlerCall*);                                                 \
-  template void SimulatedModel<D>::save_instant(const std::filesystem::path&, const ScriptListener&);               \
-  template void SimulatedModel<D>::end_by_signal();                                                                 \
-  template std::string SimulatedModel<D>::close_restart(bool);                                                      \
-  template std::optional<StageReport> SimulatedModel<D>::restored_stage(const StageOptions&, const ScriptListener&, \
-                                                                        const RunListener<D>&, Host&);
+#define TRILITH_RESTART(D)                                                                            \
+  template void SimulatedModel<D>::open_restart(Host&);                                               \
+  template void SimulatedModel<D>::begin_kept_stage(const StageOptions&, bool, bool);                 \
+  template void SimulatedModel<D>::end_kept_stage(const StageReport&, const ScriptListener&, Host&);  \
+  template void SimulatedModel<D>::keep_checkpoint(const ScriptListener&, Host&);                     \
+  template void SimulatedModel<D>::keep_change(const HandlerCall*);                                   \
+  template void SimulatedModel<D>::save_instant(const std::filesystem::path&, const ScriptListener&); \
+  template void SimulatedModel<D>::end_by_signal();                                                   \
+  template std::string SimulatedModel<D>::close_restart(bool);                                        \
+  template std::optional<StageReport> SimulatedModel<D>::restored_stage(                              \
+      const StageOptions&, const ScriptListener&, const LoadWay<D>*, const RunListener<D>&, Host&);
 TRILITH_RESTART(2)
 TRILITH_RESTART(3)
 #undef TRILITH_RESTART
