@@ -6,13 +6,11 @@
 
 namespace trilith {
 
-/// All nodes of a body along one direction. A node that is no longer driven loses its drive.
+/// All nodes of a body along one direction; nodes of elements have no rotation. A node that is no longer driven loses
+/// its drive.
 void set_support(Model<2>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
-  if (!b.nodes_turn() && dof == 2) {
-    if (support == Support::fixed) return;  // like its nodes'
-    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x and y", b.name));
-  }
+  if (!b.nodes_turn() && dof == 2) return;
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
     model.support[node][dof] = support;
     if (support != Support::driven) model.drive_of[node][dof] = -1;

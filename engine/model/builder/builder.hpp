@@ -149,7 +149,7 @@ class ModelBuilder {
 };
 
 /// Fixes or frees one degree of freedom of a body (0 x, 1 y, 2 rotation) for the next stage. Applies to all nodes of a
-/// body; if these have no rotation, throws InputError for 2 unless it is to be fixed.
+/// body. Nodes of elements have no rotation, so 2 has no effect on them.
 void set_support(Model<2>& model, int body, int dof, Support support);
 
 /// Drives one degree of freedom of a body by `motion` from time `start` [s] and position `origin` on. For a deformable

@@ -266,13 +266,10 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
-/// For a frame, and for elements, all nodes.
+/// For a frame, and for elements, all nodes; those of elements have no rotations.
 void set_support(Model<3>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
-  if (!b.nodes_turn() && dof >= 3) {
-    if (support == Support::fixed) return;  // like its nodes'
-    throw InputError(fmt::format("body '{}' deforms and has no rotation of its own; free x, y and z", b.name));
-  }
+  if (!b.nodes_turn() && dof >= 3) return;
   for (int node = b.first_node; node < b.first_node + b.nodes; ++node) {
     model.support[node][dof] = support;
     if (support != Support::driven) model.drive_of[node][dof] = -1;

@@ -222,9 +222,10 @@ void change_supports(SimulatedModel<D>& m, const std::vector<int>& bodies, const
   });
 }
 
-/// Nodes of elements do not rotate, so fixing only rotations has no effect.
+/// Nodes of elements do not rotate, so fixing or freeing only rotations has no effect.
 template <int D>
-void refuse_turns_of_elements(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on) {
+void refuse_turns_of_elements(SimulatedModel<D>& m, const std::vector<int>& bodies, const std::array<bool, 6>& on,
+                              const std::string& owner) {
   const bool turn = std::any_of(on.begin() + D, on.begin() + Space<D>::dofs, [](bool k) { return k; });
   const bool place = std::all_of(on.begin(), on.begin() + D, [](bool k) { return k; });
   if (!turn || place) return;
@@ -232,10 +233,10 @@ void refuse_turns_of_elements(SimulatedModel<D>& m, const std::vector<int>& bodi
   for (const int body : bodies) {
     if (body >= static_cast<int>(model.bodies.size()) || model.bodies[static_cast<std::size_t>(body)].nodes_turn())
       continue;
-    throw InputError(
-        fmt::format("fix: body '{}' is made of elements, whose nodes have no rotation to hold; fix {}",
-                    model.bodies[static_cast<std::size_t>(body)].name,
-                    D == 2 ? "x and y, or hold some of its nodes" : "x, y and z, or hold some of its nodes"));
+    const bool fixes = owner == "fix";
+    throw InputError(fmt::format("{}: body '{}' is made of elements, whose nodes have no rotation to {}; {} {}{}",
+                                 owner, model.bodies[static_cast<std::size_t>(body)].name, fixes ? "hold" : "free",
+                                 owner, D == 2 ? "x and y" : "x, y and z", fixes ? ", or hold some of its nodes" : ""));
   }
 }
 
@@ -243,16 +244,14 @@ int set_supports(lua_State* L, const char* owner, Support support) {
   ScriptModel& m = this_model(L);
   const std::vector<int> bodies = some_bodies_at(L, 2, m, owner);
   const std::array<bool, 6> on = directions_at(L, 3, owner, m.dim());
-  if (support == Support::fixed) {
-    if (SpaceModel* space = as_space(m))
-      refuse_turns_of_elements(*space, bodies, on);
-    else
-      refuse_turns_of_elements(require_plane(m, owner), bodies, on);
-  }
+  const auto change = [&](auto& model) {
+    refuse_turns_of_elements(model, bodies, on, owner);
+    change_supports(model, bodies, on, support, user_place(L));
+  };
   if (SpaceModel* space = as_space(m))
-    change_supports(*space, bodies, on, support, user_place(L));
+    change(*space);
   else
-    change_supports(require_plane(m, owner), bodies, on, support, user_place(L));
+    change(require_plane(m, owner));
   return 0;
 }
 int fix(lua_State* L) {

@@ -89,6 +89,8 @@ given.check {
     "end_hinge: residual is 0.2, but the moment never decreases to it; give capping and softening, or wear, or "
       .. "leave residual out" },
   { function() late():release { push = "q" } end, "release: there is no push 'q'; there are none" },
+  { function() meshed():free("mesh", "r") end,
+    "free: body 'mesh' is made of elements, whose nodes have no rotation to free; free x and y" },
   { function() meshed():fix("mesh", "r") end,
     "fix: body 'mesh' is made of elements, whose nodes have no rotation to hold; fix x and y, or hold some of its nodes"
   },
