@@ -74,20 +74,18 @@ void PushoverRecorder<D>::take_work(const Instant<D>& now, double place, double 
 
 namespace {
 
-/// Force of the supports across the push over the weight across it. It is above 1 while bodies are accelerated upward;
-/// joints in friction or rocking then carry more along the push by this factor. It is 1 without gravity across the
-/// push.
+/// Force that the supports carry across the push at rest, over the present one. It is below 1 while bodies are
+/// accelerated upward; joints in friction or rocking then carry more along the push than at rest. It is 1 without
+/// gravity across the push, and where no support is pressed.
 template <int D>
-double supported_share(const Model<D>& model, const Work<D>& work, const Vec<D>& direction) {
-  const Vec<D> across = model.gravity.field - direction * model.gravity.field.dot(direction);
+double share_at_rest(const Model<D>& model, const State<D>& state, const Work<D>& work, const Vec<D>& direction) {
+  const Vec<D> field = model.gravity.at(state.time), across = field - direction * field.dot(direction);
   const double gravity = across.norm();
   if (!(gravity > 0)) return 1;
   const Vec<D> down = across / gravity;
-  double weight = 0;
-  for (int n = 0; n < model.nodes(); ++n)
-    if (model.moves(n)) weight += model.mass[n] * gravity;
-  if (!(weight > 0)) return 1;
-  return std::max(0.5, 1 - unsupported_force(model, work, down) / weight);
+  const double carried = force_on_supports(model, state, work, down);
+  if (!(carried > 0)) return 1;
+  return std::clamp(1 + unsupported_force(model, work, down) / carried, 0.0, 2.0);
 }
 
 }  // namespace
@@ -99,7 +97,7 @@ void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, 
   has_peak_ = peak_in_sample_ = true;
   peak_ = one;
   peak_.carried = one.force - unsupported_force(now.model, now.work, push.direction);
-  const double at_rest = one.force / supported_share(now.model, now.work, push.direction);
+  const double at_rest = one.force * share_at_rest(now.model, now.state, now.work, push.direction);
   if (std::abs(one.force - at_rest) > std::abs(one.force - peak_.carried)) peak_.carried = at_rest;
 }
 

@@ -30,8 +30,8 @@ struct PushCurve {
 struct PushPeak {
   double time = 0, displacement = 0, force = 0, drift = 0;  ///< as in PushCurve, at one instant
   double carried = 0;  ///< part of this force that the structure carries statically [N]. The rest is inertia and
-                       ///< damping, estimated from the balance along the push, from its power, and from the weight
-                       ///< carried by supports; the largest estimate counts.
+                       ///< damping, estimated from the balance along the push, from its power, and from the share of
+                       ///< weight and loads that supports carry; the largest estimate counts.
 
   /// Largest share of inertia and damping at which the force counts as a capacity.
   static constexpr double most_of_inertia = 0.02;

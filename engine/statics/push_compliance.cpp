@@ -1,5 +1,6 @@
 #include "statics/push_compliance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "assembly/node_forces.hpp"
@@ -48,6 +49,21 @@ double unsupported_force(const Model<D>& model, const Work<D>& work, const std::
 }
 
 template <int D>
+double force_on_supports(const Model<D>& model, const State<D>& state, const Work<D>& work,
+                         const std::type_identity_t<Vec<D>>& direction) {
+  const Outside<D> outside(model, state, work);
+  double sum = 0;
+  for (int n = 0; n < model.nodes(); ++n) {
+    double pressed = 0;
+    for (int k = 0; k < Space<D>::translations; ++k)
+      if (model.support[n][k] != Support::free)
+        pressed += direction[k] * (work.force[n][k] - model.mass[n] * outside.field[k] - outside.load[n][k]);
+    sum += std::max(0.0, pressed);
+  }
+  return sum;
+}
+
+template <int D>
 double unbalanced_power(const Model<D>& model, const State<D>& state, const Work<D>& work) {
   double sum = 0;
   for (int n = 0; n < model.nodes(); ++n) {
@@ -62,6 +78,8 @@ template double unbalanced_power(const Model<2>&, const State<2>&, const Work<2>
 template double unbalanced_power(const Model<3>&, const State<3>&, const Work<3>&);
 template double push_compliance(const Model<2>&, const State<2>&, const Push<2>&);
 template double push_compliance(const Model<3>&, const State<3>&, const Push<3>&);
+template double force_on_supports(const Model<2>&, const State<2>&, const Work<2>&, const Vec<2>&);
+template double force_on_supports(const Model<3>&, const State<3>&, const Work<3>&, const Vec<3>&);
 template double unsupported_force(const Model<2>&, const Work<2>&, const Vec<2>&);
 template double unsupported_force(const Model<3>&, const Work<3>&, const Vec<3>&);
 

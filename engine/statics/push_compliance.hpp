@@ -21,6 +21,13 @@ double push_compliance(const Model<D>& model, const State<D>& state, const Push<
 template <int D>
 double unsupported_force(const Model<D>& model, const Work<D>& work, const std::type_identity_t<Vec<D>>& direction);
 
+/// Sum of the forces that press on supports along `direction`, such as the force on a foundation along gravity, without
+/// weight and loads of supported bodies [N]. Supports that are pulled, or pressed the other way, do not count.
+/// `work` as above.
+template <int D>
+double force_on_supports(const Model<D>& model, const State<D>& state, const Work<D>& work,
+                         const std::type_identity_t<Vec<D>>& direction);
+
 /// Power of all forces on the free degrees of freedom, without dampings of nodes: the rate of kinetic energy plus those
 /// dampings [W].
 template <int D>

@@ -78,24 +78,56 @@ near("force of a soft post", r.peak_force, 3*2.1e11*0.1^4/12/length^3*2e-3, 0.02
 assert(r.quasi_static and r.ended - r.begun > 5)
 m:close()
 
--- A block that lands while its push begins is pressed by more than its weight. The push is slow then, so that its peak
--- is the friction of the weight, and the part carried under this weight is reported.
-for _, dim in ipairs { 2, 3 } do
+-- A block that lands while its push begins is pressed by more than its weight and its load. The push is slow then, so
+-- that its peak is the friction of both, and the part carried under them is reported.
+local function landing(dim, gap, load)
   local w = trilith.model { name = "landing", dim = dim }
   w:material { name = "stone", density = 2400 }
   w:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e9, ks = 5e8, mu = 0.4, beta = 1e-5 } }
   local body
   if dim == 2 then
     w:block { name = "ground", width = 4, height = 0.5, at = { -2, -0.5 }, material = "stone", support = "fixed" }
-    body = w:block { name = "b", width = 1, height = 0.2, at = { -0.5, 1e-4 }, material = "stone", floating = true }
+    body = w:block { name = "b", width = 1, height = 0.2, at = { -0.5, gap }, material = "stone", floating = true }
   else
     w:block { name = "ground", size = { 4, 4, 0.5 }, at = { -2, -2, -0.5 }, material = "stone", support = "fixed" }
-    body = w:block { name = "b", size = { 1, 1, 0.2 }, at = { -0.5, -0.5, 1e-4 }, material = "stone", floating = true }
+    body = w:block { name = "b", size = { 1, 1, 0.2 }, at = { -0.5, -0.5, gap }, material = "stone", floating = true }
   end
-  local pushed = w:pushover { body = body, rate = 0.01, displacement = 5e-3 }
   local weight = body.mass*g
-  near("peak", pushed.peak_force, 0.4*weight, 0.1)
-  near("friction of the weight alone", pushed.carried_at_peak, 0.4*weight, 0.03)
+  if load > 0 then w:point_load { body = body, force = dim == 2 and { 0, -load*weight } or { 0, 0, -load*weight } } end
+  local pushed = w:pushover { body = body, rate = 0.01, displacement = 5e-3 }
+  local friction = 0.4*(1 + load)*weight
+  near("peak", pushed.peak_force, friction, 0.1)
+  near("friction of weight and load alone", pushed.carried_at_peak, friction, 0.03)
   assert(pushed.carried_at_peak < pushed.peak_force and not pushed.quasi_static)
+  w:close()
+end
+for _, dim in ipairs { 2, 3 } do
+  landing(dim, 1e-4, 0)
+  landing(dim, 1e-3, 2)
+end
+
+-- A mortar joint that dilates lifts a light brick under a load 100 times its weight. The lifting force is a small
+-- part of this load, so that the peak c A + mu N is a capacity.
+for _, dim in ipairs { 2, 3 } do
+  local w = trilith.model { name = "couplet", dim = dim, thickness = dim == 2 and 0.1 or nil }
+  w:material { name = "brick", density = 1900 }
+  w:contact { between = { "*", "*" }, law = trilith.cohesive { kn = 1e11, ks = 4e10, mu = 0.75, cohesion = 0.8e6,
+    tension = 0.5e6, energy_tension = 12, energy_shear = 60, dilation = 0.45, dilation_slip = 1e-3, beta = 1e-5 } }
+  local function brick(name, z, support)
+    if dim == 2 then
+      return w:block { name = name, width = 0.2, height = 0.052, at = { 0, z }, material = "brick", support = support }
+    end
+    return w:block { name = name, size = { 0.2, 0.1, 0.052 }, at = { 0, 0, z }, material = "brick", support = support }
+  end
+  brick("lower", 0, "fixed")
+  local level = dim == 2 and { rotation = "fixed" }
+    or { rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
+  local upper = brick("upper", 0.052, level)
+  w:point_load { body = upper, force = dim == 2 and { 0, -2e3 } or { 0, 0, -2e3 } }
+  w:consolidate { rest = { ratio = 1e-6 }, grow = 0.05 }
+  local pushed = w:pushover { body = upper, rate = 2e-3, displacement = 2e-4, samples = 100 }
+  near("c A + mu N", pushed.peak_force, 0.8e6*0.02 + 0.75*(2e3 + upper.mass*g), 0.005)
+  near("all of it is static", pushed.carried_at_peak, pushed.peak_force, 0.02)
+  assert(pushed.quasi_static and not said(w):find "capacity", said(w))
   w:close()
 end
