@@ -4,7 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "element/solid/psd_part.hpp"
+#include "element/beam/beam_answer.hpp"
+#include "element/beam/fibre_damping.hpp"
 
 namespace trilith {
 namespace {
@@ -39,34 +40,35 @@ Eigen::Matrix3d elastic_tangent(const BeamStiffness& k, const BeamStrain& d, dou
   return out;
 }
 
-/// Actions of a yielding beam, and their tangent.
-struct Answer {
-  BeamTangent tangent;
-  double stored = 0, dissipated = 0;
-};
-
-Answer answer(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
-              std::span<double> after) {
-  Answer out;
-  BeamTangent& t = out.tangent;
-  // The first number of the memory is separate from the fibres' memory.
-  if (beam.yield == BeamYield::in_fibres) {
-    const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
-    const FibreBeamResponse r =
-        respond(row.beam, yields.sections[row.section], now.strain, before.subspan(1), after.subspan(1));
-    after[0] = before[0] != 0 || r.yielding ? 1 : 0;
-    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
-    if (beam.damping > 0) t.by_rate = beam.damping * psd_part(r.tangent);
-  } else {
-    const auto [first, second] = yields.hinged_beams[beam.yield_row];
-    const EndHingeMemory was = hinge_memory(before);
-    const EndHingeResponse r =
-        respond(beam.stiffness, {&yields.hinge_laws[first], &yields.hinge_laws[second]}, now.strain, was);
-    std::ranges::copy(std::bit_cast<std::array<double, EndHingeMemory::size>>(r.memory), after.begin());
-    t.stress = r.stress, t.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
-    if (beam.damping > 0) t.by_rate = beam.damping * left_stiffness(beam, was, r.memory);
+BeamAnswer answer_of_fibres(const BeamYields& yields, const Beam& beam, const BeamNow& now,
+                            std::span<const double> before, std::span<double> after) {
+  BeamAnswer out;
+  const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
+  const FibreSection& section = yields.sections[row.section];
+  const auto fibres = static_cast<std::size_t>(row.beam.memory_size(section));
+  const FibreBeamResponse r =
+      respond(row.beam, section, now.strain, before.subspan(1, fibres), after.subspan(1, fibres));
+  after[0] = before[0] != 0 || r.yielding ? 1 : 0;
+  out.tangent.stress = r.stress, out.tangent.by_strain = r.tangent;
+  out.stored = r.stored, out.dissipated = r.dissipated;
+  if (beam.damping > 0) {
+    out.tangent.by_rate = beam.damping * FibreDamping<3>::matrix(before.subspan(1 + fibres), r.tangent);
+    FibreDamping<3>::keep(r.tangent, after.subspan(1 + fibres));
   }
-  if (beam.damping > 0) t.damping = times(t.by_rate, now.rate);
+  return out;
+}
+
+BeamAnswer answer_of_hinges(const BeamYields& yields, const Beam& beam, const BeamNow& now,
+                            std::span<const double> before, std::span<double> after) {
+  BeamAnswer out;
+  const auto [first, second] = yields.hinged_beams[beam.yield_row];
+  const EndHingeMemory was = hinge_memory(before);
+  const EndHingeResponse r =
+      respond(beam.stiffness, {&yields.hinge_laws[first], &yields.hinge_laws[second]}, now.strain, was);
+  std::ranges::copy(std::bit_cast<std::array<double, EndHingeMemory::size>>(r.memory), after.begin());
+  out.tangent.stress = r.stress, out.tangent.by_strain = r.tangent;
+  out.stored = r.stored, out.dissipated = r.dissipated;
+  if (beam.damping > 0) out.tangent.by_rate = beam.damping * left_stiffness(beam, was, r.memory);
   return out;
 }
 
@@ -90,7 +92,8 @@ int memory_size(const BeamYields& yields, const Beam& beam) {
       return 0;
     case BeamYield::in_fibres: {
       const FibreBeamRow& row = yields.fibre_beams[beam.yield_row];
-      return 1 + row.beam.memory_size(yields.sections[row.section]);
+      return 1 + row.beam.memory_size(yields.sections[row.section]) +
+             (beam.damping > 0 ? FibreDamping<3>::memory_size : 0);
     }
     case BeamYield::at_hinges:
       return EndHingeMemory::size;
@@ -98,9 +101,17 @@ int memory_size(const BeamYields& yields, const Beam& beam) {
   return 0;
 }
 
+BeamAnswer answer_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
+                     std::span<double> after) {
+  BeamAnswer out = beam.yield == BeamYield::in_fibres ? answer_of_fibres(yields, beam, now, before, after)
+                                                      : answer_of_hinges(yields, beam, now, before, after);
+  if (beam.damping > 0) out.tangent.damping = times(out.tangent.by_rate, now.rate);
+  return out;
+}
+
 BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
                      std::span<double> after) {
-  const Answer a = answer(yields, beam, now, before, after);
+  const BeamAnswer a = answer_of(yields, beam, now, before, after);
   return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
 }
 
@@ -108,7 +119,7 @@ BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& 
 BeamTangent tangent_of(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before) {
   if (beam.yield != BeamYield::never) {
     std::vector<double> after(before.size());
-    return answer(yields, beam, now, before, after).tangent;
+    return answer_of(yields, beam, now, before, after).tangent;
   }
   BeamTangent out;
   out.stress = stress_of(beam.stiffness, now.strain);

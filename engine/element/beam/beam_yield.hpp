@@ -23,7 +23,8 @@ struct BeamYields {
   std::vector<std::array<int, 2>> hinged_beams;  ///< indices into hinge_laws, for either end
 };
 
-/// Size of a beam's memory; initially all 0. The first number of a fibre beam is 1 once any fibre has yielded.
+/// Size of a beam's memory; initially all 0. The first number of a fibre beam is 1 once any fibre has yielded. The
+/// memory of its fibres follows, and that of its damping if Beam::damping is above 0 (element/beam/fibre_damping.hpp).
 int memory_size(const BeamYields& yields, const Beam& beam);
 
 /// Actions of a yielding beam on its ends.
@@ -35,9 +36,9 @@ struct BeamResponse {
 };
 
 /// `before` and `after` have memory_size numbers and do not overlap. Damping is proportional to the remaining
-/// stiffness. An end with a yielding hinge has no damping. Fibres are damped by their tangent, without its softening
-/// part. Damping proportional to the elastic stiffness would add moments that no hinge carries (Charney, J. Struct.
-/// Eng. ASCE 134(4), 2008).
+/// stiffness. An end with a yielding hinge has no damping. Fibres are damped by their tangent at the start of the step,
+/// without its softening part. Damping proportional to the elastic stiffness would add moments that no hinge carries
+/// (Charney, J. Struct. Eng. ASCE 134(4), 2008).
 BeamResponse respond(const BeamYields& yields, const Beam& beam, const BeamNow& now, std::span<const double> before,
                      std::span<double> after);
 

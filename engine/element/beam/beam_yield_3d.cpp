@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "element/beam/beam_yield.hpp"
-#include "element/solid/psd_part.hpp"
+#include "element/beam/fibre_damping.hpp"
 
 namespace trilith {
 namespace {
@@ -13,12 +13,16 @@ namespace {
 BeamAnswer3 answer_of_fibres(const BeamYields3& yields, const Beam3& beam, const BeamStrain3& strain,
                              std::span<const double> before, std::span<double> after) {
   const FibreBeamRow3& row = yields.fibre_beams[static_cast<std::size_t>(beam.yield_row)];
-  const FibreBeamResponse3 r = respond(row.beam, yields.sections[static_cast<std::size_t>(row.section)], strain,
-                                       before.subspan(1), after.subspan(1));
+  const FibreSection3& section = yields.sections[static_cast<std::size_t>(row.section)];
+  const auto fibres = static_cast<std::size_t>(row.beam.memory_size(section));
+  const FibreBeamResponse3 r = respond(row.beam, section, strain, before.subspan(1, fibres), after.subspan(1, fibres));
   after[0] = before[0] != 0 || r.yielding ? 1 : 0;
   BeamAnswer3 out;
   out.stress = r.stress, out.by_strain = r.tangent, out.stored = r.stored, out.dissipated = r.dissipated;
-  if (beam.damping > 0) out.by_rate = beam.damping * psd_part(r.tangent);
+  if (beam.damping > 0) {
+    out.by_rate = beam.damping * FibreDamping<6>::matrix(before.subspan(1 + fibres), r.tangent);
+    FibreDamping<6>::keep(r.tangent, after.subspan(1 + fibres));
+  }
   return out;
 }
 
@@ -57,7 +61,8 @@ int memory_size(const BeamYields3& yields, const Beam3& beam) {
       return 0;
     case BeamYield::in_fibres: {
       const FibreBeamRow3& row = yields.fibre_beams[static_cast<std::size_t>(beam.yield_row)];
-      return 1 + row.beam.memory_size(yields.sections[static_cast<std::size_t>(row.section)]);
+      return 1 + row.beam.memory_size(yields.sections[static_cast<std::size_t>(row.section)]) +
+             (beam.damping > 0 ? FibreDamping<6>::memory_size : 0);
     }
     case BeamYield::at_hinges:
       return EndHingeMemory3::size;

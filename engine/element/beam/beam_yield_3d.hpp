@@ -23,11 +23,12 @@ struct BeamYields3 {
   std::vector<std::array<int, 2>> hinged_beams;  ///< indices into hinge_laws, for either end
 };
 
-/// Size of a beam's memory; initially all 0. The first number of a fibre beam is 1 once any fibre has yielded.
+/// Size of a beam's memory, as in the plane (element/beam/beam_yield.hpp).
 int memory_size(const BeamYields3& yields, const Beam3& beam);
 
 /// Actions of a beam on its ends and their tangents, elastic or not. Damping is proportional to the stiffness: for
-/// fibres to their tangent without its softening part; a yielding end has no damping, see element/beam/beam_yield.hpp.
+/// fibres to their tangent at the start of the step without its softening part; a yielding end has no damping, see
+/// element/beam/beam_yield.hpp.
 struct BeamAnswer3 {
   BeamStress3 stress{}, damping{};
   Eigen::Matrix<double, 6, 6> by_strain = Eigen::Matrix<double, 6, 6>::Zero();  ///< of `stress`

@@ -204,11 +204,11 @@ double frequency2(const Beam3& beam, const HalfBeam<3>& half) {
   return beam_frequency2(beam.stiffness, beam.length, half.mass, half.inertia, {own(0), own(1)});
 }
 
-/// Adds the damping of a beam, and its part of the bounds of the body's rates. The memory of its damping branches
+/// Adds the band damping of a beam, and its part of the bounds of the body's rates. The memory of its damping branches
 /// follows the memory of its yielding.
 template <int D>
-void add_damping(BeamOf<D>& beam, double damping, int band, const HalfBeam<D>& half, Model<D>& model) {
-  beam.damping = damping, beam.band = band;
+void add_damping(BeamOf<D>& beam, int band, const HalfBeam<D>& half, Model<D>& model) {
+  beam.band = band;
   double stiffening = 1;
   if (band >= 0) {
     const DampingBranches& branches = model.bands[band];
@@ -219,7 +219,7 @@ void add_damping(BeamOf<D>& beam, double damping, int band, const HalfBeam<D>& h
   RateBound& bound = model.element_bound.back();
   bound.stiffness = std::max(bound.stiffness, stiffening * most);
   bound.unbanded = std::max(bound.unbanded, most);
-  bound.damping = std::max(bound.damping, damping * most);
+  bound.damping = std::max(bound.damping, beam.damping * most);
 }
 
 /// Gives a beam its consistent mass.
@@ -257,9 +257,10 @@ void append_member(const FrameBody<D>& body, std::size_t m, int body_row, int fi
     BeamOf<D> beam = elastic_beam(body, m, i, pinned, rotation);
     beam.body = body_row;
     for (const int side : {0, 1}) beam.node[side] = first_node + body.plan.stations[m][i + side].node;
+    beam.damping = made.damping;
     yields.add(beam, first, last, pinned);
     const HalfBeam<D> half = half_beam(body, m, i);
-    add_damping(beam, made.damping, band, half, model);
+    add_damping(beam, band, half, model);
     if (body.frame.consistent) add_inertia(beam, 2 * half.mass, member.section, half, pinned, model);
     beams.push_back(beam);
   }
