@@ -226,14 +226,17 @@ Crack<D> crack_of(const Model<D>& model, const State<D>& state, const CrackingBo
   return crack;
 }
 
+/// Meshes have no watch, so that nothing is allocated where all bodies are meshes and none cracks.
 template <int D>
-CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking) {
-  CrackSearch<D> found{{}, cracking.watch};
-  found.watch.resize(cracking.bodies.size());
+CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking,
+                      CrackScratch<D>& scratch) {
+  CrackSearch<D> found;
   if (std::any_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) {
-    found.cracks = mesh_cracks(model, state, cracking);
+    found.cracks = mesh_cracks(model, state, cracking, scratch);
     if (std::all_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) return found;
   }
+  found.watch = cracking.watch;
+  found.watch.resize(cracking.bodies.size());
   const std::vector<double> load = surface_loads(model, state, work, cracking);
   std::vector<int> bodies, rows;
   for (std::size_t i = 0; i < cracking.bodies.size(); ++i) {
@@ -259,13 +262,23 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
 }  // namespace
 
 CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
+                             const Cracking<2>& cracking, CrackScratch<2>& scratch) {
+  return search(model, state, work, cracking, scratch);
+}
+CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
                              const Cracking<2>& cracking) {
-  return search(model, state, work, cracking);
+  CrackScratch<2> scratch;
+  return search(model, state, work, cracking, scratch);
 }
 
 CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
+                             const Cracking<3>& cracking, CrackScratch<3>& scratch) {
+  return search(model, state, work, cracking, scratch);
+}
+CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
                              const Cracking<3>& cracking) {
-  return search(model, state, work, cracking);
+  CrackScratch<3> scratch;
+  return search(model, state, work, cracking, scratch);
 }
 
 }  // namespace trilith

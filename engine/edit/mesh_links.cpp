@@ -23,20 +23,16 @@ class MeshLinks {
   [[nodiscard]] bool is_on(int body) const { return body == split_.body; }
   [[nodiscard]] bool is_on(const Attachment<D>& at) const {
     if (at.nodes == 0) return false;
-    if constexpr (D == 3) return parts_.frame(at.node[0]).side >= 0;
-    return parts_.has_node(at.node[0]);
+    return on_frame(at) ? parts_.frame(at.node[0]).side >= 0 : parts_.has_node(at.node[0]);
   }
   [[nodiscard]] bool is_behind(int body) const { return body == split_.behind; }
   /// Attaches a point to the part that has its element, if it is on the body.
   void give(Attachment<D>& at, int& body) const {
     if (!is_on(at)) return;
-    if constexpr (D == 3) {
-      const auto own = parts_.frame(at.node[0]);
-      body = parts_.body(own.side);
-      at.node[0] = at.turn[0] = own.frame;
-    } else {
-      give(at, body, side_of(at));
-    }
+    if (!on_frame(at)) return give(at, body, side_of(at));
+    const auto own = parts_.frame(at.node[0]);
+    body = parts_.body(own.side);
+    at.node[0] = at.turn[0] = own.frame;
   }
   void give(std::vector<PushRow<D>>& rows) const {
     std::vector<PushRow<D>> given;
@@ -57,16 +53,18 @@ class MeshLinks {
     rows = std::move(given);
   }
 
-  // In the plane. To the side whose part has all nodes of the point, and behind if both have.
+  // At nodes, as all points in the plane and the shares of a force in space. To the side whose part has all nodes of
+  // the point, and behind if both have.
 
   /// Both copies carry a point between nodes of the cut.
-  [[nodiscard]] bool is_on_cut(const Attachment<D>& at) const requires(D == 2) {
+  [[nodiscard]] bool is_on_cut(const Attachment<D>& at) const {
+    if (on_frame(at)) return false;
     for (int i = 0; i < at.nodes; ++i)
       if (has_weight(at, i) && !parts_.on_both(at.node[static_cast<std::size_t>(i)])) return false;
     return true;
   }
   /// Share of the mass that a side has at a point on the cut.
-  [[nodiscard]] double share(int side, const Attachment<D>& at) const requires(D == 2) {
+  [[nodiscard]] double share(int side, const Attachment<D>& at) const {
     double own = 0, all = 0;
     for (int i = 0; i < at.nodes; ++i) {
       if (!has_weight(at, i)) continue;
@@ -75,7 +73,7 @@ class MeshLinks {
     }
     return own / all;
   }
-  void give(Attachment<D>& at, int& body, int side) const requires(D == 2) {
+  void give(Attachment<D>& at, int& body, int side) const {
     if (!is_on(at)) return;
     body = parts_.body(side);
     int known = 0;  // nodes without weight may be missing on this side
@@ -130,16 +128,18 @@ class MeshLinks {
   void for_polygon(const std::vector<Vec3>& /*corners*/, See&& /*see*/) const requires(D == 3) {}
 
  private:
+  /// In space: attached to a contact frame, see model/contact/contact_frame.hpp.
+  [[nodiscard]] static bool on_frame(const Attachment<D>& at) { return D == 3 && at.node[0] < 0; }
   [[nodiscard]] static bool has_weight(const Attachment<D>& at, int i) {
     return std::abs(at.weight[static_cast<std::size_t>(i)]) > 1e-9;
   }
   [[nodiscard]] double mass(int node) const { return node < 0 ? 0 : model_.mass[static_cast<std::size_t>(node)]; }
-  [[nodiscard]] bool holds(int side, const Attachment<D>& at, bool weighted) const requires(D == 2) {
+  [[nodiscard]] bool holds(int side, const Attachment<D>& at, bool weighted) const {
     for (int i = 0; i < at.nodes; ++i)
       if ((!weighted || has_weight(at, i)) && parts_.copy(side, at.node[static_cast<std::size_t>(i)]) < 0) return false;
     return true;
   }
-  [[nodiscard]] int side_of(const Attachment<D>& at) const requires(D == 2) {
+  [[nodiscard]] int side_of(const Attachment<D>& at) const {
     for (const bool weighted : {false, true})
       for (const int side : {0, 1})
         if (holds(side, at, weighted)) return side;
@@ -167,10 +167,10 @@ class MeshLinks {
   const MeshCut& cut_;
 };
 
-/// In the plane a load at a point of the cut becomes two, which share it like the mass.
+/// A load at a point of the cut becomes two, which share it like the mass.
 template <int D, class L>
 void give_load(const L& load, const MeshLinks<D>& parts, std::vector<L>& given) {
-  if constexpr (D == 2 && requires(L l) {
+  if constexpr (requires(L l) {
                   l.at;
                   l.body;
                 })

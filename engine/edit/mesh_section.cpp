@@ -21,10 +21,10 @@ std::size_t first_node(const Model<D>& model, int body) {
   return static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].first_node);
 }
 
-/// The edge from each node of a cut to the next, and zero where a chain ends. `at(node)`: position.
+/// Writes the edge from each node of a cut to the next, and zero where a chain ends. `at(node)`: position.
 template <class At>
-std::vector<Vec2> edges_along(const MeshCut& cut, At&& at) {
-  std::vector<Vec2> along(cut.nodes.size(), Vec2::Zero());
+void set_edges(const MeshCut& cut, At&& at, std::vector<Vec2>& along) {
+  along.assign(cut.nodes.size(), Vec2::Zero());
   std::size_t face = 0;
   for (std::size_t i = 0; i + 1 < cut.nodes.size(); ++i) {
     if (face == cut.faces.size() || cut.faces[face][0] != cut.nodes[i] || cut.faces[face][1] != cut.nodes[i + 1])
@@ -32,98 +32,71 @@ std::vector<Vec2> edges_along(const MeshCut& cut, At&& at) {
     along[i] = at(cut.nodes[i + 1]) - at(cut.nodes[i]);
     ++face;
   }
-  return along;
 }
-std::vector<Vec2> edges_now(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut) {
+void set_edges_now(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
+                   std::vector<Vec2>& along) {
   const std::size_t first = first_node(model, body);
-  return edges_along(cut, [&](int n) { return state.position[first + static_cast<std::size_t>(n)]; });
+  set_edges(
+      cut, [&](int n) { return state.position[first + static_cast<std::size_t>(n)]; }, along);
 }
 std::vector<Vec2> edges_at_start(const Model<2>& model, int body, const MeshCut& cut) {
   const std::size_t first = first_node(model, body);
-  return edges_along(cut, [&](int n) { return model.start_position[first + static_cast<std::size_t>(n)]; });
+  std::vector<Vec2> along;
+  set_edges(
+      cut, [&](int n) { return model.start_position[first + static_cast<std::size_t>(n)]; }, along);
+  return along;
 }
 
-/// Internal forces and masses of the elements on both sides at the nodes of a cut.
-template <int D>
-struct SideSums {
-  std::vector<Vec<D>> force[2];  // [behind, ahead][node of the cut] [N]
-  std::vector<double> mass[2];   // relative
-};
-
-/// Adds the areas of the nodes of an element, to which their masses are proportional.
-void add_areas(const Model<2>& model, const Element& element, std::size_t first, std::vector<double>& area) {
-  std::vector<Vec2> corners;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(element.nodes); ++i)
-    corners.push_back(model.start_position[static_cast<std::size_t>(element.node[i])]);
-  const auto own = node_areas(corners);
-  for (std::size_t i = 0; i < corners.size(); ++i) area[static_cast<std::size_t>(element.node[i]) - first] += own[i];
+/// Adds the forces of an element to the forces of `work`.
+void add_forces(const Model<2>& model, const State<2>& state, Work<2>& work, std::size_t e) {
+  element_forces(model, state, work, static_cast<int>(e));
 }
-
-/// Adds the forces of an element to the forces of `scratch`.
-void add_forces(const Model<2>& model, const State<2>& state, Work<2>& scratch, std::size_t e) {
-  element_forces(model, state, scratch, static_cast<int>(e));
-}
-void add_forces(const Model<3>& model, const State<3>& state, Work<3>& scratch, std::size_t e) {
+void add_forces(const Model<3>& model, const State<3>& state, Work<3>& work, std::size_t e) {
   const SpaceElement& element = model.space_elements[e];
   SpaceElementAnswer answer;
-  element_forces(model, state, scratch, static_cast<int>(e), answer);
+  element_forces(model, state, work, static_cast<int>(e), answer);
   const bool damped = model.solids[static_cast<std::size_t>(element.solid)].damping() > 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(nodes_of(element)); ++i) {
     const auto n = static_cast<std::size_t>(element.node[i]);
-    scratch.element_force[n] -= answer.force[i];
-    if (damped) scratch.element_damping[n] -= answer.damping[i];
+    work.element_force[n] -= answer.force[i];
+    if (damped) work.element_damping[n] -= answer.damping[i];
   }
 }
 
-/// The forces of `scratch` are 0 before and after.
+/// Internal forces of the elements on one side at the nodes of a cut. The forces of `work` are 0 before and after.
 template <int D>
-void add_side(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, int side, Work<D>& scratch,
-              SideSums<D>& sums) {
+void set_side(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, std::size_t side,
+              CrackScratch<D>& scratch) {
   const std::size_t first = first_node(model, body);
   const auto from = static_cast<std::size_t>(first_element_of(model, body));
-  std::vector<double> area;
-  if constexpr (D == 2) area.resize(static_cast<std::size_t>(model.bodies[static_cast<std::size_t>(body)].nodes));
+  Work<D>& work = scratch.work;
   const auto each = [&](auto&& see) {
     for (const int e : cut.elements)
       if ((cut.behind[static_cast<std::size_t>(e)] != 0) == (side == 0)) see(from + static_cast<std::size_t>(e));
   };
-  each([&](std::size_t e) {
-    add_forces(model, state, scratch, e);
-    if constexpr (D == 2) add_areas(model, model.elements[e], first, area);
-  });
-  for (std::size_t i = 0; i < cut.nodes.size(); ++i) {
-    const auto n = static_cast<std::size_t>(cut.nodes[i]);
-    sums.force[side].emplace_back(scratch.element_force[first + n] + scratch.element_damping[first + n]);
-    if constexpr (D == 2)
-      sums.mass[side].push_back(area[n]);
-    else
-      sums.mass[side].push_back(side == 0 ? space_cut(cut).behind_share[i] : 1 - space_cut(cut).behind_share[i]);
+  each([&](std::size_t e) { add_forces(model, state, work, e); });
+  scratch.side[side].clear();
+  for (const int node : cut.nodes) {
+    const std::size_t n = first + static_cast<std::size_t>(node);
+    scratch.side[side].emplace_back(work.element_force[n] + work.element_damping[n]);
   }
   each([&](std::size_t e) {
     const auto& element = elements_of(model)[e];
     for (int i = 0; i < nodes_of(element); ++i) {
       const auto n = static_cast<std::size_t>(element.node[static_cast<std::size_t>(i)]);
-      scratch.element_force[n].setZero(), scratch.element_damping[n].setZero();
+      work.element_force[n].setZero(), work.element_damping[n].setZero();
     }
   });
 }
 
-template <int D>
-SideSums<D> side_sums(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut, Work<D>& scratch) {
-  scratch.element_force.resize(model.mass.size(), Vec<D>::Zero());
-  scratch.element_damping.resize(model.mass.size(), Vec<D>::Zero());
-  scratch.plastic.resize(state.plastic.size());
-  SideSums<D> sums;
-  for (const int side : {0, 1}) add_side(model, state, body, cut, side, scratch, sums);
-  return sums;
-}
-
-/// Solves the tridiagonal system with the diagonal of the edges' lengths / 3 and length / 6 next to it.
-std::vector<Vec2> stress_from_forces(std::vector<Vec2> force, const std::vector<Vec2>& along, double thickness) {
+/// Solves the tridiagonal system with the diagonal of the edges' lengths / 3 and length / 6 next to it: nodal forces
+/// become stresses.
+void stress_from_forces(double thickness, CutScratch<2>& cut, std::vector<Vec2>& force) {
   const std::size_t count = force.size();
-  std::vector<double> diagonal(count, 0), beside(count, 0);
+  std::vector<double>&diagonal = cut.diagonal, &beside = cut.beside;
+  diagonal.assign(count, 0), beside.assign(count, 0);
   for (std::size_t i = 0; i + 1 < count; ++i) {
-    const double length = thickness * along[i].norm();
+    const double length = thickness * cut.along[i].norm();
     diagonal[i] += length / 3, diagonal[i + 1] += length / 3, beside[i] = length / 6;
   }
   for (std::size_t i = 1; i < count; ++i) {
@@ -135,7 +108,6 @@ std::vector<Vec2> stress_from_forces(std::vector<Vec2> force, const std::vector<
     if (i + 1 < count) force[i] -= beside[i] * force[i + 1];
     force[i] /= diagonal[i];
   }
-  return force;
 }
 
 /// An edge of a cut as a section of its own: the stress is linear over it.
@@ -150,23 +122,23 @@ SectionUse edge_use(const ContactLaw& law, const Vec2& along, const Vec2& from, 
 }  // namespace
 
 WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
-                          Work<2>& scratch) {
+                          CrackScratch<2>& scratch) {
   WorstPlace<2> worst;
-  worst.traction = mesh_tractions(model, state, row.body, cut, scratch);
-  const std::vector<Vec2> along = edges_now(model, state, row.body, cut);
+  const std::vector<Vec2>& traction = mesh_tractions(model, state, row.body, cut, scratch);
+  const std::vector<Vec2>& along = scratch.cut.along;
   std::size_t edge = 0;
   const double share = model.thickness / row.depth;  // stress of the elements over stress of the contacts
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     if (along[i].isZero(0)) continue;
-    const SectionUse use = edge_use(model.laws[static_cast<std::size_t>(row.law)], along[i], share * worst.traction[i],
-                                    share * worst.traction[i + 1]);
+    const SectionUse use =
+        edge_use(model.laws[static_cast<std::size_t>(row.law)], along[i], share * traction[i], share * traction[i + 1]);
     if (use.share > worst.use.share) worst.use = use, edge = i;
   }
   if (!(worst.use.share > 1)) return worst;
   const std::size_t from = first_node(model, row.body) + static_cast<std::size_t>(cut.nodes[edge]);
   worst.place = state.position[from] + (0.5 + worst.use.at / along[edge].norm()) * along[edge];
   const std::vector<Turn> turns = turns_of_cut(model, state, row.body, cut);
-  for (std::size_t i = 0; i < turns.size(); ++i) worst.traction[i] = turns[i].undo(worst.traction[i]);
+  for (std::size_t i = 0; i < turns.size(); ++i) worst.traction.push_back(turns[i].undo(traction[i]));
   return worst;
 }
 
@@ -175,7 +147,7 @@ namespace {
 /// The section of a mesh that uses most of its strength, if this is more than all.
 template <int D>
 std::optional<Crack<D>> mesh_crack(const Model<D>& model, const State<D>& state, const CrackingBody<D>& row,
-                                   Work<D>& scratch) {
+                                   CrackScratch<D>& scratch) {
   std::optional<Crack<D>> found;
   double most = 1;
   for (std::size_t s = 0; s < row.sections.size(); ++s) {
@@ -193,7 +165,9 @@ std::optional<Crack<D>> mesh_crack(const Model<D>& model, const State<D>& state,
 }  // namespace
 
 std::vector<Turn> turns_of_cut(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut) {
-  const std::vector<Vec2> now = edges_now(model, state, body, cut), start = edges_at_start(model, body, cut);
+  std::vector<Vec2> now;
+  set_edges_now(model, state, body, cut, now);
+  const std::vector<Vec2> start = edges_at_start(model, body, cut);
   std::vector<Turn> turns;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Vec2 to = now[i] + (i > 0 ? now[i - 1] : Vec2(Vec2::Zero()));
@@ -204,37 +178,42 @@ std::vector<Turn> turns_of_cut(const Model<2>& model, const State<2>& state, int
 }
 
 template <int D>
-std::vector<Vec<D>> cut_forces(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut,
-                               Work<D>& scratch) {
-  const SideSums<D> sums = side_sums(model, state, body, cut, scratch);
-  std::vector<Vec<D>> force;
+const std::vector<Vec<D>>& cut_forces(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut,
+                                      CrackScratch<D>& scratch) {
+  scratch.work.element_force.resize(model.mass.size(), Vec<D>::Zero());
+  scratch.work.element_damping.resize(model.mass.size(), Vec<D>::Zero());
+  scratch.work.plastic.resize(state.plastic.size());
+  for (const std::size_t side : {0, 1}) set_side(model, state, body, cut, side, scratch);
+  scratch.force.clear();
   for (std::size_t i = 0; i < cut.nodes.size(); ++i) {
-    const double behind = sums.mass[0][i], ahead = sums.mass[1][i];
-    force.emplace_back((behind * sums.force[1][i] - ahead * sums.force[0][i]) / (behind + ahead));
+    const double behind = mass_on_side<D>(cut, 0, i), ahead = mass_on_side<D>(cut, 1, i);
+    scratch.force.emplace_back((behind * scratch.side[1][i] - ahead * scratch.side[0][i]) / (behind + ahead));
   }
-  return force;
+  return scratch.force;
 }
-template std::vector<Vec2> cut_forces(const Model<2>&, const State<2>&, int, const MeshCut&, Work<2>&);
-template std::vector<Vec3> cut_forces(const Model<3>&, const State<3>&, int, const MeshCut&, Work<3>&);
+template const std::vector<Vec2>& cut_forces(const Model<2>&, const State<2>&, int, const MeshCut&, CrackScratch<2>&);
+template const std::vector<Vec3>& cut_forces(const Model<3>&, const State<3>&, int, const MeshCut&, CrackScratch<3>&);
 
-std::vector<Vec2> mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
-                                 Work<2>& scratch) {
-  return stress_from_forces(cut_forces(model, state, body, cut, scratch), edges_now(model, state, body, cut),
-                            model.thickness);
+const std::vector<Vec2>& mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
+                                        CrackScratch<2>& scratch) {
+  cut_forces(model, state, body, cut, scratch);
+  set_edges_now(model, state, body, cut, scratch.cut.along);
+  stress_from_forces(model.thickness, scratch.cut, scratch.force);
+  return scratch.force;
 }
 
 template <int D>
-std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking) {
+std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
+                                  CrackScratch<D>& scratch) {
   std::vector<Crack<D>> cracks;
-  Work<D> scratch;
   for (const CrackingBody<D>& row : cracking.bodies) {
     if (!row.sections.front().cut || state.left[static_cast<std::size_t>(row.body)] != 0) continue;
     if (auto crack = mesh_crack(model, state, row, scratch)) cracks.push_back(std::move(*crack));
   }
   return cracks;
 }
-template std::vector<Crack<2>> mesh_cracks(const Model<2>&, const State<2>&, const Cracking<2>&);
-template std::vector<Crack<3>> mesh_cracks(const Model<3>&, const State<3>&, const Cracking<3>&);
+template std::vector<Crack<2>> mesh_cracks(const Model<2>&, const State<2>&, const Cracking<2>&, CrackScratch<2>&);
+template std::vector<Crack<3>> mesh_cracks(const Model<3>&, const State<3>&, const Cracking<3>&, CrackScratch<3>&);
 
 std::vector<Vec2> cut_openings(const Model<2>& model, int body, const MeshCut& cut, const std::vector<Vec2>& traction,
                                const ContactLaw& law) {

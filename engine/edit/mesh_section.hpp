@@ -17,20 +17,22 @@
 #include <vector>
 
 #include "base/space.hpp"
-#include "edit/crack_search.hpp"
+#include "edit/crack_scratch.hpp"
 #include "model/crack_cut.hpp"
 
 namespace trilith {
 
-/// [node of the cut] force of the part ahead on the part behind [N].
+/// [node of the cut] force of the part ahead on the part behind [N]. References into `scratch`, also from the functions
+/// below, are valid until its next use.
 template <int D>
-std::vector<Vec<D>> cut_forces(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut,
-                               Work<D>& scratch);
+const std::vector<Vec<D>>& cut_forces(const Model<D>& model, const State<D>& state, int body, const MeshCut& cut,
+                                      CrackScratch<D>& scratch);
 
 /// Cracks of the meshes among `cracking`, in their order: the section of each that uses most of its strength, if this
 /// is more than all. The edges or faces of a cut are compared one by one, as sections of their own.
 template <int D>
-std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking);
+std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
+                                  CrackScratch<D>& scratch);
 
 /// The edge or face of a cut that uses most of its strength. Its place, and the stress of the whole cut as
 /// Crack::traction has it, are computed where this is more than all.
@@ -41,9 +43,9 @@ struct WorstPlace {
   std::vector<Vec<D>> traction;
 };
 WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
-                          Work<2>& scratch);
+                          CrackScratch<2>& scratch);
 WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const CrackingBody<3>& row, const MeshCut& cut,
-                          Work<3>& scratch);
+                          CrackScratch<3>& scratch);
 
 // In the plane.
 
@@ -52,8 +54,8 @@ std::vector<Turn> turns_of_cut(const Model<2>& model, const State<2>& state, int
 
 /// [node of the cut] stress on the part behind, along the axes of the world [Pa]. At the thickness of the contacts of
 /// the model, so that it carries the forces of elements of any thickness.
-std::vector<Vec2> mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
-                                 Work<2>& scratch);
+const std::vector<Vec2>& mesh_tractions(const Model<2>& model, const State<2>& state, int body, const MeshCut& cut,
+                                        CrackScratch<2>& scratch);
 
 /// Distance of both copies of each node of a cut at which the bond of a law carries the stress `traction` [node of the
 /// cut], in the initial position of the body [m]. Where the edges at a node are in one line it is along their normal.
@@ -63,18 +65,13 @@ std::vector<Vec2> cut_openings(const Model<2>& model, int body, const MeshCut& c
 // In space the faces of a cut are plates in contact: they carry normal stress that is linear over each face, uniform
 // shear, and a couple about the normal (model/contact/contact_frame.hpp).
 
-/// Present position of the plate of a face: its centroid, and its rotation from the initial position.
-struct PlacedPlate {
-  Vec3 centre = Vec3::Zero();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-};
 /// `nodes`: present positions of the nodes of the cut [m].
 PlacedPlate placed_plate(const std::vector<Vec3>& nodes, const CutFace& face);
 
 /// [face of the cut] resultants of the stress at the nodes, along the axes of each face. `rounds`: corrections after
 /// the first solution, by which the forces of the plates on the nodes approach T.
-std::vector<SpaceForces> plate_forces(const Model<3>& model, const State<3>& state, int body, const SpaceCut& cut,
-                                      Work<3>& scratch, int rounds);
+const std::vector<SpaceForces>& plate_forces(const Model<3>& model, const State<3>& state, int body,
+                                             const SpaceCut& cut, CrackScratch<3>& scratch, int rounds);
 
 /// Adds the forces of a plate on the part behind to the nodes of the cut [N].
 void add_plate_forces(const CutFace& face, const PlacedPlate& now, const SpaceForces& forces,

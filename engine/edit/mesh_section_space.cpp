@@ -1,6 +1,7 @@
 // Stress in the section of a mesh in space, carried by the faces of its cut as plates.
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "edit/mesh_section.hpp"
 #include "element/corotation_3d.hpp"
@@ -14,14 +15,13 @@ constexpr double solved_share = 1e-12;
 constexpr int most_solver_rounds = 200;
 
 /// Products of the matrix of all faces, with the entries of FaceProducts::products.
-std::vector<Vec3> times_products(const SpaceCut& cut, const std::vector<Vec3>& stress) {
-  std::vector<Vec3> force(stress.size(), Vec3::Zero());
+void times_products(const SpaceCut& cut, const std::vector<Vec3>& stress, std::vector<Vec3>& force) {
+  force.assign(stress.size(), Vec3::Zero());
   for (const CutFace& face : cut.plates)
     for (int i = 0; i < face.nodes; ++i)
       for (int j = 0; j < face.nodes; ++j)
         force[static_cast<std::size_t>(face.node[static_cast<std::size_t>(i)])] +=
             face.integrals.products(i, j) * stress[static_cast<std::size_t>(face.node[static_cast<std::size_t>(j)])];
-  return force;
 }
 
 double product_of(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -34,31 +34,33 @@ void add_times(double share, const std::vector<Vec3>& what, std::vector<Vec3>& t
   for (std::size_t i = 0; i < what.size(); ++i) to[i] += share * what[i];
 }
 
-/// The stress at the nodes that has these nodal forces, by conjugate gradients with the diagonal as preconditioner.
-std::vector<Vec3> stress_of_nodes(const SpaceCut& cut, std::vector<Vec3> rest) {
-  std::vector<double> diagonal(cut.nodes.size(), 0.0);
+void divide_by(const std::vector<double>& diagonal, const std::vector<Vec3>& what, std::vector<Vec3>& out) {
+  out = what;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] /= diagonal[i];
+}
+
+/// `solved` becomes the stress at the nodes that has the nodal forces `rest`, by conjugate gradients with the diagonal
+/// as preconditioner.
+void solve_stress(const SpaceCut& cut, CutScratch<3>& s) {
+  s.diagonal.assign(cut.nodes.size(), 0.0);
   for (const CutFace& face : cut.plates)
     for (int i = 0; i < face.nodes; ++i)
-      diagonal[static_cast<std::size_t>(face.node[static_cast<std::size_t>(i)])] += face.integrals.products(i, i);
-  const auto scaled = [&](const std::vector<Vec3>& v) {
-    std::vector<Vec3> out = v;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] /= diagonal[i];
-    return out;
-  };
-  std::vector<Vec3> stress(cut.nodes.size(), Vec3::Zero()), step = scaled(rest);
-  double size = product_of(rest, step);
+      s.diagonal[static_cast<std::size_t>(face.node[static_cast<std::size_t>(i)])] += face.integrals.products(i, i);
+  s.unmet = s.rest;
+  s.solved.assign(cut.nodes.size(), Vec3::Zero());
+  divide_by(s.diagonal, s.unmet, s.step);
+  double size = product_of(s.unmet, s.step);
   const double enough = solved_share * solved_share * size;
   for (int round = 0; round < most_solver_rounds && size > enough; ++round) {
-    const std::vector<Vec3> moved = times_products(cut, step);
-    const double share = size / product_of(step, moved);
-    add_times(share, step, stress);
-    add_times(-share, moved, rest);
-    std::vector<Vec3> next = scaled(rest);
-    const double now = product_of(rest, next);
-    add_times(now / size, step, next);
-    step = std::move(next), size = now;
+    times_products(cut, s.step, s.moved);
+    const double share = size / product_of(s.step, s.moved);
+    add_times(share, s.step, s.solved);
+    add_times(-share, s.moved, s.unmet);
+    divide_by(s.diagonal, s.unmet, s.next);
+    const double now = product_of(s.unmet, s.next);
+    add_times(now / size, s.step, s.next);
+    std::swap(s.step, s.next), size = now;
   }
-  return stress;
 }
 
 /// Resultants of a stress at the nodes over a face: the integrals of N are mean times area, and the integrals of N s
@@ -83,13 +85,11 @@ Vec3 turned_gradient(const CutFace& face, const PlacedPlate& now, std::size_t i)
   return now.turn * (face.fit.gradient[i].x() * face.fit.x + face.fit.gradient[i].y() * face.fit.y);
 }
 
-std::vector<PlacedPlate> placed_plates(const Model<3>& model, const State<3>& state, int body, const SpaceCut& cut) {
+void place_plates(const Model<3>& model, const State<3>& state, int body, const SpaceCut& cut, CutScratch<3>& s) {
   const int first = model.bodies[static_cast<std::size_t>(body)].first_node;
-  std::vector<Vec3> nodes;
-  for (const int n : cut.nodes) nodes.push_back(state.position[static_cast<std::size_t>(first + n)]);
-  std::vector<PlacedPlate> plates;
-  for (const CutFace& face : cut.plates) plates.push_back(placed_plate(nodes, face));
-  return plates;
+  s.node.clear(), s.plate.clear();
+  for (const int n : cut.nodes) s.node.push_back(state.position[static_cast<std::size_t>(first + n)]);
+  for (const CutFace& face : cut.plates) s.plate.push_back(placed_plate(s.node, face));
 }
 
 }  // namespace
@@ -122,23 +122,26 @@ void add_plate_forces(const CutFace& face, const PlacedPlate& now, const SpaceFo
         face.fit.mean[i] * force + cross(couple, turned_gradient(face, now, i));
 }
 
-std::vector<SpaceForces> plate_forces(const Model<3>& model, const State<3>& state, int body, const SpaceCut& cut,
-                                      Work<3>& scratch, int rounds) {
-  std::vector<Vec3> rest = cut_forces(model, state, body, cut, scratch), stress(rest.size(), Vec3::Zero());
-  const std::vector<Vec3> whole = rest;
-  const std::vector<PlacedPlate> plates = placed_plates(model, state, body, cut);
-  std::vector<SpaceForces> forces(cut.plates.size());
+const std::vector<SpaceForces>& plate_forces(const Model<3>& model, const State<3>& state, int body,
+                                             const SpaceCut& cut, CrackScratch<3>& scratch, int rounds) {
+  const std::vector<Vec3>& whole = cut_forces(model, state, body, cut, scratch);
+  CutScratch<3>& s = scratch.cut;
+  place_plates(model, state, body, cut, s);
+  s.rest = whole;
+  s.stress.assign(whole.size(), Vec3::Zero());
+  s.plate_force.resize(cut.plates.size());
   for (int round = 0; round <= rounds; ++round) {
-    add_times(1, stress_of_nodes(cut, rest), stress);
-    rest = whole;
-    std::vector<Vec3> carried(rest.size(), Vec3::Zero());
-    for (std::size_t f = 0; f < forces.size(); ++f) {
-      forces[f] = resultants(cut.plates[f], plates[f], stress);
-      if (round < rounds) add_plate_forces(cut.plates[f], plates[f], forces[f], carried);
+    solve_stress(cut, s);
+    add_times(1, s.solved, s.stress);
+    s.rest = whole;
+    s.carried.assign(whole.size(), Vec3::Zero());
+    for (std::size_t f = 0; f < s.plate_force.size(); ++f) {
+      s.plate_force[f] = resultants(cut.plates[f], s.plate[f], s.stress);
+      if (round < rounds) add_plate_forces(cut.plates[f], s.plate[f], s.plate_force[f], s.carried);
     }
-    if (round < rounds) add_times(-1, carried, rest);
+    if (round < rounds) add_times(-1, s.carried, s.rest);
   }
-  return forces;
+  return s.plate_force;
 }
 
 std::array<Vec3, 2> packed_forces(const SpaceForces& f) {
@@ -152,11 +155,11 @@ SpaceForces unpacked_forces(const Crack<3>& crack, std::size_t face) {
 
 /// The corrections are for a body that cracks alone: its strength is compared with the stress of the first solution.
 WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const CrackingBody<3>& row, const MeshCut& cut,
-                          Work<3>& scratch) {
+                          CrackScratch<3>& scratch) {
   constexpr int corrections = 4;
   const SpaceCut& faces = space_cut(cut);
   const ContactLaw& law = model.laws[static_cast<std::size_t>(row.law)];
-  const std::vector<SpaceForces> forces = plate_forces(model, state, row.body, faces, scratch, 0);
+  const std::vector<SpaceForces>& forces = plate_forces(model, state, row.body, faces, scratch, 0);
   WorstPlace<3> worst;
   std::size_t at = 0;
   for (std::size_t f = 0; f < forces.size(); ++f) {
@@ -164,7 +167,7 @@ WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const Cr
     if (use.share > worst.use.share) worst.use = use, at = f;
   }
   if (!(worst.use.share > 1)) return worst;
-  const PlacedPlate now = placed_plates(model, state, row.body, faces)[at];
+  const PlacedPlate now = scratch.cut.plate[at];
   const CrackSection<3>& section = faces.plates[at].section;
   worst.place = now.centre + now.turn * (section.at(worst.use.in_space) - section.centre);
   for (const SpaceForces& f : plate_forces(model, state, row.body, faces, scratch, corrections))

@@ -237,12 +237,8 @@ std::optional<SolidRecord> crack_contact(const Model<3>& model, const State<3>& 
   const Turn3 turn(body.rotation);
   Eigen::Matrix3d axes;
   axes.col(0) = turn.apply(section.x), axes.col(1) = turn.apply(section.y), axes.col(2) = turn.apply(section.normal);
-  SolidRecord r = section_joint(model, state, {piece(split.behind), -1, piece(split.ahead), -1}, section,
-                                body.place + turn.apply(section.centre), axes, crack.forces, kn);
-  r.memory.shear.elastic = r.memory.shear.total =
-      turn.apply(Vec3(crack.forces.shear.x() * section.x + crack.forces.shear.y() * section.y +
-                      crack.forces.torsion / r.joint.plan->radius * section.normal));
-  return r;
+  return section_joint(model, state, {piece(split.behind), -1, piece(split.ahead), -1}, section,
+                       body.place + turn.apply(section.centre), axes, crack.forces, kn);
 }
 
 void put_contacts(State<3>& state, std::vector<SolidRecord> records) {

@@ -1,4 +1,5 @@
-// The cut along which a mesh in space parts: its faces as rigid plates, which carry its stress and become its contacts.
+// The cut along which a mesh parts. In space its faces are rigid plates, which carry its stress and become its
+// contacts.
 #pragma once
 
 #include <array>
@@ -8,6 +9,12 @@
 #include "model/crack_planes.hpp"
 
 namespace trilith {
+
+/// The cut of every CrackSection<2> of a mesh.
+struct PlaneCut : MeshCut {
+  /// [behind, ahead][MeshCut::nodes] area of the elements, to which their masses are proportional [m2]
+  std::array<std::vector<double>, 2> area;
+};
 
 /// A face between an element behind a cut and an element ahead of it, in the initial position.
 struct CutFace {
@@ -25,6 +32,17 @@ struct SpaceCut : MeshCut {
   std::vector<CutFace> plates;       ///< [MeshCut::faces]
   std::vector<double> behind_share;  ///< [MeshCut::nodes] share of the mass of the node in the part behind
 };
+
+/// Share of the mass of node `i` of a cut on a side (0: behind, 1: ahead), of any total.
+template <int D>
+double mass_on_side(const MeshCut& cut, std::size_t side, std::size_t i) {
+  if constexpr (D == 2) {
+    return static_cast<const PlaneCut&>(cut).area[side][i];
+  } else {
+    const double behind = static_cast<const SpaceCut&>(cut).behind_share[i];
+    return side == 0 ? behind : 1 - behind;
+  }
+}
 
 inline const SpaceCut& space_cut(const MeshCut& cut) {
   return static_cast<const SpaceCut&>(cut);

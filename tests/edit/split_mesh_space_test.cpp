@@ -4,9 +4,12 @@
 #include <cmath>
 #include <functional>
 
+#include "assembly/element/rotary_inertia.hpp"
 #include "edit/mesh_section.hpp"
 #include "edit/split.hpp"
 #include "edit/split_mesh.hpp"
+#include "model/builder/crack_mesh.hpp"
+#include "model/loads.hpp"
 #include "near.hpp"
 #include "run/simulation.hpp"
 #include "statics/equilibrium.hpp"
@@ -109,7 +112,7 @@ const SpaceCut& cut_of(const Simulation<3>& sim) {
 
 std::vector<Crack<3>> crack_space_mesh_now(Simulation<3>& sim) {
   sim.refresh();
-  Work<3> scratch;
+  CrackScratch<3> scratch;
   Crack<3> crack;
   crack.body = 0, crack.section = 0, crack.stress = bar_strength;
   for (const SpaceForces& f : plate_forces(sim.model(), sim.state(), 0, cut_of(sim), scratch, 4))
@@ -158,7 +161,7 @@ TEST_CASE("the stress at the faces of a mesh in space is the exact one of a pull
       const SpaceCut& cut = space_cut(*rows.front().sections.front().cut);
       CHECK(cut.plates.size() == (shape == ElementShape::brick || shape == ElementShape::wedge ? 6 : 12));
       CHECK(near(rows.front().sections.front().area, bar_width * bar_height, 1e-12));
-      Work<3> scratch;
+      CrackScratch<3> scratch;
       for (const int rounds : {0, 4}) {
         const std::vector<SpaceForces> forces = plate_forces(model, state, 0, cut, scratch, rounds);
         for (std::size_t f = 0; f < forces.size(); ++f) {
@@ -182,7 +185,8 @@ TEST_CASE("a mesh in space cracks above the strength of its law and not below it
     load_end(model, share * bar_strength, Vec3::Zero());
     State<3> state = initial_state(model);
     CHECK(find_equilibrium(model, state).converged);
-    const std::vector<Crack<3>> cracks = mesh_cracks(model, state, Cracking<3>{builder.cracking(model), {}});
+    CrackScratch<3> scratch;
+    const std::vector<Crack<3>> cracks = mesh_cracks(model, state, Cracking<3>{builder.cracking(model), {}}, scratch);
     CHECK(cracks.size() == (share > 1 ? 1 : 0));
     if (share < 1) continue;
     CHECK(cracks.front().mode == JointMode::tension);
@@ -280,4 +284,123 @@ TEST_CASE("a mesh in space that splits in motion keeps mass, momentum, angular m
       // A face of six nodes has more of these modes, and single nodes of little mass: there it is 0.41.
       if (shape != ElementShape::quadratic_tetrahedron) CHECK(sums.jump < 0.3 * sums.largest);
     }
+}
+
+namespace {
+
+/// A mesh of bricks that flies and spins, with a plane behind its first column.
+SolidModelBuilder spinning_space_bar(const std::array<int, 3>& divisions) {
+  SolidModelBuilder builder;
+  builder.gravity.setZero();
+  builder.add_material({"concrete", 2400, Solid{LinearElastic{30e9, 0.2}}});
+  Cohesive law;
+  law.kn = 1e13, law.ks = 5e12, law.mu = 0.6, law.tension = bar_strength, law.cohesion = 2 * bar_strength;
+  law.energy_tension = 100, law.energy_shear = 400;
+  builder.add_law("plane", law);
+  builder.set_contact("*", "*", "plane");
+  const UnitQuaternion axes = rotation_by(Vec3(0.2, 0.5, -0.3));
+  const Turn3 turn(axes);
+  std::array<Vec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i)
+    corners[i] = turn.apply(
+        Vec3(i % 4 == 1 || i % 4 == 2 ? bar_length : 0, i % 4 >= 2 ? bar_width : 0, i >= 4 ? bar_height : 0));
+  SolidSpec spec;
+  spec.name = "bar", spec.mesh = brick_grid(corners, divisions), spec.material = "concrete", spec.floating = true;
+  spec.velocity = Vec3(3, -2, 1), spec.spin = Vec3(10, 40, -20);
+  spec.cracks.planes = {{turn.apply(Vec3(bar_length / divisions[0], 0, 0)), turn.apply(Vec3(1, 0, 0))}};
+  spec.cracks.law = "plane";
+  builder.add_body(spec);
+  return builder;
+}
+
+/// Of all nodes, by the mass matrix of the equation of motion.
+struct WholeSpaceMotion {
+  Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
+  double kinetic = 0;
+};
+WholeSpaceMotion whole_motion(const Simulation<3>& sim) {
+  const Model<3>& model = sim.model();
+  const State<3>& s = sim.state();
+  std::vector<Dofs<3>> v(model.mass.size(), Dofs<3>{}), p(model.mass.size(), Dofs<3>{});
+  for (std::size_t n = 0; n < v.size(); ++n)
+    for (std::size_t k = 0; k < 3; ++k) v[n][k] = s.velocity[n][static_cast<Eigen::Index>(k)];
+  add_rotary_momentum(model, s, v, p);
+  WholeSpaceMotion sum;
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const Vec3 own = model.mass[n] * s.velocity[n] + Vec3(p[n][0], p[n][1], p[n][2]);
+    sum.momentum += own, sum.angular += cross(s.position[n], own), sum.kinetic += 0.5 * own.dot(s.velocity[n]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a part of one, two or more bricks keeps the motion that it had in its mesh") {
+  for (const std::array<int, 3>& divisions : {std::array{2, 1, 1}, std::array{3, 1, 1}, std::array{4, 2, 1}}) {
+    CAPTURE(divisions[0]);
+    SolidModelBuilder builder = spinning_space_bar(divisions);
+    Simulation<3> sim(builder.build());
+    sim.set_cracking(builder.cracking(sim.model()));
+    StageOptions on;
+    on.duration = 2e-4;
+    sim.run(on);
+    sim.grow(Model<3>(sim.model()));  // ends the last step, as each change does
+    const std::vector<Crack<3>> cracks = crack_space_mesh_now(sim);
+    const WholeSpaceMotion before = whole_motion(sim);
+    const double balance = sim.energy().balance();
+    sim.split(with_cracks(builder, sim.model(), sim.cracking().bodies, cracks), cracks);
+    sim.refresh();
+    CHECK(sim.model().bodies[1].nodes == 4 * (divisions[1] + 1));
+    CHECK(sim.model().bodies[1].kind == BodyKind::mesh);
+    const WholeSpaceMotion after = whole_motion(sim);
+    CHECK((after.momentum - before.momentum).norm() < 1e-13 * before.momentum.norm());
+    CHECK((after.angular - before.angular).norm() < 1e-12 * before.angular.norm());
+    CHECK(near(after.kinetic, before.kinetic, 1e-12));
+    CHECK(near(sim.energy()[EnergyTerm::kinetic], before.kinetic, 1e-12));
+    CHECK(near_zero(sim.energy().balance() - balance, 1e-11 * before.kinetic));
+    on.duration = 1e-3;  // the bonded parts spin on as the mesh did
+    sim.run(on);
+    sim.grow(Model<3>(sim.model()));
+    const WholeSpaceMotion later = whole_motion(sim);
+    CHECK((later.momentum - before.momentum).norm() < 1e-12 * before.momentum.norm());
+    CHECK((later.angular - before.angular).norm() < 1e-10 * before.angular.norm());
+  }
+}
+
+TEST_CASE("a plane may not leave one tetrahedron on a side, whose inertia as a body differs") {
+  const SpaceMesh mesh{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 1, 1)},
+                       {{ElementShape::tetrahedron, {0, 1, 2, 3}}, {ElementShape::tetrahedron, {1, 4, 2, 3}}}};
+  const CrackPlane<3> between{Vec3(1, 1, 1) / 3, Vec3(1, 1, 1)};
+  CHECK(mesh_plane_fault(mesh, between, 1).find("leaves one tetrahedron behind it") != std::string::npos);
+}
+
+TEST_CASE("forces at points of a mesh in space go to the parts that have these points") {
+  SolidModelBuilder builder = space_bar(ElementShape::brick, false);
+  Simulation<3> sim(builder.build());
+  sim.set_cracking(builder.cracking(sim.model()));
+  const std::array points{Vec3(0, 0.03, bar_height), Vec3(0.5 * bar_length, 0.04, bar_height),
+                          Vec3(bar_length, 0.5 * bar_width, 0.1)};
+  const std::array forces{Vec3(10, 20, -30), Vec3(-5, 8, 40), Vec3(7, -9, 11)};
+  sim.edit([&](Model<3>& model) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      SolidLoadSpec spec;
+      spec.name = "load", spec.at = points[i], spec.force = forces[i];
+      model.loads.add(make_solid_loads(model, 0, spec));
+    }
+  });
+  const std::vector<Crack<3>> cracks = crack_space_mesh_now(sim);
+  sim.split(with_cracks(builder, sim.model(), sim.cracking().bodies, cracks), cracks);
+  sim.refresh();
+  for (const int part : {1, 2}) {
+    const Body& body = sim.model().bodies[static_cast<std::size_t>(part)];
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    for (auto n = static_cast<std::size_t>(body.first_node); n < static_cast<std::size_t>(body.first_node + body.nodes);
+         ++n)
+      force += sim.work().load[n], moment += cross(sim.state().position[n], sim.work().load[n]);
+    // The elements on both sides of the cut are alike, so both parts have half of the force on it.
+    const std::size_t own = part == 1 ? 0 : 2;
+    const Vec3 moment_wanted = cross(points[own], forces[own]) + 0.5 * cross(points[1], forces[1]);
+    CHECK((force - forces[own] - 0.5 * forces[1]).norm() < 1e-12 * forces[1].norm());
+    CHECK((moment - moment_wanted).norm() < 1e-12 * moment_wanted.norm());
+  }
 }

@@ -143,6 +143,8 @@ void ModelBuilder::check_deformable(BodySpec& spec, const std::string& owner) {
                           spec.divisions[1]);
   }
   take_checked_mesh(spec, owner);
+  // Only a part of a mesh that has cracked is a mesh of one quadrilateral: it keeps the inertia of its nodal masses.
+  if (spec.mesh->element.size() == 1 && corners_of(spec.mesh->element[0]) == 4) spec.kind = BodyKind::quad;
 }
 
 /// Repairs the mesh; the outline becomes its outer boundary.

@@ -157,6 +157,22 @@ std::vector<int> elements_at(const M& mesh, const MeshCut& cut) {
   return out;
 }
 
+/// Areas at the nodes of a cut, summed in the order of the elements.
+void set_areas(const Mesh& mesh, PlaneCut& cut) {
+  for (const std::size_t side : {0, 1}) {
+    std::vector<double> area(mesh.node.size(), 0.0);
+    for (const int e : cut.elements) {
+      const auto at = static_cast<std::size_t>(e);
+      if ((cut.behind[at] != 0) != (side == 0)) continue;
+      const auto own = masses_of_cell(mesh, at);
+      for (int i = 0; i < corners_of(mesh.element[at]); ++i)
+        area[static_cast<std::size_t>(mesh.element[at][static_cast<std::size_t>(i)])] +=
+            own[static_cast<std::size_t>(i)];
+    }
+    for (const int n : cut.nodes) cut.area[side].push_back(area[static_cast<std::size_t>(n)]);
+  }
+}
+
 /// True if elements hang together by faces, and in the plane no node is a hinge.
 template <class M>
 bool hangs_together(const M& mesh) {
@@ -168,14 +184,13 @@ bool hangs_together(const M& mesh) {
   return true;
 }
 
-/// A body of one brick or one tetrahedron has the rotary inertia of the solid, and not of masses at its nodes; see
-/// model/element/one_element.hpp.
+/// A body of one triangle or one tetrahedron has the rotary inertia of the solid, and not of masses at its nodes. One
+/// quadrilateral or brick has it by its kind, which a part does not have; see model/element/one_element.hpp.
 bool turns_as_solid(const Mesh& mesh) {
-  return mesh.element.size() == 1;
+  return mesh.element.size() == 1 && corners_of(mesh.element[0]) == 3;
 }
 bool turns_as_solid(const SpaceMesh& mesh) {
-  return mesh.cell.size() == 1 &&
-         (mesh.cell[0].shape == ElementShape::brick || mesh.cell[0].shape == ElementShape::tetrahedron);
+  return mesh.cell.size() == 1 && mesh.cell[0].shape == ElementShape::tetrahedron;
 }
 
 template <class V>
@@ -191,9 +206,9 @@ std::string plane_fault_of(const M& mesh, const CrackPlane<D>& plane, int number
                                         vector_text(plane.normal));
   if (cells_of(mesh).size() < 2)
     return fmt::format(
-        "the mesh has one element, which has no inner {} to crack along: give it divisions, a finer mesh, or body "
-        "= \"rigid\"",
-        D == 2 ? "edge" : "face");
+        "the mesh has one element, which has no inner {} to crack along: give it divisions (body = {{ mesh = {} }} "
+        "cracks into two bodies of one element), a finer mesh, or body = \"rigid\"",
+        D == 2 ? "edge" : "face", D == 2 ? "{ 2, 1 }" : "{ 2, 1, 1 }");
   MeshCut cut;
   cut.behind = elements_behind(mesh, plane);
   const auto count = static_cast<std::size_t>(std::count(cut.behind.begin(), cut.behind.end(), 1));
@@ -212,11 +227,11 @@ std::string plane_fault_of(const M& mesh, const CrackPlane<D>& plane, int number
           "{} does not divide the mesh into two parts along {}s of elements: the part {} it falls apart or hangs on "
           "one node. Move or turn the plane, or give a finer mesh",
           where, D == 2 ? "edge" : "face", side);
-    if (D == 3 && turns_as_solid(part))
+    if (turns_as_solid(part))
       return fmt::format(
-          "{} leaves one element {} it, whose rotary inertia as a body of its own differs from its inertia in the "
-          "mesh. Move the plane, or give a finer mesh",
-          where, side);
+          "{} leaves one {} {} it, whose rotary inertia as a body of its own differs from its inertia in the mesh. "
+          "Move the plane, or give a finer mesh",
+          where, D == 2 ? "triangle" : "tetrahedron", side);
   }
   return "";
 }
@@ -245,10 +260,11 @@ CutFace plate_of(const SpaceMesh& mesh, const CrossedFace& face, const std::vect
 }  // namespace
 
 CrackSection<2> mesh_section(const Mesh& mesh, const CrackPlane<2>& plane, int number) {
-  const auto cut = std::make_shared<MeshCut>();
+  const auto cut = std::make_shared<PlaneCut>();
   cut->behind = elements_behind(mesh, plane);
   follow_chains(crossed_faces(mesh, cut->behind), *cut);
   cut->elements = elements_at(mesh, *cut);
+  set_areas(mesh, *cut);
   CrackSection<2> section;
   section.number = number;
   section.normal = plane.normal.normalized();

@@ -12,11 +12,10 @@ const E& first_element(const std::vector<E>& elements, int body) {
 template const Element& first_element(const std::vector<Element>&, int);
 template const SpaceElement& first_element(const std::vector<SpaceElement>&, int);
 
+/// A mesh of one quadrilateral, as of one brick, is a part of a mesh that has cracked: others are of the kind quad.
 bool is_one_element(const Model<2>& model, int body) {
   const Body& b = model.bodies[body];
-  if (b.kind != BodyKind::mesh || b.nodes > 4) return b.kind == BodyKind::quad;
-  const Element* const next = &first_element(model.elements, body) + 1;
-  return next == model.elements.data() + model.elements.size() || next->body != body;
+  return b.kind == BodyKind::quad || (b.kind == BodyKind::mesh && b.nodes == 3);
 }
 bool is_one_element(const Model<3>& model, int body) {
   const Body& b = model.bodies[body];

@@ -199,6 +199,8 @@ Model<3> SolidModelBuilder::assemble_bodies(std::vector<std::string>& faults) co
   Model<3> model = space.build();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     model.bodies[b].material = bodies_[b].material, model.bodies[b].groups = bodies_[b].groups;
+    // A part of one brick keeps the inertia of the nodal masses of its mesh, see model/element/one_element.hpp.
+    if (bodies_[b].cracked_from >= 0 && bodies_[b].mesh) model.bodies[b].kind = BodyKind::mesh;
     set_up(bodies_[b], model, model.bodies[b]);
   }
   attempt(faults, [&] { rules_.fill(model); });

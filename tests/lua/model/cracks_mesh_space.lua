@@ -29,7 +29,8 @@ end
 refused("cracks: the mesh has one element, which has no inner face to crack along", bar, empty(), { body = "brick" })
 refused("cracks: plane 1 through %(0.001, 0, 0%) with the normal %(1, 0, 0%) meets no inner face of the mesh", bar,
   empty(), { cracks = { { { 0.001, 0, 0 }, { 1, 0, 0 } } } })
-refused("leaves one element behind it, whose rotary inertia", bar, empty(), { body = { mesh = { 2, 1, 1 } } })
+refused("leaves one tetrahedron ahead of it, whose rotary inertia", bar, empty(),
+  { body = { mesh = { 1, 1, 1 }, element = "tet4" }, cracks = { { { 0.2, 0, 0 }, { 2.5, 2, -10 } } } })
 refused("cracks: all nodes of the body are held along an axis", bar, empty(), { support = "fixed" })
 refused("cracks: crack_law is missing", bar, empty(), { crack_law = "" })
 do
@@ -92,6 +93,22 @@ for _, keys in ipairs { { brittle = false }, { brittle = true },
   if not keys.body then
     assert(torn({ brittle = keys.brittle, threads = 3 }).hash == m.hash)
   end
+end
+
+-- into two parts of one brick, which share a point load on the edge of the crack
+do
+  local parts = torn { body = { mesh = { 2, 1, 1 } } }
+  assert(#parts:bodies { group = "pieces of bar" } == 2)
+  local m = empty()
+  local one = bar(m, { body = { mesh = { 2, 1, 1 } } })
+  m:point_load { name = "on the cut", body = "bar", at = { 0.2, 0.05, 0.1 }, force = { 0, 0, -600 } }
+  for _, side in ipairs { "left", "right" } do
+    m:pressure { name = side, body = "bar", face = side, value = -1.2*strength, load_curve = { ramp = 4e-3 } }
+  end
+  m:run { duration = 4.5e-3 }
+  assert(not one.present)
+  local mass = 0.4*0.1*0.1*2400
+  near((m:body "bar.a".vz + m:body "bar.b".vz)/2, -600/mass*m.time, 0.01) -- velocities are half a step behind
 end
 
 -- several planes: the parts keep the planes that cut them
