@@ -39,8 +39,8 @@ struct LoadWay {
   }
 };
 
-/// Shifts motions and load curves as a path that was reported has shifted them, with the same rounding: the model of a
-/// run that is continued after the path is then as it was at its end.
+/// Repeats the shifts of motions and load curves by a path that was reported, with the same rounding. The model is then
+/// as it was at the end of the path.
 template <int D>
 void postpone_by_way(Model<D>& model, const LoadWay<D>& way);
 

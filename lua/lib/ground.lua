@@ -5,7 +5,7 @@ local owner = "level_ground"
 local methods = core.members "model"
 local with_profile = methods.ground
 
--- Density of a ground without material [kg/m3]: that of dense sand. The ground is fixed, so no result depends on it.
+-- Density of a ground without material [kg/m3], as of dense sand. The ground is fixed, so no result depends on it.
 local density = 2000
 
 -- The ground extends beyond the model by this number of times its size.
@@ -54,8 +54,8 @@ function methods.level_ground(model, options)
     return model:polygon { name = name, material = options.material, density = own_density, groups = groups,
       support = "fixed", outline = { { x0, level - deep }, { x1, level - deep }, { x1, level }, { x0, level } } }
   end
-  return model:block { name = name, material = options.material, density = own_density, groups = groups, support = "fixed",
-    at = { x0, low[2] - reach, level - deep }, size = { x1 - x0, high[2] - low[2] + 2*reach, deep } }
+  return model:block { name = name, material = options.material, density = own_density, groups = groups,
+    support = "fixed", at = { x0, low[2] - reach, level - deep }, size = { x1 - x0, high[2] - low[2] + 2*reach, deep } }
 end
 
 function methods.ground(model, options)

@@ -268,7 +268,7 @@ std::vector<std::string> SolidModelBuilder::faults() const {
   return faults;
 }
 
-/// For a frame, and for elements, all nodes; those of elements have no rotations.
+/// For a frame, and for elements, all nodes. Nodes of elements have no rotations.
 void set_support(Model<3>& model, int body, int dof, Support support) {
   const Body& b = model.bodies[body];
   if (!b.nodes_turn() && dof >= 3) return;
