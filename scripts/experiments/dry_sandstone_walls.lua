@@ -69,7 +69,7 @@ for _, specimen in ipairs(specimens) do
         between = specimen.band },
       { "mechanism", measured = "turning with stepped opening, sliding", one_of = { "stepped rocking", "sliding" } },
     },
-    known = plateau and "the model ends at the limit of rigid blocks under 30 kN, 15.8 kN less the toe; the " ..
+    known = plateau and "the model ends at the limit of rigid blocks under 30 kN, 15.8 kN less the toe. The " ..
       "measured walls rise above mu N = 21 kN, so N did not stay at 30 kN; with 36 kN the plateau is met" or nil,
     run = function()
       local r = push(specimen)

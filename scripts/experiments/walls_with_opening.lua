@@ -34,19 +34,19 @@ return {
     mortar.assumptions[1], mortar.assumptions[2], mortar.assumptions[3],
     mortar.assumptions[4],
   },
-  moves = { -- at 6 mm/s (coarse)
-    { "peak", "rate of the push", "6 mm/s (as in the rows below)", "2 mm/s (as in the table above)", 1.27, 1.25 },
-    { "peak", "rate of the push", "2 mm/s", "0.5 mm/s", 1.25, 1.25 },
-    { "peak", "crushing", "softens with 5 N/mm", "constant strength", 1.27, 1.41 },
-    { "peak", "compressive strength, with its energy", "10.5 MPa", "5.25 MPa", 1.27, 0.80 },
-    { "peak", "top", "locked", "level, N constant", 1.27, 0.49 },
-    { "peak", "opening, not checked in the source", "6 courses", "8 courses", 1.27, 1.18 },
-    { "peak", "kn and ks", "110 and 50 GPa/m", "82 and 36 GPa/m", 1.27, 1.23 },
-    { "peak", "planes of cracks in bricks", "one at mid length", "three, at the quarters", 1.27, 1.26 },
-    { "peak", "planes of cracks in bricks", "one at mid length", "the two diagonals", 1.27, 1.34 },
-    { "peak", "tension of bricks", "2.0 MPa", "1.0 MPa", 1.27, 1.29 },
-    { "peak", "dilatancy", "none", "0.3 up to a slip of 1 mm", 1.27, 1.38 },
-    { "peak", "friction", "0.75", "0.60", 1.27, 1.26 },
+  moves = { -- at 1 mm/s (coarse)
+    { "peak", "rate of the push", "1 mm/s (as in the rows below)", "0.25 mm/s (as in the table above)", 1.24, 1.24 },
+    { "peak", "crushing", "softens with 5 N/mm", "constant strength", 1.24, 1.37 },
+    { "peak", "compressive strength, with its energy", "10.5 MPa", "5.25 MPa", 1.24, 0.73 },
+    { "peak", "top", "locked", "level, N constant", 1.24, 0.46 },
+    { "peak", "opening, not checked in the source", "6 courses", "8 courses: within the band", 1.24, 1.17 },
+    { "peak", "kn and ks", "110 and 50 GPa/m", "82 and 36 GPa/m, of wall J4D: within the band", 1.24, 1.20 },
+    { "peak", "planes of cracks in bricks", "one at mid length", "three, at the quarters: within the band", 1.24,
+      1.23 },
+    { "peak, at 6 mm/s", "planes of cracks in bricks", "one at mid length", "the two diagonals", 1.27, 1.34 },
+    { "peak, at 6 mm/s", "tension of bricks", "2.0 MPa", "1.0 MPa", 1.27, 1.29 },
+    { "peak, at 6 mm/s", "dilatancy", "none", "0.3 up to a slip of 1 mm", 1.27, 1.38 },
+    { "peak, at 6 mm/s", "friction", "0.75", "0.60", 1.27, 1.26 },
   },
   cases = { {
     name = "opening_j2g", title = "walls J2G and J3G",
@@ -56,8 +56,8 @@ return {
         "stepped rocking" } },
       mortar.inertia_check,
     },
-    known = "the compressive strength and the load of the locked top decide; see the table below. The model has " ..
-      "bricks with one crack plane and two halves of a joint on each bed",
+    known = "the peak is 0.2 kN above the band. The compressive strength and the load of the locked top decide. The " ..
+      "stiffness of joints, a larger opening and more planes of cracks move it into the band; see the table below",
     run = function()
       result = mortar.push(series, {}, setting.over)
       return { peak = result.peak/1e3, mechanism = result.mechanism, ["inertia at the peak"] =
