@@ -74,7 +74,7 @@ return {
   moves = {
     { "peak", "kn", "56.7 GPa/m", "0.5 GPa/m, fitted by a public model", 1.01, 0.76 },
     { "peak", "kn", "56.7 GPa/m", "2 GPa/m", 1.01, 0.88 },
-    { "d/t at the peak", "kn", "56.7 GPa/m", "2 GPa/m", 0.23, 0.71 },
+    { "d/t at the peak", "kn", "56.7 GPa/m", "2 GPa/m", 0.21, 0.74 },
     { "F/W at d/t = 0.030", "kn", "56.7 GPa/m", "2 GPa/m", 1.16, 0.99 },
     { "F/W at d/t = 0.189", "kn", "56.7 GPa/m", "2 GPa/m", 0.88, 0.85 },
     { "peak", "strength in the rule for E", "5 MPa", "10 MPa", 1.01, 1.02 },

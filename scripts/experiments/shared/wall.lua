@@ -63,7 +63,7 @@ function W.build(s)
   add_laws(m, s)
   add_courses(m, s)
   local height = s.courses*s.unit_height
-  m:block { name = "base", width = s.length + 0.4, height = 0.1, at = { -0.2, -0.1 }, material = "ends",
+  local base = m:block { name = "base", width = s.length + 0.4, height = 0.1, at = { -0.2, -0.1 }, material = "ends",
     support = "fixed" }
   local beam_mass = 100*more
   local beam = m:block { name = "beam", width = s.length, height = s.beam_height or 0.2, at = { 0, height },
@@ -74,7 +74,7 @@ function W.build(s)
     load_curve = not statics and { smooth = 0.2 } or nil }
   m:consolidate(statics and { integrator = "static" }
     or { grow = 0.2, rest = { ratio = s.rest or 1e-4 }, duration = 20 })
-  return m, beam
+  return m, beam, base
 end
 
 -- Force of a curve at a displacement, between its points.
@@ -153,6 +153,34 @@ local function fallen(m, share)
   end
 end
 
+-- Integrals over the time of a push [N s]: of its force, and of the reactions: of the base along and across it, and of
+-- base and beam across it.
+local function integrate_forces(m, base, beam, every, force)
+  local all, last, next_one = { { m.time, 0, 0, 0, 0 } }, m.time, m.time
+  local pushed, along, across, both = 0, 0, 0, 0
+  return all, function()
+    local dt, up = m.time - last, base.reaction_y
+    last = m.time
+    pushed, along = pushed + dt*force(), along + dt*base.reaction_x
+    across, both = across + dt*up, both + dt*(up + beam.reaction_y)
+    if m.time >= next_one then
+      all[#all + 1], next_one = { m.time, pushed, along, across, both }, m.time + every
+    end
+  end
+end
+
+-- Share of inertia and damping [%] between two times. Along the push it is the part of the force that does not reach
+-- the base. Across the push it is the part of the base's reaction that exceeds the `load` of weight and N.
+local function share_of_inertia(integrals, from, to, load)
+  local a, b = integrals[1], integrals[#integrals]
+  for _, row in ipairs(integrals) do
+    if row[1] <= from then a = row end
+    if row[1] >= to then b = row; break end
+  end
+  local excess = b[5] - a[5] - load*(b[1] - a[1])
+  return { along = 100*math.abs(1 + (b[3] - a[3])/(b[2] - a[2])), across = 100*math.abs(excess/(b[4] - a[4])) }
+end
+
 -- Displacements [m] at which a cyclic protocol turns: `repeats` (1) cycles of each amplitude, then the last push.
 local function turning_points(s)
   local points = {}
@@ -167,17 +195,18 @@ end
 
 -- Drives the beam along x through the turning points, at steady speed. The mean force of 0.02 s is recorded, and its
 -- envelope over the amplitude: the largest force of both directions.
-local function drive_cycles(m, beam, s)
-  local at_rest, curve, peak, at = beam.x, { displacement = {}, force = {} }, 0, 0
+local function drive_cycles(m, beam, s, integrate)
+  local at_rest, curve, peak, at, when = beam.x, { displacement = {}, force = {} }, 0, 0, 0
   local mean, last, fell, before = 0, m.time, false, m.time
   local function read()
+    integrate()
     local part = math.min(1, (m.time - last)/0.02)
     last, mean = m.time, mean + part*(beam.reaction_x - mean)
     if m.time - before > 0.01 then
       before = m.time
       curve.displacement[#curve.displacement + 1], curve.force[#curve.force + 1] = beam.x - at_rest, mean
     end
-    if math.abs(mean) > peak then peak, at = math.abs(mean), beam.x - at_rest end
+    if math.abs(mean) > peak then peak, at, when = math.abs(mean), beam.x - at_rest, m.time end
     fell = #curve.force > 10 and beam.x - at_rest > s.cycles[#s.cycles] and mean < s.drop*peak
     return fell
   end
@@ -187,15 +216,21 @@ local function drive_cycles(m, beam, s)
     m:drive { body = beam, x = trilith.motion { velocity = way/time, duration = time } }
     m:run { name = ("leg %d"):format(i), duration = time, local_damping = 0.8, until_true = read }
   end
-  return { curve = curve, peak_force = peak, displacement_at_peak = at, force = mean, displacement = beam.x - at_rest,
-    limit = fell and "until" or "displacement" }
+  return { curve = curve, peak_force = peak, displacement_at_peak = at, time_at_peak = when - 0.01, force = mean,
+    displacement = beam.x - at_rest, limit = fell and "until" or "displacement" }
 end
 
 --- Builds, pushes and reads. Adds to s: displacement, rate, samples, drop. Returns { curve (m, N), peak, at, last [N],
---- quasi_static, found, mechanism, crushed, broken, cracked, modes, displacement [m] and limit of the end, vertical:
---- lowest and highest reaction of a locked top [N], model }.
+--- quasi_static, found, mechanism, crushed, broken, cracked, modes, displacement [m] and limit of the end, vertical,
+--- inertia, model }. `vertical` is the lowest and highest reaction of a locked top [N]. `inertia` is a function of time
+--- for the share of inertia and damping, where s has drop or cycles.
 function W.push(s)
-  local m, beam = W.build(s)
+  local m, beam, base = W.build(s)
+  local load = base.reaction_y
+  local interval = s.cycles and 0.01 or (s.rate and s.displacement/s.rate or 1)/(s.samples or 400)
+  local integrals, integrate = integrate_forces(m, base, beam, interval/4, function()
+    return s.cycles and beam.reaction_x or m.push_force
+  end)
   local counts = count_events(m)
   local vertical = s.top == "locked" and m:history { name = "N", body = beam, what = "reaction_y", every = 0.01 }
   local push = { body = beam, displacement = s.displacement, samples = s.samples or 400,
@@ -203,17 +238,21 @@ function W.push(s)
   if s.control == "arc" then
     push.control, push.arc, push.drop = "arc", s.arc, s.drop
   else
-    push.rate, push.local_damping, push.until_true = s.rate, 0.8, s.drop and fallen(m, s.drop)
+    local ends = s.drop and fallen(m, s.drop)
+    push.rate, push.local_damping = s.rate, 0.8
+    push.until_true = ends and function() integrate() return ends() end
   end
-  local p = s.cycles and drive_cycles(m, beam, s) or m:pushover(push)
+  local p = s.cycles and drive_cycles(m, beam, s, integrate) or m:pushover(push)
   local found = W.motion_of_joints(m, p.displacement, s.courses*s.unit_height)
   local by = counts.by_mode
   return { curve = p.curve, peak = p.peak_force, at = p.displacement_at_peak, last = p.force,
+    time = s.cycles and p.time_at_peak,
     quasi_static = p.quasi_static, found = found, mechanism = W.mechanism(found), crushed = counts.crushed,
     broken = counts.broken, cracked = counts.cracked,
     displacement = p.displacement, limit = p.limit,
     modes = ("%d tension, %d shear, %d compression"):format(by.tension, by.shear, by.compression),
-    vertical = vertical and { vertical.min, vertical.max }, model = m }
+    vertical = vertical and { vertical.min, vertical.max }, model = m,
+    inertia = function(time) return share_of_inertia(integrals, time - interval, time + interval, load) end }
 end
 
 --- Curve over curve: measured points { mm, kN } and the curve of W.push.
