@@ -1,7 +1,7 @@
 -- Meshes in space that crack while a stage runs: a bar that is pulled apart, and a beam that a stone breaks.
 local trilith = require "trilith"
 local p = trilith.params { out = { "out/cracks_mesh_space.h5", "results" },
-  duration = { 0.03, unit = "s", "of the stage" } }
+  duration = { 3e-3, unit = "s", "of the stage" } }
 local strength = 2e6
 local m = trilith.model { name = "cracks of meshes in space", dim = 3 }
 m:material { name = "concrete", density = 2400, E = 3e10, nu = 0.2 }
@@ -19,9 +19,9 @@ m:block { name = "stone", size = { 0.2, 0.1, 0.2 }, at = { 0.3, 0, 0.101 }, mate
 m:block { name = "bar", size = { 0.4, 0.1, 0.1 }, at = { 0, 0, 2 }, material = "concrete",
   body = { mesh = { 8, 2, 2 } }, floating = true, cracks = "mid", crack_law = "plane" }
 for _, side in ipairs { "left", "right" } do
-  m:pressure { name = side, body = "bar", face = side, value = -1.2*strength, load_curve = { ramp = 0.02 } }
+  m:pressure { name = side, body = "bar", face = side, value = -1.2*strength, load_curve = { ramp = 1.5e-3 } }
 end
-m:results { file = p.out, frames = 1e-3, histories = 1e-4, energy = 1e-3 }
+m:results { file = p.out, frames = 1e-4, histories = 1e-5, energy = 1e-4 }
 for _, body in ipairs { "beam", "bar" } do m:history { name = body, body = body, what = "z" } end
 local state = m:keep { cracks = 0 }
 m:on("unit.cracked", function() state.cracks = state.cracks + 1 end)
