@@ -19,6 +19,7 @@ void commit(const Model<D>& model, State<D>& state, Work<D>& work, StepTimes* ti
   state.bearing.swap(work.bearing);
   state.plastic.swap(work.plastic);
   state.beam_memory.swap(work.beam_memory);
+  state.beam_memory.resize(static_cast<std::size_t>(model.beam_memory));  // see assembly/element/fibre_answers.hpp
   state.given = work.given;
   clock.mark(StepPart::events);
 }

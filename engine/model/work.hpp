@@ -298,7 +298,7 @@ struct Work {
 
   // Writer: internal_forces
   std::vector<PointMemory<D>> plastic;             ///< [plastic point] trial state
-  std::vector<double> beam_memory;                 ///< trial state
+  std::vector<double> beam_memory;                 ///< trial state; then assembly/element/fibre_answers.hpp
   std::vector<Vec<D>> element_force;               ///< [node] of elastic and plastic stress [N]; empty without elements
   std::vector<Vec<D>> element_damping;             ///< [node] of element damping [N]
   std::vector<Moment<D>> element_moment;           ///< [node] of beams [N m]; empty without beams

@@ -1,6 +1,7 @@
 #include "assembly/element/internal_forces_beams.hpp"
 
 #include "assembly/element/beam_motion.hpp"
+#include "assembly/element/fibre_answers.hpp"
 #include "assembly/field/heated_beams.hpp"
 
 namespace trilith {
@@ -15,11 +16,15 @@ BeamResponse respond_elastic(const Beam& beam, const BeamNow& now) {
   return out;
 }
 
-/// Hinges and fibres read the memory of the last commit and write the trial memory in Work.
+/// Hinges and fibres read the memory of the last commit and write the trial memory in Work. The answer of fibres is
+/// kept for the tangent.
 BeamResponse respond_yielding(const Model<2>& model, const State<2>& state, Work<2>& work, const Beam& beam,
                               const BeamNow& now) {
-  return respond(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)),
-                 memory_of(model, beam, std::span(work.beam_memory)));
+  const BeamAnswer a = answer_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)),
+                                 memory_of(model, beam, std::span(work.beam_memory)));
+  if (beam.yield == BeamYield::in_fibres)
+    FibreAnswers<2>::keep(model, beam.yield_row, fibre_answer(now.strain, now.rate, a.tangent), work.beam_memory);
+  return {a.tangent.stress, a.tangent.damping, a.stored, a.dissipated};
 }
 
 }  // namespace
@@ -33,6 +38,7 @@ bool is_removed(const Model<2>& model, const Beam& beam, std::span<const double>
 /// (element/beam/beam_yield.hpp). The ends move rigidly with their nodes.
 void resist_beams(const Model<2>& model, const State<2>& state, Work<2>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<2> bands(model, state, work, dt);
+  FibreAnswers<2>::make_room(model, work.beam_memory);
   for (const Beam& beam : model.beams) {
     std::array<Vec2, 2> arm;
     const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);

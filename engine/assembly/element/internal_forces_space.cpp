@@ -3,6 +3,7 @@
 #include <array>
 
 #include "assembly/element/beam_motion.hpp"
+#include "assembly/element/fibre_answers.hpp"
 #include "assembly/element/internal_forces_beams.hpp"
 #include "assembly/element/space_element_now.hpp"
 #include "assembly/evaluate.hpp"
@@ -30,8 +31,8 @@ bool is_removed(const Model<3>& model, const Beam3& beam, std::span<const double
 }
 
 /// Beam stress s = K(d) of the strains d in axes that rotate with the chord, plus damping beta K d' of their rates.
-/// Yielding beams use the stress of their law and its tangent instead of K. Band branches add damping by their stored
-/// stress. The transpose of d' maps all of it to the nodes.
+/// Yielding beams use the stress of their law and its tangent instead of K; the response of fibres is kept for the
+/// tangent. Band branches add damping by their stored stress. The transpose of d' maps all of it to the nodes.
 void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, double dt, ElementEnergy& sums) {
   BandRelaxation<3> bands(model, state, work, dt);
   const auto add_band = [&](const Beam3& beam, const BeamNow3& now, const BeamStress3& stress) {
@@ -39,6 +40,7 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
       add_action(beam, on_nodes(state, beam, now.action(bands.damping(beam, stress))), 1, work.element_damping,
                  work.element_damping_moment);
   };
+  FibreAnswers<3>::make_room(model, work.beam_memory);
   for (const Beam3& beam : model.beams_3d) {
     BeamNow3 now = now_of(state, beam);
     relax_heated(model, state, beam, now);
@@ -51,6 +53,8 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
         add_action(beam, on_nodes(state, beam, now.action(r.damping)), 1, work.element_damping,
                    work.element_damping_moment);
       add_band(beam, now, r.stress);
+      if (beam.yield == BeamYield::in_fibres)
+        FibreAnswers<3>::keep(model, beam.yield_row, fibre_answer(now.strain(), now.rate(), r), work.beam_memory);
       sums.stored += r.stored, sums.plastic += r.dissipated;
       continue;
     }

@@ -1,6 +1,7 @@
 #include "assembly/tangent/beam_tangent.hpp"
 
 #include "assembly/element/beam_motion.hpp"
+#include "assembly/element/fibre_answers.hpp"
 #include "assembly/element/internal_forces_beams.hpp"
 #include "assembly/field/heated_beams.hpp"
 #include "assembly/implicit_turn.hpp"
@@ -76,16 +77,26 @@ void add_branches(const Model<2>& model, const State<2>& state, const Beam& beam
   t.by_strain *= 1 + step.sum;
 }
 
+/// Stresses and tangents of a beam, kept or evaluated.
+BeamTangent tangent_now(const Model<2>& model, const State<2>& state, const Beam& beam, const BeamNow& now,
+                        const std::vector<double>* trial) {
+  if (trial != nullptr && beam.yield == BeamYield::in_fibres)
+    if (const auto kept = FibreAnswers<2>::find(model, beam.yield_row, now.strain, now.rate, *trial))
+      return {kept->stress, kept->damping, kept->by_strain, kept->by_rate};
+  return tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
+}
+
 }  // namespace
 
 /// With s the stretch and bends, J = ds/dq and stress S(s) + C ds/dt, the forces are -J^T S, so that
 ///   dF = -(J^T T J + dJ^T S) dq - J^T C (J rate + d(ds/dt)/dq) dq.
-BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt) {
+BeamBlock beam_block(const Model<2>& model, const State<2>& state, const Beam& beam, double rate, double dt,
+                     const std::vector<double>* trial) {
   std::array<Vec2, 2> arm;
   const BeamEnd from = end_of(state, beam, 0, arm[0]), to = end_of(state, beam, 1, arm[1]);
   BeamNow now(from, to, beam.length, beam.angle);
   relax_heated(model, state, beam, now);
-  BeamTangent t = tangent_of(model.yields, beam, now, memory_of(model, beam, std::span(state.beam_memory)));
+  BeamTangent t = tangent_now(model, state, beam, now, trial);
   if (beam.band >= 0 && dt > 0) add_branches(model, state, beam, dt, t);
   const BeamShape shape = shape_of(now, arm, {from.spin, to.spin});
   BeamStress all;
@@ -183,16 +194,27 @@ struct YieldingAnswer {
   BeamAnswer3 answer;
   BeamStrain3 strain, rate;
 
-  YieldingAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now, double dt)
+  YieldingAnswer(const Model<3>& model, const State<3>& state, const Beam3& beam, const BeamNow3& now, double dt,
+                 const std::vector<double>* trial)
       : strain(now.strain()), rate(now.rate()) {
-    const std::span before = memory_of(model, beam, std::span(state.beam_memory));
-    std::vector<double> after(before.size());
-    answer = respond(model.yields_3d, beam, strain, rate, before, after);
+    find_answer(model, state, beam, trial);
     if (answer.by_strain.isZero(0)) return;  // removed
     const BandAnswer band(model, state, beam, dt);
     const BeamStress3 remembered = band.damping(answer.stress);
     for (std::size_t k = 0; k < remembered.size(); ++k) answer.damping[k] += remembered[k];
     answer.by_strain *= band.stiffening();
+  }
+  /// Kept or evaluated.
+  void find_answer(const Model<3>& model, const State<3>& state, const Beam3& beam, const std::vector<double>* trial) {
+    if (trial != nullptr && beam.yield == BeamYield::in_fibres)
+      if (const auto kept = FibreAnswers<3>::find(model, beam.yield_row, strain, rate, *trial)) {
+        answer.stress = kept->stress, answer.damping = kept->damping;
+        answer.by_strain = kept->by_strain, answer.by_rate = kept->by_rate;
+        return;
+      }
+    const std::span before = memory_of(model, beam, std::span(state.beam_memory));
+    std::vector<double> after(before.size());
+    answer = respond(model.yields_3d, beam, strain, rate, before, after);
   }
   [[nodiscard]] BeamStress3 operator()(const BeamNow3& now) const {
     BeamStress3 all;
@@ -230,11 +252,12 @@ BeamBlock3 block_by_differences(const BeamNodes3& now, const Beam3& beam, double
 
 }  // namespace
 
-BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt) {
+BeamBlock3 beam_block(const Model<3>& model, const State<3>& state, const Beam3& beam, double rate, double dt,
+                      const std::vector<double>* trial) {
   const BeamNodes3 now(model, state, beam);
   if (beam.yield == BeamYield::never)
     return block_by_differences(now, beam, rate, ElasticAnswer{beam, BandAnswer(model, state, beam, dt)});
-  return block_by_differences(now, beam, rate, YieldingAnswer(model, state, beam, now.beam_now(beam), dt));
+  return block_by_differences(now, beam, rate, YieldingAnswer(model, state, beam, now.beam_now(beam), dt, trial));
 }
 
 }  // namespace trilith

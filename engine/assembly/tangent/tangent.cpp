@@ -94,7 +94,7 @@ void Tangent<D>::assemble_by_differences(const Model<D>& model, State<D>& state,
       }
     }
   work.leave_out_beams = false;
-  add_beams(model, state, options);
+  add_beams(model, state, options, nullptr);
 }
 
 /// Adds a block of the forces on a beam's two nodes by their unknowns, one node after the other.
@@ -121,11 +121,11 @@ void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work,
   add_bearing_terms(terms);
   add_element_terms(terms);
   add_load_terms(terms, work);
-  add_beams(model, state, options);
+  add_beams(model, state, options, &work.beam_memory);
 }
 
 /// In space inertia and damping by mass of a rotation are blocks. The last responses of the contact rows belong to a
-/// perturbed state, so everything is evaluated once more.
+/// perturbed state, so everything is evaluated once more if there are any.
 template <>
 void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work, const TangentOptions& options) {
   shape(model, work);
@@ -142,8 +142,8 @@ void Tangent<3>::assemble(const Model<3>& model, State<3>& state, Work<3>& work,
   add_bearing_terms(terms);
   add_element_terms(terms);
   add_load_terms(terms, work);
-  add_beams(model, state, options);
-  evaluate(model, state, work, options.dt);
+  add_beams(model, state, options, &work.beam_memory);
+  if (!work.pairs.empty()) evaluate(model, state, work, options.dt);
 }
 
 namespace {
@@ -151,10 +151,11 @@ namespace {
 /// Beams have separate blocks, in the order of the unknowns of one node, then of the other; consistent mass adds its
 /// own.
 template <int D, class Add>
-void each_beam_block(const Model<D>& model, const State<D>& state, const TangentOptions& options, const Add& add) {
+void each_beam_block(const Model<D>& model, const State<D>& state, const TangentOptions& options,
+                     const std::vector<double>* trial, const Add& add) {
   const double inertia = options.inertia + options.force * options.rate * model.mass_damping;
   for (const auto& beam : beams_of(model)) {
-    auto block = beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0);
+    auto block = beam_block(model, state, beam, options.rate, options.bands ? options.dt : 0, trial);
     block *= -options.force;
     if (beam.inertia >= 0 && inertia > 0) block += inertia * added_mass(model, state, beam);
     add(beam.node, block);
@@ -187,14 +188,16 @@ void add_rotary_blocks(const Model<D>& model, const State<D>& state, const Tange
 }  // namespace
 
 template <>
-void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options) {
-  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
+void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options,
+                           const std::vector<double>* trial) {
+  each_beam_block(model, state, options, trial, [&](const auto& node, const auto& block) { add_block(node, block); });
   add_rotary_blocks(model, state, options, coupling_, matrix_);
   add_water_blocks(model, state, options, coupling_, matrix_);
 }
 template <>
-void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options) {
-  each_beam_block(model, state, options, [&](const auto& node, const auto& block) { add_block(node, block); });
+void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options,
+                           const std::vector<double>* trial) {
+  each_beam_block(model, state, options, trial, [&](const auto& node, const auto& block) { add_block(node, block); });
   add_rotary_blocks(model, state, options, coupling_, matrix_);
   add_water_blocks(model, state, options, coupling_, matrix_);
 }

@@ -69,7 +69,8 @@ class Tangent {
   DofGraph<D> coupling_;
   std::vector<std::pair<int, int>> pairs_;  // pairs of the pattern
   bool shaped_ = false;
-  void add_beams(const Model<D>& model, const State<D>& state, const TangentOptions& options);
+  void add_beams(const Model<D>& model, const State<D>& state, const TangentOptions& options,
+                 const std::vector<double>* trial);
   template <class Block>
   void add_block(const std::array<int, 2>& node, const Block& block);
   bool factorise(const std::shared_ptr<const KeptTangent>& kept);
@@ -80,9 +81,11 @@ class Tangent {
 };
 
 template <>
-void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options);
+void Tangent<2>::add_beams(const Model<2>& model, const State<2>& state, const TangentOptions& options,
+                           const std::vector<double>* trial);
 template <>
-void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options);
+void Tangent<3>::add_beams(const Model<3>& model, const State<3>& state, const TangentOptions& options,
+                           const std::vector<double>* trial);
 template <>
 void Tangent<2>::assemble(const Model<2>& model, State<2>& state, Work<2>& work, const TangentOptions& options);
 template <>
