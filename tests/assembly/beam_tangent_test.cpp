@@ -133,7 +133,7 @@ void check_kept_tangents(const Model<D>& model, State<D>& state, const MoveOn& m
 TEST_CASE("the tangents of fibres that an evaluation keeps are those of another evaluation, in the plane") {
   for (const double damping : {0.0, 1e-3}) {
     MovingMember member(plain_fibres, 3e-2, damping);
-    check_kept_tangents(member.model, member.state, [](State<2>& state) { state.rotation[1] += 1e-3; });
+    check_kept_tangents(member.model, member.state, [](State<2>& other) { other.rotation[2] += 1e-3; });
   }
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("the tangents of fibres that an evaluation keeps are those of another 
       turn_about(n % 3, 0.05 * std::cos(a), state.rotation[i]);
       state.velocity[i] = Vec3(std::cos(a), std::sin(2 * a), 1), state.spin[i] = Vec3(0.5, std::cos(5 * a), 1);
     }
-    check_kept_tangents(model, state, [](State<3>& other) { turn_about(1, 1e-3, other.rotation[1]); });
+    check_kept_tangents(model, state, [](State<3>& other) { turn_about(1, 1e-3, other.rotation[2]); });
   }
 }
 

@@ -53,6 +53,8 @@ void resist_beams(const Model<3>& model, const State<3>& state, Work<3>& work, d
         add_action(beam, on_nodes(state, beam, now.action(r.damping)), 1, work.element_damping,
                    work.element_damping_moment);
       add_band(beam, now, r.stress);
+      if (beam.yield == BeamYield::in_fibres)
+        FibreAnswers<3>::keep(model, beam.yield_row, fibre_answer(now.strain(), now.rate(), r), work.beam_memory);
       sums.stored += r.stored, sums.plastic += r.dissipated;
       continue;
     }

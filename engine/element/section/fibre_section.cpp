@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "element/section/fibre_lanes.hpp"
+
 namespace trilith {
 
 namespace {
@@ -69,8 +71,8 @@ void check_fibre_spec(const FibreSpec& spec, double depth) {
 /// Adds the response of the fibres with one law to `out`. Strain e = e_0 - y k of each fibre; N += s A, M -= s A y, and
 /// their derivatives by e_0 and k.
 template <UniaxialLawType L>
-void respond_part(const L& given, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
-                  double* after, SectionResponse& out) {
+void respond_one_by_one(const L& given, std::span<const Fibre> fibres, const SectionStrain& strain,
+                        const double* before, double* after, SectionResponse& out) {
   const L law = given;  // `after` cannot point into a copy, so its constants leave the loop
   double normal = out.normal, moment = out.moment, axial = out.tangent(0, 0), coupled = out.tangent(0, 1),
          bending = out.tangent(1, 1), stored = out.stored, dissipated = out.dissipated;
@@ -88,6 +90,44 @@ void respond_part(const L& given, std::span<const Fibre> fibres, const SectionSt
   }
   out.normal = normal, out.moment = moment, out.stored = stored, out.dissipated = dissipated, out.yielding = yielding;
   out.tangent(0, 0) = axial, out.tangent(0, 1) = coupled, out.tangent(1, 1) = bending;
+}
+
+/// The sums of respond_one_by_one over four fibres at a time.
+struct PlaneSums {
+  const SectionStrain& given;
+  FourSums forces, rest;
+  LaneMask yielding;
+
+  TRILITH_INLINE PlaneSums(const SectionStrain& strain, const SectionResponse& out)
+      : given(strain),
+        forces{Lanes{out.normal, out.moment, out.tangent(0, 0), out.tangent(0, 1)}},
+        rest{Lanes{out.tangent(1, 1), out.stored, out.dissipated, 0}},
+        yielding{} {}
+  TRILITH_INLINE static Lanes height(const Fibre* f) {
+    return Lanes{f[0].height, f[1].height, f[2].height, f[3].height};
+  }
+  TRILITH_INLINE Lanes strain(const Fibre* f) const { return given.axial - height(f) * given.curvature; }
+  TRILITH_INLINE void add(const Fibre* f, const ConcreteFourResponse& r) {
+    const Lanes area{f[0].area, f[1].area, f[2].area, f[3].area}, arm = -height(f);
+    const Lanes force = r.memory.stress * area, stiffness = r.tangent * area;
+    forces.add(force, arm * force, stiffness, arm * stiffness);
+    rest.add(arm * arm * stiffness, r.stored * area, r.dissipated * area, Lanes{});
+    yielding |= r.yielding;
+  }
+  TRILITH_INLINE void take(SectionResponse& out) const {
+    out.normal = forces.sum[0], out.moment = forces.sum[1];
+    out.tangent(0, 0) = forces.sum[2], out.tangent(0, 1) = forces.sum[3], out.tangent(1, 1) = rest.sum[0];
+    out.stored = rest.sum[1], out.dissipated = rest.sum[2];
+    out.yielding = out.yielding || any(yielding);
+  }
+};
+
+template <UniaxialLawType L>
+void respond_part(const L& law, std::span<const Fibre> fibres, const SectionStrain& strain, const double* before,
+                  double* after, SectionResponse& out) {
+  const std::size_t done = respond_in_lanes<PlaneSums>(law, fibres, strain, before, after, out);
+  const std::size_t place = done * L::memory_size;
+  respond_one_by_one(law, fibres.subspan(done), strain, before + place, after + place, out);
 }
 
 }  // namespace

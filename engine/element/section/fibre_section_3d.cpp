@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "element/section/fibre_lanes.hpp"
 #include "element/section/fibre_outline.hpp"
 #include "geometry/plane/half_plane.hpp"
 #include "geometry/plane/outline_moments.hpp"
@@ -117,8 +118,8 @@ std::vector<Fibre3> bars_of(const FibreSpec& spec, double below, double width) {
 /// Adds the response of the fibres with one law to `out`. With a = (1, z, -y): e = a . strain, stress += s A a, tangent
 /// += E A a a'.
 template <UniaxialLawType L>
-void respond_part(const L& given, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
-                  double* after, SectionResponse3& out) {
+void respond_one_by_one(const L& given, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain,
+                        const double* before, double* after, SectionResponse3& out) {
   const L law = given;  // `after` cannot point into a copy, so its constants leave the loop
   SectionResponse3 sum = out;
   for (const Fibre3& f : fibres) {
@@ -133,6 +134,51 @@ void respond_part(const L& given, std::span<const Fibre3> fibres, const Eigen::V
     sum.yielding = sum.yielding || r.yielding;
   }
   out = sum;
+}
+
+/// The sums of respond_one_by_one over four fibres at a time.
+struct SpaceSums {
+  const Eigen::Vector3d& given;
+  FourSums stresses, tangents, rest;
+  LaneMask yielding;
+
+  TRILITH_INLINE SpaceSums(const Eigen::Vector3d& strain, const SectionResponse3& out)
+      : given(strain),
+        stresses{Lanes{out.stress[0], out.stress[1], out.stress[2], out.tangent(0, 0)}},
+        tangents{Lanes{out.tangent(0, 1), out.tangent(0, 2), out.tangent(1, 1), out.tangent(1, 2)}},
+        rest{Lanes{out.tangent(2, 2), out.tangent(2, 1), out.stored, out.dissipated}},
+        yielding{} {}
+  TRILITH_INLINE static Lanes across(const Fibre3* f) {
+    return Lanes{f[0].across, f[1].across, f[2].across, f[3].across};
+  }
+  TRILITH_INLINE static Lanes down(const Fibre3* f) { return Lanes{-f[0].up, -f[1].up, -f[2].up, -f[3].up}; }
+  /// The sum in the order of Eigen's dot product.
+  TRILITH_INLINE Lanes strain(const Fibre3* f) const { return given[0] + across(f) * given[1] + down(f) * given[2]; }
+  TRILITH_INLINE void add(const Fibre3* f, const ConcreteFourResponse& r) {
+    const Lanes area{f[0].area, f[1].area, f[2].area, f[3].area}, z = across(f), y = down(f);
+    const Lanes force = r.memory.stress * area, stiffness = r.tangent * area;
+    stresses.add(force, force * z, force * y, stiffness);
+    // Eigen multiplies in this order, so the two entries of a pair may differ in the last bit.
+    const Lanes by_z = stiffness * z, by_y = stiffness * y;
+    tangents.add(by_z, by_y, by_z * z, by_z * y);
+    rest.add(by_y * y, by_y * z, r.stored * area, r.dissipated * area);
+    yielding |= r.yielding;
+  }
+  TRILITH_INLINE void take(SectionResponse3& out) const {
+    out.stress = Eigen::Vector3d(stresses.sum[0], stresses.sum[1], stresses.sum[2]);
+    const Lanes& t = tangents.sum;
+    out.tangent << stresses.sum[3], t[0], t[1], t[0], t[2], t[3], t[1], rest.sum[1], rest.sum[0];
+    out.stored = rest.sum[2], out.dissipated = rest.sum[3];
+    out.yielding = out.yielding || any(yielding);
+  }
+};
+
+template <UniaxialLawType L>
+void respond_part(const L& law, std::span<const Fibre3> fibres, const Eigen::Vector3d& strain, const double* before,
+                  double* after, SectionResponse3& out) {
+  const std::size_t done = respond_in_lanes<SpaceSums>(law, fibres, strain, before, after, out);
+  const std::size_t place = done * L::memory_size;
+  respond_one_by_one(law, fibres.subspan(done), strain, before + place, after + place, out);
 }
 
 }  // namespace
