@@ -59,8 +59,8 @@ TEST_CASE("the drift of a usable motion is reported above 1 % of PGV, with its v
   CHECK(end_drift(ending_at(0.01)) == "");
   const GroundMotion drifting = ending_at(0.03);
   CHECK(why_not_usable(drifting) == "");
-  CHECK(contains(end_drift(drifting), "25 mm/s at the end (2.5 % of PGV)"));
-  CHECK(contains(end_drift(drifting.reversed()), "25 mm/s at the end (2.5 % of PGV)"));
+  CHECK(contains(end_drift(drifting), "25 mm/s at the end (2.52 % of PGV)"));
+  CHECK(contains(end_drift(drifting.reversed()), "25 mm/s at the end (2.52 % of PGV)"));
   CHECK(end_drift(GroundMotion(fling(200), 0.01)) == "");
 }
 
