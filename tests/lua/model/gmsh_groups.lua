@@ -32,7 +32,7 @@ m = plane "touching"
 bodies = m:gmsh { file = "gmsh/plane_4_1.msh", name = "wall", scale = 0.5, material = "stone" }
 near(bodies[1].mass, 0.25*0.5*2000, 1e-12)
 near(bodies[2].mass, 0.25*0.5*2000, 1e-12)
-assert(bodies[1].name == "wall.left" and bodies[1].kind == "mesh")
+assert(bodies[1].name == "wall.left" and bodies[1].kind == "quad")
 
 -- One surface whose halves were not merged becomes two bodies, with a note; the loose stones above are apart.
 local cut = plane "cut"
