@@ -41,22 +41,23 @@ return {
     mortar.assumptions[1], mortar.assumptions[2], mortar.assumptions[3],
     mortar.assumptions[4], mortar.assumptions[5],
   },
-  moves = { -- at 4 mm/s (coarse)
-    { "peak", "length of units", "0.25 m, as stretchers: stepped rocking", "0.125 m, as headers: cracks through units",
-      1.36, 1.20 },
-    { "drift at a loss of 20 %", "the same", "0.25 m", "0.125 m", 0.40, 0.51 },
-    { "peak", "rate of the push", "4 mm/s (as in the rows below)", "0.5 mm/s (as in the table above)", 1.20, 1.15 },
-    { "peak", "protocol", "pushed in one direction", "one cycle each of 0.34, 0.68 and 1.35 mm before", 1.20, 1.15 },
-    { "peak", "kn, ks", "149 GPa/m, 0.4 of it", "a quarter of them", 1.20, 1.08 },
-    { "peak", "cohesion and tension of joints", "0.23 and 0.14 MPa", "half of them", 1.20, 1.19 },
-    { "drift at a loss of 20 %", "the same", "0.23 and 0.14 MPa", "half of them", 0.51, 0.83 },
-    { "peak", "fracture energies of joints", "50 and 10 J/m2", "500 and 100 J/m2", 1.20, 1.31 },
-    { "drift at a loss of 20 %", "the same", "50 and 10 J/m2", "500 and 100 J/m2", 0.51, 1.04 },
-    { "peak", "tension of bricks over their strength", "0.065", "0.03", 1.20, 1.31 },
-    { "peak, units of 0.25 m", "crushing", "softens with 9.9 N/mm", "constant strength", 1.36, 1.36 },
-    { "peak, units of 0.25 m", "planes of cracks in bricks", "one at mid length",
+  moves = { -- at 1 mm/s (coarse)
+    { "peak", "rate of the push", "1 mm/s (as in the rows below)", "0.25 mm/s (as in the table above)", 1.16, 1.15 },
+    { "peak", "kn, ks", "149 GPa/m, 0.4 of it", "a quarter of them: within the band", 1.16, 1.08 },
+    { "peak", "cohesion and tension of joints", "0.23 and 0.14 MPa", "half of them: within the band", 1.16, 1.11 },
+    { "drift at a loss of 20 %", "the same", "0.23 and 0.14 MPa", "half of them", 0.50, 0.72 },
+    { "peak", "fracture energies of joints", "50 and 10 J/m2", "500 and 100 J/m2: stepped rocking", 1.16, 1.27 },
+    { "drift at a loss of 20 %", "the same", "50 and 10 J/m2", "500 and 100 J/m2: within the band", 0.50, 1.05 },
+    { "peak", "tension of bricks over their strength", "0.065", "0.03: stepped rocking", 1.16, 1.18 },
+    { "peak, at 4 mm/s", "protocol", "pushed in one direction", "one cycle each of 0.34, 0.68 and 1.35 mm before", 1.20,
+      1.15 },
+    { "peak, at 4 mm/s", "length of units", "0.25 m, as stretchers: stepped rocking",
+      "0.125 m, as headers: cracks through units", 1.36, 1.20 },
+    { "drift at a loss of 20 %, at 4 mm/s", "the same", "0.25 m", "0.125 m", 0.40, 0.51 },
+    { "peak, units of 0.25 m, at 4 mm/s", "crushing", "softens with 9.9 N/mm", "constant strength", 1.36, 1.36 },
+    { "peak, units of 0.25 m, at 4 mm/s", "planes of cracks in bricks", "one at mid length",
       "three, at the quarters: cracks through units", 1.36, 1.34 },
-    { "peak, units of 0.25 m", "cracks of bricks", "possible", "not possible: sliding", 1.36, 1.27 },
+    { "peak, units of 0.25 m, at 4 mm/s", "cracks of bricks", "possible", "not possible: sliding", 1.36, 1.27 },
   },
   cases = { {
     name = "brick_isp1", title = "wall ISP1", parameters = { { "N", 150, "kN" } },
@@ -66,9 +67,9 @@ return {
       mortar.inertia_check,
       { "drift at a loss of 20 %", unit = "%", measured = ultimate, between = { 0.9*0.38, 1.1*0.44 } },
     },
-    known = "the diagonal opens through joints and bricks, as measured, but the peak is 0.5 kN above the band and " ..
-      "the force falls at half the measured drift. The stiffness of joints and a cyclic protocol move the peak, " ..
-      "their fracture energies the drift; see the table below",
+    known = "the diagonal opens through joints and bricks, as measured, but the peak is 0.3 kN above the band and " ..
+      "the force falls at half the measured drift. The stiffness and the strength of joints move the peak, their " ..
+      "fracture energies the drift; see the table below",
     run = function()
       result = mortar.push(series, {}, setting.over)
       return { peak = result.peak/1e3, mechanism = result.mechanism, ["inertia at the peak"] = mortar.inertia(result),

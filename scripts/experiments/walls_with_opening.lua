@@ -43,10 +43,10 @@ return {
     { "peak", "kn and ks", "110 and 50 GPa/m", "82 and 36 GPa/m, of wall J4D: within the band", 1.24, 1.20 },
     { "peak", "planes of cracks in bricks", "one at mid length", "three, at the quarters: within the band", 1.24,
       1.23 },
-    { "peak, at 6 mm/s", "planes of cracks in bricks", "one at mid length", "the two diagonals", 1.27, 1.34 },
-    { "peak, at 6 mm/s", "tension of bricks", "2.0 MPa", "1.0 MPa", 1.27, 1.29 },
-    { "peak, at 6 mm/s", "dilatancy", "none", "0.3 up to a slip of 1 mm", 1.27, 1.38 },
-    { "peak, at 6 mm/s", "friction", "0.75", "0.60", 1.27, 1.26 },
+    { "peak", "planes of cracks in bricks", "one at mid length", "the two diagonals", 1.24, 1.32 },
+    { "peak", "tension of bricks, with its energy", "2.0 MPa", "1.0 MPa: within the band", 1.24, 1.14 },
+    { "peak", "dilatancy", "none", "0.3 up to a slip of 1 mm", 1.24, 1.35 },
+    { "peak", "friction", "0.75", "0.60", 1.24, 1.24 },
   },
   cases = { {
     name = "opening_j2g", title = "walls J2G and J3G",
@@ -57,7 +57,7 @@ return {
       mortar.inertia_check,
     },
     known = "the peak is 0.2 kN above the band. The compressive strength and the load of the locked top decide. The " ..
-      "stiffness of joints, a larger opening and more planes of cracks move it into the band; see the table below",
+      "stiffness of joints, a larger opening and weaker bricks move it into the band; see the table below",
     run = function()
       result = mortar.push(series, {}, setting.over)
       return { peak = result.peak/1e3, mechanism = result.mechanism, ["inertia at the peak"] =
