@@ -288,9 +288,9 @@ TEST_CASE("a mesh in space that splits in motion keeps mass, momentum, angular m
       CHECK(near(sim.energy()[EnergyTerm::strain], elastic, 1e-12));  // no node moves
       CHECK(sim.energy()[EnergyTerm::contact_elastic] > 0);
       // Each part keeps its acceleration and its angular acceleration. The plates of faces that warp overlap their
-      // other neighbours by slivers, whose pressure is the rest: 6e-5 of the size with faces of six nodes, less than
-      // 1e-6 of the force in the section. Nodes keep theirs up to the modes in which a face warps or stretches, which
-      // plates in contact do not carry.
+      // other neighbours by slivers, whose pressure is the rest. With faces of six nodes it is 6e-5 of the size, which
+      // is less than 1e-6 of the force in the section. Nodes keep theirs up to the modes in which a face warps or
+      // stretches, which plates in contact do not carry.
       const PartForces sums = jump_of_forces(sim, whole, force);
       const double size = whole.mass[0] * sums.largest;
       const Vec3 slivers = force_without_joints(sim);
