@@ -44,10 +44,4 @@ struct CrackScratch {
   CutScratch<D> cut;
 };
 
-/// As the search without `scratch`.
-CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                             const Cracking<2>& cracking, CrackScratch<2>& scratch);
-CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
-                             const Cracking<3>& cracking, CrackScratch<3>& scratch);
-
 }  // namespace trilith

@@ -262,22 +262,14 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
 }  // namespace
 
 CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                             const Cracking<2>& cracking, CrackScratch<2>& scratch) {
-  return search(model, state, work, cracking, scratch);
-}
-CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
                              const Cracking<2>& cracking) {
-  CrackScratch<2> scratch;
+  static thread_local CrackScratch<2> scratch;  // grows to the largest mesh once
   return search(model, state, work, cracking, scratch);
 }
 
 CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
-                             const Cracking<3>& cracking, CrackScratch<3>& scratch) {
-  return search(model, state, work, cracking, scratch);
-}
-CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
                              const Cracking<3>& cracking) {
-  CrackScratch<3> scratch;
+  static thread_local CrackScratch<3> scratch;  // grows to the largest mesh once
   return search(model, state, work, cracking, scratch);
 }
 
