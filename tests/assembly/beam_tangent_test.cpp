@@ -130,14 +130,14 @@ void check_kept_tangents(const Model<D>& model, State<D>& state, const MoveOn& m
   CHECK(blocks_of(model, state, &work.beam_memory) == blocks_of<D>(model, state, nullptr));
 }
 
-TEST_CASE("the tangents of fibres that an evaluation keeps are those of another evaluation, in the plane") {
+TEST_CASE("tangents of fibres kept by an evaluation equal another evaluation, in the plane") {
   for (const double damping : {0.0, 1e-3}) {
     MovingMember member(plain_fibres, 3e-2, damping);
     check_kept_tangents(member.model, member.state, [](State<2>& other) { other.rotation[2] += 1e-3; });
   }
 }
 
-TEST_CASE("the tangents of fibres that an evaluation keeps are those of another evaluation, in space") {
+TEST_CASE("tangents of fibres kept by an evaluation equal another evaluation, in space") {
   for (const double damping : {0.0, 1e-3}) {
     SolidSpec spec = chain_body("beam", {Vec3(0, 0, 0), Vec3(3, 1, 0.5)}, plain_section(0.1, 0.2), 2);
     spec.frame->members[0].yields = plain_fibres;

@@ -1,8 +1,8 @@
 // Responses of beams of fibres at the last evaluation, kept for the tangent of the model.
 //
-// Each evaluation computes the tangents of all fibres. They follow the trial memories in Work::beam_memory, so that a
-// tangent of the model needs no second pass over the fibres. commit() cuts them off, so State never has them and they
-// never belong to memories of another step.
+// Each evaluation computes the tangents of all fibres. It appends them to the trial memories in Work::beam_memory, so a
+// tangent of the model needs no second pass over the fibres. At the commit they are cut off. So State never has them,
+// and they never belong to memories of another step.
 #pragma once
 
 #include <Eigen/Core>

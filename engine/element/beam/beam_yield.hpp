@@ -24,7 +24,8 @@ struct BeamYields {
 };
 
 /// Size of a beam's memory; initially all 0. The first number of a fibre beam is 1 once any fibre has yielded. The
-/// memory of its fibres follows, and that of its damping if Beam::damping is above 0 (element/beam/fibre_damping.hpp).
+/// memory of its fibres follows, then the memory of its damping if Beam::damping is above 0
+/// (element/beam/fibre_damping.hpp).
 int memory_size(const BeamYields& yields, const Beam& beam);
 
 /// Actions of a yielding beam on its ends.
