@@ -44,8 +44,9 @@ std::size_t reported_points(const Model<D>& model, const LoadWay<D>& way) {
 
 template <int D>
 void postpone_by_way(Model<D>& model, const LoadWay<D>& way) {
+  const std::size_t reported = reported_points(model, way);
   double told = 0;
-  for (std::size_t i = 0; i < reported_points(model, way); ++i)
+  for (std::size_t i = 0; i < reported; ++i)
     postpone_courses(model, way.time_of(i) - std::exchange(told, way.time_of(i)));
   postpone_courses(model, way.duration() - told);
 }

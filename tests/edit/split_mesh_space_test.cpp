@@ -24,8 +24,8 @@ constexpr double bar_length = 0.8, bar_width = 0.1, bar_height = 0.2, bar_streng
 constexpr std::array shapes{ElementShape::brick, ElementShape::tetrahedron, ElementShape::quadratic_tetrahedron,
                             ElementShape::wedge};
 
-/// A bar of elements along x, turned about the origin. Held along x at its left end, and at two of its nodes across.
-SolidModelBuilder space_bar(ElementShape shape, bool held_left, const UnitQuaternion& axes = {}) {
+/// Without gravity, with the material of the bars and the law of their planes.
+SolidModelBuilder concrete_in_space() {
   SolidModelBuilder builder;
   builder.gravity.setZero();
   builder.add_material({"concrete", 2400, Solid{LinearElastic{30e9, 0.2}}});
@@ -34,6 +34,12 @@ SolidModelBuilder space_bar(ElementShape shape, bool held_left, const UnitQuater
   law.energy_tension = 100, law.energy_shear = 400;
   builder.add_law("plane", law);
   builder.set_contact("*", "*", "plane");
+  return builder;
+}
+
+/// A bar of elements along x, turned about the origin. Held along x at its left end, and at two of its nodes across.
+SolidModelBuilder space_bar(ElementShape shape, bool held_left, const UnitQuaternion& axes = {}) {
+  SolidModelBuilder builder = concrete_in_space();
   const Vec3 far(bar_length, bar_width, bar_height);
   std::array<Vec3, 8> corners;
   const Turn3 turn(axes);
@@ -308,14 +314,7 @@ namespace {
 
 /// A mesh of bricks that flies and spins, with a plane behind its first column.
 SolidModelBuilder spinning_space_bar(const std::array<int, 3>& divisions) {
-  SolidModelBuilder builder;
-  builder.gravity.setZero();
-  builder.add_material({"concrete", 2400, Solid{LinearElastic{30e9, 0.2}}});
-  Cohesive law;
-  law.kn = 1e13, law.ks = 5e12, law.mu = 0.6, law.tension = bar_strength, law.cohesion = 2 * bar_strength;
-  law.energy_tension = 100, law.energy_shear = 400;
-  builder.add_law("plane", law);
-  builder.set_contact("*", "*", "plane");
+  SolidModelBuilder builder = concrete_in_space();
   const UnitQuaternion axes = rotation_by(Vec3(0.2, 0.5, -0.3));
   const Turn3 turn(axes);
   std::array<Vec3, 8> corners;

@@ -63,12 +63,15 @@ void require_same_stage(const MomentHead& saved, const MomentHead& now, const st
 /// a continuation was interrupted before it had copied them, so its own files have none. A file that was being replaced
 /// by one with more bodies comes next.
 void gather_rows(const RestartFiles& files, const std::filesystem::path& results) {
+  const std::filesystem::path kept = kept_rows(files), part = results::part_path(results),
+                              replaced = results::replaced_part_path(results);
   std::error_code error;
-  for (const auto& whole : {kept_rows(files), results::replaced_part_path(results)}) {
-    if (!std::filesystem::exists(whole, error)) continue;
-    std::filesystem::rename(whole, results::part_path(results), error);
-    std::filesystem::remove(results::replaced_part_path(results), error);
-    return;
+  if (std::filesystem::exists(kept, error)) {
+    std::filesystem::remove(replaced,
+                            error);  // first, so that a kill between both calls leaves the rows in their place
+    std::filesystem::rename(kept, part, error);
+  } else if (std::filesystem::exists(replaced, error)) {
+    std::filesystem::rename(replaced, part, error);
   }
 }
 

@@ -268,7 +268,7 @@ int verify(VerifyOptions options) {
   if (lua_pcall(L, 2, 1, 1) == LUA_OK) return static_cast<int>(lua_tointeger(L, -1));
   screen.clear();
   if (signal_code() != 0) return signal_code();
-  const std::string message = message_at_top(L);  // it names the file; the calls within the library help nobody
+  const std::string message = message_at_top(L);  // names the file; without the traceback of the library
   fmt::print(stderr, "{}\n", terminal_text(message.substr(0, message.find("\nstack traceback:"))));
   return wrong_input;
 }
