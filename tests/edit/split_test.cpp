@@ -128,6 +128,45 @@ TEST_CASE("the forces in a section are the same from the part on either side of 
     }
 }
 
+TEST_CASE("pressure on a part of a face enters the section of a free beam as in the theory of beams") {
+  const double w = 4e3, length = 1.2, from = 0.3, to = 0.9;  // on the top, from its left end
+  for (const double cut : {0.2, 0.5, 0.7, 1.0}) {
+    Scene scene(brittle());
+    scene.set_gravity({0, 0});
+    scene.builder.add_law("plane", brittle());
+    BodySpec beam;
+    beam.name = "beam", beam.outline = box(0, 0, length, 0.3), beam.mass = 700;
+    beam.cracks.planes = {CrackPlane<2>{{cut, 0.15}, {1, 0}}}, beam.cracks.law = "plane";
+    scene.add(beam);
+    Model<2> model = scene.builder.build();
+    PressureSpec pressure;
+    pressure.name = "p", pressure.value = w;
+    const std::vector<FacePart> top = faces_towards(model, 0, {0, 1});
+    REQUIRE(top.size() == 1);
+    loads_of<FaceLoad<2>>(model) =
+        make_pressure(model, 0, {{top[0].skin_a, top[0].skin_b, 1 - to / length, 1 - from / length}}, pressure);
+    Simulation<2> sim(model);
+    begin(scene, sim);
+    // The beam accelerates with a + alpha (x - L/2); what is left of the cut keeps the rest of its load.
+    const double load = w * (to - from), arm = 0.5 * (from + to) - 0.5 * length;
+    const double inertia = 700 * (length * length + 0.3 * 0.3) / 12;
+    const double alpha = -load * arm / inertia, lift = -load / 700;
+    const double line_mass = 700 / length, behind = std::clamp(cut - from, 0.0, to - from);
+    const double mass = line_mass * cut, centre = 0.5 * cut - 0.5 * length;
+    const double shear = mass * (lift + alpha * centre) + w * behind;
+    const double own = mass * (cut * cut + 0.3 * 0.3) / 12;
+    const double moment =
+        own * alpha - 0.5 * cut * mass * (lift + alpha * centre) - w * behind * (cut - from - 0.5 * behind);
+    const CrackingBody<2> row = sim.cracking().bodies.front();
+    const PlaneForces f = beam_section(sim, row.sections.front());
+    const PlaneForces other = beam_section(sim, turned_over(sim.model(), row.sections.front(), row.body));
+    CHECK(near(std::abs(f.shear), std::abs(shear), 1e-9));
+    CHECK(near(f.moment, moment, 1e-9));
+    CHECK(near_zero(f.shear - other.shear, 1e-9 * load));
+    CHECK(near_zero(f.moment + other.moment, 1e-9 * load));
+  }
+}
+
 TEST_CASE("a body that splits keeps mass, momentum and kinetic energy, and no force of a neighbour jumps") {
   for (const ContactLaw& law : joints)
     for (const CrackPlane<2>& plane : planes) {
