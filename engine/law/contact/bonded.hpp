@@ -141,14 +141,14 @@ TRILITH_INLINE T Bonded::Kernel::lose_bonds(HalfState<T>* h, const T* shear_elas
 template <class T>
 TRILITH_INLINE void Bonded::Kernel::press(const HalfState<T>* halves, T* active, HalfResponse<T>* out) const {
   const T zero{}, one = zero + 1.0;
-  const PressedHalves<T> parts(halves, beta);
+  const PressedHalves<T> pressed(halves, beta);
   for (const int h : {0, 1}) {
     const HalfState<T>& half = halves[h];
     const Mask<T> bonded = half.bonded;
-    const T closed_from = select(bonded, zero, parts.closed.from[h]),
-            closed_to = select(bonded, one, parts.closed.to[h]);
-    HalfStress<T> stress(half, beta, closed_from, closed_to, select(bonded, zero, parts.from(h)),
-                         select(bonded, one, parts.to(h)));
+    const T closed_from = select(bonded, zero, pressed.closed.from[h]),
+            closed_to = select(bonded, one, pressed.closed.to[h]);
+    HalfStress<T> stress(half, beta, closed_from, closed_to, select(bonded, zero, pressed.from(h)),
+                         select(bonded, one, pressed.to(h)));
     active[h] = closed_to - closed_from;
     const LinearStress<T> mortar = half.filling.stress();
     add(stress.elastic, mortar, bonded), add(stress.total, mortar, bonded);
