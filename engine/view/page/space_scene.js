@@ -128,14 +128,19 @@ export class SpaceScene extends Scene {
     return undefined;
   }
 
-  /** Begins the picture that is darkened. A slow machine does so only once the view rests, and draws `again` then. */
+  /** Begins the picture that is darkened. A slow machine does so only once the view rests, and draws `again` then. The view
+   * rests after twice the time of the darkening, so that a run that plays with few pictures a second does not rest. */
   hasTimeToDeepen(again) {
-    const { depthShading } = this, now = performance.now(), moves = now - (this.lastDraw ?? -Infinity) < 200;
+    const { depthShading } = this, now = performance.now(), rest = Math.max(200, 2 * depthShading.milliseconds);
+    const moves = now - (this.lastDraw ?? -Infinity) < rest;
     clearTimeout(this.later);
     this.lastDraw = now;
     if (!this.show.depth) return false;
     if (!moves || !depthShading.isSlow) return depthShading.begin(this.canvas.width, this.canvas.height);
-    this.later = setTimeout(again, 250);
+    this.later = setTimeout(() => {
+      this.lastDraw = -Infinity;
+      again();
+    }, rest);
     return false;
   }
 
