@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -87,7 +88,12 @@ std::string superscript(int power) {
 
 /// Selects the largest prefix that the magnitude reaches, so that the figures are between 1 and 1000. A power of ten is
 /// used where the unit takes no prefix or no prefix is large enough.
-ShownUnit engineering_unit(double largest, std::string_view unit) {
+ShownUnit engineering_unit(double largest, std::string_view unit, const UnitSystem& system) {
+  if (const auto own = system.unit_for(unit)) {
+    const double in_system = std::isfinite(largest) ? std::abs(largest) / own->factor : 0;
+    const ShownUnit plain = plain_unit(in_system, printed_unit(own->name));
+    return {own->factor * plain.size, plain.text};
+  }
   const std::string name = spelled(unit);
   const double magnitude = std::abs(largest);
   const auto row =
@@ -103,10 +109,25 @@ ShownUnit engineering_unit(double largest, std::string_view unit) {
   return {size, best->text + name};
 }
 
-std::string quantity_text(double value, std::string_view unit, int digits) {
+std::string printed_unit(std::string_view unit) {
+  std::string out;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool raised =
+        i > 0 && unit[i] >= '2' && unit[i] <= '9' && std::isalpha(static_cast<unsigned char>(unit[i - 1])) != 0;
+    if (raised)
+      out += superscript(unit[i] - '0');
+    else if (unit[i] == ' ' || unit[i] == '*')
+      out += "·";
+    else
+      out += unit[i];
+  }
+  return out;
+}
+
+std::string quantity_text(double value, std::string_view unit, int digits, const UnitSystem& system) {
   if (!std::isfinite(value)) return "–";
   if (std::abs(value) < least_quantity) value = 0;
-  const ShownUnit shown = engineering_unit(value, unit);
+  const ShownUnit shown = engineering_unit(value, unit, system);
   const std::string figure = figure_text(value / shown.size, digits);
   if (shown.text.empty()) return figure;
   return figure + (shown.text.starts_with("10") ? "·" : " ") + shown.text;

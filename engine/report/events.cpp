@@ -33,9 +33,10 @@ void write_counts(const ReportSource& source, HtmlText& html) {
     for (const results::EventRow* e : all)
       if (!e->first.name.empty() && (most == nullptr || std::abs(e->first.value) > std::abs(most->value)))
         most = &e->first;
-    rows.push_back({heading_of(type),
-                    most == nullptr ? "–" : fmt::format("{} {}", most->name, quantity_text(most->value, most->unit)),
-                    fmt::format("{}", all.size()), source.clock(all.front()->time), source.clock(all.back()->time)});
+    rows.push_back(
+        {heading_of(type),
+         most == nullptr ? "–" : fmt::format("{} {}", most->name, quantity_text(most->value, most->unit, source.units)),
+         fmt::format("{}", all.size()), source.clock(all.front()->time), source.clock(all.back()->time)});
   }
   if (!rows.empty()) html.table({"Event", "Largest", "Count", "First", "Last"}, rows, 2);
 }

@@ -40,7 +40,10 @@ void write_fields(const ReportSource& source, HtmlText& html) {
     draw::SceneChoice choice;
     choice.origin = source.origin, choice.colour = std::string(picture.colour);
     write_figure(html, picture.colour, std::string(picture.caption), [&] {
-      return draw::scene_canvas({draw::results_scene(source.reader, source.reader.frame_times().back(), choice)}, 1);
+      draw::PictureStyle style;
+      style.units = source.units;
+      return draw::scene_canvas({draw::results_scene(source.reader, source.reader.frame_times().back(), choice)}, 1,
+                                style);
     });
   }
 }

@@ -166,6 +166,7 @@ void write_pictures(const ReportSource& source, HtmlText& html) {
   std::string caption = "The structure";
   for (std::size_t i = 0; i < words.size(); ++i) caption += (i == 0 ? " " : "; ") + words[i];
   draw::PictureStyle style;
+  style.units = source.units;
   style.height = scenes.size() > 1 ? 625 : 0;  // fits on one printed page with its heading and text
   write_figure(html, "structure", caption + ".",
                [&] { return draw::scene_canvas(scenes, columns_for(scenes[0]), style); });
@@ -184,8 +185,9 @@ void write_histories(const ReportSource& source, HtmlText& html) {
   for (const KeyHistory& h : key_histories(source)) {
     const std::string& unit = h.quantity->unit;
     names.push_back(h.quantity->name);
-    rows.push_back({h.quantity->name, h.quantity->description, quantity_text(h.most, unit),
-                    source.clock(time_of_largest(times, h.values)), quantity_text(h.values.back(), unit)});
+    rows.push_back({h.quantity->name, h.quantity->description, quantity_text(h.most, unit, source.units),
+                    source.clock(time_of_largest(times, h.values)),
+                    quantity_text(h.values.back(), unit, source.units)});
   }
   html.table({"History", "Description", "Largest", "At", "At the end"}, rows, 2);
   const std::size_t left = source.header.histories.size() - names.size();
@@ -194,7 +196,8 @@ void write_histories(const ReportSource& source, HtmlText& html) {
                  R"(class="note")");
   write_figure(html, "histories", "Histories over time.", [&] {
     draw::Chart chart = draw::history_chart({{&source.reader, ""}}, names, window_of(source));
-    chart.marks = draw::event_marks(source.reader, window_of(source));
+    chart.units = source.units;
+    chart.marks = draw::event_marks(source.reader, window_of(source), source.units);
     return draw::chart_canvas({chart}, draw::Arrangement::below);
   });
 }
@@ -211,7 +214,8 @@ void write_energy(const ReportSource& source, HtmlText& html) {
   double most = 0;
   const auto add = [&](const std::string& name, const std::string& text, const std::vector<double>& values) {
     const double last = std::abs(values.back()) < 1e-9 * most ? 0 : values.back();
-    rows.push_back({name, text, quantity_text(last, "J"), quantity_text(results::largest_value(values), "J"),
+    rows.push_back({name, text, quantity_text(last, "J", source.units),
+                    quantity_text(results::largest_value(values), "J", source.units),
                     source.clock(time_of_largest(table.time, values))});
   };
   for (const std::vector<double>& term : table.terms) most = std::max(most, results::largest_value(term));
@@ -234,6 +238,7 @@ void write_energy(const ReportSource& source, HtmlText& html) {
     draw::Chart chart = draw::results_energy_chart({&source.reader, ""}, draw::EnergyView::stacked, window_of(source));
     std::vector<double> times = table.time;
     for (double& t : times) t -= source.origin.zero;
+    chart.units = source.units;
     chart.panels.push_back({{"Residual", "J"}, {{"", times, table.residual}}});
     return draw::chart_canvas({chart}, draw::Arrangement::below);
   });

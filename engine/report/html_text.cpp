@@ -46,6 +46,10 @@ HtmlText& HtmlText::close() {
 }
 
 HtmlText& HtmlText::text(std::string_view value) {
+  return verbatim(units_.message(value));
+}
+
+HtmlText& HtmlText::verbatim(std::string_view value) {
   out_ += html_escaped(value);
   return *this;
 }

@@ -3,7 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "base/unit_system.hpp"
 
 namespace trilith::report {
 
@@ -12,13 +15,18 @@ namespace trilith::report {
 std::string html_escaped(std::string_view text);
 
 /// Every text is escaped and every element closed; the caller must match begins and ends (asserted). Tags and
-/// attributes are internal.
+/// attributes are internal. Numbers with an SI unit are written in the units of the report; UnitSystem::message of a
+/// converted number is the same number.
 class HtmlText {
  public:
+  explicit HtmlText(UnitSystem units = {}) : units_(std::move(units)) {}
+
   /// `attributes` in the syntax of the tag, e.g. R"(class="wide")".
   HtmlText& open(std::string_view tag, std::string_view attributes = {});
   HtmlText& close();  ///< the innermost element
   HtmlText& text(std::string_view value);
+  /// A text of the user, such as a name or a script: numbers in it stay as they are.
+  HtmlText& verbatim(std::string_view value);
   /// <tag attributes>value</tag>
   HtmlText& element(std::string_view tag, std::string_view value, std::string_view attributes = {});
   /// Writes complete, well-formed elements without escaping.
@@ -32,6 +40,7 @@ class HtmlText {
   std::string take();
 
  private:
+  UnitSystem units_;
   std::string out_;
   std::vector<std::string> open_;
 };

@@ -24,10 +24,11 @@ std::string shown_name(const results::Header& header, const results::MemberRow& 
 }
 
 /// "-12 to 34 kN m".
-std::string range_text(const MemberSummary& summary, std::size_t quantity, const std::string& unit) {
+std::string range_text(const MemberSummary& summary, std::size_t quantity, const std::string& unit,
+                       const UnitSystem& units) {
   const double low = summary.low[quantity].value, high = summary.high[quantity].value;
   const double most = std::max(std::abs(low), std::abs(high));
-  const ShownUnit shown = engineering_unit(most, unit);
+  const ShownUnit shown = engineering_unit(most, unit, units);
   const auto text = [&](double v) { return fmt::format("{:.3g}", std::abs(v) < 1e-6 * most ? 0 : v / shown.size); };
   return with_minus(fmt::format("{} to {} {}", text(low), text(high), shown.text));
 }
@@ -43,9 +44,9 @@ std::string state_text(const results::MemberRow& member, const MemberSummary& su
   return text;
 }
 
-std::string deformation_text(const results::MemberRow& member, const MemberSummary& summary) {
+std::string deformation_text(const results::MemberRow& member, const MemberSummary& summary, const UnitSystem& units) {
   if (member.yields == "elastic" || summary.deformation.value == 0) return "–";
-  return quantity_text(std::abs(summary.deformation.value), member.yields == "fibres" ? "1/m" : "rad");
+  return quantity_text(std::abs(summary.deformation.value), member.yields == "fibres" ? "1/m" : "rad", units);
 }
 
 /// "Bending moment" from "bending moment, on the side in tension".
@@ -55,7 +56,8 @@ std::string quantity_heading(const results::MemberQuantity& quantity) {
   return text;
 }
 
-void write_forces(const results::Header& header, const std::vector<MemberSummary>& summaries, HtmlText& html) {
+void write_forces(const ReportSource& source, const std::vector<MemberSummary>& summaries, HtmlText& html) {
+  const results::Header& header = source.header;
   const std::vector<results::MemberQuantity>& quantities = results::member_quantities(header.dim);
   std::vector<std::string> heading{"Member"};
   for (const results::MemberQuantity& q : quantities) heading.push_back(quantity_heading(q));
@@ -63,7 +65,7 @@ void write_forces(const results::Header& header, const std::vector<MemberSummary
   for (std::size_t m = 0; m < std::min(most_members, summaries.size()); ++m) {
     rows.push_back({shown_name(header, header.members[m])});
     for (std::size_t q = 0; q < quantities.size(); ++q)
-      rows.back().push_back(range_text(summaries[m], q, quantities[q].unit));
+      rows.back().push_back(range_text(summaries[m], q, quantities[q].unit, source.units));
   }
   html.table(heading, rows, 1);
   std::string note = "Smallest and largest values of the recorded frames.";
@@ -73,12 +75,13 @@ void write_forces(const results::Header& header, const std::vector<MemberSummary
   html.element("p", note, R"(class="note")");
 }
 
-void write_yielding(const results::Header& header, const std::vector<MemberSummary>& summaries, HtmlText& html) {
+void write_yielding(const ReportSource& source, const std::vector<MemberSummary>& summaries, HtmlText& html) {
+  const results::Header& header = source.header;
   std::vector<std::vector<std::string>> rows;
   for (std::size_t m = 0; m < std::min(most_members, summaries.size()); ++m) {
     const results::MemberRow& member = header.members[m];
     const MemberSummary& own = summaries[m];
-    rows.push_back({shown_name(header, member), state_text(member, own), deformation_text(member, own),
+    rows.push_back({shown_name(header, member), state_text(member, own), deformation_text(member, own, source.units),
                     own.ductility ? fmt::format("{:.2f}", *own.ductility) : "–",
                     own.drift ? percent_text(own.drift->value) : "–"});
   }
@@ -134,8 +137,8 @@ void write_members(const ReportSource& source, HtmlText& html) {
   const std::vector<MemberSummary> summaries = results::member_summaries(source.reader, source.events);
   if (summaries.empty()) return;
   html.element("h2", "Members");
-  write_forces(source.header, summaries, html);
-  write_yielding(source.header, summaries, html);
+  write_forces(source, summaries, html);
+  write_yielding(source, summaries, html);
   write_sections(source.header, html);
   for (const results::MemberQuantity& q : results::member_quantities(source.header.dim)) {
     if (q.name.starts_with("torque")) continue;
@@ -145,7 +148,7 @@ void write_members(const ReportSource& source, HtmlText& html) {
       draw::Scene scene = draw::results_scene(source.reader, source.reader.frame_times().back(), choice);
       scene.title.clear(), scene.time.reset(), scene.event.clear();
       draw::PictureStyle style;
-      style.height = 300;
+      style.height = 300, style.units = source.units;
       return draw::scene_canvas({scene}, 1, style);
     });
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/quantity_text.hpp"
 #include "report/sections.hpp"
 #include "results/file/body_mass.hpp"
 
@@ -21,12 +22,12 @@ struct Sort {
   double mass = 0, least = 0, most = 0;
 };
 
-std::string mass_range(const Sort& sort) {
-  if (sort.count < 2 || sort.most - sort.least < 1e-9 * sort.most) return shown_mass(sort.least);
-  return shown_mass(sort.least) + " to " + shown_mass(sort.most);
+std::string mass_range(const Sort& sort, const UnitSystem& units) {
+  if (sort.count < 2 || sort.most - sort.least < 1e-9 * sort.most) return shown_mass(sort.least, units);
+  return shown_mass(sort.least, units) + " to " + shown_mass(sort.most, units);
 }
 
-void write_bodies(const results::Header& header, HtmlText& html) {
+void write_bodies(const results::Header& header, const UnitSystem& units, HtmlText& html) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, Sort> sorts;
   double total = 0;
   for (const results::BodyRow& body : header.bodies) {
@@ -47,10 +48,11 @@ void write_bodies(const results::Header& header, HtmlText& html) {
     }
     const auto& [group, kind, material, support] = key;
     rows.push_back({group.empty() ? "–" : group, kind, material.empty() ? "–" : material, support,
-                    fmt::format("{}", sort.count), mass_range(sort), shown_mass(sort.mass)});
+                    fmt::format("{}", sort.count), mass_range(sort, units), shown_mass(sort.mass, units)});
   }
-  if (rest.count > 0) rows.push_back({"others", "", "", "", fmt::format("{}", rest.count), "", shown_mass(rest.mass)});
-  rows.push_back({"all", "", "", "", fmt::format("{}", header.bodies.size()), "", shown_mass(total)});
+  if (rest.count > 0)
+    rows.push_back({"others", "", "", "", fmt::format("{}", rest.count), "", shown_mass(rest.mass, units)});
+  rows.push_back({"all", "", "", "", fmt::format("{}", header.bodies.size()), "", shown_mass(total, units)});
   html.table({"Group", "Kind", "Material", "Support", "Bodies", "Mass of one", "Mass"}, rows, 4);
 }
 
@@ -137,18 +139,30 @@ void write_bearings(const results::Header& header, HtmlText& html) {
       .table({"Bearing", "Law and parameters"}, rows, 2);
 }
 
+std::string units_text(const UnitSystem& units) {
+  if (units.is_si())
+    return "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, N, Pa, J. Contact stiffness is "
+           "per "
+           "area and length, Pa/m.";
+  return fmt::format(
+      "Units of the model throughout: {}, {} and s, so stresses are in {}, masses in {}. Contact stiffness is per area "
+      "and length, {}. The results file is in SI.",
+      units.force(), units.length(), printed_unit(units.name("Pa")), printed_unit(units.name("kg")),
+      printed_unit(units.name("Pa/m")));
+}
+
 }  // namespace
 
 void write_model(const ReportSource& source, HtmlText& html) {
   const results::Header& header = source.header;
   html.element("h2", "Model");
-  write_bodies(header, html);
+  write_bodies(header, source.units, html);
   html.element("p",
                fmt::format("A model in {} dimensions; {} points upwards, angles are anticlockwise, times count{}. "
-                           "SI units throughout, with the usual prefixes: m, kg (1 t = 1,000 kg), s, "
-                           "N, Pa, J. Contact stiffness is per area and length, Pa/m.",
+                           "{}",
                            header.dim, header.dim == 2 ? "y" : "z",
-                           source.origin.since.empty() ? " from the start of the run" : source.origin.text()),
+                           source.origin.since.empty() ? " from the start of the run" : source.origin.text(),
+                           units_text(source.units)),
                R"(class="note")");
   write_laws(header, html);
   write_bearings(header, html);

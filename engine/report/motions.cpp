@@ -102,14 +102,14 @@ std::string told_name(const ToldMotion& told) {
 }
 
 /// The first motion over time, all as spectra. `names` of the lines.
-void write_motion_figure(HtmlText& html, const std::vector<GroundMotion>& motions,
+void write_motion_figure(const UnitSystem& units, HtmlText& html, const std::vector<GroundMotion>& motions,
                          const std::vector<std::string>& names) {
-  write_figure(html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()),
-               [&] {
-                 draw::Chart spectrum = draw::spectrum_chart(motions);
-                 for (std::size_t i = 0; i < names.size(); ++i) spectrum.panels[0].series[i].name = names[i];
-                 return draw::chart_canvas({draw::motion_chart(motions.front()), spectrum}, draw::Arrangement::beside);
-               });
+  write_figure(
+      html, "motion", fmt::format("The motion of {}; spectra of all motions, 5 % damped.", names.front()), [&] {
+        draw::Chart spectrum = draw::spectrum_chart(motions);
+        for (std::size_t i = 0; i < names.size(); ++i) spectrum.panels[0].series[i].name = names[i];
+        return draw::chart_canvas({draw::motion_chart(motions.front(), units), spectrum}, draw::Arrangement::beside);
+      });
 }
 
 /// From the samples in the file, each compared with the position of the body in the frames.
@@ -136,7 +136,7 @@ void write_stored(const ReportSource& source, const std::vector<results::MotionR
                "From the samples in the results file. Duration: from 5 to 95 % of the Arias intensity. Deviation: the "
                "largest distance, over all frames, between the position of the body and its prescribed position.",
                R"(class="note")");
-  if (!motions.empty()) write_motion_figure(html, motions, names);
+  if (!motions.empty()) write_motion_figure(source.units, html, motions, names);
 }
 
 void write_missing(const std::vector<std::string>& texts, bool some_found, HtmlText& html) {
@@ -182,7 +182,7 @@ void write_motions(const ReportSource& source, HtmlText& html) {
                  "Duration: from 5 to 95 % of the Arias intensity. The results file holds the operations on the "
                  "records, not their samples: for these figures the records were read and processed again.",
                  R"(class="note")");
-    write_motion_figure(html, motions, names);
+    write_motion_figure(source.units, html, motions, names);
   }
   write_missing(missing, !motions.empty(), html);
 }

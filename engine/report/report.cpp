@@ -6,14 +6,21 @@
 namespace trilith::report {
 
 std::string report_page(const results::ResultsReader& reader, const std::vector<std::filesystem::path>& record_folders,
-                        const ReportProgress& progress, const results::TimeOrigin& origin) {
-  const ReportSource source{reader,          reader.header(), reader.events(), draw::events_of_note(reader),
-                            reader.stages(), reader.notes(),  record_folders,  origin};
-  HtmlText html;
+                        const ReportProgress& progress, const results::TimeOrigin& origin, const UnitSystem& units) {
+  const ReportSource source{reader,
+                            reader.header(),
+                            reader.events(),
+                            draw::events_of_note(reader),
+                            reader.stages(),
+                            reader.notes(),
+                            record_folders,
+                            origin,
+                            units};
+  HtmlText html(source.units);
   html.raw("<!DOCTYPE html>\n").open("html", R"(lang="en")").open("head");
   html.raw(R"(<meta charset="utf-8"/>)")
       .raw(R"(<meta name="viewport" content="width=device-width, initial-scale=1"/>)");
-  html.element("title", "Report: " + reader.title()).open("style").raw(report_style()).close().close();
+  html.open("title").verbatim("Report: " + reader.title()).close().open("style").raw(report_style()).close().close();
   html.open("body").open("main");
   write_head(source, html);
   write_model(source, html);

@@ -20,9 +20,10 @@ using ReportProgress = std::function<void(double)>;
 /// ResultsError if the file cannot be read.
 ///
 /// `record_folders`: folders in which records of ground motions are searched by name, in this order. `origin`: origin
-/// of times, which the page states.
+/// of times, which the page states. `units`: in which numbers are shown.
 std::string report_page(const results::ResultsReader& reader,
                         const std::vector<std::filesystem::path>& record_folders = {},
-                        const ReportProgress& progress = {}, const results::TimeOrigin& origin = {});
+                        const ReportProgress& progress = {}, const results::TimeOrigin& origin = {},
+                        const UnitSystem& units = {});
 
 }  // namespace trilith::report

@@ -130,7 +130,7 @@ void write_reproduction(const ReportSource& source, HtmlText& html) {
   if (from.command_line.empty())
     html.element("p", "The file does not record the command that made it.");
   else
-    html.open("pre", R"(class="command")").element("code", from.command_line).close();
+    html.open("pre", R"(class="command")").open("code").verbatim(from.command_line).close().close();
   if (!from.git_commit.empty())
     html.element(
         "p",
@@ -143,8 +143,10 @@ void write_reproduction(const ReportSource& source, HtmlText& html) {
   }
   const auto lines = std::count(from.script.begin(), from.script.end(), '\n') + (from.script.back() == '\n' ? 0 : 1);
   html.open("details", R"(class="script")");
-  html.element("summary", fmt::format("{}, {} lines", from.script_path.empty() ? "Script" : from.script_path, lines));
-  html.open("pre").element("code", from.script).close().close();
+  html.open("summary")
+      .verbatim(fmt::format("{}, {} lines", from.script_path.empty() ? "Script" : from.script_path, lines))
+      .close();
+  html.open("pre").open("code").verbatim(from.script).close().close().close();
 }
 
 }  // namespace trilith::report

@@ -23,12 +23,13 @@ struct ReportSource {
   std::vector<results::Note> notes;
   std::vector<std::filesystem::path> record_folders;
   results::TimeOrigin origin;  ///< origin of times
+  UnitSystem units;            ///< in which numbers are shown
   /// Time of the run as shown_time relative to the origin.
   [[nodiscard]] std::string clock(double time) const;
 };
 
-/// A mass as text in tables; from 10,000 kg in t.
-std::string shown_mass(double kilograms);
+/// A mass as text in tables; in SI from 10,000 kg in t.
+std::string shown_mass(double kilograms, const UnitSystem& units);
 /// Seconds with three decimals.
 std::string shown_time(double seconds);
 

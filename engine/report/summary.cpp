@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/quantity_text.hpp"
 #include "base/space.hpp"
 #include "report/sections.hpp"
 #include "results/file/placement.hpp"
@@ -194,7 +195,8 @@ std::vector<std::string> motion_texts(const ReportSource& source) {
   return out;
 }
 
-std::string shown_mass(double kilograms) {
+std::string shown_mass(double kilograms, const UnitSystem& units) {
+  if (!units.is_si()) return quantity_text(kilograms, "kg", 4, units);
   if (kilograms < 1e4) return fmt::format("{:.4g} kg", kilograms);
   if (kilograms < 1e7) return fmt::format("{:.4g} t", kilograms / 1000);
   const std::string tonnes = fmt::format("{:.0f}", kilograms / 1000);
@@ -259,10 +261,12 @@ void write_parameters(const ReportSource& source, HtmlText& html) {
   for (const results::ParameterRow& row : rows) {
     html.open("tr").element("td", row.name).open("td");
     if (row.value != row.fallback)
-      html.element("b", row.value);
+      html.open("b").verbatim(row.value).close();
     else
-      html.text(row.value);
-    html.close().element("td", row.unit).element("td", row.fallback).element("td", row.text).close();
+      html.verbatim(row.value);
+    html.close();
+    for (const std::string& text : {row.unit, row.fallback, row.text}) html.open("td").verbatim(text).close();
+    html.close();
   }
   html.close().close();
 }

@@ -12,6 +12,8 @@ namespace trilith {
 namespace {
 /// Number of samples for which the force must stay below the drop, because a sample may oscillate.
 constexpr int samples_below = 3;
+/// Forces of two steps that differ by less than this share are one peak.
+constexpr double same_force = 1e-3;
 }  // namespace
 
 std::size_t PushCurve::peak() const {
@@ -51,8 +53,8 @@ bool PushoverRecorder<D>::step(const Instant<D>& now) {
     last_place_ = place;
     next_ = now.state.time - now.state.last_dt + interval_;
   }
-  take_peak(now, *at, {now.state.time, place - first_place_, now.work.push_force[index], drift - first_drift_});
   take_work(now, place, now.work.push_force[index]);
+  take_peak(now, *at, {now.state.time, place - first_place_, now.work.push_force[index], drift - first_drift_});
   // Time-weighted means over the interval: the force of a push oscillates with the contacts, so a single instant is not
   // representative.
   const double dt = now.dt;
@@ -94,22 +96,28 @@ double share_at_rest(const Model<D>& model, const State<D>& state, const Work<D>
 template <int D>
 void PushoverRecorder<D>::take_peak(const Instant<D>& now, const Push<D>& push, const PushPeak& one) {
   if (has_peak_ && one.force <= peak_.force) return;
-  has_peak_ = peak_in_sample_ = true;
-  peak_ = one;
-  peak_.carried = one.force - unsupported_force(now.model, now.work, push.direction);
-  const double at_rest = one.force * share_at_rest(now.model, now.state, now.work, push.direction);
-  if (std::abs(one.force - at_rest) > std::abs(one.force - peak_.carried)) peak_.carried = at_rest;
+  PushPeak next = one;
+  next.carried = one.force - unsupported_force(now.model, now.work, push.direction);
+  const auto estimate = [&](double carried) {
+    if (std::abs(one.force - carried) > std::abs(one.force - next.carried)) next.carried = carried;
+  };
+  estimate(one.force * share_at_rest(now.model, now.state, now.work, push.direction));
+  // A structure that rotates or sways under the push may have inertia although all forces balance along the push. A
+  // single step is not representative, and a break after the peak does not belong to it. Where motion slows down, as in
+  // a landing, the energy does not come from the push.
+  const double push_work = push_work_before_ + push_work_, unbalanced = unbalanced_work_before_ + unbalanced_work_;
+  if (push_work != 0) estimate(one.force * std::clamp(1 - unbalanced / push_work, 0.0, 1.0));
+  // In the step of a break the push still has its force, and the broken part has none.
+  const bool at_break =
+      has_peak_ && peak_.is_static() && !next.is_static() && one.force < (1 + same_force) * peak_.force;
+  if (at_break) return;
+  has_peak_ = true, peak_ = next;
 }
 
 template <int D>
 void PushoverRecorder<D>::take_sample() {
   if (!(weight_ > 0)) return;
-  // A structure that rotates or sways under the push may have inertia although all forces balance along the push.
-  if (std::exchange(peak_in_sample_, false) && push_work_ != 0) {
-    const double carried = peak_.force * (1 - unbalanced_work_ / push_work_);
-    if (std::abs(peak_.force - carried) > std::abs(peak_.force - peak_.carried)) peak_.carried = carried;
-  }
-  push_work_ = unbalanced_work_ = 0;
+  push_work_before_ = std::exchange(push_work_, 0), unbalanced_work_before_ = std::exchange(unbalanced_work_, 0);
   curve_.time.push_back(time_ / weight_);
   curve_.displacement.push_back(displacement_ / weight_);
   curve_.force.push_back(force_ / weight_);

@@ -30,8 +30,9 @@ struct PushCurve {
 struct PushPeak {
   double time = 0, displacement = 0, force = 0, drift = 0;  ///< as in PushCurve, at one instant
   double carried = 0;  ///< part of this force that the structure carries statically [N]. The rest is inertia and
-                       ///< damping, estimated from the balance along the push, from its power, and from the share of
-                       ///< weight and loads that supports carry; the largest estimate counts.
+                       ///< damping, the largest of three estimates: the balance along the push, the share of weight
+                       ///< and loads that supports carry, and the power of the push. Power counts over one to two
+                       ///< samples that end at the peak.
 
   /// Largest share of inertia and damping at which the force counts as a capacity.
   static constexpr double most_of_inertia = 0.02;
@@ -72,9 +73,10 @@ class PushoverRecorder {
   PushLimits limits_;
   std::function<double(const Instant<D>&)> drift_;
   bool begun_ = false, has_peak_ = false;
-  bool peak_in_sample_ = false;                 // the running sample contains the peak
-  double last_place_ = 0;                       // at the previous step [m]
-  double push_work_ = 0, unbalanced_work_ = 0;  // in the running sample [J]
+  double last_place_ = 0;  // at the previous step [m]
+  // Work of the push, and of all forces on free degrees of freedom: in the running sample up to now, and in the sample
+  // before it [J].
+  double push_work_ = 0, unbalanced_work_ = 0, push_work_before_ = 0, unbalanced_work_before_ = 0;
   double first_place_ = 0, first_drift_ = 0, next_ = 0;
   double time_ = 0, displacement_ = 0, force_ = 0, sway_ = 0, weight_ = 0;  // sums over the sample, times the step
   int low_ = 0;                                                             // consecutive samples below the drop

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/error.hpp"
+#include "base/quantity_text.hpp"
 #include "view/model.hpp"
 #include "view/modes.hpp"
 
@@ -77,10 +79,22 @@ void write_series(const results::ResultsReader& reader, const ViewLimits& limits
   json.end();
 }
 
+/// For each unit of the page and of the histories its SI value in the units of the page, and its name there.
+void write_units(const results::ResultsReader& reader, const UnitSystem& units, JsonText& json) {
+  if (units.is_si()) return;
+  std::set<std::string> names{"m", "m/s", "m/s2", "N", "N m", "N/m", "N*m", "Pa", "J", "kg", "1/m"};
+  for (const results::Quantity& q : reader.header().histories) names.insert(q.unit);
+  json.key("units").begin_object();
+  for (const std::string& name : names)
+    if (const auto own = units.unit_for(name))
+      json.key(name).begin_list().number(own->factor).text(printed_unit(own->name)).end();
+  json.end();
+}
+
 }  // namespace
 
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits, const ViewProgress& progress,
-                      const results::TimeOrigin& origin) {
+                      const results::TimeOrigin& origin, const UnitSystem& units) {
   if (reader.header().dim == 3 && reader.header().face_count() == 0 && reader.header().sphere_vertex.empty())
     throw InputError(
         fmt::format("'{}' contains no faces of solids, so there is nothing to show", reader.path().string()));
@@ -88,7 +102,8 @@ std::string view_data(const results::ResultsReader& reader, const ViewLimits& li
   JsonText json;
   json.begin_object();
   json.key("origin").begin_object().number("zero", origin.zero).text("since", origin.since).end();
-  write_view_model(reader, frames, limits, json);
+  write_units(reader, units, json);
+  write_view_model(reader, frames, limits, units, json);
   std::vector<ViewBlock>& blocks = frames.blocks;
   write_series(reader, limits, json, blocks);
   write_modes(reader, json, blocks);

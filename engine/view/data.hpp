@@ -23,10 +23,11 @@ using ViewProgress = std::function<void(double)>;
 /// The data before compression: "TRLV", version and length of the JSON (two uint32, little-endian), the JSON, then the
 /// blocks in its list "blocks" (name, rows, columns, quantum, bytes), each packed as in view/bytes.hpp. The blocks are
 /// described in frames.hpp. Lengths are accurate to half a quantum: 1/2000 of the smallest free body or finer.
-/// `origin`: initial origin of times in the page. Throws InputError for a model in space without faces, ResultsError
-/// for a file that cannot be read.
+/// `origin`: initial origin of times in the page. `units`: in which the page shows numbers; the data are in SI. Throws
+/// InputError for a model in space without faces, ResultsError for a file that cannot be read.
 std::string view_data(const results::ResultsReader& reader, const ViewLimits& limits = {},
-                      const ViewProgress& progress = {}, const results::TimeOrigin& origin = {});
+                      const ViewProgress& progress = {}, const results::TimeOrigin& origin = {},
+                      const UnitSystem& units = {});
 
 /// The page as HTML: self-contained, needs no network. `data` from view_data.
 std::string view_page(const std::string& data, const std::string& title);

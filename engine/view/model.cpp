@@ -47,13 +47,14 @@ std::string state_of(const results::ResultsReader& reader) {
   return reader.running() ? "running" : reader.finished() ? "finished" : "stopped";
 }
 
-void write_run(const results::ResultsReader& reader, const ViewFrames& frames, std::size_t left_out, JsonText& json) {
+void write_run(const results::ResultsReader& reader, const ViewFrames& frames, std::size_t left_out,
+               const UnitSystem& units, JsonText& json) {
   const results::Provenance& from = reader.header().provenance;
   json.key("run").begin_object();
   json.text("name", reader.title()).text("state", state_of(reader));
   json.text("script", from.script).text("script_path", from.script_path).text("program", from.program_version);
   json.text("commit", from.git_commit).text("platform", from.platform).text("command", from.command_line);
-  json.text("verdict", results::results_verdict(reader, reader.events()).text());
+  json.text("verdict", units.message(results::results_verdict(reader, reader.events()).text()));
   json.text("started", from.start_time).number("dim", reader.header().dim);
   json.number("frame_stride", static_cast<double>(frames.frame_stride));
   json.number("contact_stride", static_cast<double>(frames.contact_stride));
@@ -62,11 +63,12 @@ void write_run(const results::ResultsReader& reader, const ViewFrames& frames, s
   for (const results::ParameterRow& p : from.parameters)
     json.begin_list().text(p.name).text(p.value).text(p.unit).text(p.fallback).text(p.text).end();
   json.end().key("seal").begin_list();
-  for (const SealRow& row : reader.seal()) json.begin_list().text(row.state).text(seal_text(row)).end();
+  for (const SealRow& row : reader.seal()) json.begin_list().text(row.state).text(units.message(seal_text(row))).end();
   json.end().key("motions").begin_list();
   for (const std::string& motion : from.motions) json.text(motion);
   json.end().key("notes").begin_list();
-  for (const results::Note& note : reader.notes()) json.begin_list().number(note.time).text(note.text).end();
+  for (const results::Note& note : reader.notes())
+    json.begin_list().number(note.time).text(units.message(note.text)).end();
   json.end().end();
 }
 
@@ -172,10 +174,14 @@ PointOfNode point_of_node(const results::Header& header, const results::BodyRow&
   return best;
 }
 
-void write_bearings(const results::Header& header, JsonText& json) {
+void write_bearings(const results::Header& header, const UnitSystem& units, JsonText& json) {
   json.key("bearings").begin_list();
   for (const results::BearingRow& b : header.bearings) {
-    json.begin_object().text("name", b.name).text("law", b.law).number("a", b.body_a).number("b", b.body_b);
+    json.begin_object()
+        .text("name", b.name)
+        .text("law", units.message(b.law))
+        .number("a", b.body_a)
+        .number("b", b.body_b);
     const PointOfNode a = point_of_node(header, header.bodies[b.body_a], b.point_a),
                       at_b = point_of_node(header, header.bodies[b.body_b], b.point_b);
     json.number("an", a.node).number("ax", a.x).number("ay", a.y);
@@ -206,7 +212,7 @@ void write_figure(const results::Figure& figure, JsonText& json) {
   json.text(figure.name).number(figure.value).text(figure.unit);
 }
 
-void write_events(const std::vector<results::EventRow>& events, int dim, JsonText& json) {
+void write_events(const std::vector<results::EventRow>& events, int dim, const UnitSystem& units, JsonText& json) {
   std::map<std::string, int> order;
   json.key("types").begin_list();
   for (const results::EventRow& e : events)
@@ -225,7 +231,7 @@ void write_events(const std::vector<results::EventRow>& events, int dim, JsonTex
         .number(e.bearing)
         .number(static_cast<double>(e.cause));
     json.number(e.has_place ? rounded(e.place[0], 1e4) : NAN).number(e.has_place ? rounded(e.place[1], 1e4) : NAN);
-    json.text(e.text).begin_list();
+    json.text(units.message(e.text)).begin_list();
     write_figure(e.first, json);
     write_figure(e.second, json);
     json.end();
@@ -297,18 +303,18 @@ void write_palette(JsonText& json) {
 }  // namespace
 
 void write_view_model(const results::ResultsReader& reader, const ViewFrames& frames, const ViewLimits& limits,
-                      JsonText& json) {
+                      const UnitSystem& units, JsonText& json) {
   const results::Header& header = reader.header();
   std::vector<results::EventRow> events = reader.events();
   const std::size_t all = events.size();
   events = chosen(std::move(events), limits.event_rows);
-  write_run(reader, frames, all - events.size(), json);
+  write_run(reader, frames, all - events.size(), units, json);
   write_bodies(header, frames, json);
   write_elements(header, json);
-  write_bearings(header, json);
+  write_bearings(header, units, json);
   write_members(header, json);
   write_stages(reader, json);
-  write_events(events, header.dim, json);
+  write_events(events, header.dim, units, json);
   write_joints(header, events, json);
   write_palette(json);
 }

@@ -8,8 +8,9 @@
 namespace trilith::view {
 
 /// Writes the keys "run", "bodies", "vertices", "elements", "bearings", "stages", "types", "events", "joints",
-/// "palette" into the present object of `json`. `frames` contains the bonded joints and the strides.
+/// "palette" into the present object of `json`. `frames` contains the bonded joints and the strides. Numbers in texts
+/// are in `units`.
 void write_view_model(const results::ResultsReader& reader, const ViewFrames& frames, const ViewLimits& limits,
-                      JsonText& json);
+                      const UnitSystem& units, JsonText& json);
 
 }  // namespace trilith::view

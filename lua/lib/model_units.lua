@@ -106,8 +106,17 @@ local function refusal(name, raw)
   end
 end
 
+--- A bolt has functions of its own.
+rules.results["model:bolt"] = function(bolt)
+  local force, lock = bolt.force, bolt.lock
+  function bolt.force(...) return rules.of "N"(inside(force, ...), system, -1) end
+  function bolt.lock(...) return inside(lock, ...) end
+  return bolt
+end
+
 --- Results of a call of several numbers, by name.
-local number_lists = { ["motion:at"] = { "m/s2", "m/s", "m" }, ["body:point"] = { "m", "m", "m" } }
+local number_lists = { ["model:temperature"] = { "1", "1" }, ["motion:at"] = { "m/s2", "m/s", "m" },
+  ["body:point"] = { "m", "m", "m" } }
 
 --- add takes parts, then keys; on a filter, then a function.
 local special_arguments = {
@@ -123,8 +132,16 @@ local special_arguments = {
     arguments[3] = core.convert_keys(keys, arguments[3], system, 1, "add")
   end,
   on = function(_, arguments)
-    if type(arguments[2]) == "table" and arguments[2].above ~= nil then rules.refuse("'above' of on", system) end
+    arguments[2] = calls.convert_filter(arguments[2], "'above' of on")
     arguments[3] = core.outside(arguments[3], "on")
+  end,
+  -- The direction of a bearing gives the unit of its stiffness.
+  creep = function(entry, arguments)
+    convert_arguments(entry, arguments, 2)
+    local given = arguments[2]
+    if type(given) ~= "table" or type(given.stiffness) ~= "number" then return end
+    local turns = type(given.direction) == "string" and given.direction:find "^turning"
+    given.stiffness = rules.of(turns and "N m" or "N/m")(given.stiffness, system, 1)
   end,
 }
 

@@ -47,16 +47,31 @@ function core.outside(f, owner, key)
 end
 
 local event_units
+--- The SI unit of the value of an event of a type; nil for an unknown type.
+local function unit_of_event(kind)
+  if not event_units then
+    event_units = {}
+    for _, known in ipairs(core.event_types()) do event_units[known.name] = known.unit end
+  end
+  return event_units[kind]
+end
+
+--- A filter of events { type, above = , ... }: the limit is in the unit of the value of these events.
+function calls.convert_filter(filter, what)
+  if type(filter) ~= "table" or type(filter.above) ~= "number" then return filter end
+  local unit, copy = unit_of_event(filter[1]), {}
+  if not unit or not calls.system:factor(unit) then rules.refuse(what, calls.system) end
+  for key, value in next, filter do copy[key] = value end
+  copy.above = rules.of(unit)(filter.above, calls.system, 1)
+  return copy
+end
+
 --- An event with its value, place and text in the units of the models.
 function calls.convert_event(event)
   if type(event) ~= "table" then return event end
-  if not event_units then
-    event_units = {}
-    for _, kind in ipairs(core.event_types()) do event_units[kind.name] = kind.unit end
-  end
   local copy = {}
   for key, value in next, event do copy[key] = value end
-  local unit = event_units[event.type] or ""
+  local unit = unit_of_event(event.type) or ""
   if calls.system:factor(unit) then
     copy.value = rules.of(unit)(event.value, calls.system, -1)
   else

@@ -20,8 +20,13 @@ local function scaled(value, factor, exponent, direction)
   return setmetatable(copy, getmetatable(value))
 end
 
+-- Units with temperatures, or of powers, by units of force, length and time that convert alike.
+local mechanical = { ["W/(m K)"] = "N/s", ["W/(m2 K)"] = "N/m s", ["J/(kg K)"] = "m2/s2", ["K/m"] = "1/m",
+  ["1/K"] = "1", degC = "1" }
+
 --- All numbers of a value have this unit.
 function rules.of(unit, turning)
+  unit = mechanical[unit] or unit
   return function(value, system, direction)
     local factor, exponent = system:factor(unit, turning)
     if not factor then refuse(("a number in %s"):format(unit), system) end
@@ -105,6 +110,17 @@ local function level(value, system, direction)
   return rows("1", "m")(value, system, direction)
 end
 
+--- A course: a number, or a list of rows { time, value } with the key period [s].
+local function course(unit)
+  local of_rows = rows("1", unit)
+  return function(value, system, direction)
+    if type(value) ~= "table" then return of(unit)(value, system, direction) end
+    local copy = of_rows(value, system, direction)
+    copy.period = value.period
+    return copy
+  end
+end
+
 --- The keys of functions, by "function.key" or by "key" for all of them.
 rules.keys = {
   rest = fields("rest", { ratio = "1", speed = "m/s", hold = "s", from = "s" }),
@@ -134,6 +150,8 @@ rules.keys = {
   ["match.spectrum"] = rows("1", "m/s2"), ["spectrum.periods"] = same, ["ramp.by"] = of "m",
   ["table.points"] = rows("m", "N"), ["end_hinge.axial"] = rows("N", "1"), ["motion.acceleration"] = of "m/s2",
   ["fibre_section.core"] = same, ["off.handler"] = same, ["keep.state"] = same, ["put_back.how"] = same,
+  ["heat_exchange.temperature"] = same, ["seepage_head.head"] = course "m", ["bolt.joints"] = of "m",
+  ["bolt.bodies"] = same, ["creep.chain"] = same,
   ["history.every"] = same, ["stochastic_motion.envelope"] = same,
   ["at"] = function(value, system, direction)
     return type(value) == "table" and of "m"(value, system, direction) or value
@@ -160,6 +178,23 @@ local function spectrum(value, system, direction)
   return setmetatable(points, { __index = about })
 end
 
+local shape_of_mode = each(fields("a shape", { x = "1", y = "1", z = "1", rotation = "1/m", rotation_x = "1/m",
+  rotation_y = "1/m", rotation_z = "1/m" }))
+
+--- A natural mode. Its factors of participation belong to a shape of mass 1, so they are roots of masses.
+local function mode(value, system, direction)
+  local root = math.sqrt(system.mass)
+  local function factor(number) return direction == -1 and number/root or number*root end
+  local known = { frequency = "1", period = "1", square = "1", damping = "1", shape = shape_of_mode }
+  for _, axis in ipairs { "x", "y", "z" } do known["mass_" .. axis], known["factor_" .. axis] = "kg", factor end
+  return fields("a mode", known)(value, system, direction)
+end
+
+local fibre = each(fields("a fibre", { height = "m", up = "m", across = "m", area = "m2", strain = "1",
+  stress = "Pa" }))
+local heat_source = each(fields("a surrounding", { temperature = "1", supplied = "J" }))
+local flow_node = each(fields("a node", { head = "m", elevation = "m", inflow = "m3/s", supplied = "m3" }))
+
 --- Results, by "owner.member" of a function or a reading.
 rules.results = {
   ["motion:sa"] = of "m/s2", ["trilith.spectrum"] = spectrum,
@@ -181,6 +216,15 @@ rules.results = {
   ["section:moment_curvature"] = fields("the curve", { curvature = "1/m", moment = "N m", axial = same,
     yield_curvature = "1/m", yield_moment = "N m", peak_moment = "N m", peak_curvature = "1/m" }),
   ["section:interaction"] = fields("the interaction", { normal = "N", sagging = "N m", hogging = "N m" }),
+  ["body:fibres"] = each(fields("a section", with_moments { along = "m", axial = "1", curvature = "1/m",
+    curvature_y = "1/m", curvature_z = "1/m", normal = "N", moment = "N m", fibres = fibre })),
+  ["model:modes"] = each(mode),
+  ["model:temperature"] = same, ["model:creep_process"] = same, ["trilith.concrete_creep"] = same,
+  ["model:heat_state"] = fields("the state of the heat", { clock = "1", content = "J", cells = "1", friction = "J",
+    surroundings = heat_source }),
+  ["model:seepage_state"] = fields("the state of seepage", { head = "m", pressure = "Pa", aperture = "m", fill = "1",
+    volume = "m3", wet_length = "m", length = "m", head_from = "m", head_to = "m", inflow = "m3/s", outflow = "m3/s",
+    force = "N", moment = "N m", clock = "1", cells = "1", nodes = flow_node }),
   ["set:damage_by_storey"] = same, ["model:damping"] = same, ["model:on"] = same, ["model:every"] = same,
   ["model:on_step"] = same, ["model:keep"] = same, ["set:names"] = same,
   ["model:explain_dt"] = function(value, system) return system:message(value) end,
@@ -209,9 +253,7 @@ rules.plain = { ["trilith.joint_stiffness"] = true, ["trilith.bilinear"] = true,
 rules.refused = {}
 for _, name in ipairs { "trilith.study", "trilith.calibrate", "model:story", "model:wait", "model:break_on",
   "model:rewind",
-  "model:compare", "model:change", "model:lint", "model:calibrate", "model:modes", "model:heat", "model:heat_exchange",
-  "model:heat_contact", "model:set_temperature", "model:temperature", "model:heat_state", "model:process",
-  "model:seepage", "model:seepage_head", "model:seepage_state", "model:absorbing_boundary", "model:bolt", "model:creep",
-  "model:creep_process", "trilith.concrete_creep", "model:bridge", "space:bridge", "body:fibres" } do
+  "model:compare", "model:change", "model:lint", "model:calibrate", "model:absorbing_boundary", "model:bridge",
+  "space:bridge" } do
   rules.refused[name] = true
 end

@@ -29,7 +29,7 @@ void Live::note(const std::string& text) {
 void Live::caution(const std::string& text) {
   if (!quiet_) return screen_.line(text, true);
   screen_.clear();
-  fmt::print(stderr, "{}\n", terminal_text(text));
+  fmt::print(stderr, "{}\n", terminal_text(units_.message(text)));
 }
 
 template <int D>

@@ -23,6 +23,7 @@ class Live : public script::RunObserver {
   void step(const Instant<3>& now) override;
   void stage_ended(const StageReport& report) override;
   void clear() override { screen_.clear(); }
+  void show_in(const UnitSystem& units) override { screen_.show_in(units), units_ = units; }
   /// The stage or event at which times should start has not occurred yet.
   [[nodiscard]] bool waits() const { return lines_.waits(); }
   void line(const std::string& text, bool strong) override;
@@ -41,6 +42,7 @@ class Live : public script::RunObserver {
   void show(const Instant<D>& now, double at);
 
   Screen screen_;
+  UnitSystem units_;
   EventLines lines_;
   Pace pace_;
   bool quiet_;

@@ -11,6 +11,7 @@
 #include "program/comma_list.hpp"
 #include "program/positive.hpp"
 #include "program/since_option.hpp"
+#include "program/units_option.hpp"
 
 namespace trilith::program {
 namespace {
@@ -49,12 +50,12 @@ double scene_time(const results::ResultsReader& reader, const SceneWindow& windo
       fmt::format("{}: '{}' is neither a time nor an event of this run{}", option, text, name_hint(text, known)));
 }
 
-draw::PictureStyle scene_style(const SceneOptions& options, int dim) {
+draw::PictureStyle scene_style(const SceneOptions& options, const results::ResultsReader& reader) {
   draw::PictureStyle style;
-  style.units = options.units == "us" ? draw::LengthUnits::us : draw::LengthUnits::si;
+  style.units = shown_units(options.units, reader);
   if (options.names != "auto") style.label_limit = options.names == "all" ? std::numeric_limits<int>::max() : 0;
   style.fit_all = options.fit == "all";
-  if (options.view.empty() || dim == 3) return style;
+  if (options.view.empty() || reader.header().dim == 3) return style;
   const std::vector<std::string> ends = comma_list(options.view);
   if (ends.size() != 4)
     throw InputError(fmt::format("--view: '{}' must be four numbers x0,y0,x1,y1 in metres", options.view));
@@ -116,9 +117,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& o, const std::string& times
   verb.add_option("--names", o.names, "names of bodies: auto (for at most 30), all or none")
       ->check(CLI::IsMember({"auto", "all", "none"}))
       ->capture_default_str();
-  verb.add_option("--units", o.units, "units of the scales in the legend: si or us")
-      ->check(CLI::IsMember({"si", "us"}))
-      ->capture_default_str();
+  add_units(verb, o.units);
 }
 
 }  // namespace trilith::program

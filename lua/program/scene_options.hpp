@@ -9,7 +9,7 @@
 namespace trilith::program {
 
 struct SceneOptions {
-  std::string result, stage, since, view, units = "si";
+  std::string result, stage, since, view, units;
   bool forces = false, ghost = false, cracks = false;
   std::string stress, thrust, diagram;
   bool envelope = false;
@@ -35,7 +35,8 @@ SceneWindow scene_window(const results::ResultsReader& reader, const SceneOption
 double scene_time(const results::ResultsReader& reader, const SceneWindow& window, const std::string& text,
                   const char* option);
 
-draw::PictureStyle scene_style(const SceneOptions& options, int dim);
+/// Units of --units, or of the model.
+draw::PictureStyle scene_style(const SceneOptions& options, const results::ResultsReader& reader);
 draw::SceneChoice scene_choice(const SceneOptions& options, int dim);
 
 }  // namespace trilith::program

@@ -53,16 +53,18 @@ void Screen::line(const std::string& text, bool strong) {
   if (shown_) std::fputs("\r\033[K", out_);
   shown_ = false;
   if (strong && colours_)
-    std::fputs(fmt::format("\033[1m{}\033[0m\n", terminal_text(text)).c_str(), out_);
+    std::fputs(fmt::format("\033[1m{}\033[0m\n", terminal_text(units_.message(text))).c_str(), out_);
   else
-    std::fputs(fmt::format("{}\n", terminal_text(text)).c_str(), out_);  // a closed pipe does not end the run
+    std::fputs(fmt::format("{}\n", terminal_text(units_.message(text))).c_str(),
+               out_);  // a closed pipe does not end the run
   std::fflush(out_);
 }
 
 void Screen::status(const std::string& text) {
   if (!terminal_) return;
   // One column less than available: a full line would move the cursor to the next line.
-  std::fputs(fmt::format("\r{}\033[K", cut_text(terminal_text(text), columns_of(out_) - 1)).c_str(), out_);
+  std::fputs(fmt::format("\r{}\033[K", cut_text(terminal_text(units_.message(text)), columns_of(out_) - 1)).c_str(),
+             out_);
   std::fflush(out_);
   shown_ = true;
 }

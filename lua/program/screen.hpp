@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 
+#include "base/unit_system.hpp"
+
 namespace trilith::program {
 
 class Screen {
@@ -15,6 +17,8 @@ class Screen {
   ~Screen();
 
   [[nodiscard]] bool is_terminal() const { return terminal_; }
+  /// Numbers with an SI unit are written in these units from now on.
+  void show_in(const UnitSystem& units) { units_ = units; }
   /// A whole line, above the status if there is one; `strong`: in bold on a terminal with colours.
   void line(const std::string& text, bool strong = false);
   /// Redraws the status, cut to the terminal's width. Does nothing without a terminal.
@@ -24,6 +28,7 @@ class Screen {
 
  private:
   std::FILE* out_;
+  UnitSystem units_;
   bool terminal_, colours_, shown_ = false;
 };
 

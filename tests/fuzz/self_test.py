@@ -64,7 +64,7 @@ def check_cover(program):
     verbs = words.verbs_of(program)
     check({"run", "repair", "study", "draw"} <= {verb.name for verb in verbs}, "the verbs are those of the help")
     draw = next(verb for verb in verbs if verb.name == "draw")
-    check(draw.positionals == ["RESULT"] and ("--units", "TEXT") in [option[:2] for option in draw.options],
+    check(draw.positionals == ["RESULT"] and ("--units", "UNITS") in [option[:2] for option in draw.options],
           f"options are those of the help: {draw.positionals}, {draw.options}")
     check(scripts.changed(random.Random(1), "a = 1 + 2") != "a = 1 + 2", "a script is changed")
 

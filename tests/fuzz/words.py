@@ -12,7 +12,7 @@ ODD = ["", "-", "--", "nan", "-1", "0", "1e309", "1e308", "99999999999999999999"
        "missing/out.svg", "out", "run.h5", "end", "start", "seat.lost", "1,1,1,1", "0,0,1e308,1", "nan,0,1,1", "-3,0,5,4"]
 VALUES = {"NUMBER": ["1", "2", "3"], "N": ["1", "2"], "T": ["0", "end", "start", "0,0.02,end"], "FACTOR": ["1", "1e3"],
           "FILE": ["out.svg", "out.pdf", "out.png", "out.h5", "out.html"], "RESULT": ["run.h5", "other.h5"], "DIR": [".", "folder"],
-          "NAME": ["run", "top"], "GROUP": ["pile"], "HISTORY": ["top", "energy", "x", "y"], "SPEED": ["0.5"],
+          "NAME": ["run", "top"], "UNITS": ["si", "us", "kN m", "N mm"], "GROUP": ["pile"], "HISTORY": ["top", "energy", "x", "y"], "SPEED": ["0.5"],
           "SIZE": ["512MB", "1 GiB", "0", "-1", "1 m"], "SECONDS": ["0.5", "100", "0", "-1"], "PGA": ["0.3"],
           "PARAMETER": ["a", "b"], "X0": ["-1,-1,1,1"], "NAME=VALUE": ["a=1", "a=0.5 m", "b=two", "c=3"],
           "NAME=VALUES": ["a=1,2", "a=1..3", "a=0.1..0.5:3", "b=one,two", "zeta=0.1..0.5", "a=1..1000000000", "a=nan", "a=1..2:1e9",

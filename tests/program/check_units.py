@@ -2,6 +2,10 @@
 
 usage: check_units.py PROGRAM SCRIPT FOLDER
 """
+import base64
+import csv
+import gzip
+import json
 import os
 import re
 import subprocess
@@ -81,12 +85,91 @@ def compare(case, units, expected, file):
             failed.append(f"{case} in {units}: {name} differs by {differ(first[name], second[name]):g}")
 
 
-for case in ("wall", "bearing", "portal", "tower"):
+for case in ("wall", "bearing", "portal", "tower", "fields"):
     expected, file = run(case, "SI")
     if expected is None:
         continue
     for units in ("kN m", "N mm", "kip ft"):
         compare(case, units, expected, file)
+
+# Results are shown in the units of the model, or in others; the file stays in SI.
+def shown(*arguments):
+    done = subprocess.run([program, *arguments], capture_output=True, text=True, cwd=folder)
+    if done.returncode != 0:
+        failed.append(f"trilith {' '.join(arguments)}: code {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def expect(what, text, present=(), absent=()):
+    for pattern in present:
+        if not re.search(pattern, text):
+            failed.append(f"{what}: '{pattern}' is missing:\n{text[:2000]}")
+    for pattern in absent:
+        if re.search(pattern, text):
+            failed.append(f"{what}: '{pattern}' must not be there: {re.search(pattern, text).group(0)}")
+
+
+def column(table, name):
+    head, *rows = list(csv.reader(table.splitlines()))
+    if name not in head:
+        failed.append(f"no column '{name}' in {head}")
+        return numpy.zeros(0)
+    return numpy.array([float(row[head.index(name)]) for row in rows])
+
+
+def check_outputs(file, metric):
+    """`file`: a portal in N mm; `metric`: the same in SI."""
+    with h5py.File(file, "r") as data:
+        if data["provenance"].attrs["units"].decode() != "N mm":
+            failed.append("the results file does not keep the units of the script")
+    own, si = shown("export", file, "--to", "csv", "--table", "members"), shown("export", file, "--to", "csv", "--table", "members",
+                                                                              "--units", "SI")
+    if si != shown("export", metric, "--to", "csv", "--table", "members"):
+        failed.append("a table in SI differs from that of a model in SI")
+    for name, unit, factor in (("along", "mm", 1e3), ("x", "mm", 1e3), ("moment", "N mm", 1e3), ("normal", "N", 1)):
+        there = [head for head in own.splitlines()[0].split(",") if head.startswith(name) and head.endswith(f"[{unit}]")]
+        if not there:
+            failed.append(f"export: no column '{name} [{unit}]' in {own.splitlines()[0]}")
+            continue
+        plain = there[0].replace(f"[{unit}]", "[N m]" if unit == "N mm" else "[m]" if unit == "mm" else "[N]")
+        a, b = column(own, there[0]), column(si, plain)
+        if len(a) == 0 or not numpy.allclose(a, factor * b, rtol=1e-14, atol=0):
+            failed.append(f"export: '{name}' in {unit} is not {factor} times SI")
+    expect("info", shown("info", file), [r"mass +[\d.]+ t", r"energy", r" N mm\n"], [r" J\n", r" kg\b"])
+    expect("info in kip ft", shown("info", file, "--units", "kip ft"), [r" kip ft\n"], [r" J\n"])
+    expect("events", shown("info", file, "--events"), [r"yielded under [\d.e+]+ N mm"], [r"kN m"])
+    page = os.path.join(folder, "units.report.html")
+    shown("report", file, "-o", page)
+    with open(page, encoding="utf-8") as text:
+        body = re.sub(r"(?s)<svg.*?</svg>|<details.*?</details>|<pre.*?</pre>", "", text.read())
+    expect("report", body, [r"N·mm", r"1/mm", r"Units of the model throughout: N, mm"], [r"\d k?N·m\b", r"\d kN\b", r"\d Pa\b", r"\d J\b"])
+    view = os.path.join(folder, "units.html")
+    shown("view", file, "-o", view)
+    with open(view, encoding="utf-8") as text:
+        packed = max(re.findall(r"[A-Za-z0-9+/=]{2000,}", text.read()), key=len)
+    raw = gzip.decompress(base64.b64decode(packed))
+    head = json.loads(raw[12:12 + int.from_bytes(raw[8:12], "little")])
+    if head.get("units", {}).get("N m") != [0.001, "N·mm"] or head["units"].get("m") != [0.001, "mm"]:
+        failed.append(f"the page has the units {head.get('units')}")
+    expect("events of the page", json.dumps(head["events"], ensure_ascii=False), [r"N mm"], [r"kN m"])
+    for verb in (["draw", file, "--diagram", "moment", "-o", "units.svg"], ["plot", file, "energy", "-o", "units.plot.svg"]):
+        shown(*verb)
+        shown(*verb, "--units", "kip ft")
+    wrong = subprocess.run([program, "info", file, "--units", "kN mile"], capture_output=True, text=True, cwd=folder)
+    expect("a wrong unit", wrong.stderr, [r"--units: 'units' is 'kN mile': there is no unit 'mile'"])
+
+
+def check_terminal():
+    """Lines of a run that is not quiet."""
+    for units, there, not_there in (("N mm", r"yielded under [\d.e+]+ N mm", r"kN m"), ("SI", r"yielded under [\d.]+ kN m", r"N mm")):
+        done = subprocess.run([program, "run", script, "case=portal", f"units={units}", "out=terminal.h5"], capture_output=True,
+                              text=True, cwd=folder)
+        expect(f"the terminal in {units}", done.stdout, [there], [not_there])
+
+
+if not failed:
+    check_outputs(os.path.join(folder, "portal_N_mm.h5"), os.path.join(folder, "portal_SI.h5"))
+    check_terminal()
 
 # The door: functions that do not convert are refused, and so are numbers given too early.
 REFUSED = {
@@ -98,7 +181,7 @@ REFUSED = {
     'local m = trilith.model { units = "kN kg" }': "must be a unit of force and a unit of length",
     'local m = trilith.model { units = "kN mile" }': "there is no unit 'mile'",
     'local m = trilith.model { units = "kN m" }\nm:story(function() end)': 'model:story does not convert to units = "kN m"',
-    'local m = trilith.model { units = "N mm" }\nm:on({ "impact", above = 2 }, print)': "'above' of on is not converted",
+    'local m = trilith.model { units = "N mm" }\nm:on({ "no.event", above = 2 }, print)': "'above' of on is not converted",
     'local m = trilith.model { units = "kN m" }\nm:material { name = "a", density = -1 }': "density is -1 kN s2/m4",
     'local m = trilith.model { units = "N mm" }\nm:wall { name = "w", length = 1, courses = 1, openings = {} }':
         "openings is not converted",
@@ -127,7 +210,7 @@ m:run({ duration = 0.01 }).endng
 b.uz
 print(5*trilith.units "cm")
 """
-SHOWN = [r"y +200 mm ", r"mass +0\.48 N s2/mm ", r"vx +0 mm/s ", r"consolidation ended \(rest\) after", "has no 'kinetc'; did you mean",
+SHOWN = [r"y +200 mm ", r"mass +0\.48 t ", r"vx +0 mm/s ", r"consolidation ended \(rest\) after", "has no 'kinetc'; did you mean",
          "report has no 'endng'; did you mean", "body 'block' has no 'uz'", r"^50\.0$"]
 done = subprocess.run([program], input=CONSOLE, capture_output=True, text=True, cwd=folder)
 shown = done.stdout + done.stderr

@@ -11,7 +11,8 @@ local F, L = table.unpack(sizes[p.units])
 local M = F/L
 local factors = { m = L, m2 = L^2, N = F, ["N m"] = F*L, ["N/m"] = F/L, ["N s/m"] = F/L, Pa = F/L^2, ["Pa/m"] = F/L^3,
   ["kg/m3"] = M/L^3, ["m/s"] = L, ["m/s2"] = L, kg = M, ["kg m2"] = M*L^2, ["N/m3"] = F/L^3, J = F*L,
-  ["J/m2"] = F/L, ["1/m"] = 1/L }
+  ["J/m2"] = F/L, ["1/m"] = 1/L, ["m3"] = L^3, ["m3/s"] = L^3, ["W/(m K)"] = F, ["W/(m2 K)"] = F/L,
+  ["J/(kg K)"] = L^2, ["Pa s"] = F/L^2 }
 -- A number as one would write it: with the same digits where the units differ by a power of ten.
 local function q(value, unit)
   if p.units == "kip ft" then return value/factors[unit] end
@@ -130,6 +131,51 @@ function cases.tower()
   report("stress", m:body("soft").szz, "Pa")
   report("reaction", m:body("foot").reaction_z, "N")
   report("area", m:contacts { between = { "soft", "foot" } }[1].area, "m2")
+end
+
+-- Functions whose tables have units of their own: heat, water in joints, modes, fibres, creep, bolts.
+function cases.fields()
+  m:material { name = "stone", density = q(2400, "kg/m3"), E = q(3e10, "Pa"), nu = 0.2 }
+  m:contact { between = { "*", "*" }, law = trilith.frictional { kn = q(1e9, "Pa/m"), ks = q(5e8, "Pa/m"), mu = 0.6,
+    beta = 1e-4 } }
+  m:block { name = "ground", width = q(4, "m"), height = q(1, "m"), at = { 0, q(-1, "m") }, material = "stone",
+    support = "fixed" }
+  local block = m:block { name = "block", width = q(2, "m"), height = q(1, "m"), at = { q(1, "m"), 0 },
+    material = "stone" }
+  m:heat { body = "block", conductivity = q(2, "W/(m K)"), heat_capacity = q(900, "J/(kg K)"), temperature = 10 }
+  m:heat_exchange { name = "air", body = "block", side = "left", temperature = 30, exchange = q(10, "W/(m2 K)") }
+  m:seepage { name = "fissure", length = q(2, "m"), width = q(1, "m"), aperture = q(2e-4, "m"), from = "lake",
+    to = "drain", density = q(1000, "kg/m3"), viscosity = q(1e-3, "Pa s"), bulk_modulus = q(2.2e9, "Pa") }
+  m:seepage_head { node = "lake", head = q(3, "m") }
+  m:seepage_head { node = "drain", head = { { 0, q(0.5, "m") }, { 1e4, q(1, "m") } } }
+  local shape = trilith.rectangle_section { width = q(0.1, "m"), depth = q(0.2, "m") }
+  local section = trilith.fibre_section { shape = shape,
+    law = trilith.bilinear_steel { E = q(2.1e11, "Pa"), yield = q(355e6, "Pa") } }
+  local post = m:beam { name = "post", from = { q(6, "m"), 0 }, to = { q(6, "m"), q(2, "m") }, material = "stone",
+    from_support = "fixed", section = section, divisions = 2 }
+  m:point_load { body = post, at = { q(6, "m"), q(2, "m") }, force = { q(2e3, "N"), 0 } }
+  local hit = 0
+  m:on({ "contact.made", above = q(1e9, "N") }, function() hit = hit + 1 end)
+  m:consolidate { integrator = "static" }
+  m:process { duration = 3600, step = 600 }
+  local mode, heat, water = m:modes { count = 2 }[1], m:heat_state(), m:seepage_state "fissure"
+  report("hit", hit)
+  report("warm", (m:temperature "block"))
+  report("content", heat.content, "J")
+  report("supplied", heat.surroundings.air.supplied, "J")
+  report("head", water.head[1], "m")
+  report("pressure", water.pressure[2], "Pa")
+  report("inflow", water.inflow, "m3/s")
+  report("volume", m:seepage_state().volume, "m3")
+  report("frequency", mode.frequency)
+  report("modal_mass", mode.mass_x, "kg")
+  report("factor", math.abs(mode.factor_x)*math.sqrt(factors.kg))
+  report("turn", math.abs(mode.shape.block.rotation/mode.shape.block.x), "1/m")
+  local at = post:fibres()[1]
+  report("curvature", at.curvature, "1/m")
+  report("fibre", at.fibres[1].height, "m")
+  report("stress", at.fibres[1].stress, "Pa")
+  report("block", block.y, "m")
 end
 
 m:results { file = p.out, frames = 0.05, histories = 0.01 }

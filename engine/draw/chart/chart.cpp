@@ -128,10 +128,10 @@ Block measure(const Chart& chart, double width, double height, const ChartStyle&
   block.width = width;
   for (std::size_t i = 0; i < chart.panels.size(); ++i)
     block.panels.push_back(checked_panel(chart.panels[i], chart.x.scale, panel_name(chart, i)));
-  block.x = plot_axis(chart.x, x_range(block.panels, chart.x), 0, tick_count(width, 40), "chart x axis");
+  block.x = plot_axis(chart.x, x_range(block.panels, chart.x), 0, tick_count(width, 40), "chart x axis", chart.units);
   for (std::size_t i = 0; i < block.panels.size(); ++i)
     block.y.push_back(plot_axis(block.panels[i].y, y_range(block.panels[i], block.x), 0.06,
-                                std::min(7, tick_count(height, 13)), panel_name(chart, i)));
+                                std::min(7, tick_count(height, 13)), panel_name(chart, i), chart.units));
   measure_left(block, height, style);
   if (block.plot_width() < 40)
     throw InputError(fmt::format("chart '{}' has only {:.0f} pt of width left, needs 40; widen the picture",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/unit_system.hpp"
 #include "draw/canvas.hpp"
 
 namespace trilith::draw {
@@ -52,7 +53,8 @@ struct ChartPanel {
   std::string note = {};
 };
 
-/// A stack of panels over one x axis. `share`: width relative to neighbouring charts.
+/// A stack of panels over one x axis. `share`: width relative to neighbouring charts. Values are in the units of the
+/// axes, and are shown in `units`.
 struct Chart {
   std::string title;
   std::string subtitle;
@@ -60,6 +62,7 @@ struct Chart {
   std::vector<ChartPanel> panels;
   std::vector<ChartMark> marks;
   double share = 1;
+  UnitSystem units = {};
 };
 
 /// Page [pt] and type. `panel_height` 0: chosen by the number of panels.

@@ -9,8 +9,8 @@
 namespace trilith::draw {
 namespace {
 
-std::string peak_note(const Peak& peak, double unit, const char* name) {
-  return fmt::format("peak {} at {:.2f} s", quantity_text(peak.value / unit, name), peak.time);
+std::string peak_note(const Peak& peak, double unit, const char* name, const UnitSystem& units) {
+  return fmt::format("peak {} at {:.2f} s", quantity_text(peak.value / unit, name, units), peak.time);
 }
 
 std::vector<double> in_units(std::vector<double> values, double unit) {
@@ -29,19 +29,20 @@ std::string title_of(const GroundMotion& motion) {
 
 }  // namespace
 
-Chart motion_chart(const GroundMotion& motion) {
+Chart motion_chart(const GroundMotion& motion, const UnitSystem& units) {
   const MotionTraces traces = motion_traces(motion);
   const MotionPeaks peaks = motion_peaks(motion);
   Chart chart;
+  chart.units = units;
   chart.title = title_of(motion);
   if (!motion.source().component.empty()) chart.subtitle = "component " + motion.source().component;
   chart.x = {"Time", "s"};
   chart.panels = {
       {{"Acceleration", "g"},
        {{"", traces.time, in_units(traces.acceleration, standard_gravity)}},
-       peak_note(peaks.acceleration, standard_gravity, "g")},
-      {{"Velocity", "m/s"}, {{"", traces.time, traces.velocity}}, peak_note(peaks.velocity, 1, "m/s")},
-      {{"Displacement", "m"}, {{"", traces.time, traces.displacement}}, peak_note(peaks.displacement, 1, "m")}};
+       peak_note(peaks.acceleration, standard_gravity, "g", units)},
+      {{"Velocity", "m/s"}, {{"", traces.time, traces.velocity}}, peak_note(peaks.velocity, 1, "m/s", units)},
+      {{"Displacement", "m"}, {{"", traces.time, traces.displacement}}, peak_note(peaks.displacement, 1, "m", units)}};
   return chart;
 }
 

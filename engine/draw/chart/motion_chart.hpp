@@ -8,8 +8,8 @@
 
 namespace trilith::draw {
 
-/// Acceleration [g], velocity and displacement over time, each with its peak.
-Chart motion_chart(const GroundMotion& motion);
+/// Acceleration [g], velocity and displacement over time in `units`, each with its peak.
+Chart motion_chart(const GroundMotion& motion, const UnitSystem& units = {});
 
 /// Pseudo-acceleration [g] over period, 5 % of critical damping, one line for each motion; both axes logarithmic.
 Chart spectrum_chart(const std::vector<GroundMotion>& motions);

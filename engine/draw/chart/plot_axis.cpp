@@ -96,7 +96,7 @@ PlotAxis word_axis(const ChartAxis& axis) {
 }  // namespace
 
 PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin, int most_ticks,
-                   const std::string& where) {
+                   const std::string& where, const UnitSystem& units) {
   assert(range.any);
   check_ends(axis, where);
   if (!axis.words.empty()) return word_axis(axis);
@@ -114,7 +114,7 @@ PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin
     fit_logarithmic(out, axis, margin);
   }
 
-  const ShownUnit unit = engineering_unit(std::max(std::abs(out.low), std::abs(out.high)), axis.unit);
+  const ShownUnit unit = engineering_unit(std::max(std::abs(out.low), std::abs(out.high)), axis.unit, units);
   const double low = out.low / unit.size, high = out.high / unit.size;
   const bool linear = axis.scale == AxisScale::linear;
   const std::vector<double> shown = linear ? linear_ticks(low, high, most_ticks) : log_ticks(low, high);

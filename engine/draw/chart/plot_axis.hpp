@@ -32,8 +32,8 @@ struct ValueRange {
 /// Axis for data in `range` (`any` set) with at most `most_ticks` numbers. `margin` (share of the span) is left free
 /// beyond free ends. Without margin a free end of a linear axis moves to the next tick if that is near. Throws
 /// InputError (`where` names the axis) if fixed ends are not in order, not finite or, on a logarithmic axis, not above
-/// zero.
+/// zero. `units`: in which numbers and title are shown.
 PlotAxis plot_axis(const ChartAxis& axis, const ValueRange& range, double margin, int most_ticks,
-                   const std::string& where);
+                   const std::string& where, const UnitSystem& units = {});
 
 }  // namespace trilith::draw

@@ -227,7 +227,7 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view, const Pl
   return chart;
 }
 
-std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow& window) {
+std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow& window, const UnitSystem& units) {
   const RunWindow of_run = run_window(reader, window);
   std::map<std::string, std::vector<results::EventRow>> by_type;
   for (results::EventRow& e : events_of_note(reader)) {
@@ -238,7 +238,7 @@ std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow
   std::vector<ChartMark> marks;
   for (const auto& [type, events] : by_type) {
     if (events.size() <= most_marks_of_a_type) {
-      for (const results::EventRow& e : events) marks.push_back({e.time, e.text});
+      for (const results::EventRow& e : events) marks.push_back({e.time, units.message(e.text)});
       continue;
     }
     const bool impacts = type == info_of(EventType::impact).name;
@@ -246,7 +246,8 @@ std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow
       return a.first.value < b.first.value;
     };
     const results::EventRow& one = impacts ? *std::max_element(events.begin(), events.end(), slower) : events.front();
-    marks.push_back({one.time, fmt::format("{} ({} of {})", one.text, impacts ? "fastest" : "first", events.size())});
+    marks.push_back({one.time, fmt::format("{} ({} of {})", units.message(one.text), impacts ? "fastest" : "first",
+                                           events.size())});
   }
   std::stable_sort(marks.begin(), marks.end(), [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
   return marks;

@@ -72,14 +72,14 @@ void add_labels(const SceneDiagram& d, const SceneView& view, const PageView& pa
 }
 
 /// Largest values first; a text that would cover another one, or a mark, is left out.
-void draw_labels_of(Canvas& canvas, std::vector<ValueLabel> labels, const Scene& scene, const PageView& page,
-                    std::vector<PageBox>& marks) {
+void draw_labels_of(Canvas& canvas, std::vector<ValueLabel> labels, const Scene& scene, const SceneView& view,
+                    const PageView& page, std::vector<PageBox>& marks) {
   std::stable_sort(labels.begin(), labels.end(),
                    [](const ValueLabel& a, const ValueLabel& b) { return std::abs(a.value) > std::abs(b.value); });
   if (labels.size() > most_labels) labels.resize(most_labels);
   const TextStyle style{label_size, false, palette().ink, Align::centre};
   for (const ValueLabel& label : labels) {
-    const std::string text = quantity_text(label.value, scene.diagram_unit);
+    const std::string text = quantity_text(label.value, scene.diagram_unit, view.units);
     const double wide = 0.5 * text_width(text, style) + 1.5, tall = 0.5 * label_size + 1;
     // The text's box touches the tip from outside.
     const double reach =
@@ -117,7 +117,7 @@ void draw_diagrams(Canvas& canvas, const Scene& scene, const SceneView& view, co
     draw_diagram(canvas, d, view, page);
     add_labels(d, view, page, labels);
   }
-  draw_labels_of(canvas, std::move(labels), scene, page, marks);
+  draw_labels_of(canvas, std::move(labels), scene, view, page, marks);
 }
 
 void draw_hinges(Canvas& canvas, const Scene& scene, const PageView& page, std::vector<PageBox>& marks) {

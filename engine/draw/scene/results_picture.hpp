@@ -91,7 +91,8 @@ Chart results_energy_chart(const NamedResults& result, EnergyView view, const Pl
 
 /// Marks of stages and of the events that change the structure (bearings and bonds lost, seats lost, impacts) in the
 /// window, with its origin of time. For many events of one kind there is one mark: for the fastest impact, otherwise
-/// for the first event.
-std::vector<ChartMark> event_marks(const results::ResultsReader& reader, const PlotWindow& window = {});
+/// for the first event. Numbers in their texts are in `units`.
+std::vector<ChartMark> event_marks(const results::ResultsReader& reader, const PlotWindow& window = {},
+                                   const UnitSystem& units = {});
 
 }  // namespace trilith::draw

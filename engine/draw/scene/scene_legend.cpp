@@ -14,16 +14,9 @@
 namespace trilith::draw {
 namespace {
 
-constexpr double metres_per_foot = 0.3048;           // exact by definition
-constexpr double newtons_per_kip = 4448.2216152605;  // 1000 lbf, exact by definition
-
-std::string force_text(double newtons, LengthUnits units) {
-  return units == LengthUnits::us ? quantity_text(newtons / newtons_per_kip, "kip") : quantity_text(newtons, "N");
-}
-
 LegendItem scale_bar(double scale, const PictureStyle& style) {
-  const bool feet = style.units == LengthUnits::us;
-  const double unit = feet ? metres_per_foot : 1, longest = 0.16 * style.width;
+  const auto own = style.units.unit_for("m");
+  const double unit = own ? own->factor : 1, longest = 0.16 * style.width;
   const double shown = nice_at_most(longest / scale / unit), length = shown * unit * scale;
   return {length,
           [=](Canvas& c, const PagePoint& at) {
@@ -36,8 +29,8 @@ LegendItem scale_bar(double scale, const PictureStyle& style) {
             }
           },
           // For a structure 0.5 m is clearer than 500 mm.
-          shown >= 0.01 && shown < 1000 ? fmt::format("{:g} {}", shown, feet ? "ft" : "m")
-                                        : quantity_text(shown, feet ? "ft" : "m")};
+          own || (shown >= 0.01 && shown < 1000) ? fmt::format("{:g} {}", shown, style.units.name("m"))
+                                                 : quantity_text(shown, "m")};
 }
 
 /// The colour of a solid as its faces show it, from full light to shade.
@@ -89,18 +82,20 @@ LegendItem bearing_item(BearingMark state) {
           bearing_text(state)};
 }
 
-LegendItem force_item(const SceneView& view, double scale, LengthUnits units) {
-  const double unit = units == LengthUnits::us ? newtons_per_kip : 1;
+LegendItem force_item(const SceneView& view, double scale, const UnitSystem& units) {
+  const auto own = units.unit_for("N");
+  const double unit = own ? own->factor : 1;
   const double shown = nice_at_most(view.largest_force / unit) * unit;
   const double length = view.longest_arrow * scale * shown / view.largest_force;
   const bool bars = view.bars;
-  return {
-      length, [=](Canvas& c, const PagePoint& at) { draw_force(c, at, at + PagePoint(length, 0), bars); },
-      fmt::format("contact force {} (largest {})", force_text(shown, units), force_text(view.largest_force, units))};
+  return {length, [=](Canvas& c, const PagePoint& at) { draw_force(c, at, at + PagePoint(length, 0), bars); },
+          fmt::format("contact force {} (largest {})", quantity_text(shown, "N", units),
+                      quantity_text(view.largest_force, "N", units))};
 }
 
 LegendItem colour_bar(const SceneView& view, const Scene& scene, const PictureStyle& style) {
-  const ShownUnit unit = engineering_unit(std::max(std::abs(view.low), std::abs(view.high)), scene.value_unit);
+  const ShownUnit unit =
+      engineering_unit(std::max(std::abs(view.low), std::abs(view.high)), scene.value_unit, style.units);
   const TextStyle text{style.font_size - 0.5};
   const std::string low = quantity_text(view.low / unit.size, ""), high = quantity_text(view.high / unit.size, "");
   const double left = text_width(low, text) + 3, bar = 80, width = left + bar + 3 + text_width(high, text);
@@ -127,18 +122,18 @@ LegendItem hinge_item(HingeMark state) {
 }
 
 /// A swatch of both signs and the largest value.
-LegendItem diagram_item(const SceneView& view, const Scene& scene) {
-  return {
-      22,
-      [](Canvas& c, const PagePoint& at) {
-        for (const double sign : {1.0, -1.0}) {
-          const double x = at.x() + (sign > 0 ? 0 : 11);
-          const PageBox box{x, at.y() - 4, x + 10, at.y() + 4};
-          c.rectangle(box, diagram_fill(sign), Stroke{diagram_line(sign), 0.5});
-          c.text({x + 5, at.y() + 2.4}, sign > 0 ? "+" : "−", {7, true, diagram_line(sign), Align::centre});
-        }
-      },
-      fmt::format("{} (largest {})", scene.diagram_label, quantity_text(view.largest_ordinate, scene.diagram_unit))};
+LegendItem diagram_item(const SceneView& view, const Scene& scene, const UnitSystem& units) {
+  return {22,
+          [](Canvas& c, const PagePoint& at) {
+            for (const double sign : {1.0, -1.0}) {
+              const double x = at.x() + (sign > 0 ? 0 : 11);
+              const PageBox box{x, at.y() - 4, x + 10, at.y() + 4};
+              c.rectangle(box, diagram_fill(sign), Stroke{diagram_line(sign), 0.5});
+              c.text({x + 5, at.y() + 2.4}, sign > 0 ? "+" : "−", {7, true, diagram_line(sign), Align::centre});
+            }
+          },
+          fmt::format("{} (largest {})", scene.diagram_label,
+                      quantity_text(view.largest_ordinate, scene.diagram_unit, units))};
 }
 
 LegendItem ghost_item(const std::string& text) {
@@ -203,7 +198,7 @@ std::vector<LegendItem> scene_legend(const std::vector<Scene>& scenes, const Sce
        {HingeMark::elastic, HingeMark::fibres, HingeMark::yielded, HingeMark::lost, HingeMark::removed})
     if (occurs(scenes, state)) items.push_back(hinge_item(state));
   const auto drawn = std::find_if(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.diagrams.empty(); });
-  if (drawn != scenes.end()) items.push_back(diagram_item(view, *drawn));
+  if (drawn != scenes.end()) items.push_back(diagram_item(view, *drawn, style.units));
   if (view.largest_force > 0) items.push_back(force_item(view, scale, style.units));
   return items;
 }

@@ -25,9 +25,9 @@ TextStyle subtitle_style(const PictureStyle& s) {
   return {s.font_size, false, palette().quiet_ink};
 }
 
-std::string subtitle(const Scene& scene) {
+std::string subtitle(const Scene& scene, const UnitSystem& units) {
   std::string out = scene.time ? fmt::format("t = {}{}", time_label(*scene.time), scene.since) : "";
-  for (const std::string& part : {scene.stage, scene.event, scene.verdict})
+  for (const std::string& part : {scene.stage, units.message(scene.event), units.message(scene.verdict)})
     if (!part.empty()) out += (out.empty() ? "" : " · ") + part;
   return out;
 }
@@ -87,7 +87,7 @@ void set_heads(Layout& out, const std::vector<Scene>& scenes, const PictureStyle
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const std::string title = out.single ? scenes[i].title : letter(i) + " " + scenes[i].title;
     const Head head{wrap_text(title, title_style(style, out.single), out.panel_width),
-                    wrap_text(subtitle(scenes[i]), subtitle_style(style), out.panel_width)};
+                    wrap_text(subtitle(scenes[i], style.units), subtitle_style(style), out.panel_width)};
     const double tall = 1.3 * title_style(style, out.single).size * static_cast<double>(head.title.size()) +
                         1.35 * style.font_size * static_cast<double>(head.subtitle.size()) + head_gap;
     double& row = out.head_heights[i / static_cast<std::size_t>(out.columns)];
@@ -212,7 +212,7 @@ Canvas series_picture(const SeriesPage& page, const Scene& scene) {
   const double width = page.layout.panel_width;
   Canvas canvas(page.style.width, page.style.height);
   const Head head{first_line(scene.title, title_style(page.style, true), width),
-                  first_line(subtitle(scene), subtitle_style(page.style), width)};
+                  first_line(subtitle(scene, page.style.units), subtitle_style(page.style), width)};
   draw_head(canvas, head, {page_margin, page_margin}, true, page.style);
   draw_panel(canvas, scene, page.view, page.layout, {page_margin, page_margin + page.head}, page.style);
   draw_legend(canvas, page.legend, page.legend_style, {page_margin, canvas.height() - page_margin - page.legend_tall},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/space.hpp"
+#include "base/unit_system.hpp"
 #include "draw/canvas.hpp"
 
 namespace trilith::draw {
@@ -144,7 +145,6 @@ struct Scene {
   std::string value_unit = {};
 };
 
-enum class LengthUnits { si, us };
 /// Arrows start at the contact in the direction of the force; bars are centred on it (better for many contacts).
 /// `automatic`: bars above 60 forces.
 enum class ForceMark { automatic, arrow, bar };
@@ -154,7 +154,7 @@ struct PictureStyle {
   double width = 510;      ///< greatest page width [pt], 180 mm
   double height = 0;       ///< page height, if texts leave enough space [pt]; 0: 430, or 660 for several rows
   double font_size = 7.5;  ///< pt
-  LengthUnits units = LengthUnits::si;          ///< scale bar in m or ft, forces in N or kip
+  UnitSystem units = {};   ///< of the scale bar, of values, and of numbers in texts
   std::optional<WorldBox> view = std::nullopt;  ///< [m]; none: fitted to the free bodies, with some ground
   bool fit_all = false;                         ///< the view is fitted to all free bodies, wherever they are
   ForceMark force_mark = ForceMark::automatic;

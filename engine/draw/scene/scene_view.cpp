@@ -291,6 +291,7 @@ SceneView scene_view(const std::vector<Scene>& scenes, const PictureStyle& style
     check_scene(scenes[i],
                 scenes[i].title.empty() ? fmt::format("scene {}", i + 1) : fmt::format("scene '{}'", scenes[i].title));
   SceneView view;
+  view.units = style.units;
   view.has_faces = std::any_of(scenes.begin(), scenes.end(), [](const Scene& s) { return !s.faces.empty(); });
   set_world(view, scenes, style);
   set_groups_and_values(view, scenes);

@@ -27,7 +27,8 @@ struct SceneView {
   bool has_faces = false;                      ///< of polyhedra: ground is shaded, not hatched
   PanelCorner axes = PanelCorner::lower_left;  ///< corner of the world axes in all panels
   double low = 0, high = 0;                    ///< range of the values' colours
-  double farthest = 0;  ///< largest magnitude of a value, if values have both signs: 0 has the middle colour
+  double farthest = 0;    ///< largest magnitude of a value, if values have both signs: 0 has the middle colour
+  UnitSystem units = {};  ///< of numbers in texts
 };
 
 /// Checks all scenes and the style and computes their common data. Throws InputError as scene_canvas.

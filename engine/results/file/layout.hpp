@@ -1,7 +1,9 @@
 // Private to results/: the objects of a results file, created once before the first row.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "results/file/growing_set.hpp"
@@ -15,11 +17,17 @@ struct ProvenanceText {
   const char* name;
   std::string Provenance::*member;
 };
-inline constexpr ProvenanceText provenance_texts[] = {
-    {"script_path", &Provenance::script_path},   {"program_version", &Provenance::program_version},
-    {"git_commit", &Provenance::git_commit},     {"compiler", &Provenance::compiler},
-    {"platform", &Provenance::platform},         {"start_time", &Provenance::start_time},
-    {"command_line", &Provenance::command_line}, {"model", &Provenance::model}};
+inline constexpr ProvenanceText provenance_texts[] = {{"script_path", &Provenance::script_path},
+                                                      {"program_version", &Provenance::program_version},
+                                                      {"git_commit", &Provenance::git_commit},
+                                                      {"compiler", &Provenance::compiler},
+                                                      {"platform", &Provenance::platform},
+                                                      {"start_time", &Provenance::start_time},
+                                                      {"command_line", &Provenance::command_line},
+                                                      {"model", &Provenance::model},
+                                                      {"units", &Provenance::units}};
+/// Files of earlier program versions do not have these.
+inline constexpr std::array<std::string_view, 2> later_provenance_texts{"model", "units"};
 
 /// Throws ResultsError if arrays of the header have inconsistent sizes or contain a number that is not finite,
 /// InputError if a history or energy term has an invalid name.

@@ -56,6 +56,7 @@ struct Provenance {
   std::vector<ParameterRow> parameters;
   std::vector<std::string> motions;  ///< one line per ground motion used
   std::string model;                 ///< its name; may be empty
+  std::string units;                 ///< of the script, in which results are shown, e.g. "kN m"; empty: SI
 };
 
 /// One body. Its nodes, outline points and faces are slices of the arrays in Header.

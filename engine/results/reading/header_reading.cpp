@@ -1,5 +1,8 @@
 #include "results/reading/header_reading.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include "results/file/layout.hpp"
 #include "results/reading/set_reading.hpp"
 
@@ -9,9 +12,11 @@ namespace {
 Provenance read_provenance(hid_t file) {
   const h5::Handle group(H5Gopen2(file, "/provenance", H5P_DEFAULT), H5Gclose, "there is no /provenance");
   Provenance result;
-  for (const ProvenanceText& entry : provenance_texts)  // files of earlier program versions do not name the model
-    if (std::string_view(entry.name) != "model" || H5Aexists(group.get(), entry.name) > 0)
-      result.*entry.member = h5::read_text(group.get(), entry.name);
+  for (const ProvenanceText& entry : provenance_texts) {
+    const bool later =
+        std::ranges::find(later_provenance_texts, std::string_view(entry.name)) != later_provenance_texts.end();
+    if (!later || H5Aexists(group.get(), entry.name) > 0) result.*entry.member = h5::read_text(group.get(), entry.name);
+  }
   result.script = read_text_set(file, "/provenance/script");
   result.parameters = read_table<ParameterRow>(file, "/provenance/parameters", 2);
   result.motions = read_texts(file, "/provenance/motions");

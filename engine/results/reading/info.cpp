@@ -53,6 +53,7 @@ std::string provenance(const Provenance& from) {
       line("program", from.program_version.empty() ? "" : fmt::format("trilith {}{}", from.program_version, commit));
   text += line("built with", from.compiler);
   text += line("platform", from.platform);
+  text += line("units", from.units.empty() ? "" : fmt::format("{} in the script; this file is in SI", from.units));
   text += line("command", from.command_line);
   if (!from.script.empty()) {
     const auto lines = std::count(from.script.begin(), from.script.end(), '\n') + (from.script.back() == '\n' ? 0 : 1);
@@ -108,15 +109,15 @@ std::string modes(const std::vector<ModeRow>& rows) {
   return text;
 }
 
-std::string records(const ResultsReader& reader) {
+std::string records(const ResultsReader& reader, const UnitSystem& units) {
   std::string text = "records\n";
   text += line("frames", fmt::format("{}{}", reader.frame_count(), span_of(reader.frame_times())));
   const std::vector<double> times = reader.history_times();
   text += line("histories",
                fmt::format("{} of {} samples{}", reader.header().histories.size(), times.size(), span_of(times)));
   for (const Quantity& quantity : reader.header().histories)
-    text += fmt::format("    {} [{}]{}{}\n", quantity.name, quantity.unit, quantity.description.empty() ? "" : ": ",
-                        quantity.description);
+    text += fmt::format("    {} [{}]{}{}\n", quantity.name, units.name(quantity.unit),
+                        quantity.description.empty() ? "" : ": ", quantity.description);
   return text + modes(reader.modes());
 }
 
@@ -167,11 +168,12 @@ std::string newer_run_text(const ResultsReader& reader) {
                      reader.newer_part_running() ? "is writing" : "stopped early and left", path);
 }
 
-std::string info_text(const ResultsReader& reader) {
+std::string info_text(const ResultsReader& reader, const UnitSystem& units) {
   const Header& header = reader.header();
-  return state(reader) + verdict(results_verdict(reader, reader.events())) + seal(reader.seal()) +
-         provenance(header.provenance) + model(header) + stages(reader.stages()) + records(reader) +
-         events(reader.events()) + energy(reader.energy(), header.energy_terms) + notes(reader.notes());
+  return state(reader) + units.message(verdict(results_verdict(reader, reader.events())) + seal(reader.seal())) +
+         provenance(header.provenance) + units.message(model(header)) + stages(reader.stages()) +
+         records(reader, units) + events(reader.events()) +
+         units.message(energy(reader.energy(), header.energy_terms) + notes(reader.notes()));
 }
 
 }  // namespace trilith::results

@@ -9,7 +9,7 @@ namespace trilith::results {
 
 /// State (finished, still running, ended prematurely), provenance, model counts, stages, frames, histories, events by
 /// type, energy and notes, as lines ending in '\n'. Throws ResultsError if the file cannot be read completely.
-std::string info_text(const ResultsReader& reader);
+std::string info_text(const ResultsReader& reader, const UnitSystem& units = {});
 
 /// A line if these are finished results and a later run has left, or is writing, a part file; otherwise "".
 std::string newer_run_text(const ResultsReader& reader);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "results/file/clean_copy.hpp"
 #include "results/file/open_written.hpp"
@@ -279,6 +280,14 @@ std::vector<ModeRow> ResultsReader::modes() const {
 std::string ResultsReader::title() const {
   const std::string& name = header().provenance.model;
   return name.empty() ? (finished() ? path() : path().stem()).stem().string() : name;
+}
+
+UnitSystem ResultsReader::units() const {
+  try {
+    return UnitSystem(header().provenance.units, "provenance");
+  } catch (const InputError& e) {
+    throw ResultsError(fmt::format("results file '{}': {}", path().string(), e.what()));
+  }
 }
 
 std::vector<MotionRow> ResultsReader::motions() const {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/unit_system.hpp"
 #include "model/seal_row.hpp"
 #include "results/file/results.hpp"
 
@@ -42,6 +43,9 @@ class ResultsReader {
   const Header& header() const;
   /// Title of pictures and pages: the model's name, or the file's name without extension.
   std::string title() const;
+  /// Units of the script, in which its results are shown; the data themselves are in SI. Throws ResultsError for units
+  /// that this program does not know.
+  UnitSystem units() const;
 
   std::size_t frame_count() const;
   const std::vector<double>& frame_times() const;  ///< [s]

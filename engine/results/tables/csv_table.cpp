@@ -42,9 +42,10 @@ class CsvText : public TableSink {
 
 }  // namespace
 
-std::string csv_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times) {
+std::string csv_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times,
+                      const UnitSystem& units) {
   CsvText out;
-  write_table(reader, name, times, out);
+  write_table(reader, name, times, out, units);
   return out.take();
 }
 

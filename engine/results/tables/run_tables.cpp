@@ -21,7 +21,7 @@ namespace {
 /// Cells that are given to a sink one after the other.
 class Cells {
  public:
-  explicit Cells(TableSink& out) : out_(out) {}
+  Cells(TableSink& out, const UnitSystem& units) : out_(out), units_(units) {}
   Cells& cell(std::string_view text) {
     out_.text(text);
     return *this;
@@ -30,26 +30,32 @@ class Cells {
     out_.number(value);
     return *this;
   }
+  /// A number in the SI unit `unit`, written in the units of the table.
+  Cells& cell(double value, std::string_view unit) { return cell(units_.shown(value, unit)); }
+  /// A text of the engine, whose numbers are written in the units of the table.
+  Cells& message(std::string_view text) { return cell(units_.message(text)); }
+  [[nodiscard]] std::string unit(std::string_view si) const { return units_.name(si); }
   Cells& count(std::int64_t value) {
     out_.count(value);
     return *this;
   }
   Cells& head(std::string_view name, std::string_view unit) {
-    return cell(unit.empty() || unit == "1" ? std::string(name) : fmt::format("{} [{}]", name, unit));
+    return cell(unit.empty() || unit == "1" ? std::string(name) : fmt::format("{} [{}]", name, units_.name(unit)));
   }
   /// "x [m]", "y [m]" and, in space, "z [m]" behind `prefix`.
   Cells& axes(std::string_view prefix, std::string_view unit, int dim) {
     for (int k = 0; k < dim; ++k) head(fmt::format("{}{}", prefix, "xyz"[k]), unit);
     return *this;
   }
-  Cells& triple(const Vec3& value, int dim) {
-    for (int k = 0; k < dim; ++k) cell(value[k]);
+  Cells& triple(const Vec3& value, std::string_view unit, int dim) {
+    for (int k = 0; k < dim; ++k) cell(value[k], unit);
     return *this;
   }
   void end_row() { out_.end_row(); }
 
  private:
   TableSink& out_;
+  const UnitSystem& units_;
 };
 
 /// Columns of numbers below a time.
@@ -60,7 +66,7 @@ void write_columns(const std::vector<double>& times, const std::vector<Quantity>
   out.end_row();
   for (std::size_t i = 0; i < times.size(); ++i) {
     out.cell(times[i]);
-    for (const std::vector<double>& column : columns) out.cell(column[i]);
+    for (std::size_t k = 0; k < columns.size(); ++k) out.cell(columns[k][i], heads[k].unit);
     out.end_row();
   }
 }
@@ -88,9 +94,9 @@ std::string_view joint_mode(double code) {
 }
 
 void write_events(const ResultsReader& reader, Cells& out) {
-  for (const char* name :
-       {"id",    "time [s]", "step",     "stage",   "type",   "body_a",   "body_b",  "bearing", "x [m]", "y [m]",
-        "z [m]", "mode",     "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2",  "cause", "text"})
+  for (const char* name : {"id", "time [s]", "step", "stage", "type", "body_a", "body_b", "bearing"}) out.cell(name);
+  out.axes("", "m", 3);
+  for (const char* name : {"mode", "figure_1", "value_1", "unit_1", "figure_2", "value_2", "unit_2", "cause", "text"})
     out.cell(name);
   out.end_row();
   for (const EventRow& e : reader.events()) {
@@ -98,7 +104,7 @@ void write_events(const ResultsReader& reader, Cells& out) {
     out.cell(e.body_a_name).cell(e.body_b_name).cell(e.bearing_name);
     for (int k = 0; k < 3; ++k) {
       if (e.has_place && k < reader.header().dim)
-        out.cell(e.place[k]);
+        out.cell(e.place[k], "m");
       else
         out.cell("");
     }
@@ -108,9 +114,9 @@ void write_events(const ResultsReader& reader, Cells& out) {
       if (f.name.empty())
         out.cell("").cell("").cell("");
       else
-        out.cell(f.name).cell(f.value).cell(f.unit);
+        out.cell(f.name).cell(f.value, f.unit).cell(out.unit(f.unit));
     }
-    out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).cell(e.text).end_row();
+    out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).message(e.text).end_row();
   }
 }
 
@@ -128,7 +134,7 @@ void write_stages(const ResultsReader& reader, Cells& out) {
 
 void write_notes(const ResultsReader& reader, Cells& out) {
   out.head("time", "s").cell("text").end_row();
-  for (const Note& n : reader.notes()) out.cell(n.time).cell(n.text).end_row();
+  for (const Note& n : reader.notes()) out.cell(n.time).message(n.text).end_row();
 }
 
 void write_modes(const ResultsReader& reader, Cells& out) {
@@ -137,7 +143,7 @@ void write_modes(const ResultsReader& reader, Cells& out) {
   out.axes("effective mass ", "kg", dim).end_row();
   for (const ModeRow& m : reader.modes()) {
     out.count(m.analysis).count(m.number).cell(m.time).cell(m.frequency).cell(m.damping);
-    out.triple(Vec3(m.mass[0], m.mass[1], m.mass[2]), dim).end_row();
+    out.triple(Vec3(m.mass[0], m.mass[1], m.mass[2]), "kg", dim).end_row();
   }
 }
 
@@ -174,8 +180,12 @@ void write_bodies(const ResultsReader& reader, const std::vector<double>& times,
       const BodyRow& body = header.bodies[i];
       const Vec3 centre = centre_of(header, body, now);
       out.cell(time).cell(body.name).cell(body.kind).cell(body.material).cell(body.groups).cell(body.support);
-      out.cell(mass_of(header, body)).count(presence.is_followed(i, time) ? 1 : 0).triple(centre, header.dim);
-      out.triple(centre - centre_of(header, body, at_start), header.dim).cell(now.turned(body.first_node)).end_row();
+      out.cell(mass_of(header, body), "kg")
+          .count(presence.is_followed(i, time) ? 1 : 0)
+          .triple(centre, "m", header.dim);
+      out.triple(centre - centre_of(header, body, at_start), "m", header.dim)
+          .cell(now.turned(body.first_node))
+          .end_row();
     }
   }
 }
@@ -197,10 +207,10 @@ void write_bearings(const ResultsReader& reader, const std::vector<double>& time
     for (std::size_t i = 0; i < header.bearings.size(); ++i) {
       const BearingRow& b = header.bearings[i];
       out.cell(time).cell(b.name).cell(header.bodies[static_cast<std::size_t>(b.body_a)].name);
-      out.cell(header.bodies[static_cast<std::size_t>(b.body_b)].name).cell(b.law);
+      out.cell(header.bodies[static_cast<std::size_t>(b.body_b)].name).message(b.law);
       out.cell(state_name(frame.bearing_state[i]));
-      for (const std::vector<double>* values : {&frame.bearing_force, &frame.bearing_displacement})
-        for (std::size_t k = 0; k < dim; ++k) out.cell((*values)[dim * i + k]);
+      for (std::size_t k = 0; k < dim; ++k) out.cell(frame.bearing_force[dim * i + k], "N");
+      for (std::size_t k = 0; k < dim; ++k) out.cell(frame.bearing_displacement[dim * i + k], "m");
       out.end_row();
     }
   }
@@ -217,7 +227,7 @@ void write_members(const ResultsReader& reader, const std::vector<double>& times
   out.head("time", "s").cell("body").cell("member").cell("from").cell("to").head("along", "m");
   out.axes("", "m", header.dim);
   for (const MemberQuantity& q : member_quantities(header.dim)) out.head(q.name, q.unit == "N*m" ? "N m" : q.unit);
-  out.cell("state").cell("deformation [rad or 1/m]").end_row();
+  out.cell("state").cell(fmt::format("deformation [rad or {}]", out.unit("1/m"))).end_row();
   if (header.members.empty()) return;
   for (const double time : times) {
     const Frame frame = reader.frame(reader.nearest_frame(time));
@@ -230,12 +240,13 @@ void write_members(const ResultsReader& reader, const std::vector<double>& times
         for (const int end : {0, 1}) {
           const double* const arm = end == 0 ? beam.arm_a : beam.arm_b;
           out.cell(frame.time).cell(header.bodies[static_cast<std::size_t>(member.body)].name).cell(member.name);
-          out.cell(member.from).cell(member.to).cell(along + end * beam.length);
-          out.triple(at.at(end == 0 ? beam.node_a : beam.node_b, Vec3(arm[0], arm[1], arm[2])), header.dim);
+          out.cell(member.from).cell(member.to).cell(along + end * beam.length, "m");
+          out.triple(at.at(end == 0 ? beam.node_a : beam.node_b, Vec3(arm[0], arm[1], arm[2])), "m", header.dim);
           for (const MemberQuantity& q : member_quantities(header.dim))
-            out.cell(values.force(static_cast<std::size_t>(i), end, q));
+            out.cell(values.force(static_cast<std::size_t>(i), end, q), q.unit);
           out.cell(state_name(values.state(static_cast<std::size_t>(i), end)));
-          out.cell(values.deformation(static_cast<std::size_t>(i), end)).end_row();
+          out.cell(values.deformation(static_cast<std::size_t>(i), end), member.yields == "fibres" ? "1/m" : "rad")
+              .end_row();
         }
         along += beam.length;
       }
@@ -276,8 +287,9 @@ const std::vector<std::string>& table_names() {
   return names;
 }
 
-void write_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times, TableSink& out) {
-  Cells cells(out);
+void write_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times, TableSink& out,
+                 const UnitSystem& units) {
+  Cells cells(out, units);
   for (const auto& [known, write] : writers())
     if (known == name) return write(reader, times, cells);
   throw InputError(fmt::format("there is no table '{}'{}", name, name_hint(name, table_names())));

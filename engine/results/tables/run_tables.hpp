@@ -14,9 +14,10 @@ namespace trilith::results {
 /// "members", ...
 const std::vector<std::string>& table_names();
 
-/// Writes the table `name`: a header with units in square brackets, then the rows. `times` [s]: moments of the tables
-/// "bodies" and "bearings", interpolated between frames, and of "members", of the nearest frame. Throws InputError for
-/// an unknown name, ResultsError if the file cannot be read or has no frame.
-void write_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times, TableSink& out);
+/// Writes the table `name` in `units`: a header with units in square brackets, then the rows. `times` [s]: moments of
+/// the tables "bodies" and "bearings", interpolated between frames, and of "members", of the nearest frame. Throws
+/// InputError for an unknown name, ResultsError if the file cannot be read or has no frame.
+void write_table(const ResultsReader& reader, std::string_view name, const std::vector<double>& times, TableSink& out,
+                 const UnitSystem& units = {});
 
 }  // namespace trilith::results

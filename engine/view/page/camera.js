@@ -7,6 +7,7 @@ export class Camera {
     this.scale = 50;  // CSS pixels per metre
     this.width = 1;
     this.height = 1;
+    this.covered = 0;  // height that the tools cover at the top [CSS px]
     this.home = { x0: -1, y0: -1, x1: 1, y1: 1 };
   }
 
@@ -21,10 +22,12 @@ export class Camera {
   /** Shows the whole of `home`, or of another box. */
   fit(box = this.home) {
     const { x0, y0, x1, y1 } = box;
-    const room = { width: Math.max(50, this.width - 48), height: Math.max(50, this.height - 110) };
+    const below = 55, above = Math.max(below, this.covered);
+    const left = 24, right = this.width < 500 ? 56 : left;  // on a narrow view the zoom buttons are on the right
+    const room = { width: Math.max(50, this.width - left - right), height: Math.max(50, this.height - above - below) };
     this.scale = Math.min(room.width / Math.max(1e-6, x1 - x0), room.height / Math.max(1e-6, y1 - y0));
-    this.x = (x0 + x1) / 2;
-    this.y = (y0 + y1) / 2;
+    this.x = (x0 + x1) / 2 + (right - left) / 2 / this.scale;
+    this.y = (y0 + y1) / 2 + (above - below) / 2 / this.scale;
     this.isHome = box === this.home;
   }
 

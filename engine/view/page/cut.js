@@ -1,5 +1,5 @@
 // A cutting plane across an axis of a model in space: the part on the eye's side is not drawn.
-import { byId, make, figures, roundBelow } from "./words.js";
+import { byId, make, plainQuantity, roundBelow } from "./words.js";
 
 const axes = ["x", "y", "z"];
 
@@ -88,7 +88,7 @@ export class CutTool {
   move(place) {
     this.cut.place = place;
     this.slider.value = String(place);
-    byId("cut-told").textContent = `${axes[this.cut.axis]} = ${figures(place)} m`;
+    byId("cut-told").textContent = `${axes[this.cut.axis]} = ${plainQuantity(place, "m")}`;
     this.changed();
   }
 }

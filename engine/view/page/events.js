@@ -1,6 +1,6 @@
 // The list of events: filtered by kind and text, drawn only where visible, synchronised with the replay.
 import { upperBound } from "./run.js";
-import { byId, make, seconds } from "./words.js";
+import { byId, make, seconds, unbroken } from "./words.js";
 
 const leastHeight = 32, lineHeight = 17;  // of a row, and of a line of its text [CSS px]
 const aside = 118;  // time, mark and margins, in addition to the text
@@ -90,7 +90,7 @@ export class EventsPanel {
     const colour = eventColour(event, this.app.theme, this.app.run.palette);
     return make("button", { class: "event-row", style: `top:${this.tops[index]}px;min-height:${this.tops[index + 1] - this.tops[index] - 2}px`, "data-row": index, "data-event": event.id,
       "data-type": event.type, "aria-current": index === this.current ? "true" : false, title: event.text, onclick: () => this.app.chooseEvent(event) },
-    make("time", {}, seconds(event.time)), make("i", { style: `background:${colour}` }), make("span", {}, event.text));
+    make("time", {}, seconds(event.time)), make("i", { style: `background:${colour}` }), make("span", {}, unbroken(event.text)));
   }
 
   walk(e) {

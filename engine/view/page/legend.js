@@ -1,7 +1,7 @@
 // Legend of colours and marks, and the scale bar.
 import { hingeColours, hingeNames, signColours } from "./members.js";
 import { crackColour } from "./scene.js";
-import { byId, make, quantity, roundBelow } from "./words.js";
+import { byId, figures, make, quantity, readableUnit, roundBelow } from "./words.js";
 
 const mostGroups = 9;
 
@@ -71,8 +71,8 @@ export class Legend {
     if (this.scale === camera.scale) return;
     this.scale = camera.scale;
     if (this.app.scene.show.forces) this.build(this.app.colours, this.app.scene.show);
-    const length = roundBelow(120 / camera.scale);
+    const plain = readableUnit(1, "m"), length = roundBelow(120 / camera.scale * plain.factor) / plain.factor;
     this.bar.firstElementChild.style.width = `${length * camera.scale}px`;
-    this.bar.lastElementChild.textContent = length >= 1 ? `${length} m` : length >= 0.01 ? `${Math.round(length * 1000)} mm` : quantity(length, "m");
+    this.bar.lastElementChild.textContent = plain.unit !== "m" || length >= 1 ? `${figures(length * plain.factor, 1)} ${plain.unit}` : length >= 0.01 ? `${Math.round(length * 1000)} mm` : quantity(length, "m");
   }
 }

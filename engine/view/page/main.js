@@ -54,6 +54,8 @@ class App {
   }
 
   resize() {
+    const tools = byId("tools");
+    this.camera.covered = tools.offsetTop + tools.offsetHeight;
     this.scene.resize();
     this.redraw();
   }

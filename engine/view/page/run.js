@@ -1,5 +1,6 @@
 // The run in the page: positions at a time, and the history of each body and bearing.
 import { Members } from "./members.js";
+import { useUnits } from "./words.js";
 
 const empty = { rows: 0, columns: 1, quantum: 1, values: new Int32Array(0) };
 export const isFree = (body) => body.support === "" || body.support.startsWith("free");
@@ -31,6 +32,7 @@ const floats = (block) => Float64Array.from(block.values, (v) => (v === noSample
 
 export class Run {
   constructor({ head, blocks }) {
+    useUnits(head.units ?? {});
     this.about = head.run;
     this.dim = head.run.dim;
     this.bodies = head.bodies.map((body, index) => ({ ...body, index, free: isFree(body) }));

@@ -1,7 +1,7 @@
 // The selected body or bearing: its name, description, present state, histories and events.
 import { stateNames } from "./run.js";
 import { Plot } from "./plots.js";
-import { byId, figures, make, quantity, seconds } from "./words.js";
+import { byId, make, plainQuantity, quantity, seconds } from "./words.js";
 
 const facts = (rows) => make("dl", { class: "facts" }, ...rows.flatMap(([k, v]) => (v || v === 0 ? [make("dt", {}, k), make("dd", {}, v)] : [])));
 
@@ -44,7 +44,7 @@ export class SelectionPanel {
     this.panel.replaceChildren(
       this.head(`${body.kind} body`, body.name), this.now,
       facts([["material", body.material], ["groups", body.groups.replaceAll(" ", ", ")], ["support", body.support],
-        ["mass", body.mass ? `${figures(body.mass)} kg` : ""], ["bonds at the start", body.bonds || ""]]),
+        ["mass", body.mass ? plainQuantity(body.mass, "kg") : ""], ["bonds at the start", body.bonds || ""]]),
       chips.length ? make("p", { class: "chips" }, "bearings ", ...chips) : "",
       this.plot("displacement of its centre", "m", axes.map(([name, v]) => ({ name, times, values: v.map((at) => at - v[0]) }))),
       this.plot("speed", "m/s", [{ name: "speed", times, values: column((i) => run.speed(body, i)) }]),

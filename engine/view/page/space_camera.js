@@ -31,8 +31,10 @@ export class SpaceCamera extends Camera {
       across = Math.max(across, Math.abs(this.along(this.right, ...p)));
       upright = Math.max(upright, Math.abs(this.along(this.up, ...p)));
     }
-    const wide = Math.max(50, this.width - 96), tall = Math.max(50, this.height - 150);
+    const below = 75, above = Math.max(below, this.covered);
+    const wide = Math.max(50, this.width - 96), tall = Math.max(50, this.height - above - below);
     this.scale = Math.min(wide / Math.max(1e-6, 2 * across), tall / Math.max(1e-6, 2 * upright));
+    this.move(0, (above - below) / 2 / this.scale);
     this.isHome = box === this.home;
   }
 

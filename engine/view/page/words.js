@@ -5,9 +5,14 @@ const prefixes = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-
 const leastQuantity = 1e-12;  // below it is rounding noise
 const scaled = new Set(["N", "J", "Pa", "N/m", "N m", "N·m", "W"]);
 
+/** Units of the model, if they are not SI: own[unit] = [SI value, name]. */
+const own = {};
+export const useUnits = (units) => Object.assign(own, units);
+
 /** { factor, unit } with which values up to `largest` are readable: kN, mm, ... */
 export function readableUnit(largest, unit) {
   const size = Math.abs(largest);
+  if (own[unit]) return { factor: 1 / own[unit][0], unit: own[unit][1] };
   if (unit === "m") return size > 0 && size < 0.5 ? { factor: 1e3, unit: "mm" } : { factor: 1, unit: "m" };
   if (unit === "rad") return { factor: 180 / Math.PI, unit: "°" };
   if (unit === "1") return { factor: 1, unit: "" };
@@ -28,6 +33,16 @@ export function figures(value, digits = 3) {
   else text = value.toFixed(Math.max(0, digits - 1 - Math.floor(Math.log10(size))));
   return text.replace(/-/g, "−");
 }
+
+/** As quantity, in the plain unit: kg, or m, without prefix. */
+export function plainQuantity(value, unit) {
+  const to = own[unit] ? readableUnit(value, unit) : { factor: 1, unit };
+  return `${figures(value * to.factor)} ${to.unit}`;
+}
+
+/** A text whose numbers and units do not break between lines: "126 kN m". */
+export const unbroken = (text) => text.replace(/(\d) ([kMGTmµ]?(?:N|Pa|J|m|s|kg)\b\S*)( mm?\b)?/g,
+  (_, digit, unit, length) => `${digit}\u00a0${unit}${length ? `\u00a0${length.trim()}` : ""}`);
 
 export function quantity(given, unit) {
   const value = Math.abs(given) < leastQuantity ? 0 : given;

@@ -230,6 +230,9 @@ void open_core(lua_State* L) {
   set_function(L, "raise", raise_whole);
   set_function(L, "dimension", dimension_of_unit);
   set_function(L, "quantities_read", quantities_read);
+  set_function(L, "take_units", guarded<take_units>);
+  set_function(L, "unit_name", guarded<name_of_unit>);
+  set_function(L, "unit_message", guarded<message_in_units>);
   open_declarations(L);
   open_debug(L);
   open_bridge(L);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assembly/step_times.hpp"
+#include "base/unit_system.hpp"
 #include "bindings/core/room.hpp"
 #include "bindings/restart/restart_files.hpp"
 #include "model/verdict.hpp"
@@ -46,6 +47,8 @@ class RunObserver {
   virtual void stage_ended(const StageReport& report) = 0;
   /// Called before other output is written to the display.
   virtual void clear() = 0;
+  /// Texts show numbers in these units from now on.
+  virtual void show_in(const UnitSystem& units) = 0;
   // Progress of a study: lines, and a status that is updated repeatedly.
   virtual void line(const std::string& text, bool strong) = 0;
   virtual void status(const std::string& text) = 0;
@@ -103,6 +106,7 @@ struct Host {
   bool given_used = false;                        ///< a params call has taken them
   bool list_parameters = false;                   ///< show the parameters and end
   std::vector<results::ParameterRow> parameters;  ///< declared by the script, with their values in this run
+  UnitSystem units;                               ///< of the script's models; results are shown in them
   std::vector<std::filesystem::path> records;     ///< folders searched for motions after the script's own
   std::string results_file;                       ///< if given, used instead of the script's own; for the first model
   Room room;                                      ///< files that the script may use

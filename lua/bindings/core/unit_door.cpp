@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "bindings/core/bindings.hpp"
 #include "bindings/core/guard.hpp"
 
 namespace trilith::script {
@@ -79,6 +80,31 @@ int raise_whole(lua_State* L) {
   lua_settop(L, 1);
   mark_whole(L);
   return lua_error(L);
+}
+
+int take_units(lua_State* L) {
+  if (lua_type(L, 1) != LUA_TSTRING)
+    throw InputError(fmt::format("model: 'units' is {}, must be {}", what_is(L, 1), system_example));
+  Host& h = host(L);
+  h.units = UnitSystem(text_at(L, 1), "model");
+  if (h.units.is_si()) throw InputError(fmt::format("model: 'units' is empty, must be {}", system_example));
+  if (h.observer != nullptr) h.observer->show_in(h.units);
+  for (const std::string& name : {h.units.force(), h.units.length()}) {
+    lua_pushnumber(L, parse_unit(name).factor);
+    lua_pushstring(L, name.c_str());
+  }
+  return 4;
+}
+
+int name_of_unit(lua_State* L) {
+  lua_pushstring(L, host(L).units.name(text_at(L, 1)).c_str());
+  return 1;
+}
+
+int message_in_units(lua_State* L) {
+  const std::string text = host(L).units.message(text_at(L, 1));
+  lua_pushlstring(L, text.data(), text.size());
+  return 1;
 }
 
 void count_quantity() {

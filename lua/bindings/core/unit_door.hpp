@@ -41,6 +41,14 @@ int raise_whole(lua_State* L);
 /// core.dimension(unit): exponents of length, time and mass of a unit; nothing for an unknown unit.
 int dimension_of_unit(lua_State* L);
 
+/// core.take_units(text): the units of the script from now on; returns SI value and name of its units of force and of
+/// length.
+int take_units(lua_State* L);
+/// core.unit_name(unit): the unit of the script for a quantity in this SI unit.
+int name_of_unit(lua_State* L);
+/// core.unit_message(text): the text with its numbers in the units of the script.
+int message_in_units(lua_State* L);
+
 /// A number with a unit or a point was read from a script, or the factor of a unit was given to it.
 void count_quantity();
 /// core.quantities_read(): how many this thread has read.

@@ -128,7 +128,7 @@ int push_interaction(lua_State* L) {
 }
 
 draw::Chart curve_chart(const FibreSection& section, const std::vector<double>& forces, double curvature, int steps,
-                        const SectionLimits& limits) {
+                        const SectionLimits& limits, const UnitSystem& units) {
   draw::Chart chart;
   chart.x = {"curvature", "1/m"};
   draw::ChartPanel panel{{"moment", "N*m"}, {}};
@@ -136,7 +136,7 @@ draw::Chart curve_chart(const FibreSection& section, const std::vector<double>& 
   yield.points = true, yield.joined = false;
   for (const double normal : forces) {
     const MomentCurvature curve = checked_curve(section, normal, curvature, steps, limits, "plot");
-    draw::ChartSeries line{"N = " + quantity_text(normal, "N"), {}, {}};
+    draw::ChartSeries line{"N = " + quantity_text(normal, "N", units), {}, {}};
     for (const SectionPoint& p : curve.points) line.x.push_back(p.curvature), line.y.push_back(p.moment);
     panel.series.push_back(std::move(line));
     if (curve.yield) yield.x.push_back(curve.yield->curvature), yield.y.push_back(curve.yield->moment);
@@ -173,9 +173,10 @@ int plot_section(lua_State* L) {
   const int points = read_steps(keys, curves ? usual_steps : usual_forces, 3);
   keys.finish();
   draw::picture_format(file);
-  draw::Chart chart =
-      curves ? curve_chart(section, forces, curvature, points, limits) : interaction_chart(section, points, limits);
-  chart.title = handle<SectionValue>(L, 1).text;
+  draw::Chart chart = curves ? curve_chart(section, forces, curvature, points, limits, host(L).units)
+                             : interaction_chart(section, points, limits);
+  chart.units = host(L).units;
+  chart.title = chart.units.message(handle<SectionValue>(L, 1).text);
   const std::filesystem::path path = host(L).room.writable(file, "section:plot");
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   draw::draw_chart(chart, path);

@@ -39,6 +39,7 @@ results::Provenance Host::provenance(const std::vector<std::string>& motions) co
   p.command_line = command_line;
   p.parameters = parameters;
   p.motions = motions;
+  p.units = units.text();
   return p;
 }
 
@@ -60,7 +61,7 @@ std::vector<std::string> Host::close(const std::string& error) {
 std::vector<std::string> Host::untrusted_runs() const {
   std::vector<std::string> lines;
   for (const auto& [title, verdict] : verdicts)
-    if (!verdict->sound()) lines.push_back(fmt::format("the run of {} is {}", title, verdict->text()));
+    if (!verdict->sound()) lines.push_back(fmt::format("the run of {} is {}", title, units.message(verdict->text())));
   return lines;
 }
 

@@ -113,7 +113,7 @@ int draw(const DrawOptions& options) {
                                         : std::filesystem::path(options.out);
   draw::picture_format(out);
   const results::ResultsReader reader(options.scene.result);
-  const draw::PictureStyle style = scene_style(options.scene, reader.header().dim);
+  const draw::PictureStyle style = scene_style(options.scene, reader);
   std::vector<draw::Scene> scenes = scenes_of(reader, options);
   const std::string title = reader.title();
   if (scenes.size() == 1) scenes[0].title = scenes[0].title.empty() ? title : title + ", " + scenes[0].title;

@@ -1,4 +1,5 @@
-// trilith export RESULT --to vtk|csv|xlsx [-o FOLDER] [--frames FROM:TO:EVERY] [--table NAME] [--at T,...]
+// trilith export RESULT --to vtk|csv|xlsx [-o FOLDER] [--frames FROM:TO:EVERY] [--table NAME] [--at T,...] [--units
+// UNITS]
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "program/scene_options.hpp"
 #include "program/share_status.hpp"
 #include "program/spreadsheet.hpp"
+#include "program/units_option.hpp"
 #include "program/verbs.hpp"
 #include "results/tables/csv_table.hpp"
 #include "results/tables/run_tables.hpp"
@@ -21,7 +23,7 @@ namespace trilith::program {
 namespace {
 
 struct ExportOptions {
-  std::string result, to = "vtk", out, frames, table, at = "end";
+  std::string result, to = "vtk", out, frames, table, at = "end", units;
 };
 
 /// "10:200:5", "10:200", ":200", "::5", "7": range of frames, counted from 0, both ends included.
@@ -85,10 +87,11 @@ int export_xlsx(const ExportOptions& options) {
   out = options.out.empty() ? out.replace_extension(".xlsx") : std::filesystem::path(options.out);
   if (out.extension() != ".xlsx") throw InputError(fmt::format("--output: '{}' must end in .xlsx", out.string()));
   make_folder_for(out);
+  const UnitSystem units = shown_units(options.units, reader);
   Spreadsheet book(out);
   for (const std::string& name : options.table.empty() ? results::table_names() : std::vector{options.table}) {
     book.begin_sheet(name);
-    results::write_table(reader, name, times, book);
+    results::write_table(reader, name, times, book, units);
   }
   book.close();
   fmt::print("{}\n", out.string());
@@ -100,8 +103,9 @@ int export_csv(const ExportOptions& options) {
   refuse_frames(options);
   const results::ResultsReader reader(options.result);
   const std::vector<double> times = table_times(reader, options.at);
+  const UnitSystem units = shown_units(options.units, reader);
   if (!options.table.empty()) {
-    const std::string text = results::csv_table(reader, options.table, times);
+    const std::string text = results::csv_table(reader, options.table, times, units);
     if (options.out.empty() || options.out == "-") {
       fmt::print("{}", text);
     } else {
@@ -115,7 +119,7 @@ int export_csv(const ExportOptions& options) {
   make_folder_for(out / "");
   for (const std::string& name : results::table_names()) {
     const std::filesystem::path path = out / (name + ".csv");
-    write_whole_file(path, results::csv_table(reader, name, times));
+    write_whole_file(path, results::csv_table(reader, name, times, units));
     fmt::print("{}\n", path.string());
   }
   tell_of_newer_run(reader);
@@ -126,6 +130,7 @@ int export_results(const ExportOptions& options) {
   if (options.to == "csv") return export_csv(options);
   if (options.to == "xlsx") return export_xlsx(options);
   if (!options.table.empty()) throw InputError("--table: is for --to csv and --to xlsx");
+  if (!options.units.empty()) throw InputError("--units: is for --to csv and --to xlsx; files for ParaView are in SI");
   const std::filesystem::path out = folder_of(options, "_vtk");
   const results::FrameRange range = options.frames.empty() ? results::FrameRange{} : frame_range(options.frames);
   const results::ResultsReader reader(options.result);
@@ -158,6 +163,7 @@ void add_export(CLI::App& app, int& code) {
           "csv, xlsx: moments of the tables of bodies, bearings and members: seconds, 'start', 'end' or an event")
       ->type_name("T[,T...]")
       ->capture_default_str();
+  add_units(*verb, o->units);
   verb->callback([o, &code] { code = export_results(*o); });
 }
 

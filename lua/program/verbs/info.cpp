@@ -8,6 +8,7 @@
 #include "draw/scene/results_picture.hpp"
 #include "program/newer_run.hpp"
 #include "program/since_option.hpp"
+#include "program/units_option.hpp"
 #include "program/verbs.hpp"
 #include "results/reading/event_table.hpp"
 #include "results/reading/info.hpp"
@@ -17,7 +18,7 @@ namespace trilith::program {
 namespace {
 
 struct InfoOptions {
-  std::string result, probability, over, since;
+  std::string result, probability, over, since, units;
   bool events = false, of_note = false;
 };
 
@@ -36,14 +37,16 @@ int show_info(const InfoOptions& options) {
   if (!options.probability.empty() || !options.over.empty())
     throw InputError("--probability and --over are for the table of a study; this file is a run");
   const results::ResultsReader reader(options.result);
+  const UnitSystem units = shown_units(options.units, reader);
   if (!options.events && !options.of_note) {
     if (!options.since.empty()) throw InputError("--since is for times of events; use it with --events or --of-note");
-    fmt::print("{}", terminal_text(results::info_text(reader)));
+    fmt::print("{}", terminal_text(results::info_text(reader, units)));
     return ended_well;
   }
   tell_of_newer_run(reader);
   const std::vector<results::EventRow> events = options.of_note ? draw::events_of_note(reader) : reader.events();
-  fmt::print("{}", terminal_text(results::event_table(events, results::time_origin(reader, options.since))));
+  fmt::print("{}",
+             terminal_text(units.message(results::event_table(events, results::time_origin(reader, options.since)))));
   return ended_well;
 }
 
@@ -56,6 +59,7 @@ void add_info(CLI::App& app, int& code) {
   verb->add_flag("--events", o->events, "all events, each below its cause");
   verb->add_flag("--of-note", o->of_note, "the same without contacts made and lost and bodies at rest");
   add_since(*verb, o->since);
+  add_units(*verb, o->units);
   verb->add_option(
           "--probability", o->probability,
           "of a study: how many cases meet this condition, as in collapsed or \"drift > 0.02\", with an interval")

@@ -66,7 +66,8 @@ class LivePage {
     const std::string now = fmt::format("{} {} {}", reader.header().provenance.start_time, reader.frame_count(), state);
     if (now == stamp_) return;
     const results::TimeOrigin origin = results::time_origin(reader, options_.since);
-    page_ = view::live_page(view::view_page(view::view_data(reader, {}, {}, origin), reader.title()), now);
+    page_ =
+        view::live_page(view::view_page(view::view_data(reader, {}, {}, origin, reader.units()), reader.title()), now);
     stamp_ = now;
   }
 

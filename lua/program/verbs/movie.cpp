@@ -77,7 +77,7 @@ class Film {
     std::vector<double> times;
     for (int i = 0; i < samples; ++i) times.push_back(from + (to - from) * i / (samples - 1));
     choice_.around = draw::box_of_free_bodies(reader, times);
-    draw::PictureStyle style = scene_style(options.scene, reader.header().dim);
+    draw::PictureStyle style = scene_style(options.scene, reader);
     style.height = style.width * format_.rows / format_.columns;
     std::vector<draw::Scene> scenes = draw::results_scenes(reader, times, choice_);
     for (draw::Scene& scene : scenes) set_title(scene);

@@ -12,13 +12,14 @@
 #include "program/newer_run.hpp"
 #include "program/output_folder.hpp"
 #include "program/since_option.hpp"
+#include "program/units_option.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct PlotOptions {
-  std::string result, out, over, against, fragility, ida;
+  std::string result, out, over, against, fragility, ida, units;
   std::vector<std::string> more, names;
   draw::PlotWindow window;
   bool list = false, events = false, lines = false;
@@ -95,6 +96,7 @@ int plot_study(const PlotOptions& options, const std::filesystem::path& out) {
   }
   if (!options.against.empty())
     throw InputError("--against is for a run; figures of a study are drawn --over a parameter");
+  if (!options.units.empty()) throw InputError("--units is for a run; figures of a study are in their own units");
   draw::Chart chart = chart_of_study(options, columns);
   chart.title = std::filesystem::path(options.result).stem().string();
   make_folder_for(out);
@@ -125,10 +127,11 @@ int plot(const PlotOptions& options) {
   std::vector<draw::NamedResults> results;
   for (std::size_t i = 0; i < readers.size(); ++i) results.push_back({&readers[i], names[i]});
   std::vector<draw::Chart> charts = charts_of(results, options);
+  for (draw::Chart& chart : charts) chart.units = shown_units(options.units, readers[0]);
   if (charts[0].title.empty() && results.size() == 1) charts[0].title = readers[0].title();
   if (options.events && !options.against.empty()) throw InputError("--events needs a time axis, not --against");
   if (options.events)
-    for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0], options.window);
+    for (draw::Chart& chart : charts) chart.marks = draw::event_marks(readers[0], options.window, chart.units);
   make_folder_for(out);
   draw::draw_charts(charts, draw::Arrangement::below, out);
   fmt::print("{}\n", out.string());
@@ -169,6 +172,7 @@ void add_plot(CLI::App& app, int& code) {
   add_since(*verb, o->window.since);
   verb->add_option("--from", o->window.from, "start of the drawn time [s]")->type_name("T");
   verb->add_option("--to", o->window.to, "end of the drawn time [s]")->type_name("T");
+  add_units(*verb, o->units);
   verb->add_flag("--events", o->events, "mark stages and events of the first run");
   verb->add_flag("--lines", o->lines, "terms of the energy as lines, not stacked");
   verb->add_flag("--list", o->list, "list the histories and exit");

@@ -13,13 +13,14 @@
 #include "program/output_folder.hpp"
 #include "program/share_status.hpp"
 #include "program/since_option.hpp"
+#include "program/units_option.hpp"
 #include "program/verbs.hpp"
 
 namespace trilith::program {
 namespace {
 
 struct ReportOptions {
-  std::string result, out, since;
+  std::string result, out, since, units;
 };
 
 /// Folders that the script searched: its own folder and the project's.
@@ -41,7 +42,8 @@ int report(const ReportOptions& options) {
   const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("sealing frames");
   const std::string page = report::report_page(
-      reader, record_folders_of(reader), [&](double share) { status(share); }, origin);
+      reader, record_folders_of(reader), [&](double share) { status(share); }, origin,
+      shown_units(options.units, reader));
   status.clear();
   make_folder_for(out);
   write_whole_file(out, page);
@@ -63,6 +65,7 @@ void add_report(CLI::App& app, int& code) {
       ->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the report, .html; default RESULT with .report.html")->type_name("FILE");
   add_since(*verb, o->since);
+  add_units(*verb, o->units);
   verb->callback([o, &code] { code = report(*o); });
 }
 

@@ -10,6 +10,7 @@
 #include "program/output_folder.hpp"
 #include "program/share_status.hpp"
 #include "program/since_option.hpp"
+#include "program/units_option.hpp"
 #include "program/verbs.hpp"
 #include "view/data.hpp"
 
@@ -17,7 +18,7 @@ namespace trilith::program {
 namespace {
 
 struct ViewOptions {
-  std::string result, out, since;
+  std::string result, out, since, units;
 };
 
 int view(const ViewOptions& options) {
@@ -30,7 +31,7 @@ int view(const ViewOptions& options) {
   const results::TimeOrigin origin = results::time_origin(reader, options.since);
   ShareStatus status("reading frames");
   const std::string data = view::view_data(
-      reader, {}, [&](double share) { status(share); }, origin);
+      reader, {}, [&](double share) { status(share); }, origin, shown_units(options.units, reader));
   status.clear();
   const std::string title = reader.title();
   make_folder_for(out);
@@ -53,6 +54,7 @@ void add_view(CLI::App& app, int& code) {
       ->type_name("RESULT");
   verb->add_option("-o,--output", o->out, "the page, .html; default RESULT with .html")->type_name("FILE");
   add_since(*verb, o->since);
+  add_units(*verb, o->units);
   verb->callback([o, &code] { code = view(*o); });
 }
 
