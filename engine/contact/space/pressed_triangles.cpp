@@ -5,169 +5,155 @@
 namespace trilith {
 namespace {
 
-/// Weights of four triangles: 1 or 0 in each lane, for springs and area, and for springs with damping; the cosine to
-/// the push, and their closing speeds.
-struct alignas(32) CountedFour {
-  Lanes springs, damped, along;
-  std::array<Lanes, 3> closing;
+/// Integrals over four triangles of a pressure f: of f itself, and of its products with the barycentric coordinates l
+/// of the corners. All other integrals follow from these.
+struct alignas(32) PressureMoments {
+  Lanes whole;
+  std::array<Lanes, 3> first;    // f l_i
+  std::array<Lanes, 3> square;   // f l_i l_i
+  std::array<Lanes, 3> product;  // f l_j l_k of the two corners beside corner i
+
+  PressureMoments() = default;
+  /// Of a pressure that is linear over each triangle; `at` the corners.
+  TRILITH_INLINE PressureMoments(const std::array<Lanes, 3>& at, const Lanes& area) {
+    const Lanes sum = at[0] + at[1] + at[2], twelfth = area * (1.0 / 12), thirtieth = area * (1.0 / 30),
+                sixtieth = area * (1.0 / 60);
+    whole = 4.0 * twelfth * sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Lanes with_sum = sum + at[i];
+      first[i] = twelfth * with_sum, square[i] = thirtieth * (with_sum + at[i]);
+      product[i] = sixtieth * (sum + sum - at[i]);
+    }
+  }
 };
 
-/// Integrals of a pressure that is linear over each triangle.
+/// Force, first moment and power of a pressure.
 struct LinearPressure : TrianglePressure {
-  std::array<Lanes, 3> at;  // the corners
-  Lanes sum;
-  Triple<Lanes> weighted;
-
-  /// `speed`: sum of the closing speeds at the corners; `twelfth` of the area.
-  TRILITH_INLINE LinearPressure(const std::array<Lanes, 3>& corners, const FourTriangles& in,
-                                const std::array<Lanes, 3>& closing, const Triple<Lanes>& arms, const Lanes& speed,
-                                const Lanes& twelfth)
-      : at(corners), sum(at[0] + at[1] + at[2]) {
-    force = 4.0 * twelfth * sum;
-    weighted = in.arm[0] * at[0] + in.arm[1] * at[1] + in.arm[2] * at[2];
-    first = (arms * sum + weighted) * twelfth;
-    power = twelfth * (sum * speed + at[0] * closing[0] + at[1] * closing[1] + at[2] * closing[2]);
-  }
-  /// Second moments, `sixtieth` of the area.
-  TRILITH_INLINE void add_second(const FourTriangles& in, const Triple<Lanes>& u, const Lanes& sixtieth,
-                                 std::array<Lanes, 6>& sums) const {
-    const ArmProducts uu(u, u), pp(in.arm[0], in.arm[0]), qq(in.arm[1], in.arm[1]), rr(in.arm[2], in.arm[2]),
-        uw(u, weighted), wu(weighted, u);
-    const std::array<Lanes, 3> own{sum + 2.0 * at[0], sum + 2.0 * at[1], sum + 2.0 * at[2]};
-    for (std::size_t k = 0; k < 6; ++k)
-      sums[k] +=
-          sixtieth * (sum * uu.of[k] + uw.of[k] + wu.of[k] + own[0] * pp.of[k] + own[1] * qq.of[k] + own[2] * rr.of[k]);
+  TRILITH_INLINE LinearPressure(const FourTriangles& in, const std::array<Lanes, 3>& closing,
+                                const PressureMoments& of) {
+    force = of.whole;
+    first = in.arm[0] * of.first[0] + in.arm[1] * of.first[1] + in.arm[2] * of.first[2];
+    power = of.first[0] * closing[0] + of.first[1] * closing[1] + of.first[2] * closing[2];
   }
 };
 
-TRILITH_INLINE void sum_four(const FourTriangles& in, const CountedFour& of, double beta, TriangleSums& sums) {
-  const Triple<Lanes> u = in.arm[0] + in.arm[1] + in.arm[2];
-  const Lanes area = area_of(in), speed = of.closing[0] + of.closing[1] + of.closing[2];
-  const Lanes twelfth = area * of.springs * (1.0 / 12);
-  std::array<Lanes, 3> damped;
-  for (std::size_t i = 0; i < 3; ++i) damped[i] = in.depth[i] + beta * of.closing[i];
-  const LinearPressure springs(in.depth, in, of.closing, u, speed, twelfth),
-      total(damped, in, of.closing, u, speed, area * of.damped * (1.0 / 12));
-  sums.add_pressure(in, of.along, springs, total);
-  sums.add_area(in, u, twelfth);
-  total.add_second(in, u, area * of.damped * (1.0 / 60), sums.arm_second);
-  for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d * of.springs);
+/// Adds the second moments of a pressure.
+TRILITH_INLINE void add_second(const FourTriangles& in, const PressureMoments& of, std::array<Lanes, 6>& sums) {
+  const auto& [p, q, r] = in.arm;
+  const Triple<Lanes> of_p = p * of.square[0] + q * of.product[2] + r * of.product[1],
+                      of_q = p * of.product[2] + q * of.square[1] + r * of.product[0],
+                      of_r = p * of.product[1] + q * of.product[0] + r * of.square[2];
+  const ArmProducts pp(p, of_p), qq(q, of_q), rr(r, of_r);
+  for (std::size_t k = 0; k < 6; ++k) sums[k] += pp.of[k] + qq.of[k] + rr.of[k];
 }
 
-/// A corner of a triangle that is partly pressed.
-struct DampedCorner {
-  Vec3 arm;
-  double depth, closing, damped;
-};
+/// The positive part of a linear pressure that is p > 0 at the corner P and not above 0 at the others:
+///
+///            P              T = P + t (Q - P), t = p / (p - q)
+///           / \             S = P + s (R - P), s = p / (p - r)
+///       T  /___\  S
+///         /     \           The part is P T S with the pressure p at P and 0 along T S. With its area A t s, and
+///        Q-------R          coordinates m of its corners, l_Q = t m_T and l_R = s m_S.
+///
+/// The moments with l_P follow from l_P + l_Q + l_R = 1.
+struct MomentsInside {
+  Lanes whole, q, r, qq, rr, qr;
 
-/// The part of a triangle in one lane where the damped pressure is positive.
-struct PressedPart {
-  std::array<DampedCorner, 4> corner;
-  std::size_t count = 0;
-
-  TRILITH_INLINE PressedPart(const FourTriangles& in, const CountedFour& of, double beta, int lane) {
-    std::array<DampedCorner, 3> all;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double depth = in.depth[k][lane], closing = of.closing[k][lane];
-      all[k] = {lane_of(in.arm[k], lane), depth, closing, depth + beta * closing};
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const DampedCorner &p = all[k], &q = all[k == 2 ? 0 : k + 1];
-      if (p.damped >= 0) corner[count++] = p;
-      if ((p.damped > 0 && q.damped < 0) || (p.damped < 0 && q.damped > 0)) {
-        const double t = p.damped / (p.damped - q.damped);
-        corner[count++] = {p.arm + t * (q.arm - p.arm), p.depth + t * (q.depth - p.depth),
-                           p.closing + t * (q.closing - p.closing), 0};
-      }
-    }
+  TRILITH_INLINE MomentsInside(const Lanes& area, const Lanes& p, const Lanes& t, const Lanes& s) {
+    const Lanes unit = area * t * s * p * (1.0 / 60), twice = unit + unit;
+    whole = 20.0 * unit, q = 5.0 * t * unit, r = 5.0 * s * unit;
+    qq = t * t * twice, rr = s * s * twice, qr = t * s * unit;
   }
 };
 
-/// Parts of triangles with active damping; their springs are already counted.
-class PressedParts {
- public:
-  PressedParts(double beta, TriangleSums& sums) : beta_(beta), sums_(sums) {}
+/// The positive part where the pressure is negative at P only: Q R S with the pressures q, r, 0, of area A (1 - s), and
+/// Q S T with q, 0, 0, of area A s (1 - t). All terms are positive; the whole triangle less its negative part would
+/// lose digits. The moments with l_Q follow.
+struct MomentsOutside {
+  Lanes whole, p, r, pp, rr, pr;
 
-  TRILITH_INLINE void add(const FourTriangles& in, const CountedFour& of, int lane) {
-    const PressedPart part(in, of, beta_, lane);
-    for (std::size_t i = 2; i < part.count; ++i) {
-      for (const std::size_t k : {0U, 1U, 2U}) {
-        const DampedCorner& c = part.corner[k == 0 ? 0 : i + k - 2];
-        set(four_.arm[k], c.arm);
-        four_.depth[k][count_] = c.depth, closing_[k][count_] = c.closing;
-      }
-      set(four_.normal, lane_of(in.normal, lane));
-      along_[count_] = of.along[lane];
-      if (++count_ == lane_count) flush();
-    }
+  TRILITH_INLINE MomentsOutside(const Lanes& area, const Lanes& at_q, const Lanes& at_r, const Lanes& t,
+                                const Lanes& s) {
+    const Lanes one = Lanes{} + 1.0, beside_t = one - t, beside_s = one - s, sixtieth = area * (1.0 / 60);
+    const Lanes wide = beside_s * sixtieth, sum = at_q + at_r, end = wide * sum, own = wide * (sum + at_r),
+                narrow = s * beside_t * sixtieth * at_q, both = beside_s + beside_t, ends = end + narrow;
+    whole = 20.0 * (end + narrow);
+    p = 5.0 * (beside_s * end + both * narrow), r = 5.0 * (own + s * ends);
+    const Lanes rest = own + (s + s) * ends;
+    pp = 2.0 * (beside_s * beside_s * end + (both * both - beside_s * beside_t) * narrow);
+    pr = beside_s * rest + s * beside_t * narrow;
+    rr = 2.0 * (own + wide * at_r) + (s + s) * (own + s * ends);
   }
-  /// Adds the damped pressure of the parts; unused lanes have no weight.
-  TRILITH_INLINE void flush() {
-    if (count_ == 0) return;
-    const Lanes counts = select(LaneMask{0, 1, 2, 3} < count_, Lanes{} + 1.0, Lanes{});
-    const Triple<Lanes> u = four_.arm[0] + four_.arm[1] + four_.arm[2];
-    const Lanes area = area_of(four_), speed = closing_[0] + closing_[1] + closing_[2];
-    std::array<Lanes, 3> damped;
-    for (std::size_t i = 0; i < 3; ++i) damped[i] = four_.depth[i] + beta_ * closing_[i];
-    const LinearPressure total(damped, four_, closing_, u, speed, area * counts * (1.0 / 12));
-    sums_.add_damped(along_, total);
-    total.add_second(four_, u, area * counts * (1.0 / 60), sums_.arm_second);
-    count_ = 0;
-  }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-
- private:
-  TRILITH_INLINE void set(Triple<Lanes>& to, const Vec3& v) {
-    to.x[count_] = v.x(), to.y[count_] = v.y(), to.z[count_] = v.z();
-  }
-
-  double beta_;
-  TriangleSums& sums_;
-  int count_ = 0;
-  FourTriangles four_{};
-  std::array<Lanes, 3> closing_{};
-  Lanes along_{};
 };
 
-/// The calls of PressedParts for one width of registers. They stay outside of the loop over all triangles, because few
-/// triangles are partly pressed and the loop then keeps its sums in registers.
+/// Replaces the moments of a linear pressure by those of its positive part, in the lanes of `mixed`, where it is
+/// positive at some corners and negative at others.
+TRILITH_INLINE void keep_positive(const std::array<Lanes, 3>& at, const Lanes& area, const LaneMask& mixed,
+                                  PressureMoments& of) {
+  const Lanes zero{};
+  const LaneMask on0 = at[0] > 0.0, on1 = at[1] > 0.0, on2 = at[2] > 0.0;
+  const LaneMask alone0 = ~(on1 ^ on2), alone1 = ~(on0 ^ on2);  // P is corner 0, 1, or else 2
+  const auto turned = [&](const Lanes& a, const Lanes& b, const Lanes& c)
+                          TRILITH_INLINE_LAMBDA { return select(alone0, a, select(alone1, b, c)); };
+  const Lanes p = turned(at[0], at[1], at[2]), q = turned(at[1], at[2], at[0]), r = turned(at[2], at[0], at[1]);
+  const Lanes t = select(mixed, p / (p - q), zero), s = select(mixed, p / (p - r), zero);
+  const LaneMask is_in = p > 0.0;
+  const MomentsInside in(area, p, t, s);
+  const MomentsOutside out(area, q, r, t, s);
+  // The corner whose moments follow from the others: P or Q. With X the other one of both:
+  const Lanes whole = select(is_in, in.whole, out.whole), of_x = select(is_in, in.q, out.p),
+              of_r = select(is_in, in.r, out.r), xx = select(is_in, in.qq, out.pp), rr = select(is_in, in.rr, out.rr),
+              xr = select(is_in, in.qr, out.pr);
+  const Lanes of_y = whole - of_x - of_r, xy = of_x - xx - xr, ry = of_r - rr - xr, yy = of_y - xy - ry;
+  const Lanes of_p = select(is_in, of_y, of_x), of_q = select(is_in, of_x, of_y), pp = select(is_in, yy, xx),
+              qq = select(is_in, xx, yy), pr = select(is_in, ry, xr), qr = select(is_in, xr, ry);
+  const auto put = [&](Lanes& to, const Lanes& first, const Lanes& second, const Lanes& third)
+                       TRILITH_INLINE_LAMBDA { to = select(mixed, turned(first, second, third), to); };
+  of.whole = select(mixed, whole, of.whole);
+  put(of.first[0], of_p, of_r, of_q), put(of.first[1], of_q, of_p, of_r), put(of.first[2], of_r, of_q, of_p);
+  put(of.square[0], pp, rr, qq), put(of.square[1], qq, pp, rr), put(of.square[2], rr, qq, pp);
+  put(of.product[0], qr, xy, pr), put(of.product[1], pr, qr, xy), put(of.product[2], xy, pr, qr);
+}
+
+/// keep_positive for one width of registers. It stays outside of the loop over all triangles: triangles are pressed in
+/// part where bodies separate.
 struct NarrowParts {
-  [[gnu::noinline]] static void add(PressedParts& parts, const FourTriangles& in, const CountedFour& of, int lane) {
-    parts.add(in, of, lane);
+  [[gnu::noinline]] static void keep(const std::array<Lanes, 3>& at, const Lanes& area, const LaneMask& mixed,
+                                     PressureMoments& of) {
+    keep_positive(at, area, mixed, of);
   }
-  [[gnu::noinline]] static void flush(PressedParts& parts) { parts.flush(); }
 };
 #ifdef __x86_64__
 struct WideParts {
-  [[gnu::noinline, gnu::target("avx2")]] static void add(PressedParts& parts, const FourTriangles& in,
-                                                         const CountedFour& of, int lane) {
-    parts.add(in, of, lane);
+  [[gnu::noinline, gnu::target("avx2")]] static void keep(const std::array<Lanes, 3>& at, const Lanes& area,
+                                                          const LaneMask& mixed, PressureMoments& of) {
+    keep_positive(at, area, mixed, of);
   }
-  [[gnu::noinline, gnu::target("avx2")]] static void flush(PressedParts& parts) { parts.flush(); }
 };
 #endif
 
-/// Springs and area of all triangles, and damping of triangles whose pressure is positive at all corners. If it is
-/// positive at some corners only, the pressed part is added separately.
+/// Springs and area of all triangles, and the damped pressure where it is positive.
 template <class Parts>
 TRILITH_INLINE TriangleSums sum_all(std::span<const FourTriangles> triangles, double beta, const DampedMotion& motion) {
   TriangleSums sums;
-  PressedParts parts(beta, sums);
   for (const FourTriangles& in : triangles) {
-    CountedFour of;
-    of.along = motion.along(in), of.closing = motion.closing(in, of.along);
+    const Lanes along = motion.along(in), area = area_of(in), zero{};
+    const std::array<Lanes, 3> closing = motion.closing(in, along);
+    std::array<Lanes, 3> damped;
     LaneMask some{}, all = ~LaneMask{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Lanes damped = in.depth[k] + beta * of.closing[k];
-      some |= damped > 0.0, all &= damped >= 0.0;
+      damped[k] = in.depth[k] + beta * closing[k];
+      some |= damped[k] > 0.0, all &= damped[k] >= 0.0;
     }
-    of.springs = Lanes{} + 1.0, of.damped = select(all, of.springs, Lanes{});
-    sum_four(in, of, beta, sums);
-    if (const LaneMask mixed = some & ~all; any(mixed))
-      for (int i = 0; i < lane_count; ++i)
-        if (mixed[i] != 0) Parts::add(parts, in, of, i);
+    PressureMoments of_damped(damped, select(all, area, zero));
+    if (const LaneMask mixed = some & ~all; any(mixed)) Parts::keep(damped, area, mixed, of_damped);
+    const PressureMoments undamped(in.depth, area);
+    const LinearPressure springs(in, closing, undamped), total(in, closing, of_damped);
+    sums.add_pressure(in, along, springs, total);
+    sums.add_area(in, in.arm[0] + in.arm[1] + in.arm[2], area * (1.0 / 12));
+    add_second(in, of_damped, sums.arm_second);
+    for (const Lanes& d : in.depth) sums.depth = larger<Lanes>(sums.depth, d);
   }
-  if (!parts.empty()) Parts::flush(parts);
   return sums;
 }
 

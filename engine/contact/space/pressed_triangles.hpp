@@ -2,12 +2,14 @@
 //
 // Input: triangles of the pressed faces of two solids (contact/space/solid_pressure.hpp), each in one cell, with the
 // depth at its corners, and the relative motion. Output: force, moments, power and spread of the pressure d + beta c
-// where positive, and the moments of the area. With u = p + q + r the sum of the arms of its corners, s = f(p) + f(q) +
-// f(r) the sum of a linear function at them, and A its area:
+// where positive, and the moments of the area. With l the barycentric coordinates of the corners p_i, u the sum of the
+// corners' arms, s the sum of a linear function f at the corners, and A the area:
 //
-//     integral f = A s / 3                   integral f x = A / 12 (s u + f(p) p + f(q) q + f(r) r)
-//     integral x x' = A / 12 (u u' + p p' + q q' + r r')
-//     integral f x x' = A / 60 (s u u' + u w' + w u' + (s + 2 f(p)) p p' + ...),   w = f(p) p + f(q) q + f(r) r
+//     integral f l_i = A / 12 (s + f_i)             integral f x = sum of p_i (integral f l_i)
+//     integral f l_i l_j = A / 60 (s + f_i + f_j), twice that for i = j
+//     integral x x' = A / 12 (u u' + sum of p_i p_i')
+//
+// A triangle on which the pressure changes its sign has the same integrals with other moments f l_i and f l_i l_j.
 #pragma once
 
 #include <span>

@@ -1,53 +1,13 @@
 #include "geometry/plane/edge_overlap.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "base/simd/lane_bits.hpp"
+#include "geometry/plane/shared_points.hpp"
 
 namespace trilith {
 namespace {
-
-constexpr int room_of_faces = few_faces;
-/// Offset of unused planes [m].
-constexpr double far_plane = 1e100;
-
-TRILITH_INLINE Lanes first_half(const DepthRow& row) {
-  Lanes v;
-  __builtin_memcpy(&v, row.below.data(), sizeof v);
-  return v;
-}
-TRILITH_INLINE Lanes second_half(const DepthRow& row) {
-  Lanes v;
-  __builtin_memcpy(&v, row.below.data() + lane_count, sizeof v);
-  return v;
-}
-
-/// The planes of a solid in lanes: n . x = c, x measured from the origin.
-struct Planes {
-  std::array<Triple<Lanes>, 2> normal;
-  std::array<Lanes, 2> offset;
-
-  TRILITH_INLINE Planes(const PlacedSolid& solid, const Vec3& origin) {
-    const FaceLoops& faces = solid.solid->shape.faces;
-    std::array<DepthRow, 4> rows{};  // x, y, z and c
-    rows[3].below.fill(far_plane);
-    for (std::size_t f = 0; f < solid.normals.size(); ++f) {
-      const Vec3 &n = solid.normals[f],
-                 &x = solid.corners[static_cast<std::size_t>(faces.corner[static_cast<std::size_t>(faces.start[f])])];
-      rows[0].below[f] = n.x(), rows[1].below[f] = n.y(), rows[2].below[f] = n.z();
-      rows[3].below[f] = n.x() * (x.x() - origin.x()) + n.y() * (x.y() - origin.y()) + n.z() * (x.z() - origin.z());
-    }
-    normal[0] = {first_half(rows[0]), first_half(rows[1]), first_half(rows[2])}, offset[0] = first_half(rows[3]);
-    normal[1] = {second_half(rows[0]), second_half(rows[1]), second_half(rows[2])}, offset[1] = second_half(rows[3]);
-  }
-  TRILITH_INLINE void depths(double x, double y, double z, DepthRow& row) const {
-    for (std::size_t half = 0; half < 2; ++half) {
-      const Triple<Lanes>& n = normal[half];
-      const Lanes below = offset[half] - (n.x * x + n.y * y + n.z * z);
-      __builtin_memcpy(row.below.data() + half * lane_count, &below, sizeof below);
-    }
-  }
-};
 
 /// Bit f: the point lies outside of face f.
 TRILITH_INLINE unsigned outside(const DepthRow& row) {
@@ -79,12 +39,12 @@ struct EdgePart {
   }
 };
 
-/// Builds the shared solid.
-class FromEdges {
+/// Finds the shared solid.
+class FromEdges : SharedPoints {
  public:
-  TRILITH_INLINE FromEdges(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& to)
-      : solid_{&a, &b}, origin_(a.corners[0]), planes_{Planes(a, origin_), Planes(b, origin_)}, out_(to) {
-    out_.points = 0;
+  /// `record`: receives the topology, or nullptr.
+  TRILITH_INLINE FromEdges(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& to, OverlapTopology* record)
+      : SharedPoints(a, b, to), record_(record) {
     for (auto& ends : meeting_)
       for (auto& of : ends) of = {-1, -1};
   }
@@ -94,7 +54,9 @@ class FromEdges {
     take_edges(0), take_edges(1);
     if (!closed_ || out_.points < 4) return false;
     take_meetings();
-    return closed_ && take_loops() && is_sure();
+    if (!closed_ || !take_loops() || !is_sure()) return false;
+    if (record_ != nullptr) keep_record();
+    return true;
   }
 
  private:
@@ -123,14 +85,9 @@ class FromEdges {
     return all == 0;
   }
 
-  [[nodiscard]] TRILITH_INLINE Lanes corner_arm(std::size_t s, std::size_t corner) const {
-    const Vec3& x = solid_[s]->corners[corner];
-    return Lanes{x.x() - origin_.x(), x.y() - origin_.y(), x.z() - origin_.z(), 0};
-  }
-
   TRILITH_INLINE int add_point(const Lanes& at) {
     const auto i = static_cast<std::size_t>(out_.points++);
-    out_.arm[i] = at;
+    out_.arm[i] = at, on_faces_[i] = 0;
     for (std::size_t s = 0; s < 2; ++s) planes_[s].depths(at[0], at[1], at[2], out_.depth[s][i]);
     return static_cast<int>(i);
   }
@@ -138,6 +95,8 @@ class FromEdges {
   /// The depth of a point below the faces that it lies on is exactly 0, regardless of rounding.
   TRILITH_INLINE void put_on(int point, std::size_t s, int face) {
     out_.depth[s][static_cast<std::size_t>(point)].below[static_cast<std::size_t>(face)] = 0;
+    on_faces_[static_cast<std::size_t>(point)] |=
+        static_cast<std::uint16_t>(1U << (few_faces * static_cast<int>(s) + face));
   }
 
   /// The corner of the shared solid at an end of an edge: the edge's own corner, or a point in a face of the other
@@ -190,7 +149,8 @@ class FromEdges {
     for (std::size_t i = 0; i < edges.size(); ++i)
       may_enter |= static_cast<unsigned>((code_[s][edges[i].from] & code_[s][edges[i].to]) == 0) << i;
     for (; may_enter != 0; may_enter &= may_enter - 1) {
-      const SolidEdge& e = edges[static_cast<std::size_t>(std::countr_zero(may_enter))];
+      const auto edge = static_cast<std::size_t>(std::countr_zero(may_enter));
+      const SolidEdge& e = edges[edge];
       const EdgePart part(corner_depth_[s][e.from], corner_depth_[s][e.to]);
       if (!(part.from < part.to)) continue;
       if (out_.points + 2 > most_points || meetings_ + 4 > most_meetings) {
@@ -198,7 +158,8 @@ class FromEdges {
         return;
       }
       const int from = end_of(s, e, e.from, part.from, part.enters), to = end_of(s, e, e.to, part.to, part.leaves);
-      step(e.left + room_of_faces * s, from, to), step(e.right + room_of_faces * s, to, from);
+      note_part(s, edge, part, from, to);
+      step(e.left + few_faces * s, from, to), step(e.right + few_faces * s, to, from);
       if (part.enters >= 0) end_meetings(s, e, part.enters, false, from);
       if (part.leaves >= 0) end_meetings(s, e, part.leaves, true, to);
     }
@@ -213,7 +174,7 @@ class FromEdges {
         return;
       }
       step(static_cast<std::size_t>(a), of.start, of.end);
-      step(static_cast<std::size_t>(b + room_of_faces), of.end, of.start);
+      step(static_cast<std::size_t>(b + few_faces), of.end, of.start);
     }
   }
 
@@ -233,45 +194,66 @@ class FromEdges {
     return true;
   }
 
-  /// Whether the mean of all points is so deep in both solids that no axis can separate them, whatever the rounding.
-  /// The normal of two edges a millionth off parallel may be wrong by 1e-10. Moves the origin to a point of the shared
-  /// solid.
-  TRILITH_INLINE bool is_sure() {
-    const double size = solid_[0]->solid->size + solid_[1]->solid->size;
-    const double enough = 1e-9 * size + 1e-13 * (origin_.cwiseAbs().maxCoeff() + size), n = out_.points;
-    for (std::size_t s = 0; s < 2; ++s) {
-      Lanes sum{}, rest{};
-      for (std::size_t i = 0; i < static_cast<std::size_t>(out_.points); ++i)
-        sum += first_half(out_.depth[s][i]), rest += second_half(out_.depth[s][i]);
-      if (any(flip(smaller<Lanes>(sum, rest) > n * enough))) return false;
-    }
-    const Lanes first = out_.arm[0];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(out_.points); ++i) out_.arm[i] -= first;
-    out_.origin = origin_ + Vec3(first[0], first[1], first[2]);
-    return true;
+  /// Notes part of an edge, in the order in which they make points.
+  TRILITH_INLINE void note_part(std::size_t s, std::size_t edge, const EdgePart& part, int from, int to) {
+    if (record_ == nullptr || ++parts_ > OverlapTopology::most_parts) return;
+    const SolidEdge& e = solid_[s]->solid->edges[edge];
+    const auto byte = [](auto v) { return static_cast<std::uint8_t>(v); };
+    record_->part[parts_ - 1] = {{byte(e.from), byte(e.to), byte(e.left), byte(e.right)},
+                                 byte(s),
+                                 byte(edge),
+                                 static_cast<std::int8_t>(part.enters),
+                                 static_cast<std::int8_t>(part.leaves),
+                                 byte(from),
+                                 byte(to)};
   }
 
-  static constexpr int most_meetings = room_of_faces * room_of_faces;
-  std::array<const PlacedSolid*, 2> solid_;
-  Vec3 origin_;
-  std::array<Planes, 2> planes_;
-  EdgeOverlap& out_;
-  std::array<std::array<DepthRow, room_of_faces>, 2>
+  /// Completes the record, unless the shared solid has too many parts for it.
+  TRILITH_INLINE void keep_record() {
+    record_->a = nullptr;
+    const auto points = static_cast<std::size_t>(out_.points);
+    if (parts_ > OverlapTopology::most_parts || points > OverlapTopology::most_points) return;
+    record_->rims = 0;
+    for (std::size_t l = 0; l < out_.loop.size(); ++l) {
+      const EdgeOverlap::Loop& loop = out_.loop[l];
+      if (loop.count == 0) continue;
+      if (record_->rims == OverlapTopology::most_rims || loop.count > static_cast<int>(OverlapTopology::most_on_rim))
+        return;
+      OverlapTopology::Rim& rim = record_->rim[record_->rims++];
+      rim.loop = static_cast<std::uint8_t>(l), rim.count = static_cast<std::uint8_t>(loop.count);
+      __builtin_memcpy(rim.point.data(), loop.point.data(), sizeof rim.point);
+    }
+    std::copy_n(on_faces_.begin(), points, record_->on_faces.begin());
+    record_->parts = parts_, record_->points = points;
+    record_->a = solid_[0], record_->b = solid_[1];
+  }
+
+  static constexpr int most_meetings = few_faces * few_faces;
+  OverlapTopology* record_;
+  std::size_t parts_ = 0;
+  std::array<std::uint16_t, most_points> on_faces_;  // see OverlapTopology
+  std::array<std::array<DepthRow, few_faces>, 2>
       corner_depth_;  // depths of one solid's corners below the other's faces
-  std::array<std::array<unsigned, room_of_faces>, 2> code_;
-  std::array<std::array<std::int16_t, room_of_faces>, 2> corner_point_;
-  std::array<std::array<Meeting, room_of_faces>, room_of_faces> meeting_;
+  std::array<std::array<unsigned, few_faces>, 2> code_;
+  std::array<std::array<std::int16_t, few_faces>, 2> corner_point_;
+  std::array<std::array<Meeting, few_faces>, few_faces> meeting_;
   std::array<std::array<std::int16_t, 2>, most_meetings> met_;
   std::array<Steps, EdgeOverlap::most_loops> steps_;
   int meetings_ = 0;
   bool closed_ = true;
 };
 
+[[gnu::target_clones("avx2", "default")]] bool overlap_anew(const PlacedSolid& a, const PlacedSolid& b,
+                                                            EdgeOverlap& out, OverlapTopology* record) {
+  return FromEdges(a, b, out, record).find();
+}
+
 }  // namespace
 
-[[gnu::target_clones("avx2", "default")]] bool edge_overlap(const PlacedSolid& a, const PlacedSolid& b,
-                                                            EdgeOverlap& out) {
-  return FromEdges(a, b, out).find();
+bool edge_overlap(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& out, OverlapTopology* known) {
+  if (known != nullptr && known->a == &a && known->b == &b && overlap_as_before(a, b, *known, out)) return true;
+  if (known != nullptr) known->a = nullptr;
+  return overlap_anew(a, b, out, known);
 }
 
 }  // namespace trilith

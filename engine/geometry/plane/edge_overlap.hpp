@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/simd/lane_vectors.hpp"
 #include "geometry/space/convex_solid.hpp"
@@ -51,8 +52,53 @@ struct EdgeOverlap {
   std::array<Loop, most_loops> loop;                       ///< counter-clockwise as seen from outside
 };
 
+/// How the intersection of two solids is put together: which edges pass through which faces. It stays the same over
+/// many steps while the coordinates change.
+struct OverlapTopology {
+  static constexpr std::size_t most_parts = 16, most_points = 16, most_rims = 12, most_on_rim = 8;
+  /// The part of an edge inside the other solid.
+  struct Part {
+    std::array<std::uint8_t, 4> joins;  ///< its edge's corners and faces: from, to, left, right
+    std::uint8_t solid, edge;
+    std::int8_t enters, leaves;  ///< faces of the other solid; -1: at an end of the edge
+    std::uint8_t from, to;       ///< points at its ends
+  };
+  struct Rim {
+    std::uint8_t loop, count;
+    std::array<std::uint8_t, most_on_rim> point;
+  };
+  const PlacedSolid *a = nullptr, *b = nullptr;  ///< the solids; nullptr: empty
+  std::size_t parts = 0, points = 0, rims = 0;
+  std::array<Part, most_parts> part;                ///< in the order in which they make points
+  std::array<std::uint16_t, most_points> on_faces;  ///< bit f: the point lies on face f of a; bit 8 + f: of b
+  std::array<Rim, most_rims> rim;                   ///< faces of the intersection
+};
+
 /// True where the solids share a part, all faces of the part close, and the result is safe against rounding. Both
-/// solids have few faces.
-bool edge_overlap(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& out);
+/// solids have few faces. `known`: topology of an earlier call, or nullptr. It is used if all its points, in the
+/// present coordinates, lie inside of all other faces of both solids by more than rounding: then their hull is the
+/// intersection, because each of its faces lies in a face of one solid. The result has the same bits with and without
+/// it. Otherwise it is replaced.
+bool edge_overlap(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& out, OverlapTopology* known = nullptr);
+
+/// Topologies of recent intersections, for one thread. No result depends on them. The memory grows with the number of
+/// pairs that are in use at a time. When it is full of pairs that are not, it begins anew.
+class OverlapMemory {
+ public:
+  /// The topology of a pair, empty for a new one; valid until the next call.
+  OverlapTopology& of(const PlacedSolid& a, const PlacedSolid& b);
+
+ private:
+  static constexpr std::size_t least = 256, most = 16384;
+  struct Entry {
+    const PlacedSolid *a = nullptr, *b = nullptr;
+    std::size_t place = 0;
+  };
+  void begin(std::size_t size);
+
+  std::vector<Entry> entry_;  // hash table with open addressing, at most half full
+  std::vector<OverlapTopology> topology_;
+  std::size_t used_ = 0, asked_ = 0;  // topologies in use, calls since the last begin()
+};
 
 }  // namespace trilith
