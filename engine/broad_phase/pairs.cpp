@@ -129,12 +129,21 @@ int count_facing(const Model<2>& model, const Work<2>& work, double reach_a, dou
   return count;
 }
 
+bool is_bonded(const ContactHistory& before, const NearPair& pair) {
+  const ContactKey key = key_of(pair);
+  const auto at = std::lower_bound(before.key.begin(), before.key.end(), key);
+  return at != before.key.end() && *at == key &&
+         before.memory[static_cast<std::size_t>(at - before.key.begin())].bonds != 0;
+}
+
 /// 0: general contact until one of the pieces is updated; 1: contact of these two faces; 2: chosen in each step. Faces
-/// within the distance `beside` count as pairs that may touch, see choose_face_pair.
-void find_facing(const Model<2>& model, const Work<2>& work, NearPair& pair) {
+/// within the distance `beside` count as pairs that may touch, see choose_face_pair. Bonded faces remain a pair when
+/// they tilt.
+void find_facing(const Model<2>& model, const ContactHistory& before, const Work<2>& work, NearPair& pair) {
   const BroadPhaseState<2>& search = work.search;
   pair.facing = count_facing(model, work, reach_of(search, pair.piece_a) + search.beside,
                              reach_of(search, pair.piece_b) + search.beside, pair);
+  if (pair.facing == 0 && is_bonded(before, pair)) pair.facing = 2;
 }
 
 /// Groups face pairs by law, for SIMD kernels; all other pairs are single. Rows keep their order.
@@ -173,8 +182,7 @@ bool may_ever_touch(const Model<2>& model, const State<2>& state, const BroadPha
 /// Pieces and rows in a chunk of one thread: about ten microseconds.
 constexpr int due_stretch = 16, faced_stretch = 64;
 
-/// Calls f(list) with a thread's list of pairs moved out of the shared array. Otherwise the list headers, which are
-/// adjacent in memory, would cause false sharing.
+/// Calls f(list) with a thread's list of pairs moved out of the shared array, whose headers share cache lines.
 template <class F>
 void add_found(BroadPhaseState<2>& search, int thread, F&& f) {
   std::vector<ContactKey> found = std::move(search.found_by[static_cast<std::size_t>(thread)]);
@@ -231,16 +239,17 @@ void find_keys(const Model<2>& model, const State<2>& state, Work<2>& work) {
 }
 
 /// Updates the opposed faces of some rows. Each row reads its own pieces and writes only itself.
-void face_rows(const Model<2>& model, Work<2>& work, const std::vector<int>& rows) {
+void face_rows(const Model<2>& model, const State<2>& state, Work<2>& work, const std::vector<int>& rows) {
+  const ContactHistory& before = work.valid ? contacts_before(state, work) : state.contacts;
   share(work.threads, static_cast<int>(rows.size()), faced_stretch, [&](int first, int last, int /*thread*/) {
-    for (int i = first; i < last; ++i) find_facing(model, work, work.pairs[rows[i]]);
+    for (int i = first; i < last; ++i) find_facing(model, before, work, work.pairs[rows[i]]);
   });
 }
 
 /// Updates the opposed faces of all rows that contain an updated piece.
-void face_again(const Model<2>& model, Work<2>& work) {
+void face_again(const Model<2>& model, const State<2>& state, Work<2>& work) {
   for (const int row : work.search.due_rows) work.clear_until[row] = 0;
-  face_rows(model, work, work.search.due_rows);
+  face_rows(model, state, work, work.search.due_rows);
 }
 
 /// Merges the pairs found into the list: rows without due pieces stay, rows with due pieces are replaced.
@@ -276,7 +285,7 @@ void merge_found(const Model<2>& model, const State<2>& state, Work<2>& work) {
   work.pairs.swap(work.spare_pairs);
   work.asleep_until.swap(work.spare_asleep);
   work.clear_until.swap(work.spare_clear);
-  face_rows(model, work, to_face);
+  face_rows(model, state, work, to_face);
 }
 
 /// Resets path lengths to begin at 0, so that they keep their digits; rounded to the safe side.
@@ -306,7 +315,7 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work) {
   place_boxes(model, state, work);
   find_keys(model, state, work);
   const bool same = work.valid && are_same(work);
-  same ? face_again(model, work) : merge_found(model, state, work);
+  same ? face_again(model, state, work) : merge_found(model, state, work);
   sort_into_batches(model, work);
   for (const int p : search.due) search.is_due[p] = 0;
   search.due.clear();
@@ -338,19 +347,11 @@ bool face_each_other(const Model<2>& model, const Work<2>& work, const FaceOverl
          normal.dot(middle_of(model, work, pair.piece_a) - Vec2(on_b.x, on_b.y)) < 0;
 }
 
-}  // namespace
-
-/// Bonded faces stay a pair at any gap and tilt, so the pair with the smallest mean gap is returned without a test of
-/// contact and flatness, if its faces face each other. Otherwise the only pair that touches flatly is returned.
-///
-/// If no pair touches, the last contact ends as a face contact where exactly one flat pair is within
-/// `BroadPhaseState::beside`, and as a general one where there are several. So the result does not depend on whether
-/// one or several face pairs were near at the last check.
-bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
+/// As choose_face_pair, among faces that oppose each other within the angle of this tangent.
+bool choose_within(const Model<2>& model, const Work<2>& work, bool bonded, double angle, NearPair& pair) {
   int found = 0, touching = 0;
   double nearest = unbounded;
   const FaceLine line = face_line(model);
-  static const double angle = portable::tan(face_pair_max_tilt);
   for_facing_edges(model, work, pair.piece_a, pair.piece_b, angle, [&](const Edge& a, const Edge& b) {
     const FaceOverlap<double> overlap(ends(work, a.s0, a.s1), ends(work, b.s0, b.s1));
     if (!overlap.sane || !(bonded || overlap.is_flat(std::max(a.corner, b.corner)))) {
@@ -375,6 +376,24 @@ bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, N
   if (bonded || found == 0 || touching > 0) return found > 0 && touching < 2;
   NearPair beside = pair;
   return count_facing(model, work, work.search.beside, work.search.beside, beside) < 2;
+}
+
+}  // namespace
+
+/// Bonded faces are a pair at any gap, so the pair with the smallest mean gap is returned without a test of contact and
+/// flatness, if its faces face each other. Otherwise the only pair that touches flatly is returned.
+///
+/// If no pair touches, the last contact ends as a face contact where exactly one flat pair is within
+/// `BroadPhaseState::beside`, and as a general one where there are several. So the result does not depend on whether
+/// one or several face pairs were near at the last check.
+bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair) {
+  static const double angle = portable::tan(face_pair_max_tilt);
+  return choose_within(model, work, bonded, angle, pair);
+}
+
+bool choose_bonded_faces(const Model<2>& model, const Work<2>& work, NearPair& pair) {
+  constexpr double most_tilt = 0.2;  // tangent; other edges of two pieces in one joint differ by more
+  return choose_face_pair(model, work, true, pair) || choose_within(model, work, true, most_tilt, pair);
 }
 
 }  // namespace trilith

@@ -26,6 +26,10 @@ bool find_pairs(const Model<2>& model, const State<2>& state, Work<2>& work);
 /// Sets the face fields of `pair`. Depends on the present configuration alone.
 bool choose_face_pair(const Model<2>& model, const Work<2>& work, bool bonded, NearPair& pair);
 
+/// The face pair with the smallest gap of two pieces with a bond, which lasts when its faces tilt, up to 0.2. Edges
+/// next to them differ by more. As above otherwise.
+bool choose_bonded_faces(const Model<2>& model, const Work<2>& work, NearPair& pair);
+
 /// Index of the contact law between two bodies' surfaces, -1 for none.
 int contact_law(const Model<2>& model, int body_a, int body_b);
 

@@ -1,5 +1,5 @@
-// Arrays of the search for cracks in meshes, kept from step to step, so that a search without a crack allocates
-// nothing.
+// Arrays of the search for cracks, which a simulation keeps from step to step, so that a search of meshes without a
+// crack allocates nothing.
 #pragma once
 
 #include <array>
@@ -41,6 +41,7 @@ struct CrackScratch {
   Work<D> work;                             ///< forces of elements, 0 between two searches
   std::array<std::vector<Vec<D>>, 2> side;  ///< [behind, ahead][node of the cut] forces of the elements [N]
   std::vector<Vec<D>> force;                ///< [node of the cut] of the part ahead on the part behind [N]
+  std::vector<double> load;                 ///< [cracking body] sums of the forces on their surfaces [N]
   CutScratch<D> cut;
 };
 

@@ -150,9 +150,9 @@ void contact_sizes(const Model<3>& model, const Work<3>& work, const Cracking<3>
 
 /// [cracking body] sums of the forces on their surfaces, without regard to directions [N].
 template <int D>
-std::vector<double> surface_loads(const Model<D>& model, const State<D>& state, const Work<D>& work,
-                                  const Cracking<D>& cracking) {
-  std::vector<double> load(cracking.bodies.size(), 0.0);
+void find_surface_loads(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking,
+                        std::vector<double>& load) {
+  load.assign(cracking.bodies.size(), 0.0);
   const auto row_of = [&](int body) {
     const auto at = std::lower_bound(cracking.bodies.begin(), cracking.bodies.end(), body,
                                      [](const CrackingBody<D>& c, int b) { return c.body < b; });
@@ -172,7 +172,6 @@ std::vector<double> surface_loads(const Model<D>& model, const State<D>& state, 
     LoadSizes<D> on{{model, state, &work, &work.closed_joints}, load[static_cast<std::size_t>(row)]};
     one.apply(on, part);
   });
-  return load;
 }
 
 SectionUse use_of(const ContactLaw& law, const CrackingBody<2>& body, const CrackSection<2>& section,
@@ -229,15 +228,16 @@ Crack<D> crack_of(const Model<D>& model, const State<D>& state, const CrackingBo
 /// Meshes have no watch, so that nothing is allocated where all bodies are meshes and none cracks.
 template <int D>
 CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D>& work, const Cracking<D>& cracking,
-                      CrackScratch<D>& scratch) {
+                      CrackScratch<D>& scratch, double limit) {
   CrackSearch<D> found;
   if (std::any_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) {
-    found.cracks = mesh_cracks(model, state, cracking, scratch);
+    found = mesh_cracks(model, state, cracking, scratch, limit);
     if (std::all_of(cracking.bodies.begin(), cracking.bodies.end(), is_mesh<D>)) return found;
   }
   found.watch = cracking.watch;
   found.watch.resize(cracking.bodies.size());
-  const std::vector<double> load = surface_loads(model, state, work, cracking);
+  std::vector<double>& load = scratch.load;
+  find_surface_loads(model, state, work, cracking, load);
   std::vector<int> bodies, rows;
   for (std::size_t i = 0; i < cracking.bodies.size(); ++i) {
     const CrackWatch& watch = found.watch[i];
@@ -252,7 +252,8 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
     const auto row = static_cast<std::size_t>(rows[k]);
     const WorstSection<D> worst = worst_section(model, cracking.bodies[row], forces, k);
     found.watch[row] = {state.step + steps_until_next(worst.use.share), load[row] * allowed_growth(worst.use.share)};
-    if (worst.use.share > 1) found.cracks.push_back(crack_of(model, state, cracking.bodies[row], worst));
+    found.share = std::max(found.share, worst.use.share);
+    if (worst.use.share > limit) found.cracks.push_back(crack_of(model, state, cracking.bodies[row], worst));
   }
   std::sort(found.cracks.begin(), found.cracks.end(),
             [](const Crack<D>& a, const Crack<D>& b) { return a.body < b.body; });
@@ -262,15 +263,13 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
 }  // namespace
 
 CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                             const Cracking<2>& cracking) {
-  static thread_local CrackScratch<2> scratch;  // grows to the largest mesh once
-  return search(model, state, work, cracking, scratch);
+                             const Cracking<2>& cracking, CrackScratch<2>& scratch, double limit) {
+  return search(model, state, work, cracking, scratch, limit);
 }
 
 CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
-                             const Cracking<3>& cracking) {
-  static thread_local CrackScratch<3> scratch;  // grows to the largest mesh once
-  return search(model, state, work, cracking, scratch);
+                             const Cracking<3>& cracking, CrackScratch<3>& scratch, double limit) {
+  return search(model, state, work, cracking, scratch, limit);
 }
 
 }  // namespace trilith

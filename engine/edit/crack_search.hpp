@@ -11,6 +11,9 @@
 // run computes the same bodies.
 //
 // A mesh is compared at every step: its section needs the elements next to it alone (edit/mesh_section.hpp).
+//
+// A load path looks for a share of the strength below 1, because it divides a body before a section softens: see
+// run/crack_path.hpp.
 #pragma once
 
 #include <vector>
@@ -96,12 +99,17 @@ template <int D>
 struct CrackSearch {
   std::vector<Crack<D>> cracks;   ///< at most one for each body, in the order of bodies
   std::vector<CrackWatch> watch;  ///< the new Cracking::watch
+  double share = 0;               ///< largest share of a strength that a computed section uses
 };
 
-/// `work` must be evaluated at the present instant. Changes nothing.
+template <int D>
+struct CrackScratch;  // edit/crack_scratch.hpp
+
+/// Bodies with a section that uses more than the share `limit` of a strength. `work` must be evaluated at the present
+/// instant. Changes nothing but `scratch`.
 CrackSearch<2> search_cracks(const Model<2>& model, const State<2>& state, const Work<2>& work,
-                             const Cracking<2>& cracking);
+                             const Cracking<2>& cracking, CrackScratch<2>& scratch, double limit = 1);
 CrackSearch<3> search_cracks(const Model<3>& model, const State<3>& state, const Work<3>& work,
-                             const Cracking<3>& cracking);
+                             const Cracking<3>& cracking, CrackScratch<3>& scratch, double limit = 1);
 
 }  // namespace trilith

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -117,6 +118,18 @@ class MeshLinks {
     }
   }
 
+  /// Adds the faces of the crack to the wet faces of the parts, if one of the wet faces of the body reaches its edge.
+  void wet_crack(const std::vector<WetFace<D>>& faces, std::vector<WetFace<D>>& given) const {
+    const auto at = std::find_if(faces.begin(), faces.end(), [&](const WetFace<D>& f) { return reaches_crack(f); });
+    if (at == faces.end()) return;
+    for_new_faces([&](const auto& face) {
+      if constexpr (D == 2)
+        given.push_back({face.body, face.skin_a, face.skin_b, 0, 1, at->depth});
+      else
+        given.push_back(face);
+    });
+  }
+
   // Only rigid bodies have loads over whole faces and axes of their own.
 
   [[nodiscard]] Turn3 axes_of(int /*part*/) const requires(D == 3) { return Turn3(UnitQuaternion{}); }
@@ -128,6 +141,29 @@ class MeshLinks {
   void for_polygon(const std::vector<Vec3>& /*corners*/, See&& /*see*/) const requires(D == 3) {}
 
  private:
+  /// A wet end of the face is a node of the cut.
+  [[nodiscard]] bool reaches_crack(const WetFace<2>& face) const requires(D == 2) {
+    const auto is_on_both = [&](int skin) { return parts_.skin_copy(0, skin) >= 0 && parts_.skin_copy(1, skin) >= 0; };
+    return is_on(face.body) &&
+           ((face.from <= 0 && is_on_both(face.skin_a)) || (face.to >= 1 && is_on_both(face.skin_b)));
+  }
+  /// Two wet corners of the face are nodes of the cut. Corners lie on the plane that is fitted to a warped face.
+  [[nodiscard]] bool reaches_crack(const WetFace<3>& face) const requires(D == 3) {
+    if (!is_on(face.body) || !on_frame(face.at)) return false;
+    constexpr double same_place = 1e-3;  // share of the size of the face
+    const BodyMotion start = start_of(model_, face.at.node[0]);
+    const Turn3 turn(start.rotation);
+    double size = 0;
+    for (const Vec3& x : face.corners) size = std::max(size, (x - face.corners.front()).norm());
+    const auto touches = [&](const Vec3& corner) {
+      const Vec3 x = start.place + turn.apply(corner);
+      return std::any_of(cut_.nodes.begin(), cut_.nodes.end(), [&](int n) {
+        return (model_.start_position[static_cast<std::size_t>(first_node() + n)] - x).norm() < same_place * size;
+      });
+    };
+    return std::count_if(face.corners.begin(), face.corners.end(), touches) >= 2;
+  }
+  [[nodiscard]] int first_node() const { return model_.bodies[static_cast<std::size_t>(split_.body)].first_node; }
   /// In space: attached to a contact frame, see model/contact/contact_frame.hpp.
   [[nodiscard]] static bool on_frame(const Attachment<D>& at) { return D == 3 && at.node[0] < 0; }
   [[nodiscard]] static bool has_weight(const Attachment<D>& at, int i) {
@@ -184,6 +220,7 @@ void give_load(const L& load, const MeshLinks<D>& parts, std::vector<L>& given) 
       return;
     }
   hand_over(load, parts, given);
+  if constexpr (std::is_same_v<L, Water<D>>) parts.wet_crack(load.faces, given.back().faces);
 }
 
 /// Supports, motions and steady forces of the nodes.

@@ -122,7 +122,7 @@ SectionUse edge_use(const ContactLaw& law, const Vec2& along, const Vec2& from, 
 }  // namespace
 
 WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
-                          CrackScratch<2>& scratch) {
+                          CrackScratch<2>& scratch, double limit) {
   WorstPlace<2> worst;
   const std::vector<Vec2>& traction = mesh_tractions(model, state, row.body, cut, scratch);
   const std::vector<Vec2>& along = scratch.cut.along;
@@ -134,7 +134,7 @@ WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const Cr
         edge_use(model.laws[static_cast<std::size_t>(row.law)], along[i], share * traction[i], share * traction[i + 1]);
     if (use.share > worst.use.share) worst.use = use, edge = i;
   }
-  if (!(worst.use.share > 1)) return worst;
+  if (!(worst.use.share > limit)) return worst;
   const std::size_t from = first_node(model, row.body) + static_cast<std::size_t>(cut.nodes[edge]);
   worst.place = state.position[from] + (0.5 + worst.use.at / along[edge].norm()) * along[edge];
   const std::vector<Turn> turns = turns_of_cut(model, state, row.body, cut);
@@ -144,14 +144,16 @@ WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const Cr
 
 namespace {
 
-/// The section of a mesh that uses most of its strength, if this is more than all.
+/// The section of a mesh that uses most of its strength, if this is more than the share `limit`. `share`: becomes at
+/// least the largest share of its sections.
 template <int D>
 std::optional<Crack<D>> mesh_crack(const Model<D>& model, const State<D>& state, const CrackingBody<D>& row,
-                                   CrackScratch<D>& scratch) {
+                                   CrackScratch<D>& scratch, double limit, double& share) {
   std::optional<Crack<D>> found;
-  double most = 1;
+  double most = limit;
   for (std::size_t s = 0; s < row.sections.size(); ++s) {
-    WorstPlace<D> worst = worst_place(model, state, row, *row.sections[s].cut, scratch);
+    WorstPlace<D> worst = worst_place(model, state, row, *row.sections[s].cut, scratch, most);
+    share = std::max(share, worst.use.share);
     if (!(worst.use.share > most)) continue;
     most = worst.use.share;
     Crack<D>& crack = found.emplace();
@@ -203,17 +205,18 @@ const std::vector<Vec2>& mesh_tractions(const Model<2>& model, const State<2>& s
 }
 
 template <int D>
-std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
-                                  CrackScratch<D>& scratch) {
-  std::vector<Crack<D>> cracks;
+CrackSearch<D> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
+                           CrackScratch<D>& scratch, double limit) {
+  CrackSearch<D> found;
   for (const CrackingBody<D>& row : cracking.bodies) {
     if (!row.sections.front().cut || state.left[static_cast<std::size_t>(row.body)] != 0) continue;
-    if (auto crack = mesh_crack(model, state, row, scratch)) cracks.push_back(std::move(*crack));
+    if (auto crack = mesh_crack(model, state, row, scratch, limit, found.share))
+      found.cracks.push_back(std::move(*crack));
   }
-  return cracks;
+  return found;
 }
-template std::vector<Crack<2>> mesh_cracks(const Model<2>&, const State<2>&, const Cracking<2>&, CrackScratch<2>&);
-template std::vector<Crack<3>> mesh_cracks(const Model<3>&, const State<3>&, const Cracking<3>&, CrackScratch<3>&);
+template CrackSearch<2> mesh_cracks(const Model<2>&, const State<2>&, const Cracking<2>&, CrackScratch<2>&, double);
+template CrackSearch<3> mesh_cracks(const Model<3>&, const State<3>&, const Cracking<3>&, CrackScratch<3>&, double);
 
 std::vector<Vec2> cut_openings(const Model<2>& model, int body, const MeshCut& cut, const std::vector<Vec2>& traction,
                                const ContactLaw& law) {

@@ -29,13 +29,13 @@ const std::vector<Vec<D>>& cut_forces(const Model<D>& model, const State<D>& sta
                                       CrackScratch<D>& scratch);
 
 /// Cracks of the meshes among `cracking`, in their order: the section of each that uses most of its strength, if this
-/// is more than all. The edges or faces of a cut are compared one by one, as sections of their own.
+/// is more than the share `limit`. The edges or faces of a cut are compared one by one, as sections of their own.
 template <int D>
-std::vector<Crack<D>> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
-                                  CrackScratch<D>& scratch);
+CrackSearch<D> mesh_cracks(const Model<D>& model, const State<D>& state, const Cracking<D>& cracking,
+                           CrackScratch<D>& scratch, double limit = 1);
 
 /// The edge or face of a cut that uses most of its strength. Its place, and the stress of the whole cut as
-/// Crack::traction has it, are computed where this is more than all.
+/// Crack::traction has it, are computed where this is more than the share `limit`.
 template <int D>
 struct WorstPlace {
   SectionUse use;
@@ -43,9 +43,9 @@ struct WorstPlace {
   std::vector<Vec<D>> traction;
 };
 WorstPlace<2> worst_place(const Model<2>& model, const State<2>& state, const CrackingBody<2>& row, const MeshCut& cut,
-                          CrackScratch<2>& scratch);
+                          CrackScratch<2>& scratch, double limit);
 WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const CrackingBody<3>& row, const MeshCut& cut,
-                          CrackScratch<3>& scratch);
+                          CrackScratch<3>& scratch, double limit);
 
 // In the plane.
 

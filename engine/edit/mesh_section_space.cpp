@@ -155,7 +155,7 @@ SpaceForces unpacked_forces(const Crack<3>& crack, std::size_t face) {
 
 /// The corrections are for a body that cracks alone: its strength is compared with the stress of the first solution.
 WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const CrackingBody<3>& row, const MeshCut& cut,
-                          CrackScratch<3>& scratch) {
+                          CrackScratch<3>& scratch, double limit) {
   constexpr int corrections = 4;
   const SpaceCut& faces = space_cut(cut);
   const ContactLaw& law = model.laws[static_cast<std::size_t>(row.law)];
@@ -166,7 +166,7 @@ WorstPlace<3> worst_place(const Model<3>& model, const State<3>& state, const Cr
     const SectionUse use = section_use(law, faces.plates[f].section, forces[f]);
     if (use.share > worst.use.share) worst.use = use, at = f;
   }
-  if (!(worst.use.share > 1)) return worst;
+  if (!(worst.use.share > limit)) return worst;
   const PlacedPlate now = scratch.cut.plate[at];
   const CrackSection<3>& section = faces.plates[at].section;
   worst.place = now.centre + now.turn * (section.at(worst.use.in_space) - section.centre);

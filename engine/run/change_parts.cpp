@@ -47,7 +47,7 @@ void Simulation<D>::grow(Model<D> grown) {
 template <int D>
 CrackSearch<D> Simulation<D>::search_cracks() {
   refresh();
-  return trilith::search_cracks(model_, state_, work_, cracking_);
+  return trilith::search_cracks(model_, state_, work_, cracking_, crack_scratch_);
 }
 
 template <int D>

@@ -32,6 +32,7 @@ RunListener<D> both(RunListener<D> first, RunListener<D> second) {
     };
   else
     out.change_model = first.change_model ? std::move(first.change_model) : std::move(second.change_model);
+  out.crack_bodies = first.crack_bodies ? std::move(first.crack_bodies) : std::move(second.crack_bodies);
   return out;
 }
 

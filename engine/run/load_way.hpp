@@ -1,8 +1,10 @@
 // Equilibria on a load path, which a stage without motion reports in sequence.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "edit/crack_search.hpp"
 #include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
@@ -20,6 +22,9 @@ struct Waypoint {
   double factor = 0;               ///< load factor of the scaled loads
   double length = 0;               ///< arc length of the path up to here [m]
   std::vector<Event> events = {};  ///< events after the previous point
+  /// Bodies that crack at this point, after it is reported: sets that are divided one after the other.
+  std::vector<std::vector<Crack<D>>> cracks = {};
+  std::vector<PointLoad<D>> loads = {};  ///< the scaled loads at factor 1 from these cracks on
 };
 
 /// Loads that a path has scaled, at factor 1, and the points of the path.
@@ -27,6 +32,8 @@ template <int D>
 struct LoadWay {
   std::vector<PointLoad<D>> loads;
   std::vector<Waypoint<D>> points;
+  /// State at the end of a path on which bodies crack, at whose start the stage begins; none: the stage begins at it.
+  std::shared_ptr<const State<D>> end = nullptr;
 
   /// Duration of the stage [s]; 0 for a path without length.
   [[nodiscard]] double duration() const { return points.back().length > 0 ? path_duration : 0; }

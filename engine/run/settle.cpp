@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,12 +33,25 @@ StageEnd rest_end(const Equilibrium& found) {
   return found.converged ? StageEnd::rest : StageEnd::not_at_rest;
 }
 
+/// True for a point that is strained beyond its limit, at which a path ends. Points before the last crack have fewer
+/// nodes than the model, and are none.
+template <int D>
+bool is_beyond(const Model<D>& model, const Waypoint<D>& point) {
+  return point.state.position.size() == model.mass.size() && is_overstrained(model, point.state);
+}
+
 /// Number of the points of a path that are reported: all up to the first one that is strained beyond its limit.
 template <int D>
 std::size_t reported_points(const Model<D>& model, const LoadWay<D>& way) {
   std::size_t count = 0;
-  while (count < way.points.size() && !is_overstrained(model, way.points[count].state)) ++count;
+  while (count < way.points.size() && !is_beyond(model, way.points[count])) ++count;
   return count;
+}
+
+template <int D>
+bool cracks_from(const LoadWay<D>& way, std::size_t point) {
+  return std::any_of(way.points.begin() + static_cast<std::ptrdiff_t>(point), way.points.end(),
+                     [](const Waypoint<D>& p) { return !p.cracks.empty(); });
 }
 
 }  // namespace
@@ -51,32 +65,54 @@ void postpone_by_way(Model<D>& model, const LoadWay<D>& way) {
   postpone_courses(model, way.duration() - told);
 }
 
-/// Sets state and scaled loads to each point of the path in turn and reports it. Time increases from point to point;
-/// motions and load curves are shifted by the same time.
+/// Reports the events of a change at this instant, and returns them.
+template <int D>
+std::vector<Event> Simulation<D>::tell_change(const RunListener<D>& listener) {
+  unscale_masses(), edited();
+  std::vector<Event> told = std::exchange(leaving_, {});
+  refresh();
+  for (const Event& e : told) tell(e, listener, instant());
+  return told;
+}
+
+/// Sets state and scaled loads to each point of the path in turn and reports it, and divides the bodies that crack
+/// there. Time increases from point to point; motions and load curves are shifted by the same time.
 template <int D>
 void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listener) {
-  const State<D> end = state_;
+  const State<D> end = way.end ? *way.end : state_;
+  std::vector<PointLoad<D>> loads = way.loads;
   double told = 0;  // time since the stage began [s]
+  const double begun = state_.time;
+  std::size_t at = 0;
   const auto go_to = [&](const Waypoint<D>& point, const State<D>& state, double since) {
-    auto unit = way.loads.begin();
+    auto unit = loads.begin();
     for (PointLoad<D>& load : loads_of<PointLoad<D>>(model_))
-      if (unit != way.loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
+      if (unit != loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
     postpone_courses(model_, since - std::exchange(told, since));
     state_ = state;
-    state_.time = end.time + since, state_.last_dt = 0;
+    state_.time = begun + since, state_.last_dt = 0;
     drop_work();
     refresh();
   };
-  const std::size_t last = way.points.size() - 1, reported = reported_points(model_, way);
-  try {
-    if (reported > 0) go_to(way.points[0], way.points[0].state, way.time_of(0));
-    tell(stage_event(EventType::stage_begun, instant(), stage_->options.name), listener, instant());
-    for (std::size_t i = 0; i < reported; ++i) {
-      if (i > 0) go_to(way.points[i], way.points[i].state, way.time_of(i));
-      tell_point(way.points[i], listener);
+  const auto tell_here = [&](const Waypoint<D>& point) {
+    tell_point(point, listener);
+    for (const std::vector<Crack<D>>& cracks : point.cracks) {
+      assert(listener.crack_bodies);
+      listener.crack_bodies(cracks);
+      tell_change(listener);
     }
-  } catch (...) {  // a handler failed: the model still ends at the end of the path
-    go_to(way.points[last], end, way.duration());
+    if (!point.cracks.empty()) loads = point.loads;
+  };
+  const std::size_t last = way.points.size() - 1;
+  try {
+    if (!is_beyond(model_, way.points[0])) go_to(way.points[0], way.points[0].state, way.time_of(0));
+    tell(stage_event(EventType::stage_begun, instant(), stage_->options.name), listener, instant());
+    for (; at <= last && !is_beyond(model_, way.points[at]); ++at) {
+      if (at > 0) go_to(way.points[at], way.points[at].state, way.time_of(at));
+      tell_here(way.points[at]);
+    }
+  } catch (...) {  // a handler failed: the model still ends at the end of the path, unless bodies crack on the way
+    if (!cracks_from(way, at)) go_to(way.points[last], end, way.duration());
     throw;
   }
   go_to(way.points[last], end, way.duration());
@@ -111,11 +147,8 @@ std::optional<Divergence> Simulation<D>::find_rest(const EquilibriumOptions& how
     if (!found.converged || cracking_.bodies.empty() || !listener.change_model) return std::nullopt;
     const std::size_t bodies = model_.bodies.size();
     if (!listener.change_model(model_)) return std::nullopt;
-    unscale_masses(), edited();
-    const std::vector<Event> told = std::exchange(leaving_, {});
+    const std::vector<Event> told = tell_change(listener);
     const auto is_crack = [](const Event& e) { return e.type == EventType::unit_cracked; };
-    refresh();
-    for (const Event& e : told) tell(e, listener, instant());
     if (model_.bodies.size() == bodies || std::none_of(told.begin(), told.end(), is_crack)) return std::nullopt;
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assembly/step_times.hpp"
+#include "edit/crack_scratch.hpp"
 #include "edit/crack_search.hpp"
 #include "edit/deactivate.hpp"
 #include "integrate/explicit/central_difference.hpp"
@@ -189,6 +190,7 @@ class Simulation {
                                          const EquilibriumOptions& how);
   void tell_process_step(const Equilibrium& found, const RunListener<D>& listener, bool last);
   void end_process(const Equilibrium& found, const EquilibriumOptions& how, const std::optional<Divergence>& diverged);
+  std::vector<Event> tell_change(const RunListener<D>& listener);
   void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
   std::optional<Divergence> find_rest(const EquilibriumOptions& how, const RunListener<D>& listener,
                                       const std::string& loads, Equilibrium& found);
@@ -240,6 +242,7 @@ class Simulation {
   bool all_left_ = false;  // no body is free to move any more, because all have left
   std::atomic<bool> stop_{false};
   bool running_ = false, at_border_ = false;
+  CrackScratch<D> crack_scratch_;
 };
 
 }  // namespace trilith

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "integrate/explicit/mass_scaling.hpp"
 #include "integrate/list.hpp"
@@ -11,6 +12,9 @@
 #include "model/work.hpp"
 
 namespace trilith {
+
+template <int D>
+struct Crack;  // edit/crack_search.hpp
 
 /// Reason for which a stage ended.
 enum class StageEnd { time, rest, stopped, not_at_rest, diverged, all_left, not_converged, unstable };
@@ -123,6 +127,8 @@ struct RunListener {
   /// Called within steps that solve equations, at each iteration. When it returns true the stage ends as stopped, at
   /// the last complete step. Leave it empty if not needed.
   std::function<bool()> is_stopped;
+  /// Called at a point of a load path at which bodies crack; it divides them with Simulation::split.
+  std::function<void(const std::vector<Crack<D>>&)> crack_bodies;
 };
 
 }  // namespace trilith

@@ -77,8 +77,15 @@ LoadPathWalk<D>::LoadPathWalk(const Model<D>& model, const State<D>& state, cons
     if (i < 0) throw InputError("load path: a followed degree of freedom is not free");
     followed_[i] += f.weight;
   }
-  origin_ = followed_place();
+  origin_ = followed_place() - options.displacement;
+  longest_ = options.longest > 0 ? options.longest : 10 * std::abs(options.first);
   trial_.find_tangent(1);  // determines the largest stiffness
+  if (options.way.empty()) return;
+  last_way_.resize(coupling.size()), last_rise_ = options.rise;
+  for (int i = 0; i < coupling.size(); ++i)
+    last_way_[i] =
+        options
+            .way[static_cast<std::size_t>(coupling.freedom[i].node)][static_cast<std::size_t>(coupling.freedom[i].k)];
 }
 
 template <int D>
@@ -202,13 +209,13 @@ bool LoadPathWalk<D>::is_search_due(int failed, double size) const {
 template <int D>
 void LoadPathWalk<D>::follow() {
   const double first = std::abs(options_.first);
-  const double longest = options_.longest > 0 ? options_.longest : 10 * first;
+  const double longest = longest_;
   const double shortest = options_.shortest > 0 ? options_.shortest : 1e-5 * first;
   double size = options_.first, asked = size;  // asked: before cuts
-  longest_ = longest;
   int failed = 0;
+  trial_.evaluate_here(), take_strength();
   bool on = add_point(0);
-  while (on) {
+  while (on && !is_cracking()) {
     if (stopped()) {
       out_.end = PathEnd::stopped;
       return;
@@ -221,8 +228,12 @@ void LoadPathWalk<D>::follow() {
     const bool by_arc = options_.control == PathControl::arc;
     const bool goes_on_softening = by_arc && energy_ > 0 && dissipate(longest);
     bool searched = false;
-    strayed_ = false;
+    strayed_ = overshot_ = false;
     if (!goes_on_softening && !arc(now)) {
+      if (overshot_) {
+        size = std::copysign(to_strength_, now), ++out_.cuts;
+        continue;
+      }
       if (strayed_) {
         size = std::copysign(std::min(accurate_, 0.5 * std::abs(now)), now), ++out_.cuts;
         continue;
@@ -246,9 +257,9 @@ void LoadPathWalk<D>::follow() {
     }
     budget_ += accurate_ < longest && last_way_.size() > 0 ? std::min(1.0, length_of(last_way_) / first) : 1;
     if (!(energy_ > 0 || searched)) size *= growth();
-    size = std::copysign(std::min({std::abs(size), longest, accurate_}), size);
+    size = std::copysign(std::min({std::abs(size), longest, accurate_, to_strength_}), size);
   }
-  out_.end = PathEnd::arrived;
+  out_.end = on ? PathEnd::cracks : PathEnd::arrived;
 }
 
 namespace {
@@ -273,6 +284,13 @@ template <int D>
 LoadPath follow_loads(const Model<D>& model, State<D>& state, const LoadPathOptions<D>& options) {
   check_path(options);
   LoadPath out;
+  if (options.finds_again) {
+    LoadPathWalk<D> path(model, state, options, out);
+    out.end = PathEnd::stuck;
+    if (path.find_again()) path.follow();
+    state = path.finish();
+    return out;
+  }
   State<D> resting = state;
   EquilibriumOptions rest;
   rest.tolerance = options.tolerance, rest.is_stopped = options.is_stopped;

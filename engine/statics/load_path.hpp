@@ -22,10 +22,12 @@
 #include <string>
 #include <vector>
 
+#include "assembly/node_forces.hpp"
 #include "assembly/tangent/dof_graph.hpp"
 #include "model/event/event.hpp"
 #include "model/model.hpp"
 #include "model/state.hpp"
+#include "model/work.hpp"
 
 namespace trilith {
 
@@ -72,11 +74,22 @@ struct LoadPathOptions {
   /// Called at each iteration and at each trial position; the path ends at its last point when it returns true. Empty:
   /// never stopped.
   std::function<bool()> is_stopped;
+  /// Largest share of a strength that the sections of bodies use at an equilibrium [1]. A step that ends above 1 is
+  /// shortened, and the path ends as `cracks` at the first point above share_at_crack. Empty: no body cracks.
+  std::function<double(const Model<D>&, const State<D>&, const Work<D>&)> strength_used;
+  // Of a path that goes on after bodies have cracked (run/crack_path.hpp).
+  bool finds_again = false;  ///< rest is found at the same followed displacement, at another factor if necessary
+  double displacement = 0;   ///< followed displacement at the start
+  std::vector<Dofs<D>> way;  ///< [node] displacement of the last step, which gives the sense of the path; or empty
+  double rise = 0;           ///< change of the factor in that step
 };
 
+/// Bodies are divided from this share of their strength on. The joint of the parts then begins before its peak.
+inline constexpr double share_at_crack = 0.999;
+
 /// End of a path: at the requested value; after the largest number of points; no step converges, however short; no rest
-/// at its start; no resistance to the loads any more; stopped.
-enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance, stopped };
+/// at its start; no resistance to the loads any more; stopped. `cracks`: a section is at its strength.
+enum class PathEnd { arrived, most_points, stuck, no_rest, no_resistance, stopped, cracks };
 
 struct LoadPath {
   PathEnd end = PathEnd::no_rest;

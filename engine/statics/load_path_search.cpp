@@ -151,6 +151,7 @@ bool LoadPathWalk<D>::end_search(const State<D>& begin, bool snaps) {
   last_rise_ = factor_ - last_factor_, last_factor_ = factor_, last_energy_ = 0;
   trial_.keep_carried();
   if (!snaps) trial_.accept();
+  take_strength();
   ++(snaps ? out_.snaps : out_.searched);
   failed_searches_ = 0;
   return true;
@@ -187,6 +188,8 @@ bool LoadPathWalk<D>::search(double size) {
   return false;
 }
 
+template bool LoadPathWalk<2>::search_rest(double, bool);
+template bool LoadPathWalk<3>::search_rest(double, bool);
 template bool LoadPathWalk<2>::search(double);
 template bool LoadPathWalk<3>::search(double);
 

@@ -150,6 +150,14 @@ bool LoadPathWalk<D>::predict(double size, bool reversed) {
   return true;
 }
 
+/// Error of a dissipated energy that remains where the last digit of positions moves it; 0 under another control [J].
+/// The energy of a step only determines its length.
+template <int D>
+double LoadPathWalk<D>::energy_rounding() const {
+  constexpr double share_of_least = 1e-4;
+  return control_ == PathControl::dissipation ? share_of_least * least_energy() : 0;
+}
+
 /// Newton iterations for equilibrium and condition together: the tangent is solved for the residual and for the loads,
 /// and the condition determines the factor (bordering).
 template <int D>
@@ -162,7 +170,8 @@ bool LoadPathWalk<D>::correct(double size) {
                                                                             : longest_;
     if (!std::isfinite(out_.left) || !std::isfinite(off)) return false;
     if (out_.left <= options_.tolerance && std::abs(off) <= condition_share * unit) return true;
-    if (i == options_.most_iterations || stopped()) return false;
+    if (i == options_.most_iterations) return out_.left <= options_.tolerance && std::abs(off) <= energy_rounding();
+    if (stopped()) return false;
     ++out_.iterations;
     if (!solve_loads()) return false;
     const Eigen::VectorXd rest = trial_.solve(trial_.left());
@@ -230,7 +239,7 @@ bool LoadPathWalk<D>::step(double size, bool reversed) {
   const int before = out_.iterations;
   // An arc that has turned by more than a right angle would return along its path.
   if (predict(size, reversed) && correct(size) && (reversed || turned() > 0) && !unloads() && !fractures() &&
-      !misses_work() && !strays()) {
+      !misses_work() && !strays() && !overshoots()) {
     last_way_ = trial_.way();
     last_rise_ = factor_ - last_factor_;
     last_factor_ = factor_;
@@ -346,7 +355,7 @@ bool LoadPathWalk<D>::arc(double size) {
   may_leap_ = options_.control != PathControl::arc;
   refused_ = false;
   if (step(size)) return true;
-  return options_.control == PathControl::arc && last_energy_ > 0 && step(size, true);
+  return options_.control == PathControl::arc && last_energy_ > 0 && !overshot_ && step(size, true);
 }
 
 template bool LoadPathWalk<2>::step(double, bool);

@@ -33,6 +33,8 @@ class LoadPathWalk {
   LoadPathWalk(const Model<D>& model, const State<D>& state, const LoadPathOptions<D>& options, LoadPath& out);
 
   void follow();
+  /// Rest at the same followed displacement, for a state that is not at rest any more. False if there is none.
+  bool find_again();
   State<D> finish() {
     out_.events.insert(out_.events.end(), trial_.events().begin(), trial_.events().end());
     return trial_.finish();
@@ -55,6 +57,7 @@ class LoadPathWalk {
   bool pseudo_step(double h, double push);
   [[nodiscard]] bool goes_far(const Eigen::VectorXd& way, double share, double rotation) const;
   [[nodiscard]] double least_energy() const { return 1e-7 * std::abs(last_factor_ * followed_place()); }
+  [[nodiscard]] double energy_rounding() const;
   [[nodiscard]] bool resists() const;
   bool fractures();
   double missed_work();
@@ -62,6 +65,9 @@ class LoadPathWalk {
   [[nodiscard]] bool is_judged() const;
   double mean_error();
   bool strays();
+  bool overshoots();
+  void take_strength();
+  [[nodiscard]] bool is_cracking() const { return used_ > share_at_crack; }
   bool predict(double size, bool reversed);
   bool predict_dissipation(double energy);
   double reach(const Eigen::VectorXd& direction, double factor, double energy);
@@ -104,10 +110,13 @@ class LoadPathWalk {
   bool strayed_ = false;                    // the present step is refused by strays()
   double accurate_ = std::numeric_limits<double>::infinity();    // longest next step by strays() [m]
   double last_error_ = std::numeric_limits<double>::infinity();  // of the longer try for the same point
-  double snap_ = 0;                                              // displacement of the next snap [m]; 0: none
-  bool even_only_ = false;                                       // a search is refused where the factor changes
-  double budget_ = 0;                                            // points taken; shortened ones by their share
-  bool refused_ = false;                                         // the present arc, for its fracture
+  double used_ = 0;        // largest share of a strength at the last point, see overshoots()
+  bool overshot_ = false;  // the present step is refused by overshoots()
+  double to_strength_ = std::numeric_limits<double>::infinity();  // longest next step by overshoots() [m]
+  double snap_ = 0;                                               // displacement of the next snap [m]; 0: none
+  bool even_only_ = false;                                        // a search is refused where the factor changes
+  double budget_ = 0;                                             // points taken; shortened ones by their share
+  bool refused_ = false;                                          // the present arc, for its fracture
   int next_search_ = 0, failed_searches_ = 0;         // number of points before the next search; failed ones in a row
   bool searched_ = false;                             // the last point was found by search()
   double energy_ = 0;                                 // of the next step under dissipation control [J]; 0: none yet

@@ -303,8 +303,12 @@ void choose_faces(const Model<2>& model, const State<2>& state, const ContactHis
       NearPair& pair = work.pairs[row];
       std::uint8_t& has = batch.has_faces[i];
       has = 0;
+      if (before.memory[row].bonds != 0) {
+        has = choose_bonded_faces(model, work, pair) ? 1 : 0;
+        continue;
+      }
       if (is_tilted(model, state, work, pair)) continue;
-      has = choose_face_pair(model, work, before.memory[row].bonds != 0, pair) ? 1 : 0;
+      has = choose_face_pair(model, work, false, pair) ? 1 : 0;
       if (has == 0) remember_tilt(model, state, work, pair);
     }
   });

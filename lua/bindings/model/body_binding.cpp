@@ -65,6 +65,15 @@ void push_outline(lua_State* L, const BodyHandle& b) {
   }
 }
 
+/// Of the built model, where a mesh of one element is a quad or a brick, and a part of a mesh remains a mesh.
+BodyKind kind_of(const BodyHandle& b) {
+  const auto built = [&](const auto& model, BodyKind given) {
+    return model.has_body(b.index) ? model.if_built()->model().bodies[static_cast<std::size_t>(b.index)].kind : given;
+  };
+  const SpaceModel* space = as_space(b.model());
+  return space != nullptr ? built(*space, space->spec(b.index).kind()) : built(b.plane(), spec(b).kind);
+}
+
 void push_groups(lua_State* L, const BodyHandle& b) {
   lua_newtable(L);
   lua_Integer i = 0;
@@ -204,11 +213,7 @@ const std::array body_properties{
     in_plane(BodyProperty{"area", "m2", "area of the outline",
                           [](const BodyHandle& b) { return moments_of(spec(b)).area; }}),
     BodyProperty{"kind", "", "\"rigid\", \"quad\", \"mesh\", \"frame\", or in space \"brick\"", nullptr,
-                 [](lua_State* L, const BodyHandle& b) {
-                   const PlaneModel* plane = as_plane(b.model());
-                   push_text(L, std::string(name_of(plane != nullptr ? plane->spec(b.index).kind
-                                                                     : as_space(b.model())->spec(b.index).kind())));
-                 }},
+                 [](lua_State* L, const BodyHandle& b) { push_text(L, std::string(name_of(kind_of(b)))); }},
     BodyProperty{"sxx", "Pa", "mean stress along x of a deformable body", stress_along<&Stress::xx, 0>},
     BodyProperty{"syy", "Pa", "mean stress along y of a deformable body", stress_along<&Stress::yy, 1>},
     in_space(BodyProperty{"szz", "Pa", "mean stress along z of a deformable body, in space", space_stress<2>}),
@@ -287,11 +292,6 @@ const std::array body_methods{
     Method{"hinges", guarded<push_member_hinges>, 2},  Method{"fibres", guarded<push_member_fibres>, 2},
     Method{"forces", guarded<push_member_forces>},
 };
-
-BodyKind kind_of(const BodyHandle& b) {
-  const SpaceModel* space = as_space(b.model());
-  return space != nullptr ? space->spec(b.index).kind() : spec(b).kind;
-}
 
 }  // namespace
 

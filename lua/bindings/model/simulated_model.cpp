@@ -238,6 +238,10 @@ RunListener<D> SimulatedModel<D>::listen_with(const ScriptListener& script, Host
     script.on_step(now.state.time, now.state.last_dt);
   };
   all.change_model = [this](Model<D>& model) { return apply_changes(model); };
+  all.crack_bodies = [this](const std::vector<Crack<D>>& cracks) {
+    kept_cracks_ = cracks;
+    simulation_->apply([this](Model<D>& model) { return make_changes(model); });
+  };
   all.is_stopped = script.is_stopped;
   if (script.at_border || checkpoints.on || restart || step_check_)
     all.at_border = [this, &script, &host] {
@@ -285,6 +289,12 @@ void SimulatedModel<D>::find_cracks() {
 template <int D>
 bool SimulatedModel<D>::apply_changes(Model<D>& model) {
   find_cracks();
+  return make_changes(model);
+}
+
+/// Makes the waiting changes, and divides the bodies in `kept_cracks_`.
+template <int D>
+bool SimulatedModel<D>::make_changes(Model<D>& model) {
   if (changes_.empty() && caught_up_ == additions_ && kept_cracks_.empty()) return false;
   keep_change(nullptr);
   const int free_before = model.free_dofs();

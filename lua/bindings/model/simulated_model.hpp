@@ -160,6 +160,7 @@ class SimulatedModel : public ScriptModel {
   RunListener<D> listen_with(const ScriptListener& script, Host& host);
   void take_histories(double time);
   bool apply_changes(Model<D>& model);
+  bool make_changes(Model<D>& model);
   void find_cracks();
   void extend();
   void split(const std::vector<Crack<D>>& cracks);

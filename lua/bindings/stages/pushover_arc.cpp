@@ -12,6 +12,7 @@
 #include "model/pose.hpp"
 #include "model/postpone.hpp"
 #include "model/pushes.hpp"
+#include "run/crack_path.hpp"
 #include "run/load_way.hpp"
 #include "run/watch.hpp"
 #include "statics/equilibrium.hpp"
@@ -34,19 +35,19 @@ std::vector<PointLoad<D>> unit_loads(const Model<D>& model, const std::string& n
   return out;
 }
 
-/// Equilibria along a push, and its end criteria.
+/// Equilibria along a push, and its end criteria. `drift`: none if it is the place of the push.
 template <int D>
 class ArcRecorder {
  public:
-  ArcRecorder(const Push<D>& push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
-      : push_(push), order_(order), drift_(std::move(drift)) {}
+  ArcRecorder(Push<D> push, const PushOrder<D>& order, std::function<double(const State<D>&)> drift)
+      : push_(std::move(push)), order_(order), drift_(std::move(drift)) {}
 
   /// True if the path continues. A point strained beyond a limit ends the path, and is not part of the curve.
   bool add(const PathPoint& point, const State<D>& state, bool overstrained) {
-    way_.push_back({state, point.factor, point.length, {}});
+    way_.push_back({state, point.factor, point.length});
     if (overstrained) limit_ = "strain";
     if (overstrained) return false;
-    const double place = push_place(state, push_), drift = drift_(state);
+    const double place = push_place(state, push_), drift = drift_ ? drift_(state) : place;
     if (curve_.force.empty()) first_place_ = place, first_drift_ = drift;
     curve_.time.push_back(state.time);  // the path's begin, see finish()
     curve_.force.push_back(point.factor);
@@ -58,23 +59,32 @@ class ArcRecorder {
     if (std::abs(curve_.displacement.back()) >= order_.displacement) limit_ = "displacement";
     return limit_.empty();
   }
+  /// Bodies crack at the last point; `model` has their parts.
+  void add(const std::vector<Crack<D>>& cracks, const Model<D>& model) {
+    way_.back().cracks.push_back(cracks);
+    way_.back().loads.clear();
+    for (const PointLoad<D>& load : loads_of<PointLoad<D>>(model))
+      if (load.name == push_.name) way_.back().loads.push_back(load);
+    push_.rows = rows_of_loads(model, push_.name, push_.direction);
+  }
   [[nodiscard]] const PushCurve& curve() const { return curve_; }
   [[nodiscard]] const std::string& limit() const { return limit_; }
-  /// Moves the points to `way`, each with the events up to it, and sets the times of the curve.
+  /// The push on the bodies at the end of the path, and its place at the start.
+  [[nodiscard]] LoadPush<D> push() const { return {push_, first_place_}; }
+  /// Moves the points to `way`, each with the events up to it, and sets the times of the curve. Cracks are reported
+  /// when the bodies are divided.
   void finish(const LoadPath& path, LoadWay<D>& way) {
     std::size_t told = 0;
     for (std::size_t i = 0; i < way_.size(); ++i) {
-      const std::size_t until = std::min(path.points[i].events, path.events.size());
-      way_[i].events.assign(path.events.begin() + static_cast<std::ptrdiff_t>(told),
-                            path.events.begin() + static_cast<std::ptrdiff_t>(until));
-      told = until;
+      for (; told < std::min(path.points[i].events, path.events.size()); ++told)
+        if (path.events[told].type != EventType::unit_cracked) way_[i].events.push_back(path.events[told]);
     }
     way.points = std::move(way_);
     for (std::size_t i = 0; i < curve_.time.size(); ++i) curve_.time[i] += way.time_of(i);
   }
 
  private:
-  const Push<D>& push_;
+  Push<D> push_;
   const PushOrder<D>& order_;
   std::function<double(const State<D>&)> drift_;
   double first_place_ = 0, first_drift_ = 0;
@@ -82,15 +92,6 @@ class ArcRecorder {
   std::vector<Waypoint<D>> way_;
   std::string limit_;
 };
-
-template <int D>
-std::function<double(const State<D>&)> arc_drift(SimulatedModel<D>& m, const PushOrder<D>& o, const Push<D>& push) {
-  if (auto drift = storey_reading(m, o)) {
-    const Model<D>& model = m.simulation().model();
-    return [drift, &model](const State<D>& state) { return drift(model, state); };
-  }
-  return [&push](const State<D>& state) { return push_place(state, push); };
-}
 
 /// Ends of a path that its recorder did not cause.
 std::string_view arc_limit(PathEnd end) {
@@ -179,9 +180,15 @@ void set_happened(lua_State* L, const ScriptModel& m, const LoadPath& path) {
   lua_setfield(L, -2, "happened");
 }
 
-/// The last equilibrium of the path becomes the model's state, with its loads, so that it is in equilibrium.
+/// The last equilibrium of the path becomes the model's state, with its loads, so that it is in equilibrium. Where
+/// bodies crack on the path, the stage begins at the first one, and takes the model to the last one.
 template <int D>
-void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> loads, double factor) {
+void take_over(SimulatedModel<D>& m, LoadWay<D>& way, State<D> state) {
+  const bool cracks =
+      std::any_of(way.points.begin(), way.points.end(), [](const auto& p) { return !p.cracks.empty(); });
+  if (cracks) way.end = std::make_shared<const State<D>>(std::exchange(state, way.points.front().state));
+  const double factor = cracks ? way.points.front().factor : way.points.back().factor;
+  std::vector<PointLoad<D>> loads = way.loads;
   for (PointLoad<D>& load : loads) load.force *= factor;
   m.change([&](Model<D>& model) { model.loads.add(loads); });
   Simulation<D>& sim = m.simulation();
@@ -190,33 +197,73 @@ void take_over(SimulatedModel<D>& m, State<D> state, std::vector<PointLoad<D>> l
   sim.restore(there);
 }
 
+/// The path of a push, on a copy of the model: its bodies crack there first, and again when the path is reported.
+template <int D>
+class PushPath {
+ public:
+  PushPath(BuiltModel<D>& m, const PushOrder<D>& order, const InterruptWatch& watch)
+      : order_(order),
+        push_(order_push(m.simulation().model(), order)),
+        path_{m.builder, m.simulation().model(), m.simulation().state(), m.simulation().cracking().bodies, {}},
+        way_{unit_loads(path_.model, order.stage.name, push_), {}},
+        recorder_(push_, order, drift()) {
+    path_.model.loads.add(way_.loads);
+    path_.on_cracks = [this](const std::vector<Crack<D>>& cracks) {
+      recorder_.add(cracks, path_.model);
+      findings_.reset();
+    };
+    how_.loads = order.stage.name;
+    how_.first = order.arc > 0 ? order.arc : 0.01 * order.displacement;
+    how_.longest = 5 * how_.first, how_.most_points = order.samples;
+    how_.goes_on = [this, &watch](const PathPoint& point, const State<D>& state) {
+      const bool on = recorder_.add(point, state, is_overstrained(path_.model, state));
+      return on && !watch.pressed();
+    };
+    how_.is_stopped = [&watch] { return watch.pressed(); };
+  }
+  PushPath(const PushPath&) = delete;
+  PushPath& operator=(const PushPath&) = delete;
+
+  LoadPath follow() { return follow_loads(path_, how_); }
+  [[nodiscard]] const ArcRecorder<D>& recorder() const { return recorder_; }
+  /// The points of the path, which becomes the path of the model.
+  const LoadWay<D>& take_over(SimulatedModel<D>& m, const LoadPath& path) {
+    recorder_.finish(path, way_);
+    script::take_over<D>(m, way_, std::move(path_.state));
+    m.load_pushes.push_back(recorder_.push());
+    return way_;
+  }
+
+ private:
+  /// Storeys of the model of the path, which changes where bodies crack.
+  std::function<double(const State<D>&)> drift() {
+    const std::function<const Findings<D>&()> findings = [this]() -> const Findings<D>& {
+      if (!findings_) findings_.emplace(path_.model);
+      return *findings_;
+    };
+    if (auto reading = storey_reading<D>(findings, order_))
+      return [reading, this](const State<D>& state) { return reading(path_.model, state); };
+    return {};
+  }
+
+  const PushOrder<D>& order_;
+  Push<D> push_;
+  CrackPath<D> path_;
+  std::optional<Findings<D>> findings_;
+  LoadWay<D> way_;
+  ArcRecorder<D> recorder_;
+  LoadPathOptions<D> how_;
+};
+
 /// Follows the path, and then reports it as a stage.
 template <int D>
-int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
-  const Simulation<D>& sim = m.evaluated();
-  const std::vector<std::string> names = load_names(sim.model());
+int follow_push(lua_State* L, BuiltModel<D>& m, PushOrder<D>& o) {
+  const std::vector<std::string> names = load_names(m.evaluated().model());
   if (std::find(names.begin(), names.end(), o.stage.name) != names.end())
     throw InputError(fmt::format("pushover: there is a load or push '{}'; give another name", o.stage.name));
-  Push<D> push = order_push(sim.model(), o);
-  LoadWay<D> way{unit_loads(sim.model(), o.stage.name, push), {}};
-  Model<D> model = sim.model();
-  model.loads.add(way.loads);
-  ArcRecorder<D> recorder(push, o, arc_drift<D>(m, o, push));
-  LoadPathOptions<D> how;
-  how.loads = o.stage.name;
-  how.first = o.arc > 0 ? o.arc : 0.01 * o.displacement;
-  how.longest = 5 * how.first, how.most_points = o.samples;
-  for (const PushRow<D>& row : push.rows)
-    for (int k = 0; k < D; ++k)
-      if (push.direction[k] != 0) how.followed.push_back({{row.node, k}, row.weight * push.direction[k]});
   const InterruptWatch watch(L, host(L));
-  how.goes_on = [&](const PathPoint& point, const State<D>& state) {
-    const bool on = recorder.add(point, state, is_overstrained(model, state));
-    return on && !watch.pressed();
-  };
-  how.is_stopped = [&watch] { return watch.pressed(); };
-  State<D> state = sim.state();
-  const LoadPath path = follow_loads(model, state, how);
+  PushPath<D> push(m, o, watch);
+  const LoadPath path = push.follow();
   if (path.end == PathEnd::stopped && path.points.empty()) {  // before the first point
     push_report(L, settle_stage(L, m, o.stage, EquilibriumOptions{}));
     return 1;
@@ -225,9 +272,8 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
     throw NoSolution(
         "pushover: there is no equilibrium to begin from; find it with m:consolidate{ integrator = \"static\" }, which "
         "reports the cause");
-  recorder.finish(path, way);
-  take_over<D>(m, std::move(state), way.loads, path.points.back().factor);
-  m.load_pushes.push_back({push, push_place(way.points.front().state, push)});
+  const LoadWay<D>& way = push.take_over(m, path);
+  const ArcRecorder<D>& recorder = push.recorder();
   if (has_courses_to_come(m.simulation().model(), m.time()))
     m.note_at_once(fmt::format("{}: motions and loads in progress are suspended for the {:g} s of its load path",
                                o.stage.name, path_duration),
@@ -249,11 +295,11 @@ int follow_push(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
 }  // namespace
 
 template <int D>
-int push_by_arc(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& o) {
+int push_by_arc(lua_State* L, BuiltModel<D>& m, PushOrder<D>& o) {
   return follow_push(L, m, o);
 }
 
-template int push_by_arc(lua_State*, SimulatedModel<2>&, PushOrder<2>&);
-template int push_by_arc(lua_State*, SimulatedModel<3>&, PushOrder<3>&);
+template int push_by_arc(lua_State*, BuiltModel<2>&, PushOrder<2>&);
+template int push_by_arc(lua_State*, BuiltModel<3>&, PushOrder<3>&);
 
 }  // namespace trilith::script

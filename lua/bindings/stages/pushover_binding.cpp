@@ -32,7 +32,9 @@ std::function<double(const Instant<D>&)> way_reading(const PushOrder<D>& o) {
 /// Drift; without storeys the displacement of the pushed points.
 template <int D>
 std::function<double(const Instant<D>&)> drift_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
-  if (auto drift = storey_reading(m, o)) return [drift](const Instant<D>& now) { return drift(now.model, now.state); };
+  const std::function<const Findings<D>&()> findings = [&m]() -> const Findings<D>& { return m.findings(); };
+  if (auto drift = storey_reading<D>(findings, o))
+    return [drift](const Instant<D>& now) { return drift(now.model, now.state); };
   return way_reading(o);
 }
 
@@ -135,24 +137,12 @@ void require_stopped(const ScriptModel& m) {
   if (m.running()) throw InputError("pushover: a stage runs already; begin it when that has ended");
 }
 
-/// A path of equilibria cannot change its bodies.
-template <int D>
-void require_no_planes(SimulatedModel<D>& m) {
-  const std::vector<CrackingBody<D>>& bodies = m.simulation().cracking().bodies;
-  if (bodies.empty()) return;
-  throw InputError(
-      fmt::format("pushover: body '{}' has crack planes, and a path by arc length does not crack bodies; leave out "
-                  "control = \"arc\", so that the push takes time, or give cracks = false",
-                  m.body_name(bodies.front().body)));
-}
-
 int push_in_space(lua_State* L, SpaceModel& m) {
   Keys keys(L, 2, "pushover");
   PushOrder<3> o = read_order<3>(keys, m);
   const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
-  if (o.by_arc) require_no_planes<3>(m);
   if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
   hold_top(m, o);
   return o.by_arc ? push_by_arc<3>(L, m, o) : push_by_time(L, m, o, until);
@@ -167,7 +157,6 @@ int pushover(lua_State* L) {
   const StageUntil until = o.by_arc ? StageUntil{} : read_until(keys, m);
   keys.finish();
   require_stopped(m);
-  if (o.by_arc) require_no_planes<2>(m);
   if (!o.place.empty()) o.at = named_place(m, o.bodies.front(), o.place, keys.owner());
   hold_top(m, o);
   return o.by_arc ? push_by_arc<2>(L, m, o) : push_by_time(L, m, o, until);

@@ -60,8 +60,9 @@ void hold_top(SimulatedModel<D>& m, const PushOrder<D>& o) {
 /// The findings are asked for at each reading, because bodies that crack or are added during the push replace them. The
 /// order of the storeys remains.
 template <int D>
-std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& o) {
-  const Findings<D>& f = m.findings();
+std::function<double(const Model<D>&, const State<D>&)> storey_reading(
+    const std::function<const Findings<D>&()>& findings, const PushOrder<D>& o) {
+  const Findings<D>& f = findings();
   if (f.storeys.empty()) {
     if (o.storey != 0) throw InputError("pushover: there are no storeys; leave 'storey' out");
     return {};
@@ -72,14 +73,14 @@ std::function<double(const Model<D>&, const State<D>&)> storey_reading(Simulated
     return {};
   }
   if (o.storey == 0)
-    return [&m, e = *along](const Model<D>& model, const State<D>& state) {
-      const Findings<D>& now = m.findings();
+    return [findings, e = *along](const Model<D>& model, const State<D>& state) {
+      const Findings<D>& now = findings();
       return e.dot(top_drift(model, state, now.storeys, now.base));
     };
   for (std::size_t i = 0; i < f.storeys.size(); ++i)
     if (f.storeys[i].number == o.storey)
-      return [&m, i, e = *along](const Model<D>& model, const State<D>& state) {
-        const Findings<D>& now = m.findings();
+      return [findings, i, e = *along](const Model<D>& model, const State<D>& state) {
+        const Findings<D>& now = findings();
         return e.dot(storey_drift(model, state, now.storeys, now.base, i));
       };
   throw InputError(fmt::format("pushover: there is no storey {}; there are {}", o.storey, f.storeys.size()));
@@ -127,9 +128,9 @@ template void hold_top(SimulatedModel<2>&, const PushOrder<2>&);
 template void hold_top(SimulatedModel<3>&, const PushOrder<3>&);
 template Push<2> order_push(const Model<2>&, const PushOrder<2>&);
 template Push<3> order_push(const Model<3>&, const PushOrder<3>&);
-template std::function<double(const Model<2>&, const State<2>&)> storey_reading(SimulatedModel<2>&,
-                                                                                const PushOrder<2>&);
-template std::function<double(const Model<3>&, const State<3>&)> storey_reading(SimulatedModel<3>&,
-                                                                                const PushOrder<3>&);
+template std::function<double(const Model<2>&, const State<2>&)> storey_reading(
+    const std::function<const Findings<2>&()>&, const PushOrder<2>&);
+template std::function<double(const Model<3>&, const State<3>&)> storey_reading(
+    const std::function<const Findings<3>&()>&, const PushOrder<3>&);
 
 }  // namespace trilith::script

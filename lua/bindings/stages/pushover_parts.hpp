@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "bindings/model/simulated_model.hpp"
+#include "bindings/model/built_model.hpp"
 #include "bindings/stages/pushover_order.hpp"
 
 namespace trilith::script {
@@ -18,9 +18,10 @@ template <int D>
 void hold_top(SimulatedModel<D>& m, const PushOrder<D>& order);
 
 /// Drift of a storey or of the top one: along x in the plane, in space along the horizontal part of the push. None
-/// without storeys, or for a vertical push.
+/// without storeys, or for a vertical push. `findings`: of the model that is read; they are asked for at each reading.
 template <int D>
-std::function<double(const Model<D>&, const State<D>&)> storey_reading(SimulatedModel<D>& m, const PushOrder<D>& order);
+std::function<double(const Model<D>&, const State<D>&)> storey_reading(
+    const std::function<const Findings<D>&()>& findings, const PushOrder<D>& order);
 
 /// Adds the curve and its results to the report on top of the stack; `peak` is the index of a point of the curve.
 void add_curve(lua_State* L, const PushCurve& curve, std::size_t peak, std::string_view limit);
@@ -31,6 +32,6 @@ void add_statics(lua_State* L, double carried, bool is_static);
 
 /// m:pushover{ control = "arc", ... }: by equilibria, past limit points (statics/load_path.hpp). Pushes the report.
 template <int D>
-int push_by_arc(lua_State* L, SimulatedModel<D>& m, PushOrder<D>& order);
+int push_by_arc(lua_State* L, BuiltModel<D>& m, PushOrder<D>& order);
 
 }  // namespace trilith::script

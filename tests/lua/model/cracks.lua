@@ -53,15 +53,6 @@ for name, pattern in pairs { plan = "there is no contact law 'plan'; did you mea
   block(m, { crack_law = name })
   refused(pattern, function() m:run { duration = 0.01 } end)
 end
--- a load path by arc length does not crack bodies, and reports this
-do
-  local m = empty()
-  m:block { name = "floor", width = 4, height = 0.2, at = { -2, -0.2 }, material = "stone", support = "fixed" }
-  block(m)
-  refused("pushover: body 'rod' has crack planes, and a path by arc length does not crack bodies", m.pushover, m,
-    { body = "rod", direction = "x", control = "arc", displacement = 0.01 })
-end
-
 -- no planes: no change of a bit; planes that do not crack: none either
 local function fall(cracks)
   local m = empty { gravity = 9.81 }

@@ -62,6 +62,7 @@ local function bar(dim, divisions)
     end
   end
   near(m.energy.contact_fracture, (Gf - ft^2/(2*kn))*A, 1e-4, "energy")
+  assert(m:body "bar.a".kind == "mesh" and m:body "bar.b".kind == "mesh") -- also of one element
   assert(math.abs(m.residual) < 1e-9)
 end
 bar(2, { 10, 2 })
