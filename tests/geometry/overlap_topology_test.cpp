@@ -107,7 +107,7 @@ TEST_CASE("a memory of topologies keeps the pairs in use, however many others th
     return kept;
   };
   CHECK(use(0, 2000) == 0);
-  // It has begun anew while it grew.
+  // It was emptied while it grew.
   CHECK(use(0, 2000) > 0);
   use(0, 2000);
   CHECK(use(0, 2000) == 1999);

@@ -137,30 +137,47 @@ TRILITH_INLINE void load_faces(const Work<3>& work, const std::array<const NearP
   }
 }
 
-}  // namespace
-
-[[gnu::target_clones("avx2", "default")]] void load_flat(const State<3>& state, const Work<3>& work,
-                                                         const std::array<int, lane_count>& row, double dt,
-                                                         FlatContacts& in) {
+/// load_contacts() for any width of registers.
+TRILITH_INLINE void load_moving(const State<3>& state, const Work<3>& work, const std::array<int, lane_count>& row,
+                                double dt, ContactsInLanes& in) {
   const std::vector<SolidMemory>& before = contacts_before(state, work).memory;
-  std::array<const NearPair*, lane_count> pairs;
-  std::array<const FacePair*, lane_count> faces;
   std::array<int, lane_count> node_a, node_b;
   std::array<const double*, lane_count> memory, law;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto r = static_cast<std::size_t>(row[i]);
-    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r], memory[i] = before[r].shear.elastic.data();
-    node_a[i] = faces[i]->node_a, node_b[i] = faces[i]->node_b;
-    law[i] = &work.solids.law[static_cast<std::size_t>(pairs[i]->law)].kn;
+    const FacePair& faces = work.solids.faces[r];
+    memory[i] = before[r].shear.elastic.data();
+    node_a[i] = faces.node_a, node_b[i] = faces.node_b;
+    law[i] = &work.solids.law[static_cast<std::size_t>(work.pairs[r].law)].kn;
   }
   FourRowsOf<const double>(law).load(0, in.kn, in.ks, in.mu, in.beta);
+  in.dt = dt;
+  in.a = moving_nodes(state, node_a), in.b = moving_nodes(state, node_b);
+  load_memories(memory, in.before);
+}
+
+}  // namespace
+
+[[gnu::target_clones("avx2", "default")]] void load_contacts(const State<3>& state, const Work<3>& work,
+                                                             const std::array<int, lane_count>& row, double dt,
+                                                             ContactsInLanes& in) {
+  load_moving(state, work, row, dt, in);
+}
+
+[[gnu::target_clones("avx2", "default")]] void load_flat(const State<3>& state, const Work<3>& work,
+                                                         const std::array<int, lane_count>& row, double dt,
+                                                         FlatContacts& in) {
+  std::array<const NearPair*, lane_count> pairs;
+  std::array<const FacePair*, lane_count> faces;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto r = static_cast<std::size_t>(row[i]);
+    pairs[i] = &work.pairs[r], faces[i] = &work.solids.faces[r];
+  }
   in.near = Lanes{faces[0]->near, faces[1]->near, faces[2]->near, faces[3]->near};
   const auto larger = [&](std::size_t i) { return faces[i]->b_is_larger ? std::int64_t{-1} : std::int64_t{0}; };
   in.b_is_larger = LaneMask{larger(0), larger(1), larger(2), larger(3)};
-  in.dt = dt;
   load_faces(work, pairs, faces, in.faces);
-  in.a = moving_nodes(state, node_a), in.b = moving_nodes(state, node_b);
-  load_memories(memory, in.before);
+  load_moving(state, work, row, dt, in);
 }
 
 [[gnu::target_clones("avx2", "default")]] void store_flat(const FlatResponses& out, const FlatPlaces& to) {

@@ -31,6 +31,10 @@ struct FlatPlaces {
 /// Writes the results of four rows from lanes to their destinations.
 void store_flat(const FlatResponses& out, const FlatPlaces& to);
 
+/// Loads motion, memory and law of four rows, in a step of `dt` [s]. The nodes of their pairs of faces are known.
+void load_contacts(const State<3>& state, const Work<3>& work, const std::array<int, lane_count>& row, double dt,
+                   ContactsInLanes& in);
+
 /// Loads all inputs of the kernel for flat faces for four rows, in a step of `dt` [s].
 void load_flat(const State<3>& state, const Work<3>& work, const std::array<int, lane_count>& row, double dt,
                FlatContacts& in);

@@ -24,8 +24,7 @@ namespace {
     // The force on b is along -n on its own face, because n points from b into a, and along +n on a face of a.
     const Lanes face{n.x(), n.y(), n.z(), of_b ? -1.0 : 1.0};
     if (is_tetrahedron && tetrahedron.add_to(triangles, face, l)) continue;
-    if (!parts.find(shared, l, shared.depth[of_b ? 0 : 1])) return false;
-    parts.add_to(triangles, face);
+    if (!parts.add_to(triangles, face, shared, l, shared.depth[of_b ? 0 : 1])) return false;
   }
   return true;
 }
@@ -103,13 +102,22 @@ bool have_few_faces(const PlacedSolid& a, const PlacedSolid& b) {
   return has_few_faces(*a.solid) && has_few_faces(*b.solid) && a.solid->surface.empty() && b.solid->surface.empty();
 }
 
-bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, std::vector<FourTriangles>& room,
-                   SolidPressure& out) {
+bool edge_sums(const MovingSolid& a, const MovingSolid& b, double beta, std::vector<FourTriangles>& room, PairSums& out,
+               OverlapTopology* known) {
   EdgeOverlap shared;
   TriangleLanes triangles(room);
-  if (!edge_overlap(a.placed, b.placed, shared) || !list_triangles(a.placed, b.placed, shared, triangles)) return false;
+  if (!edge_overlap(a.placed, b.placed, shared, known) || !list_triangles(a.placed, b.placed, shared, triangles))
+    return false;
   const ClosingMotion motion{b.velocity_at(shared.origin) - a.velocity_at(shared.origin), b.spin - a.spin};
-  out = pressure_of_sums(shared.origin, 0.5 * kn, pressed_triangles(triangles.all(), beta, motion));
+  out.origin = shared.origin, out.sums = pressed_triangles(triangles.all(), beta, motion);
+  return true;
+}
+
+bool edge_pressure(const MovingSolid& a, const MovingSolid& b, double kn, double beta, std::vector<FourTriangles>& room,
+                   SolidPressure& out) {
+  PairSums of;
+  if (!edge_sums(a, b, beta, room, of)) return false;
+  out = pressure_of_sums(of.origin, 0.5 * kn, of.sums);
   return true;
 }
 

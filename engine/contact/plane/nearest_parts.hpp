@@ -43,11 +43,51 @@ struct NearestPart {
 /// A face of the shared solid in parts, in each of which one face of the other solid is nearest.
 class NearestParts {
  public:
-  /// False where too many faces of the other may be nearest for the buffer.
-  TRILITH_INLINE bool find(const EdgeOverlap& shared, std::size_t loop,
-                           const std::array<DepthRow, EdgeOverlap::most_points>& depth) {
+  /// Adds the triangles of a loop, whose face has the normal and sign `face`. False where too many faces of the other
+  /// may be nearest for the buffer.
+  TRILITH_INLINE bool add_to(TriangleLanes& triangles, const Lanes& face, const EdgeOverlap& shared, std::size_t loop,
+                             const std::array<DepthRow, EdgeOverlap::most_points>& depth) {
     const EdgeOverlap::Loop& rim = shared.loop[loop];
     if (rim.count > NearestPart::most - 2 * most_nearest || !list_nearest(rim, depth)) return false;
+    if (faces_ == 1) {
+      add_fan(triangles, face, rim.count, [&](int k) TRILITH_INLINE_LAMBDA {
+        const std::size_t point = rim.point[static_cast<std::size_t>(k)];
+        Lanes v = shared.arm[point];
+        v[3] = larger(depth[point].below[face_[0]], 0.0);
+        return v;
+      });
+      return true;
+    }
+    divide(shared, rim, depth);
+    for (int i = 0; i < parts_; ++i) {
+      const NearestPart& part = part_[room_[static_cast<std::size_t>(i)]];
+      add_fan(triangles, face, part.count, [&](int k) TRILITH_INLINE_LAMBDA {
+        Lanes v = part.corner[static_cast<std::size_t>(k)].arm;
+        v[3] = part.corner[static_cast<std::size_t>(k)].depth[part.nearest];
+        return v;
+      });
+    }
+    return true;
+  }
+
+ private:
+  static constexpr int most_nearest = lane_count, most_parts = 8, most_rooms = 2 * most_parts - 1;
+
+  /// Triangles of a convex polygon about its first corner.
+  template <class Corner>
+  TRILITH_INLINE static void add_fan(TriangleLanes& triangles, const Lanes& face, int count, Corner&& corner) {
+    const Lanes first = corner(0);
+    Lanes last = corner(1);
+    for (int k = 2; k < count; ++k) {
+      const Lanes next = corner(k);
+      triangles.add(face, first, last, next);
+      last = next;
+    }
+  }
+
+  /// Divides a loop between the nearest faces.
+  TRILITH_INLINE void divide(const EdgeOverlap& shared, const EdgeOverlap::Loop& rim,
+                             const std::array<DepthRow, EdgeOverlap::most_points>& depth) {
     parts_ = 1, rooms_ = 1, room_[0] = 0;
     NearestPart& whole = part_[0];
     whole.count = 0, whole.nearest = 0;
@@ -59,28 +99,7 @@ class NearestParts {
     }
     for (int k = 1; k < faces_; ++k)
       for (int i = 0, before = parts_; i < before; ++i) give_to(k, static_cast<std::size_t>(i));
-    return true;
   }
-  TRILITH_INLINE void add_to(TriangleLanes& triangles, const Lanes& face) const {
-    for (int i = 0; i < parts_; ++i) {
-      const NearestPart& part = part_[room_[static_cast<std::size_t>(i)]];
-      const auto corner = [&](int k) TRILITH_INLINE_LAMBDA {
-        Lanes v = part.corner[static_cast<std::size_t>(k)].arm;
-        v[3] = part.corner[static_cast<std::size_t>(k)].depth[part.nearest];
-        return v;
-      };
-      const Lanes first = corner(0);
-      Lanes last = corner(1);
-      for (int k = 2; k < part.count; ++k) {
-        const Lanes next = corner(k);
-        triangles.add(face, first, last, next);
-        last = next;
-      }
-    }
-  }
-
- private:
-  static constexpr int most_nearest = lane_count, most_parts = 8, most_rooms = 2 * most_parts - 1;
 
   /// A face is nearest nowhere if the whole rim is deeper below it than below some other face.
   TRILITH_INLINE bool list_nearest(const EdgeOverlap::Loop& rim,

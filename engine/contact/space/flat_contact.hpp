@@ -36,14 +36,18 @@ struct FlatMemory {
   Lanes slip;
 };
 
-struct alignas(32) FlatContacts {
-  FacesInLanes faces;
-  LaneMask b_is_larger;  ///< see near_faces of contact/space/solid_faces.hpp
-  Lanes near;            ///< see near_faces [m]
+/// Motion, memory and law of four contacts.
+struct alignas(32) ContactsInLanes {
   MovingInLanes a, b;
   FlatMemory before;
   Lanes kn, ks, mu, beta;
   double dt = 0;
+};
+
+struct alignas(32) FlatContacts : ContactsInLanes {
+  FacesInLanes faces;
+  LaneMask b_is_larger;  ///< see near_faces of contact/space/solid_faces.hpp
+  Lanes near;            ///< see near_faces [m]
 };
 
 /// Upper bound of kinds.

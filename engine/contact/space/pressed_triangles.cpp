@@ -11,7 +11,7 @@ struct alignas(32) PressureMoments {
   Lanes whole;
   std::array<Lanes, 3> first;    // f l_i
   std::array<Lanes, 3> square;   // f l_i l_i
-  std::array<Lanes, 3> product;  // f l_j l_k of the two corners beside corner i
+  std::array<Lanes, 3> product;  // f l_j l_k of the two corners other than i
 
   PressureMoments() = default;
   /// Of a pressure that is linear over each triangle; `at` the corners.
@@ -86,8 +86,8 @@ struct MomentsOutside {
   }
 };
 
-/// Replaces the moments of a linear pressure by those of its positive part, in the lanes of `mixed`, where it is
-/// positive at some corners and negative at others.
+/// Restricts the moments of a linear pressure to its positive part, in the lanes of `mixed`, where it is positive at
+/// some corners and negative at others.
 TRILITH_INLINE void keep_positive(const std::array<Lanes, 3>& at, const Lanes& area, const LaneMask& mixed,
                                   PressureMoments& of) {
   const Lanes zero{};

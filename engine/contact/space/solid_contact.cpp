@@ -4,6 +4,7 @@
 #include "contact/joint/chord.hpp"
 #include "contact/plane/edge_energy.hpp"
 #include "contact/plane/edge_pressure.hpp"
+#include "contact/space/cut_pressure.hpp"
 #include "contact/space/recorded_energy.hpp"
 #include "contact/space/sampled_faces.hpp"
 #include "contact/space/solid_energy.hpp"
@@ -132,6 +133,17 @@ void keep_crushed(const MovingSolid& a, const MovingSolid& b, const SolidMemory&
 
 }  // namespace
 
+SolidPressure cut_pressure(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
+                           SolidOverlapBuffer& shared, double crushed, const Vec3* along) {
+  const bool whole = !(use.held > 0);
+  if (!overlap(a.placed, b.placed, apart, shared)) return {};
+  return with_kernel(use, [&]<class K>(const K& law) {
+    if constexpr (K::crushes)
+      if (whole && law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed, along);
+    return solid_pressure(a, b, use, shared, whole ? 0 : std::max(crushed, use.held), along);
+  });
+}
+
 SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const LawInUse& use, Separation3& apart,
                                SolidOverlapBuffer& shared, bool may_be_flat, double crushed, const Vec3* along) {
   const bool whole = !(use.held > 0);  // the fast methods do not support a contact that starts at a depth
@@ -150,12 +162,7 @@ SolidPressure pressure_between(const MovingSolid& a, const MovingSolid& b, const
       return pressed;
     }
   }
-  if (!overlap(a.placed, b.placed, apart, shared)) return {};
-  return with_kernel(use, [&]<class K>(const K& law) {
-    if constexpr (K::crushes)
-      if (whole && law.crushing > 0) return crushed_pressure(a, b, use, law, shared, crushed, along);
-    return solid_pressure(a, b, use, shared, whole ? 0 : std::max(crushed, use.held), along);
-  });
+  return cut_pressure(a, b, use, apart, shared, crushed, along);
 }
 
 SolidResponse polyhedron_contact_forces(const MovingSolid& whole_a, const MovingSolid& whole_b,

@@ -29,6 +29,12 @@ struct PressedSums {
   double depth = 0;                     ///< largest depth [m]
 };
 
+/// The sums of one pair, and the origin of their arms [m].
+struct PairSums {
+  PressedSums sums;
+  Vec3 origin;
+};
+
 /// Motion of b relative to a.
 struct ClosingMotion {
   Vec3 velocity, spin;  ///< at the origin of arms [m/s], [rad/s]

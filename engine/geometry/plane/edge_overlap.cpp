@@ -1,6 +1,5 @@
 #include "geometry/plane/edge_overlap.hpp"
 
-#include <algorithm>
 #include <bit>
 
 #include "base/simd/lane_bits.hpp"
@@ -87,7 +86,7 @@ class FromEdges : SharedPoints {
 
   TRILITH_INLINE int add_point(const Lanes& at) {
     const auto i = static_cast<std::size_t>(out_.points++);
-    out_.arm[i] = at, on_faces_[i] = 0;
+    out_.arm[i] = at;
     for (std::size_t s = 0; s < 2; ++s) planes_[s].depths(at[0], at[1], at[2], out_.depth[s][i]);
     return static_cast<int>(i);
   }
@@ -95,8 +94,6 @@ class FromEdges : SharedPoints {
   /// The depth of a point below the faces that it lies on is exactly 0, regardless of rounding.
   TRILITH_INLINE void put_on(int point, std::size_t s, int face) {
     out_.depth[s][static_cast<std::size_t>(point)].below[static_cast<std::size_t>(face)] = 0;
-    on_faces_[static_cast<std::size_t>(point)] |=
-        static_cast<std::uint16_t>(1U << (few_faces * static_cast<int>(s) + face));
   }
 
   /// The corner of the shared solid at an end of an edge: the edge's own corner, or a point in a face of the other
@@ -208,6 +205,21 @@ class FromEdges : SharedPoints {
                                  byte(to)};
   }
 
+  /// Notes the faces on which each point lies: see end_of.
+  TRILITH_INLINE void note_faces() {
+    record_->on_faces.fill(0);
+    const auto bit = [](int s, int face) { return face < 0 ? 0U : 1U << (few_faces * s + face); };
+    for (std::size_t k = 0; k < parts_; ++k) {
+      const OverlapTopology::Part& part = record_->part[k];
+      const int s = part.solid;
+      const unsigned own = bit(s, part.joins[2]) | bit(s, part.joins[3]);
+      const auto put = [&](std::uint8_t point, int face) {
+        record_->on_faces[point] = static_cast<std::uint16_t>(record_->on_faces[point] | own | bit(1 - s, face));
+      };
+      put(part.from, part.enters), put(part.to, part.leaves);
+    }
+  }
+
   /// Completes the record, unless the shared solid has too many parts for it.
   TRILITH_INLINE void keep_record() {
     record_->a = nullptr;
@@ -223,7 +235,7 @@ class FromEdges : SharedPoints {
       rim.loop = static_cast<std::uint8_t>(l), rim.count = static_cast<std::uint8_t>(loop.count);
       __builtin_memcpy(rim.point.data(), loop.point.data(), sizeof rim.point);
     }
-    std::copy_n(on_faces_.begin(), points, record_->on_faces.begin());
+    note_faces();
     record_->parts = parts_, record_->points = points;
     record_->a = solid_[0], record_->b = solid_[1];
   }
@@ -231,7 +243,6 @@ class FromEdges : SharedPoints {
   static constexpr int most_meetings = few_faces * few_faces;
   OverlapTopology* record_;
   std::size_t parts_ = 0;
-  std::array<std::uint16_t, most_points> on_faces_;  // see OverlapTopology
   std::array<std::array<DepthRow, few_faces>, 2>
       corner_depth_;  // depths of one solid's corners below the other's faces
   std::array<std::array<unsigned, few_faces>, 2> code_;

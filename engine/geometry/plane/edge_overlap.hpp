@@ -76,13 +76,13 @@ struct OverlapTopology {
 
 /// True where the solids share a part, all faces of the part close, and the result is safe against rounding. Both
 /// solids have few faces. `known`: topology of an earlier call, or nullptr. It is used if all its points, in the
-/// present coordinates, lie inside of all other faces of both solids by more than rounding: then their hull is the
-/// intersection, because each of its faces lies in a face of one solid. The result has the same bits with and without
-/// it. Otherwise it is replaced.
+/// present coordinates, lie inside of all other faces of both solids by more than rounding. Their hull is then the
+/// intersection, because each of its faces lies in a face of one solid. Otherwise the topology is replaced. The result
+/// has the same bits with and without it.
 bool edge_overlap(const PlacedSolid& a, const PlacedSolid& b, EdgeOverlap& out, OverlapTopology* known = nullptr);
 
 /// Topologies of recent intersections, for one thread. No result depends on them. The memory grows with the number of
-/// pairs that are in use at a time. When it is full of pairs that are not, it begins anew.
+/// pairs in use. When it is full of pairs that are out of use, it is emptied.
 class OverlapMemory {
  public:
   /// The topology of a pair, empty for a new one; valid until the next call.
