@@ -330,3 +330,4 @@ struct Cohesive::Kernel : Mortar {
 }  // namespace trilith
 
 #include "law/contact/cohesive_kernel.hpp"  // definitions of the members above
+#include "law/contact/cohesive_readings.hpp"
