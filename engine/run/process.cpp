@@ -164,6 +164,8 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
         }
         watch_->reset();
         diverged = watch_->look_at_strains(instant(), "after " + clock_text(state_.fields.front().clock));
+      } else if (!work_.valid) {
+        refresh();  // a step of water discards Work, and recorders read joints from it
       }
       ++report.steps;
       tell_process_step(found, listener, i == steps);
