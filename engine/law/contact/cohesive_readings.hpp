@@ -1,4 +1,4 @@
-// Readings of softening mortar, see law/contact/cohesive.hpp: gaps, stored energy, and what has changed in a step.
+// Readings of softening mortar, see law/contact/cohesive.hpp: gaps, stored energy, and changes within a step.
 #pragma once
 
 #include "law/contact/cohesive.hpp"
