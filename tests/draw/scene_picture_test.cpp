@@ -203,7 +203,7 @@ TEST_CASE("the legend has exactly the items that occur") {
     texts.push_back(item.text);
   CHECK(texts == std::vector<std::string>{"0.2 m", "fixed ground", "free body", "bearing intact", "bearing failed",
                                           "contact force 1 MN (largest 1.23 MN)"});
-  style.units = LengthUnits::us;
+  style.units = UnitSystem("kip ft");
   texts.clear();
   for (const LegendItem& item : scene_legend({scene}, scene_view({scene}, style), 200, style))
     texts.push_back(item.text);

@@ -151,7 +151,7 @@ TEST_CASE("sample picture: the bridge, one span fallen, with contact forces") {
   scene.forces.push_back({body(scene, "span 3").outline[0], Vec2(7e5, 4.1e6)});
   show({scene}, 1, {}, "bridge");
   PictureStyle us;
-  us.units = LengthUnits::us;
+  us.units = UnitSystem("kip ft");
   show({scene}, 1, us, "bridge_us");
   us.view = WorldBox{60 * ft, -70 * ft, 200 * ft, 15 * ft};
   show({scene}, 1, us, "bridge_near");
@@ -159,7 +159,7 @@ TEST_CASE("sample picture: the bridge, one span fallen, with contact forces") {
 
 TEST_CASE("sample picture: four configurations of a collapse") {
   PictureStyle style;
-  style.units = LengthUnits::us;
+  style.units = UnitSystem("kip ft");
   show(collapse(), 1, style, "collapse_column");
   show(collapse(), 2, style, "collapse_square");
 }
