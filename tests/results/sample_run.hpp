@@ -54,6 +54,7 @@ inline results::Header sample_header(int bodies = 3, int dim = 2) {
                        "trilith run scripts/bridge.lua pga=0.6",
                        {{"pga", "0.6", "g", "0.35", "peak ground acceleration"}},
                        {"ground 1: El Centro 1940 NS, 0.35 g", "ground 2: same, reversed"},
+                       "",
                        ""};
   for (int i = 0; i < bodies; ++i) {
     const double place[3] = {2.0 * i, 0.5, 0}, turn[4] = {dim == 2 ? 0.0 : 1.0, 0, 0, 0}, inertia[3] = {8, 9, 10};
