@@ -147,7 +147,7 @@ TEST_CASE("pressure on a part of a face enters the section of a free beam as in 
         make_pressure(model, 0, {{top[0].skin_a, top[0].skin_b, 1 - to / length, 1 - from / length}}, pressure);
     Simulation<2> sim(model);
     begin(scene, sim);
-    // The beam accelerates with a + alpha (x - L/2); what is left of the cut keeps the rest of its load.
+    // The beam accelerates with a + alpha (x - L/2); the part on the left bears the load on it.
     const double load = w * (to - from), arm = 0.5 * (from + to) - 0.5 * length;
     const double inertia = 700 * (length * length + 0.3 * 0.3) / 12;
     const double alpha = -load * arm / inertia, lift = -load / 700;

@@ -1,4 +1,4 @@
--- A process without mechanics is recorded: joints keep their opening, and water has its head, in the plane and in space.
+-- A process without mechanics is recorded: bodies stay, and water has its head, in the plane and in space.
 local trilith = require "trilith"
 
 for _, dim in ipairs { 2, 3 } do
