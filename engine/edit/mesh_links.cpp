@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -220,7 +219,8 @@ void give_load(const L& load, const MeshLinks<D>& parts, std::vector<L>& given) 
       return;
     }
   hand_over(load, parts, given);
-  if constexpr (std::is_same_v<L, Water<D>>) parts.wet_crack(load.faces, given.back().faces);
+  // Water at rest wets the crack as well.
+  if constexpr (requires(L l, WetFace<D> f) { l.faces.push_back(f); }) parts.wet_crack(load.faces, given.back().faces);
 }
 
 /// Supports, motions and steady forces of the nodes.

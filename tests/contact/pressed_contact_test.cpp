@@ -160,8 +160,8 @@ TEST_CASE("... whatever is in the other lanes, to the last bit") {
       CHECK(same(four.moment_a, one.moment_a));
       CHECK(same(four.moment_b, one.moment_b));
       CHECK(same(four.memory.shear.elastic, one.memory.shear.elastic));
-      CHECK(four.lost_friction[lane] == one.lost_friction[0]);
-      CHECK(four.lost_damping[lane] == one.lost_damping[0]);
+      CHECK(double{four.lost_friction[lane]} == double{one.lost_friction[0]});
+      CHECK(double{four.lost_damping[lane]} == double{one.lost_damping[0]});
     }
   }
 }
