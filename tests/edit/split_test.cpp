@@ -2,6 +2,7 @@
 #include "edit/split.hpp"
 
 #include "assembly/contact/contact_resultants.hpp"
+#include "model/loads.hpp"
 #include "near.hpp"
 #include "physics/scene.hpp"
 #include "readings/section_forces.hpp"
