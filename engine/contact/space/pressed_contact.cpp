@@ -1,10 +1,12 @@
 #include "contact/space/pressed_contact.hpp"
 
+#include <cstddef>
 #include <type_traits>
 
 #include "base/simd/lane_rows.hpp"
 #include "base/simd/registers.hpp"
 #include "contact/space/friction_lanes.hpp"
+#include "contact/space/solid_pressure.hpp"
 
 namespace trilith {
 namespace {
