@@ -107,7 +107,7 @@ class PathParts {
       if (e.type == EventType::unit_cracked) out_.events.push_back(e);
     cracking_ = {path_.builder.cracking(loaded), {}};
     scale_loads(loaded, options_.loads, 1 / scale);
-    set_way(loaded, cracks);
+    continue_last_step(loaded, cracks);
     path_.model = std::move(loaded), path_.bodies = cracking_.bodies;
     options_.begin = factor, options_.finds_again = true;
     options_.displacement = out_.points.back().displacement;
@@ -115,7 +115,7 @@ class PathParts {
   }
 
   /// The displacement of a node in the step that led to the last point. `at`: a place that moves with it if it rotates.
-  [[nodiscard]] Dofs<D> way_of(std::size_t n, const Vec<D>& at, bool turns) const {
+  [[nodiscard]] Dofs<D> step_of(std::size_t n, const Vec<D>& at, bool turns) const {
     if (n >= previous_.position.size() || n >= latest_.position.size()) return {};
     const auto turn = turn_between(previous_.rotation[n], latest_.rotation[n]);
     Vec<D> moved = latest_.position[n] - previous_.position[n];
@@ -124,20 +124,20 @@ class PathParts {
   }
 
   /// The sense of the path: the displacement of the step that led to the last point, which the parts continue.
-  void set_way(const Model<D>& grown, const std::vector<Crack<D>>& cracks) {
-    options_.way.clear();
+  void continue_last_step(const Model<D>& grown, const std::vector<Crack<D>>& cracks) {
+    options_.last_step.clear();
     if (out_.points.size() < 2 || previous_.position.empty()) return;
     options_.rise = out_.points.back().factor - out_.points[out_.points.size() - 2].factor;
-    options_.way.resize(grown.mass.size());
-    for (std::size_t n = 0; n < grown.mass.size(); ++n) options_.way[n] = way_of(n, Vec<D>::Zero(), false);
+    options_.last_step.resize(grown.mass.size());
+    for (std::size_t n = 0; n < grown.mass.size(); ++n) options_.last_step[n] = step_of(n, Vec<D>::Zero(), false);
     const std::size_t first_part = grown.bodies.size() - 2 * cracks.size();
     for (std::size_t part = first_part; part < grown.bodies.size(); ++part) {
       const int whole = cracks[(part - first_part) / 2].body;
       const Body& body = grown.bodies[part];
       for (int n = body.first_node; n < body.first_node + body.nodes; ++n)
-        options_.way[static_cast<std::size_t>(n)] =
-            way_of(static_cast<std::size_t>(node_before(grown, whole, n)),
-                   path_.state.position[static_cast<std::size_t>(n)], body.nodes_turn());
+        options_.last_step[static_cast<std::size_t>(n)] =
+            step_of(static_cast<std::size_t>(node_before(grown, whole, n)),
+                    path_.state.position[static_cast<std::size_t>(n)], body.nodes_turn());
     }
   }
 

@@ -111,7 +111,7 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
       if (at > 0) go_to(way.points[at], way.points[at].state, way.time_of(at));
       tell_here(way.points[at]);
     }
-  } catch (...) {  // a handler failed: the model still ends at the end of the path, unless bodies crack on the way
+  } catch (...) {  // a handler failed: the model still ends at the end of the path, unless bodies crack before it
     if (!cracks_from(way, at)) go_to(way.points[last], end, way.duration());
     throw;
   }

@@ -80,12 +80,11 @@ LoadPathWalk<D>::LoadPathWalk(const Model<D>& model, const State<D>& state, cons
   origin_ = followed_place() - options.displacement;
   longest_ = options.longest > 0 ? options.longest : 10 * std::abs(options.first);
   trial_.find_tangent(1);  // determines the largest stiffness
-  if (options.way.empty()) return;
+  if (options.last_step.empty()) return;
   last_way_.resize(coupling.size()), last_rise_ = options.rise;
   for (int i = 0; i < coupling.size(); ++i)
-    last_way_[i] =
-        options
-            .way[static_cast<std::size_t>(coupling.freedom[i].node)][static_cast<std::size_t>(coupling.freedom[i].k)];
+    last_way_[i] = options.last_step[static_cast<std::size_t>(coupling.freedom[i].node)]
+                                    [static_cast<std::size_t>(coupling.freedom[i].k)];
 }
 
 template <int D>

@@ -78,10 +78,10 @@ struct LoadPathOptions {
   /// shortened, and the path ends as `cracks` at the first point above share_at_crack. Empty: no body cracks.
   std::function<double(const Model<D>&, const State<D>&, const Work<D>&)> strength_used;
   // Of a path that goes on after bodies have cracked (run/crack_path.hpp).
-  bool finds_again = false;  ///< rest is found at the same followed displacement, at another factor if necessary
-  double displacement = 0;   ///< followed displacement at the start
-  std::vector<Dofs<D>> way;  ///< [node] displacement of the last step, which gives the sense of the path; or empty
-  double rise = 0;           ///< change of the factor in that step
+  bool finds_again = false;        ///< rest is found at the same followed displacement, at another factor if necessary
+  double displacement = 0;         ///< followed displacement at the start
+  std::vector<Dofs<D>> last_step;  ///< [node] displacement of the last step: the sense of the path; or empty
+  double rise = 0;                 ///< change of the factor in that step
 };
 
 /// Bodies are divided from this share of their strength on. The joint of the parts then begins before its peak.

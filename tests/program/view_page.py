@@ -294,7 +294,7 @@ def shows_solids(page):
 
 def shades_depth(page):
     """Surfaces that others hide from the sky are darker, with a chip; nothing gets lighter, and paper stays."""
-    # From an angle: along an axis, faces seen edge-on have no depth of their own.
+    # In a view along an axis, faces are seen edge-on, and rounding decides which of them is in front.
     page.evaluate("trilith.camera.look(-60, 20)")
     lighter, darker, same = page.evaluate("""(() => {
       const { gl, canvas, scene } = { gl: trilith.scene.gl, canvas: trilith.scene.canvas, scene: trilith.scene };

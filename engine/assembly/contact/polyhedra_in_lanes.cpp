@@ -51,7 +51,8 @@ FastResponse SolidPass::respond_fast(int row, bool may_be_flat, SolidRoom& room,
     return FastResponse::given;
   }
   const double beta = work.solids.law[static_cast<std::size_t>(pair.law)].beta;
-  // Pairs that are apart, or nearly so, would fill the memory with topologies that nobody needs again.
+  // A topology is stored only for a pair that touched in the last step. Pairs close to contact would replace records
+  // that are used again.
   const bool was_touching = (contacts_before(state, work).memory[r].state & contact_touching) != 0;
   OverlapTopology* const known = was_touching ? &overlaps_of_thread().of(a.placed, b.placed) : nullptr;
   if (!edge_sums(a, b, beta, room.shared.triangles, pressed.next(), known)) return FastResponse::failed;

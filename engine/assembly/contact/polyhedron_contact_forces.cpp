@@ -124,7 +124,7 @@ void SolidPass::respond_alone(int row, SolidRoom& room, PressedRows& pressed, So
   respond_other(row, work.solids.faces[r].a != FacePair::none, room, pressed, answer);
 }
 
-/// Evaluates a row that the kernel of flat faces does not answer. The way depends on the pose alone.
+/// Evaluates a row that the kernel of flat faces does not answer. The choice of the method depends on the pose alone.
 void SolidPass::respond_other(int row, bool may_be_flat, SolidRoom& room, PressedRows& pressed,
                               SolidAnswer& answer) const {
   switch (respond_fast(row, may_be_flat, room, pressed, answer)) {

@@ -129,7 +129,7 @@ export class SpaceScene extends Scene {
   }
 
   /** Begins the picture that is darkened. A slow machine does so only once the view rests, and draws `again` then. The view
-   * rests after twice the time of the darkening, so that a run that plays with few pictures a second does not rest. */
+   * counts as at rest after twice the duration of this pass, so a run that plays slowly does not count as at rest. */
   hasTimeToDeepen(again) {
     const { depthShading } = this, now = performance.now(), rest = Math.max(200, 2 * depthShading.milliseconds);
     const moves = now - (this.lastDraw ?? -Infinity) < rest;
