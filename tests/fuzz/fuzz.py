@@ -39,7 +39,7 @@ def main(program, library, seconds, out, seed="1", *wanted):
     made = programs.Programs(program, seed)
     if shares.keys() & {"programs", "console"}:
         print("{} of {} declared calls went well at least once".format(*made.learn(end, findings)), flush=True)
-    runs = {"texts": lambda until: texts.fuzz(readers.result(), until, seed, out, findings),
+    runs = {"texts": lambda until: texts.fuzz(readers.result(), program, until, seed, out, findings),
             "programs": lambda until: programs.fuzz(made, until, findings),
             "scripts": lambda until: scripts.fuzz(program, until, seed, findings),
             "results": lambda until: results.fuzz(program, until, seed, findings),

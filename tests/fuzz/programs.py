@@ -235,4 +235,5 @@ def fuzz(made, until, findings):
     def work(number):
         more = " --results run.h5" if number % 8 == 0 else ""
         shared.attempt(made.job(made.text(number), more, *made.dimensions(number)), findings)
-    return f"{len(shared.in_parallel(until, work))} Lua programs"
+    count = len(shared.in_parallel(until, work))
+    return f"{count} Lua programs, with {(count + 1) // 2 + count // 2 * EACH} sequences of calls on models of their own"

@@ -1,5 +1,5 @@
-// Readers of text and of checkpoints under libFuzzer: any bytes are read, or rejected with a one-line message.
-// TRILITH_READER selects the reader.
+// Readers of text, of checkpoints and of results under libFuzzer: any bytes are read, or rejected with a one-line
+// message. TRILITH_READER selects the reader.
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -20,12 +20,14 @@
 #include "base/units.hpp"
 #include "build/space/gmsh.hpp"
 #include "build/space/solid_file.hpp"
+#include "damaged_results.hpp"
 #include "geometry/plane/mesh.hpp"
 #include "load/motion_plain.hpp"
 #include "load/motion_read.hpp"
 #include "load/text_lines.hpp"
 #include "model/builder/builder.hpp"
 #include "model/io/checkpoint.hpp"
+#include "results/file/results.hpp"
 #include "run/simulation.hpp"
 #include "run/study/study_figures.hpp"
 
@@ -202,10 +204,17 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view);
 };
-constexpr Reader readers[] = {{"record", read_record},         {"columns", read_columns}, {"mesh", read_mesh},
-                              {"space_mesh", read_space_mesh}, {"obj", read_obj},         {"stl", read_stl},
-                              {"quantity", read_quantity},     {"unit", read_unit},       {"figures", read_figures},
-                              {"checkpoint", read_checkpoint}};
+constexpr Reader readers[] = {{"record", read_record},
+                              {"columns", read_columns},
+                              {"mesh", read_mesh},
+                              {"space_mesh", read_space_mesh},
+                              {"obj", read_obj},
+                              {"stl", read_stl},
+                              {"quantity", read_quantity},
+                              {"unit", read_unit},
+                              {"figures", read_figures},
+                              {"checkpoint", read_checkpoint},
+                              {"results", trilith::fuzz::read_damaged_results}};
 
 }  // namespace
 
@@ -220,6 +229,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     chosen->read({reinterpret_cast<const char*>(data), size});
   } catch (const InputError& refused) {
+    require(!std::string_view(refused.what()).empty(), "a refusal without a word");
+  } catch (const trilith::results::ResultsError& refused) {
     require(!std::string_view(refused.what()).empty(), "a refusal without a word");
   }
   return 0;

@@ -1,10 +1,11 @@
-"""The readers of text and of checkpoints under libFuzzer, with the address and undefined-behaviour sanitizers."""
+"""The readers of text, of checkpoints and of results under libFuzzer, with the address and undefined-behaviour sanitizers."""
 import os
 import shutil
 import struct
 import subprocess
 import time
 
+import results
 import shared
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -14,7 +15,9 @@ SOURCES = ["tests/fuzz/readers.cpp", "engine/base/error.cpp", "engine/base/neare
            "engine/build/space/stl.cpp", "engine/load/motion.cpp", "engine/load/motion_check.cpp", "engine/load/motion_columns.cpp",
            "engine/load/motion_csv.cpp", "engine/load/motion_formats.cpp", "engine/load/motion_peer.cpp",
            "engine/load/motion_plain.cpp", "engine/load/motion_read.cpp", "engine/load/motion_samples.cpp", "engine/load/text_lines.cpp", "engine/run/study/study_figures.cpp",
-           "engine/geometry/plane/mesh.cpp", "engine/model/io/checkpoint.cpp"]
+           "engine/geometry/plane/mesh.cpp", "engine/model/io/checkpoint.cpp", "tests/fuzz/damaged_results.cpp",
+           *(f"engine/results/reading/{name}.cpp" for name in ("event_table", "header_reading", "reader", "row_checks",
+                                                               "set_reading", "table_columns"))]
 MESH = """$MeshFormat
 4.1 0 8
 $EndMeshFormat
@@ -92,7 +95,9 @@ COLUMNS = ["m/s2 0.02 2 - -\nt,ns,ew\n0.00,0,0\n0.02,.1,.2\n0.04,-.1,0\n", "g - 
 TEXTS = {"record": [RECORD, PEER, ESM, KNET], "columns": COLUMNS, "space_mesh": [SPACE_MESH],
          "obj": ["\x00" + OBJ, "\x02" + OBJ.replace("f 5 6", "f 5 \\\n6")], "stl": ["\x01" + STL, "\x00" + BINARY_STL], "mesh": [MESH], "quantity": ["m/s2,0.6g", "m,3 ft", "s,1e-3", "1,0.4"],
          "unit": ["kip/ft", "N s/m", "m/s2", "kg m^2"], "figures": ["drift\tm\tnumber\t0.5\nend\t\ttext\trest\n"],
-         "checkpoint": ["\x10" + "\x00" * 8, "\x80" + "\x01" * 8 + "\xff\x7f" + "\x00" * 7]}
+         "checkpoint": ["\x10" + "\x00" * 8, "\x80" + "\x01" * 8 + "\xff\x7f" + "\x00" * 7],
+         "results": [chr(base) + chr(thing) + chr(kind) + "\x00\x07" + "\x01" * 8
+                     for base, thing, kind in ((0, 9, 0), (1, 20, 3), (2, 30, 5), (3, 7, 6), (4, 12, 7), (5, 255, 4))]}
 
 
 def build(library, folder):
@@ -116,9 +121,13 @@ def build(library, folder):
     return program
 
 
-def fuzz(program, until, seed, out, findings):
-    """Each reader for its share of the time."""
-    total, left = 0, len(TEXTS)
+def fuzz(program, trilith, until, seed, out, findings):
+    """Each reader for its share of the time; `trilith` writes the results files that are damaged."""
+    folder = os.path.join(out, "bases")  # kept for the commands that repeat findings
+    os.makedirs(folder, exist_ok=True)
+    # Part files have much reserved space, which would cost most of the time.
+    bases = [path for path in results.make_bases(trilith, folder)[0] if path.endswith(".h5") and "study" not in path]
+    program, counts, left = f"TRILITH_BASES={':'.join(bases)} {program}", {}, len(TEXTS)
     for reader, texts in TEXTS.items():
         corpus = os.path.join(out, "corpus", reader)
         os.makedirs(corpus, exist_ok=True)
@@ -131,7 +140,7 @@ def fuzz(program, until, seed, out, findings):
         command = f"TRILITH_READER={reader} {program} {corpus} -max_total_time={each} -seed={seed} {options}"
         done = subprocess.run(f"{command} -artifact_prefix={out}/{reader}-", shell=True, capture_output=True, text=True,
                               errors="replace", check=False)
-        total += sum(int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line)
+        counts[reader] = sum(int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line)
         if done.returncode != 0:
             made = [line.split()[-1] for line in done.stderr.splitlines() if "Test unit written to" in line]
             error_line = next((line for line in done.stderr.splitlines() if "ERROR" in line or "runtime error" in line),
@@ -142,4 +151,5 @@ def fuzz(program, until, seed, out, findings):
                     content = file.read()
             job = shared.Job("text", f"TRILITH_READER={reader} {program} input", {"input": content})
             findings.add(job, f"{reader}: {error_line}", done.stderr[-4000:])
-    return f"{total} texts and checkpoints"
+    each = ", ".join(f"{reader} {count}" for reader, count in counts.items())
+    return f"{sum(counts.values())} texts and checkpoints ({each})"
