@@ -5,9 +5,7 @@
 --
 -- A wave that enters from outside has twice its stress on the edge, 2 rho c v (Joyner and Chen 1975), of which the
 -- dashpots take one half. At a side, a free field adds the motion and the stress of the ground far away: vertical waves
--- in a uniform layer on a half space. They are known exactly, as the sum of waves that rise and return:
---
---     up(t) = T sum over k of R^k v(t - 2 k H/c),    T = 2 Zb/(Zb + Z),    R = (Z - Zb)/(Z + Zb),    Z = rho c
+-- in level layers on a half space (ground_column.lua).
 --
 -- The dashpots are bearings, linear in the velocity, against a small fixed body. All schemes, restart, the energy
 -- balance and pictures know them already. Inputs are point loads.
@@ -93,41 +91,6 @@ local function nodes_of_rectangle(o, axis)
   return nodes
 end
 
--- A velocity over time: function of t [s], end, and step of its points.
-local function velocity_of(value, key)
-  if type(value) == "userdata" and core.kind_of(value) == "motion" then
-    return function(t)
-      if t <= 0 then return 0 end
-      local _, v = value:at(t)
-      return v
-    end, value.end_time, value.dt
-  end
-  local wanted = "must be a motion or a list of { time, velocity } with increasing times"
-  if type(value) ~= "table" or #value < 2 then fail("%s is %s, %s", key, core.what_is(value), wanted) end
-  local step = math.huge
-  for i, p in ipairs(value) do
-    if type(p) ~= "table" or type(p[1]) ~= "number" or type(p[2]) ~= "number" then
-      fail("entry %d of %s is %s, %s", i, key, core.what_is(p), wanted)
-    end
-    if i > 1 then
-      local by = p[1] - value[i - 1][1]
-      if by <= 0 or by ~= by then fail("entry %d of %s is at %g s, after %g s; times must increase", i, key, p[1],
-        value[i - 1][1]) end
-      step = math.min(step, by)
-    end
-  end
-  if value[1][2] ~= 0 then fail("%s begins with %g m/s; a wave begins with 0 m/s", key, value[1][2]) end
-  local row = 1
-  return function(t)
-    if t <= value[1][1] then return 0 end
-    if t >= value[#value][1] then return value[#value][2] end
-    if t < value[row][1] then row = 1 end
-    while value[row + 1][1] < t do row = row + 1 end
-    local p, q = value[row], value[row + 1]
-    return p[2] + (q[2] - p[2])*(t - p[1])/(q[1] - p[1])
-  end, value[#value][1], step
-end
-
 -- Motions by axis: { x = , y = } or one for x.
 local function read_motions(value, dim)
   local names, out = dim == 2 and { "x", "y" } or { "x", "y", "z" }, {}
@@ -136,7 +99,7 @@ local function read_motions(value, dim)
   core.check_keys(owner .. ": motion", value, names)
   for axis, name in ipairs(names) do
     if value[name] ~= nil then
-      local v, last, step = velocity_of(value[name], "motion." .. name)
+      local v, last, step = core.velocity_of(value[name], "motion." .. name, fail)
       out[axis] = { v = v, last = last, step = step }
     end
   end
@@ -153,47 +116,74 @@ local function medium(o, name)
   return { density = positive(name, o, "density", " kg/m3"), cs = cs, cp = cp }
 end
 
--- Velocity and stress [Pa] of vertical waves in a layer, as functions of height and time, for motion along `axis`.
-local function layer_waves(ground, f, motion, axis, up)
-  local c = axis == up and ground.cp or ground.cs
-  local z, zb = ground.density*c, f.half_space.density*(axis == up and f.half_space.cp or f.half_space.cs)
-  local height, through, back = f.surface - f.base, 2*zb/(zb + z), (z - zb)/(z + zb)
-  local function rising(t)
-    local sum, share = 0, through
-    while t > 0 and math.abs(share) > 1e-12 do
-      sum, share, t = sum + share*motion.v(t), share*back, t - 2*height/c
-    end
-    return sum
+local function height_of(name, t, key)
+  if type(t[key]) ~= "number" or t[key] ~= t[key] then
+    core.fail(("%s: '%s' is %s, must be a height in m"):format(name, key,
+      t[key] == nil and "missing" or core.what_is(t[key])))
   end
-  return function(level, t)
-    local h = level - f.base
-    local rise, fall = rising(t - h/c), rising(t - (2*height - h)/c)
-    return rise + fall, z*(fall - rise)
-  end, 2*height/c
+  return t[key]
 end
 
-local function read_free_field(o, ground, axis, dim)
+-- Layers of the free field from its base upwards.
+local function read_layers(name, f)
+  if type(f.layers) ~= "table" or #f.layers == 0 then
+    core.fail(("%s: 'layers' is %s, must be a list of layers from the lowest one upwards, each with top, density, cs "
+      .. "and cp"):format(name, core.what_is(f.layers)))
+  end
+  local out, from = {}, f.base
+  for i, layer in ipairs(f.layers) do
+    local of = ("%s: layer %d"):format(name, i)
+    core.check_keys(of, layer, { "top", "density", "cs", "cp" })
+    local top = height_of(of, layer, "top")
+    if top <= from then
+      core.fail(("%s: 'top' is %g m, must be above %g m, the %s below"):format(of, top, from,
+        i == 1 and "base" or "top of the layer"))
+    end
+    out[i] = medium(layer, of)
+    out[i].from, out[i].to, from = from, top, top
+  end
+  return out
+end
+
+-- The free field of a side without the ground of a uniform one, which belongs to the edge.
+local function read_free_field(o, axis, dim)
   local f = o.free_field
   local name = owner .. ": free_field"
   if axis == (dim == 2 and 2 or 3) then
     fail("'free_field' is for upright edges, and '%s' is level; give motion", o.edge)
   end
-  core.check_keys(name, f, { "base", "surface", "motion", "half_space" })
-  for _, key in ipairs { "base", "surface" } do
-    if type(f[key]) ~= "number" then
-      core.fail(("%s: '%s' is %s, must be a height in m"):format(name, key,
-        f[key] == nil and "missing" or core.what_is(f[key])))
+  core.check_keys(name, f, { "base", "surface", "motion", "half_space", "layers" })
+  local out = { base = height_of(name, f, "base"), motions = read_motions(f.motion, dim) }
+  if f.layers ~= nil then
+    out.layers = read_layers(name, f)
+    out.surface = out.layers[#out.layers].to
+    if f.surface ~= nil and f.surface ~= out.surface then
+      core.fail(("%s: 'surface' is %s, but the uppermost layer ends at %g m; leave it out"):format(name,
+        core.what_is(f.surface), out.surface))
+    end
+  else
+    out.surface = height_of(name, f, "surface")
+    if out.surface <= out.base then
+      core.fail(("%s: 'surface' is %g m, must be above the base at %g m"):format(name, out.surface, out.base))
     end
   end
-  if f.surface <= f.base then
-    core.fail(("%s: 'surface' is %g m, must be above the base at %g m"):format(name, f.surface, f.base))
-  end
-  local beyond = ground
   if f.half_space ~= nil then
     core.check_keys(name .. ": half_space", f.half_space, { "density", "cs", "cp" })
-    beyond = medium(f.half_space, name .. ": half_space")
+    out.half_space = medium(f.half_space, name .. ": half_space")
   end
-  return { base = f.base, surface = f.surface, half_space = beyond, motions = read_motions(f.motion, dim) }
+  return out
+end
+
+-- Density and velocities at the edge: given ones, or the properties of the layer next to it.
+local function ground_of(o, f, nodes, up)
+  if not (f and f.layers) or o.density ~= nil or o.cs ~= nil or o.cp ~= nil then return medium(o, owner) end
+  local low, high = math.huge, -math.huge
+  for _, node in ipairs(nodes) do low, high = math.min(low, node.at[up]), math.max(high, node.at[up]) end
+  for _, layer in ipairs(f.layers) do
+    local slack = 1e-9*(layer.to - layer.from)
+    if low >= layer.from - slack and high <= layer.to + slack then return layer end
+  end
+  fail("the edge from %g to %g m is next to no single layer; give density, cs and cp", low, high)
 end
 
 -- The fixed body that holds the dashpots, beyond the edge and without contact.
@@ -262,8 +252,7 @@ local function add_load(model, name, body, node, axis, f, last, step)
   return #curve
 end
 
--- The wave that enters: 2 rho c v on the whole edge.
-local function add_motion(model, s)
+local function check_motions(s)
   local points = 0
   for axis, motion in pairs(s.motions or {}) do
     if not s.directions[axis] then fail("motion along %s, but 'directions' has no dashpots along it",
@@ -273,6 +262,12 @@ local function add_motion(model, s)
       fail("the motion has %d points at %d nodes, together more than %d; resample it with a longer step",
         motion.last//motion.step + 1, #s.nodes, most_points)
     end
+  end
+end
+
+-- The wave that enters: 2 rho c v on the whole edge.
+local function add_motion(model, s)
+  for axis, motion in pairs(s.motions or {}) do
     for i, node in ipairs(s.nodes) do
       local full = 2*s.z[axis]*node.size
       add_load(model, ("%s.in%d.%d"):format(s.name, axis, i), s.body, node, axis,
@@ -281,34 +276,59 @@ local function add_motion(model, s)
   end
 end
 
--- Motion and stress of the free field at a side.
-local function add_free_field(model, s)
-  local f, dim = s.free_field, model.dim
-  local up = dim == 2 and 2 or 3
-  local squeeze = 1 - 2*(s.ground.cs/s.ground.cp)^2 -- stress across over stress along a vertical P wave
+-- Layers as one kind of wave meets them, and the impedance of the half space.
+local function column_of(s, is_pressure)
+  local f, out = s.free_field, {}
+  local layers = f.layers or { { from = f.base, to = f.surface, density = s.ground.density, cs = s.ground.cs,
+    cp = s.ground.cp } }
+  local function speed(m) return is_pressure and m.cp or m.cs end
+  for i, layer in ipairs(layers) do
+    out[i] = { from = layer.from, to = layer.to, c = speed(layer), z = layer.density*speed(layer) }
+  end
+  local beyond = f.half_space or layers[1]
+  return out, beyond.density*speed(beyond)
+end
+
+-- The waves of the free field along each axis, and when they are over. Nothing is added to the model before all is
+-- known.
+local function prepare_free_field(s, dim)
+  local f, up, out = s.free_field, dim == 2 and 2 or 3, {}
+  for _, node in ipairs(s.nodes) do
+    local level = node.at[up]
+    if level < f.base - 1e-9 or level > f.surface + 1e-9 then
+      fail("a node lies at %g m, outside the free field from %g to %g m", level, f.base, f.surface)
+    end
+  end
   for axis, motion in pairs(f.motions) do
-    local waves, echo = layer_waves(s.ground, f, motion, axis, up)
-    local last = motion.last + 20*echo
+    local layers, beyond = column_of(s, axis == up)
+    local waves, last = core.ground_column(layers, beyond, motion, fail)
     if #s.nodes*last/motion.step > most_points then
       fail("the free field has %d points at %d nodes, together more than %d; resample the motion with a longer step",
         last//motion.step + 1, #s.nodes, most_points)
     end
+    out[axis] = { waves = waves, last = last, step = motion.step }
+  end
+  return out
+end
+
+-- Motion and stress of the free field at a side.
+local function add_free_field(model, s, fields)
+  local up = model.dim == 2 and 2 or 3
+  local squeeze = 1 - 2*(s.ground.cs/s.ground.cp)^2 -- stress across over stress along a vertical P wave
+  for axis, field in pairs(fields) do
     for i, node in ipairs(s.nodes) do
       local level = node.at[up]
-      if level < f.base - 1e-9 or level > f.surface + 1e-9 then
-        fail("a node lies at %g m, outside the free field from %g to %g m", level, f.base, f.surface)
-      end
-      local function velocity(t) return node.size*s.z[axis]*(waves(level, t)) end
+      local function velocity(t) return node.size*s.z[axis]*(field.waves(level, t)) end
       -- The stress acts on the side across the wave: along the vertical for S waves, along the normal for P waves.
       local stressed = axis == up and s.axis or axis == s.axis and up or nil
       local share = (axis == up and squeeze or 1)*s.sign*node.size
       local function stress(t)
-        local _, value = waves(level, t)
+        local _, value = field.waves(level, t)
         return share*value
       end
       local name = ("%s.free%d.%d"):format(s.name, axis, i)
-      if s.directions[axis] then add_load(model, name .. "v", s.body, node, axis, velocity, last, motion.step) end
-      if stressed then add_load(model, name .. "s", s.body, node, stressed, stress, last, motion.step) end
+      if s.directions[axis] then add_load(model, name .. "v", s.body, node, axis, velocity, field.last, field.step) end
+      if stressed then add_load(model, name .. "s", s.body, node, stressed, stress, field.last, field.step) end
     end
   end
 end
@@ -320,7 +340,7 @@ function methods.absorbing_boundary(model, o)
   local body = model:body(core.name_of(model, "body", o.body, owner))
   core.one_of(owner, "edge", o.edge, side_names(dim))
   local axis, sign = table.unpack(sides(dim)[o.edge])
-  local s = { body = body, axis = axis, sign = sign, ground = medium(o, owner), directions = read_directions(o, dim),
+  local s = { body = body, axis = axis, sign = sign, directions = read_directions(o, dim),
     name = o.name or ("%s.%s"):format(body.name, o.edge) }
   if dim == 2 then
     for _, key in ipairs { "from", "to", "divisions" } do
@@ -331,12 +351,15 @@ function methods.absorbing_boundary(model, o)
   if dim == 2 then
     for _, node in ipairs(s.nodes) do node.size = node.size*model.thickness end
   end
-  s.z = impedances(s.ground, axis, dim)
   if o.motion ~= nil and o.free_field ~= nil then
     fail "both motion and free_field are given; motion is for the base, free_field for the sides"
   end
   s.motions = o.motion ~= nil and read_motions(o.motion, dim) or nil
-  s.free_field = o.free_field ~= nil and read_free_field(o, s.ground, axis, dim) or nil
+  s.free_field = o.free_field ~= nil and read_free_field(o, axis, dim) or nil
+  s.ground = ground_of(o, s.free_field, s.nodes, dim == 2 and 2 or 3)
+  s.z = impedances(s.ground, axis, dim)
+  check_motions(s)
+  local fields = s.free_field and prepare_free_field(s, dim) or {}
   local anchor, reach = add_anchor(model, s, dim)
   local area, bearings = 0, {}
   for i, node in ipairs(s.nodes) do
@@ -345,6 +368,6 @@ function methods.absorbing_boundary(model, o)
     bearings[i], area = model:bearing(spec), area + node.size
   end
   add_motion(model, s)
-  if s.free_field then add_free_field(model, s) end
+  add_free_field(model, s, fields)
   return { name = s.name, area = area, bearings = bearings }
 end

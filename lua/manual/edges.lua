@@ -8,12 +8,12 @@ return {
       .. "radiation damping", keys = [[
 body        body           mesh of ground
 edge        text           straight edge of it: left, right, bottom or top; in space front and back too
-density     number kg/m3   density of the ground beyond the edge  <above 0>
-cs          number m/s     its velocity of shear waves  <above 0>
-cp          number m/s     its velocity of pressure waves, cs sqrt((2 - 2 nu)/(1 - 2 nu))  <above 0>
+density     number kg/m3?  density of the ground beyond the edge; of its layer of the free field by default  <above 0>
+cs          number m/s?    its velocity of shear waves  <above 0>
+cp          number m/s?    its velocity of pressure waves, cs sqrt((2 - 2 nu)/(1 - 2 nu))  <above 0>
 directions  text = all     directions of the dashpots: x, y or both as in "xy"; in space x, y, z
 motion      table?         velocity of the wave that enters, { x = , y = }: motions or { {time, velocity}, ... }
-free_field  table?         of a side: { base = , surface = , motion = , half_space = { density = , cs = , cp = } }
+free_field  table?         of a side: { base, surface or layers, motion, half_space }; layer { top, density, cs, cp }
 from        vector?        in space: corner of a rectangle on the edge
 to          vector?        in space: its opposite corner
 divisions   table?         in space: number of dashpots along both of its sides, such as { 4, 10 }

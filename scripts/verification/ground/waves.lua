@@ -104,6 +104,16 @@ local function column_case(kind, dim, integrator)
     run = column }
 end
 
+-- Size of the Fourier transform at a frequency [Hz].
+local function transform(times, values, f)
+  local re, im = 0, 0
+  for i = 1, #times - 1 do
+    local step, angle = times[i + 1] - times[i], 2*math.pi*f*times[i]
+    re, im = re + values[i]*math.cos(angle)*step, im - values[i]*math.sin(angle)*step
+  end
+  return math.sqrt(re^2 + im^2)
+end
+
 -- BO2: layer on a stiffer half space. Surface over outcrop by Fourier integrals, and echoes.
 local function layer(p)
   local height, duration = 10, 0.04
@@ -117,14 +127,6 @@ local function layer(p)
   local history = m:history { name = "top", every = 0.0005, of = function() return (soil:point { 0, height }) end }
   m:run { duration = 2 }
   local t, v = velocities(history)
-  local function transform(times, values, f)
-    local re, im = 0, 0
-    for i = 1, #times - 1 do
-      local step, angle = times[i + 1] - times[i], 2*math.pi*f*times[i]
-      re, im = re + values[i]*math.cos(angle)*step, im - values[i]*math.sin(angle)*step
-    end
-    return math.sqrt(re^2 + im^2)
-  end
   local fine_t, fine_v = {}, {}
   for i = 0, 4000 do
     fine_t[i + 1], fine_v[i + 1] = i*1e-5, amplitude*math.sin(math.pi*i*1e-5/duration)^2
@@ -183,6 +185,84 @@ local function wide_case(kind)
     run = wide }
 end
 
+-- Two layers on a half space, between free fields: surface over outcrop, and the peak of the column alone.
+local lower = { from = 0, to = 12, density = 2000, cs = 300 }
+local upper = { from = 12, to = 20, density = 1800, cs = 150 }
+local rock = { density = 2200, cs = 800, cp = 1500 }
+
+local function layered()
+  local function pulse(with_sides)
+    local m = trilith.model { name = "layers", gravity = 0 }
+    local width = with_sides and 10 or 0.5
+    m:contact { between = { "*", "*" }, law = trilith.bonded { kn = 1e12, ks = 1e12, mu = 1, tension = 1e12,
+      cohesion = 1e12 } }
+    local motion = {}
+    for i = 0, 80 do motion[i + 1] = { i*0.001, amplitude*math.sin(math.pi*i/80)^2 } end
+    motion[81][2] = 0
+    local field = { base = 0, motion = motion, half_space = rock, layers = {} }
+    local top
+    for i, part in ipairs { lower, upper } do
+      local name = i == 1 and "lower" or "upper"
+      m:material { name = name, density = part.density, E = 2*part.density*part.cs^2*(1 + nu), nu = nu,
+        plane = "strain" }
+      top = m:block { name = name, width = width, height = part.to - part.from, at = { 0, part.from },
+        material = name, body = { mesh = { with_sides and 20 or 1, 2*(part.to - part.from) } }, floating = true }
+      field.layers[i] = { top = part.to, density = part.density, cs = part.cs, cp = part.cs*cp/cs }
+      if not with_sides then m:fix(top, "y") end
+    end
+    m:absorbing_boundary { body = "lower", edge = "bottom", density = rock.density, cs = rock.cs, cp = rock.cp,
+      motion = motion, directions = with_sides and "xy" or "x" }
+    for _, body in ipairs(with_sides and { "lower", "upper" } or {}) do
+      for _, side in ipairs { "left", "right" } do
+        m:absorbing_boundary { body = body, edge = side, free_field = field }
+      end
+    end
+    local history = m:history { name = "top", every = 0.0005, of = function()
+      return (top:point { 0.5*width, upper.to })
+    end }
+    m:run { duration = 1.5, integrator = "implicit", dt = 0.0005 }
+    return history, m
+  end
+  local with, m = pulse(true)
+  local alone = pulse(false)
+  local t1, v1 = velocities(with)
+  local t2, v2 = velocities(alone)
+  local out = { ["peak over the peak of the column"] = peak(t1, v1, 0, 1)/peak(t2, v2, 0, 1),
+    ["residual of the energy balance"] = m.residual/m.energy.load }
+  local input_t, input_v = {}, {}
+  for i = 0, 800 do input_t[i + 1], input_v[i + 1] = i*1e-4, amplitude*math.sin(math.pi*i/800)^2 end
+  for _, f in ipairs { 3, 6, 10 } do
+    out[("surface over outcrop at %g Hz"):format(f)] = transform(t1, v1, f)/(2*transform(input_t, input_v, f))
+  end
+  return out
+end
+
+-- Surface over outcrop of both layers, from the waves at each of their boundaries (Kramer 1996, equation 7.33).
+local function amplification(f)
+  local rise, fall = { 1, 0 }, { 1, 0 }
+  local function turned(x, angle)
+    local c, s = math.cos(angle), math.sin(angle)
+    return { x[1]*c - x[2]*s, x[1]*s + x[2]*c }
+  end
+  for _, pair in ipairs { { upper, lower }, { lower, rock } } do
+    local part, below = pair[1], pair[2]
+    local angle = 2*math.pi*f*(part.to - part.from)/part.cs
+    local ratio = part.density*part.cs/(below.density*below.cs)
+    local up, down = turned(rise, angle), turned(fall, -angle)
+    for k = 1, 2 do
+      rise[k], fall[k] = 0.5*((1 + ratio)*up[k] + (1 - ratio)*down[k]), 0.5*((1 - ratio)*up[k] + (1 + ratio)*down[k])
+    end
+  end
+  return 1/math.sqrt(rise[1]^2 + rise[2]^2)
+end
+
+local layered_checks = { { "peak over the peak of the column", exact = 1, tolerance = 0.01 },
+  { "residual of the energy balance", unit = "of the work of the waves", exact = 0, within = 1e-6 } }
+for _, f in ipairs { 3, 6, 10 } do
+  layered_checks[#layered_checks + 1] = { ("surface over outcrop at %g Hz"):format(f), exact = amplification(f),
+    tolerance = 0.02 }
+end
+
 local function echoes(f)
   local a, x = density*cs/(2200*800), 2*math.pi*f*10/cs
   return 1/math.sqrt(math.cos(x)^2 + a^2*math.sin(x)^2)
@@ -206,10 +286,12 @@ r = -\frac{1 - \alpha}{1 + \alpha}]],
   text = "A half sine of 0.1 m/s enters a column of 20 m from below. The surface moves with twice its velocity, and " ..
     "nothing is left when it has passed the base again. A layer of 10 m on a stiffer half space has the " ..
     "amplification and the echoes of one-dimensional theory. Ground of 10 m by 20 m with a free field at both sides " ..
-    "moves like the column of the same elements.",
+    "moves like the column of the same elements, also where it has two layers.",
   cases = { column_case("S", 2, "explicit"), column_case("S", 2, "implicit"), column_case("P", 2, "explicit"),
     column_case("S", 3, "explicit"), column_case("S", 3, "implicit"),
     { name = "layer_on_half_space", title = "layer of 10 m on a half space", parameters = { { "elements", 40 } },
       checks = layer_checks, run = layer },
-    wide_case "S", wide_case "P" },
+    wide_case "S", wide_case "P",
+    { name = "layered_field", title = "two layers on a half space between free fields", parameters = {},
+      checks = layered_checks, run = layered } },
 }

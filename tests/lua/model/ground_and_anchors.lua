@@ -74,7 +74,39 @@ refused("must be above the base at 5 m",
   boundary { edge = "left", free_field = { base = 5, surface = 5, motion = pulse } })
 refused("outside the free field from 1 to 10 m",
   boundary { edge = "left", free_field = { base = 1, surface = 10, motion = pulse } })
+local function beside(layers, more)
+  return boundary { edge = "left", free_field = with({ base = 0, motion = pulse, layers = layers }, more or {}) }
+end
+local loose, dense = { top = 4, density = 1800, cs = 150, cp = 260 }, { top = 10, density = 2000, cs = 300, cp = 520 }
+refused("'layers' is a table, must be a list of layers from the lowest one upwards", beside {})
+refused("layer 2: 'top' is 4 m, must be above 10 m, the top of the layer below", beside { dense, loose })
+refused("layer 1: 'top' is 4 m, must be above 5 m, the base below", beside({ loose }, { base = 5 }))
+refused("layer 1: 'cp' is missing", beside { { top = 10, density = 1800, cs = 150 } })
+refused("layer 1: unknown key 'thickness'", beside { { thickness = 10, density = 1800, cs = 150 } })
+refused("the uppermost layer ends at 10 m; leave it out", beside({ loose, dense }, { surface = 11 }))
+refused("almost rigid; give a softer half_space",
+  beside({ dense }, { half_space = { density = 1e8, cs = 800, cp = 1500 } }))
 m:close()
+
+-- A layer that is given in two parts is the same layer, at one side and in the motion of the ground.
+local function surface_after(field)
+  local g = trilith.model { name = "parts", gravity = 0 }
+  g:material { name = "soil", density = 1800, E = 1.8e8, nu = 0.25, plane = "strain" }
+  g:contact { between = { "*", "*" }, law = "none" }
+  local layer = g:block { name = "soil", width = 4, height = 8, at = { 0, 0 }, material = "soil",
+    body = { mesh = { 4, 8 } }, floating = true }
+  local spec = { body = layer, density = 1800, cs = 200, cp = 346 }
+  g:absorbing_boundary(with(spec, { edge = "bottom", motion = pulse }))
+  for _, side in ipairs { "left", "right" } do g:absorbing_boundary(with(spec, { edge = side, free_field = field })) end
+  g:run { duration = 0.2, dt = 1e-3, integrator = "implicit" }
+  return (layer:point { 2, 8 })
+end
+local whole = surface_after { base = 0, surface = 8, motion = pulse }
+local parts = surface_after { base = 0, motion = pulse, layers = {
+  { top = 3, density = 1800, cs = 200, cp = 346 }, { top = 8, density = 1800, cs = 200, cp = 346 } } }
+assert(math.abs(whole - 2) > 1e-4, "the surface has not moved")
+assert(math.abs(parts - whole) < 1e-3*math.abs(whole - 2),
+  ("a layer in two parts moves the ground to %.9g, not to %.9g"):format(parts, whole))
 
 -- A bolt comes out when the bond slips along all of its shorter side.
 local function bolted(options)
