@@ -92,6 +92,9 @@ void check_member_materials(const FrameSpecOf<D>& frame, const std::string& body
   for (const FrameMemberOf<D>& m : frame.members) {
     const std::string& name = name_of_material(m, body_material);
     const Material* const material = material_named(materials, name);
+    if (material == nullptr && !name.empty())
+      throw InputError(fmt::format("{}: there is no material '{}' for its member '{}'; make it before, by m:material",
+                                   owner, name, name_of(frame, m)));
     if (material == nullptr || !material->solid)
       throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
                                    name.empty() ? "it" : "'" + name + "'"));
