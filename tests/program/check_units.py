@@ -172,6 +172,25 @@ if not failed:
     check_outputs(os.path.join(folder, "portal_N_mm.h5"), os.path.join(folder, "portal_SI.h5"))
     check_terminal()
 
+# A report lists the strains in use of a law with a fracture energy, and no energy of 0.
+LAW = """
+local trilith = require "trilith"
+local m = trilith.model { name = "post", units = "N mm" }
+m:material { name = "concrete", density = 2.5e-9, E = 3e4, nu = 0.2 }
+m:beam { name = "post", from = { 0, 0 }, to = { 0, 3000 }, material = "concrete", divisions = 6, from_support = "fixed",
+  section = trilith.fibre_section { shape = trilith.rectangle_section { width = 300, depth = 300 },
+    law = trilith.kent_park { strength = 30, crush_energy = 25 } } }
+m:results { file = "post.h5" }
+m:consolidate { integrator = "static" }
+"""
+with open(os.path.join(folder, "post.lua"), "w", encoding="utf-8") as text:
+    text.write(LAW)
+shown("run", "--quiet", "post.lua")
+shown("report", "post.h5", "-o", "post.html")
+with open(os.path.join(folder, "post.html"), encoding="utf-8") as text:
+    # 0.002 + 2 G/(1.2 f h) - 0.8 f/E with E = 2 f/0.002
+    expect("the law of a report", text.read(), [r"kent_park\{strength=30 N/mm2[^}]*ultimate=0\.00397778"], [r"crush_energy=0"])
+
 # The door: functions that do not convert are refused, and so are numbers given too early.
 REFUSED = {
     'local early = trilith.frictional\nlocal m = trilith.model { units = "N mm" }\n'
