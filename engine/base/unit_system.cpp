@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/exact_message.hpp"
 #include "base/quantity_text.hpp"
 #include "base/units.hpp"
 
@@ -100,6 +101,16 @@ const TextUnit* unit_at(std::string_view rest) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Words before the unit of a number that a message asks for.
+constexpr std::string_view number_in = "number in ";
+
+/// The unit after these words at `at`, without a prefix; nullptr: none.
+const TextUnit* unit_asked_at(std::string_view text, std::size_t at) {
+  if (!text.substr(at).starts_with(number_in)) return nullptr;
+  const TextUnit* const unit = unit_at(text.substr(at + number_in.size()));
+  return unit != nullptr && unit->factor == 1 ? unit : nullptr;
+}
+
 /// A number in a text: its end, and its value.
 struct TextNumber {
   std::size_t end;
@@ -137,6 +148,16 @@ std::optional<TextNumber> number_at(std::string_view text, std::size_t at) {
     if (std::isdigit(static_cast<unsigned char>(*c)) != 0 && (!figures.empty() || *c != '0')) figures += *c;
   return TextNumber{static_cast<std::size_t>(last - text.data()), minus ? -value : value,
                     static_cast<int>(figures.size()), minus};
+}
+
+/// The exact value of a number of a text in SI, or this number. Texts round to at least three digits.
+double exact_value(const TextNumber& number, const TextUnit& unit, std::span<const ExactNumber> exact) {
+  const double size = number.value * unit.factor;
+  const double share = 0.5 * power_of(10, 1 - std::max(3, number.digits));
+  for (const ExactNumber& one : exact)
+    if (one.unit == unit.unit && std::abs(std::abs(one.value) - std::abs(size)) <= 1.001 * share * std::abs(one.value))
+      return std::copysign(one.value, size);
+  return size;
 }
 
 }  // namespace
@@ -213,9 +234,19 @@ double UnitSystem::shown(double value, std::string_view unit) const {
 }
 
 std::string UnitSystem::message(std::string_view text) const {
-  if (is_si()) return std::string(text);
+  return exact_message(*this, text, {});
+}
+
+std::string exact_message(const UnitSystem& units, std::string_view text, std::span<const ExactNumber> exact) {
+  if (units.is_si()) return std::string(text);
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
+    if (const TextUnit* const asked = unit_asked_at(text, at)) {
+      out += text.substr(at, number_in.size());
+      out += units.name(asked->unit);
+      at += number_in.size() + asked->text.size();
+      continue;
+    }
     const std::optional<TextNumber> number = number_at(text, at);
     const bool apart = number && number->end < text.size() && text[number->end] == ' ';
     const TextUnit* const unit = apart ? unit_at(text.substr(number->end + 1)) : nullptr;
@@ -224,10 +255,10 @@ std::string UnitSystem::message(std::string_view text) const {
       out += text.substr(at, end - at), at = end;
       continue;
     }
-    const double value = shown(number->value * unit->factor, unit->unit);
+    const double value = units.shown(exact_value(*number, *unit, exact), unit->unit);
     const std::string figure = fmt::format("{:.{}g}", value, digits_for(value, number->digits));
     out += number->printed ? with_minus(figure) : figure;
-    out += " " + (unit->printed ? printed_unit(name(unit->unit)) : name(unit->unit));
+    out += " " + (unit->printed ? printed_unit(units.name(unit->unit)) : units.name(unit->unit));
     at = number->end + 1 + unit->text.size();
   }
   return out;

@@ -10,6 +10,7 @@
 #include "model/event/event_list.hpp"
 #include "report/sections.hpp"
 #include "results/reading/event_tree.hpp"
+#include "results/reading/event_units.hpp"
 
 namespace trilith::report {
 namespace {
@@ -50,8 +51,8 @@ std::string several(const std::string& heading) {
 }
 
 /// Text of a line; events written by a run contain their numbers in the text.
-std::string text_of(const results::EventRow& e) {
-  if (!e.text.empty()) return e.text;
+std::string text_of(const results::EventRow& e, const UnitSystem& units) {
+  if (!e.text.empty()) return results::text_in(e, units);
   std::string out = heading_of(e.type);
   for (const std::string& name : {e.body_a_name, e.body_b_name, e.bearing_name})
     if (!name.empty()) out += ", " + name;
@@ -90,7 +91,7 @@ class TreeWriter {
   void line(std::size_t i, bool all, int depth, const char* sign) {
     const results::EventRow& e = tree_.rows[i];
     html_.open("li", fmt::format(R"(class="{}")", name_of(severity_of(e.type)))).element("time", source_.clock(e.time));
-    html_.text(fmt::format(" {}{}", sign, text_of(e)));
+    html_.text(fmt::format(" {}{}", sign, text_of(e, source_.units)));
     const std::vector<std::size_t>& effects = tree_.effects[i];
     if (effects.size() > 1 && depth < most_depth) {
       list(effects, all, depth + 1);

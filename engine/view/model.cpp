@@ -13,6 +13,7 @@
 #include "draw/scene/solid_joints.hpp"
 #include "model/event/event_list.hpp"
 #include "results/file/body_mass.hpp"
+#include "results/reading/event_units.hpp"
 #include "results/reading/verdict.hpp"
 #include "view/joints.hpp"
 
@@ -231,7 +232,7 @@ void write_events(const std::vector<results::EventRow>& events, int dim, const U
         .number(e.bearing)
         .number(static_cast<double>(e.cause));
     json.number(e.has_place ? rounded(e.place[0], 1e4) : NAN).number(e.has_place ? rounded(e.place[1], 1e4) : NAN);
-    json.text(units.message(e.text)).begin_list();
+    json.text(results::text_in(e, units)).begin_list();
     write_figure(e.first, json);
     write_figure(e.second, json);
     json.end();

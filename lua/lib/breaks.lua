@@ -13,11 +13,20 @@ local function pause_at(model, stop, why)
   core.pause(model, why)
 end
 
+--- " m/s": the unit of the value of events of a type; "" for no unit.
+local function unit_of(kind)
+  for _, known in ipairs(core.event_types()) do
+    if known.name == kind and known.unit ~= "" and known.unit ~= "1" then return " " .. known.unit end
+  end
+  return ""
+end
+
 local function filter_text(options)
   local parts = {}
   for _, key in ipairs { "body", "bearing", "seat", "group", "above" } do
     if options[key] ~= nil then parts[#parts + 1] = key .. " " .. tostring(options[key]) end
   end
+  if options.above ~= nil then parts[#parts] = parts[#parts] .. unit_of(options[1]) end
   return #parts == 0 and "" or " (" .. table.concat(parts, ", ") .. ")"
 end
 
@@ -32,7 +41,7 @@ end
 
 local function on_condition(model, stop, when)
   core.check_function(when, "break_on: when")
-  local info = debug.getinfo(when, "S")
+  local info = debug.getinfo(core.written(when), "S")
   stop.text = ("condition at %s:%d"):format(info.short_src, info.linedefined)
   local was = false
   model_methods.on_step(model, function()

@@ -172,4 +172,4 @@ local function read(kind, owner, ...)
   return values
 end
 
-core.bridge_rules = { read = read, fail = fail, what_is = what_is, body_words = body_words }
+core.bridge_rules = { read = read, fail = fail, what_is = what_is, body_words = body_words, declared = rules }

@@ -178,9 +178,9 @@ function Search:check_rising()
   for i = 2, #sorted do
     local a, b = sorted[i - 1], sorted[i]
     if b.frequency < a.frequency*(1 - 1e-6) then
-      core.fail(("calibrate: the frequency falls from %.5g to %.5g Hz while %s rises from %.4g to %.4g; "
-        .. "give a mode by its number, or narrower bounds"):format(a.frequency, b.frequency, self.varied[1].name,
-        a.value, b.value))
+      core.fail(("calibrate: the frequency falls from %.5g to %.5g Hz while %s rises from %.4g Pa/m "
+        .. "to %.4g Pa/m; give a mode by its number, or narrower bounds"):format(a.frequency, b.frequency,
+        self.varied[1].name, a.value, b.value))
     end
   end
 end
@@ -192,7 +192,7 @@ function Search:find(low, high, tolerance)
   local fa, fb = self:try(low), self:try(high)
   if fa > 0 or fb < 0 then
     local first, last = self.tries[1].frequency, self.tries[2].frequency
-    core.fail(("calibrate: with %s from %.4g to %.4g the frequency is %.5g to %.5g Hz and never %.5g Hz; %s")
+    core.fail(("calibrate: with %s from %.4g Pa/m to %.4g Pa/m the frequency is %.5g to %.5g Hz and never %.5g Hz; %s")
       :format(self.varied[1].name, low, high, first, last, self.options.frequency,
       fa > 0 and "it would have to be softer" or "it would have to be stiffer, or something else is too soft"))
   end
@@ -217,11 +217,13 @@ function Search:find(low, high, tolerance)
     tolerance))
 end
 
-local function text_of(search)
-  local first = search.varied[1].name
-  local lines = { ("try   %16s   frequency [Hz]   mode"):format(first) }
-  for i, t in ipairs(search.tries) do
-    lines[#lines + 1] = ("%3d   %16.6g   %14.6g   %4d"):format(i, t.value, t.frequency, t.mode)
+--- A line for each try; `name` and `unit` of its value.
+function core.calibration_text(tries, name, unit)
+  local head = ("%s [%s]"):format(name, unit)
+  local wide = math.max(16, #head)
+  local lines = { ("try   %" .. wide .. "s   frequency [Hz]   mode"):format(head) }
+  for i, t in ipairs(tries) do
+    lines[#lines + 1] = ("%3d   %" .. wide .. ".6g   %14.6g   %4d"):format(i, t.value, t.frequency, t.mode)
   end
   return table.concat(lines, "\n")
 end
@@ -281,7 +283,7 @@ function model_methods.calibrate(model, options)
   local tolerance = positive("calibrate", "tolerance", options.tolerance or 1e-4, "")
   local low, high = 1e-3*varied[1].value, 1e3*varied[1].value
   if options.between then low, high = pair("calibrate", options, "between", " Pa/m") end
-  if high <= low then core.fail(("calibrate: 'between' goes from %g to %g, must rise"):format(low, high)) end
+  if high <= low then core.fail(("calibrate: 'between' goes from %g Pa/m to %g Pa/m, must rise"):format(low, high)) end
   local search = setmetatable({ model = model, varied = varied, options = wanted, tries = {} }, Search)
   local ok, value = pcall(search.find, search, low, high, tolerance)
   if not ok then
@@ -295,5 +297,5 @@ function model_methods.calibrate(model, options)
   end
   local last = search.tries[#search.tries]
   return setmetatable({ value = value, values = values, frequency = last.frequency, mode = last.mode,
-    tries = search.tries, text = text_of(search) }, core.findings)
+    tries = search.tries, text = core.calibration_text(search.tries, varied[1].name, "Pa/m") }, core.findings)
 end

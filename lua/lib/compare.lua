@@ -2,7 +2,9 @@
 local _, core = ...
 local model_methods = core.members "model"
 
-core.findings.__tostring = function(found) return found.text end
+core.findings.__tostring = function(found)
+  return found.text == "" and found.sound and "the run is valid" or found.text
+end
 
 -- Identity of an event without its numbers.
 local function key_of(event)
@@ -85,6 +87,7 @@ function model_methods.compare(model)
   if found.now then
     found.events = event_changes(found.events_before, found.events_now)
     found.events_before, found.events_now = nil, nil
+    for name, row in pairs(found.histories) do row.own = core.own(model).sampled[name] end
   end
   found.text = text_of(found)
   return setmetatable(found, core.findings)

@@ -10,6 +10,9 @@ end
 
 core.check_function = check_function
 
+--- The function, whose time a profile lists at its place in the script.
+local function timed(f, what) return core.timed(f, what, core.written(f)) end
+
 -- Handler object of m:on and similar functions, removed by m:off. `list`: the list that contains it.
 local handler_type = {
   __name = "handler",
@@ -28,6 +31,7 @@ end
 core.made[#core.made + 1] = function(model, own)
   local by_event, clocks, steps, samples = {}, {}, {}, {}
   own.by_event, own.clocks, own.steps, own.samples = by_event, clocks, steps, samples
+  own.sampled = {} -- names of histories whose values a function of the script gives
 
   -- A removed handler is skipped at once, and deleted from the list when that is traversed from its end.
   local function hand_to(list, value)
@@ -89,13 +93,13 @@ function model_methods.on(model, event, f)
   core.listen(model, event, "on")
   local by_event = core.own(model).by_event
   by_event[event] = by_event[event] or {}
-  return new_handler(model, event, core.timed(f, "on " .. event), by_event[event])
+  return new_handler(model, event, timed(f, "on " .. event), by_event[event])
 end
 
 --- m:every(interval, f): calls f(model) at each interval of simulated time. Returns the handler.
 function model_methods.every(model, interval, f)
   check_function(f, "every")
-  local handler = new_handler(model, "every " .. tostring(interval) .. " s", core.timed(f, "every"))
+  local handler = new_handler(model, "every " .. tostring(interval) .. " s", timed(f, "every"))
   core.own(model).clocks[core.timer(model, interval)] = handler
   return handler
 end
@@ -103,7 +107,7 @@ end
 --- m:on_step(f): calls f(model) after each step. Returns the handler.
 function model_methods.on_step(model, f)
   check_function(f, "on_step")
-  local handler = new_handler(model, "each step", core.timed(f, "on_step"), core.own(model).steps)
+  local handler = new_handler(model, "each step", timed(f, "on_step"), core.own(model).steps)
   core.step_handler(model, true)
   return handler
 end
@@ -125,7 +129,10 @@ function model_methods.history(model, options)
   local history = follow(model, options)
   local own = core.own(model)
   own.history_count = (own.history_count or 0) + 1
-  own.samples[own.history_count] = core.timed(rawget(options, "of"), "history")
-  if type(rawget(options, "of")) == "function" then own.called[#own.called + 1] = rawget(options, "of") end
+  own.samples[own.history_count] = timed(rawget(options, "of"), "history")
+  if type(rawget(options, "of")) == "function" then
+    own.called[#own.called + 1] = rawget(options, "of")
+    own.sampled[history.name] = true
+  end
   return history
 end

@@ -173,13 +173,13 @@ local of_whole = { [2] = { "edges", "masses", "sinking", "slipping", "bearings",
 --- The expected slip [m] from m:lint{ slip = }; nil if not given.
 local function expected_slip(options)
   if options == nil then return nil end
-  if type(options) ~= "table" then error("lint: takes a table, as in m:lint{ slip = 0.02 }", 0) end
+  if type(options) ~= "table" then core.fail "lint: takes a table, as in m:lint{ slip = 0.02 }" end
   for key in pairs(options) do
-    if key ~= "slip" then error(("lint: unknown key '%s'; known: slip"):format(tostring(key)), 0) end
+    if key ~= "slip" then core.fail(("lint: unknown key '%s'; known: slip"):format(tostring(key))) end
   end
   local slip = options.slip
   if slip ~= nil and not (type(slip) == "number" and slip > 0) then
-    error(("lint: 'slip' is %s, must be a number in m, above 0"):format(tostring(slip)), 0)
+    core.fail(("lint: 'slip' is %s, must be a number in m, above 0"):format(core.what_is(slip)))
   end
   return slip
 end

@@ -56,11 +56,12 @@ local function turned_motion(motion, key)
   return how.raw { by = how.given.by, duration = how.given.duration }
 end
 
+local has_directions = { bearing = true, bearing_type = true, change = true, foundation = true }
 --- Keys of a call whose laws and motions act on rotations.
 local function with_rotations(entry, given, copy)
   local member = entry.member
   for key, value in next, given do
-    if type(key) == "string" and key:find "^turning" and (member == "bearing" or member == "bearing_type") then
+    if type(key) == "string" and key:find "^turning" and has_directions[member] then
       copy[key] = turned_law(value, key)
     elseif type(key) == "string" and key:find "^rotation" and (member == "drive" or member == "shake") then
       copy[key] = turned_motion(value, key)
@@ -74,6 +75,17 @@ local function with_rotations(entry, given, copy)
       end
     end
   end
+end
+
+--- Laws of rotations of the foundations of a bridge.
+local function turn_foundations(given, copy)
+  local function turn(row, converted)
+    if type(row) == "table" and type(row.foundation) == "table" then
+      with_rotations({ member = "foundation" }, row.foundation, converted.foundation)
+    end
+  end
+  for _, key in ipairs { "abutment", "pier" } do turn(given[key], copy[key]) end
+  for i, row in ipairs(type(given.supports) == "table" and given.supports or {}) do turn(row, copy.supports[i]) end
 end
 
 --- Arguments of a call, after the object for methods: the table of keys, or single values.
@@ -135,6 +147,31 @@ local special_arguments = {
     arguments[2] = calls.convert_filter(arguments[2], "'above' of on")
     arguments[3] = core.outside(arguments[3], "on")
   end,
+  wait = function(_, arguments) arguments[2] = calls.convert_filter(arguments[2], "'above' of wait") end,
+  break_on = function(_, arguments) arguments[2] = calls.convert_break(arguments[2]) end,
+  -- The law gives the units of its numbers.
+  change = function(entry, arguments)
+    local given = arguments[2]
+    convert_arguments(entry, arguments, 2)
+    if type(given) ~= "table" or type(given.law) ~= "string" then return end
+    for key, unit in pairs(rules.units_of_law(arguments[1], given.law)) do
+      if given[key] ~= nil then arguments[2][key] = rules.of(unit)(given[key], system, 1) end
+    end
+  end,
+  calibrate = function(entry, arguments)
+    local first = entry.owner == "trilith" and 1 or 2
+    local given = arguments[first]
+    convert_arguments(entry, arguments, first)
+    if first == 2 and type(given) == "table" and type(given.between) == "table" then
+      arguments[2].between = rules.bounds(arguments[1], given, system)
+    end
+  end,
+  bridge = function(_, arguments)
+    local given = arguments[2]
+    if type(given) ~= "table" then return end
+    arguments[2] = rules.bridge(arguments[1], given, system, declarations.entries)
+    turn_foundations(given, arguments[2])
+  end,
   -- The direction of a bearing gives the unit of its stiffness.
   creep = function(entry, arguments)
     convert_arguments(entry, arguments, 2)
@@ -145,13 +182,13 @@ local special_arguments = {
   end,
 }
 
-local function convert_results(entry, rule, results)
+local function convert_results(entry, rule, results, arguments)
   local units = number_lists[entry.name]
   for i = 2, results.n do
     if units then
       results[i] = rules.of(units[i - 1])(results[i], system, -1)
     else
-      results[i] = rule(results[i], system, -1)
+      results[i] = rule(results[i], system, -1, arguments)
     end
   end
   return table.unpack(results, 2, results.n)
@@ -160,7 +197,7 @@ end
 --- A function of the module that converts its arguments and results.
 local function converting(entry, raw, first)
   local rule = number_lists[entry.name] and rules.same or result_rule(entry)
-  if rules.refused[entry.name] or not rule then return refusal(entry.name, raw) end
+  if not rule then return refusal(entry.name, raw) end
   return function(...)
     if not is_shut() then return raw(...) end
     local arguments = pack(...)
@@ -168,7 +205,8 @@ local function converting(entry, raw, first)
     local converted = pack(pcall(special_arguments[entry.member] or convert_arguments, entry, arguments, first))
     local results = converted[1] and pack(pcall(raw, table.unpack(arguments, 1, math.max(arguments.n, first))))
       or converted
-    local back = results[1] and converted[1] and pack(pcall(convert_results, entry, rule, results)) or results
+    local good = results[1] and converted[1]
+    local back = good and pack(pcall(convert_results, entry, rule, results, arguments)) or results
     core.unit_door(before)
     wrap_table_functions()
     if not back[1] then raise(back[2]) end
@@ -333,8 +371,8 @@ end
 --- Sets the units of the script, by its first model.
 local function set_units(text)
   if core.quantities_read() > read_before then
-    core.fail("model: 'units' must be given before other numbers: make the model first, and laws, parts, motions and "
-      .. "factors of trilith.units after it")
+    core.fail("model: 'units' must be given before other numbers: make the model first, and laws, parts, motions, "
+      .. "parameters with a unit and factors of trilith.units after it")
   end
   declarations = core.unit_declarations()
   system = core.read_units(text)

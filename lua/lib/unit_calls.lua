@@ -27,10 +27,14 @@ function calls.is_shut()
   return state == "shut"
 end
 
+local written = setmetatable({}, { __mode = "k" })
+--- The function of the script that core.outside has wrapped; another function itself.
+function core.written(f) return written[f] or f end
+
 --- A function of the script, called by the library: with the door shut, and its arguments converted.
 function core.outside(f, owner, key)
   if type(f) ~= "function" then return f end
-  return function(...)
+  local function wrapped(...)
     local arguments = calls.pack(...)
     if key == "on_sample" then
       arguments[2] = rules.fields("a sample", { t = "s", displacement = "m", force = "N", drift = "m" })(arguments[2],
@@ -44,6 +48,8 @@ function core.outside(f, owner, key)
     if not results[1] then error(results[2], 0) end
     return table.unpack(results, 2, results.n)
   end
+  written[wrapped] = f
+  return wrapped
 end
 
 local event_units
@@ -66,6 +72,15 @@ function calls.convert_filter(filter, what)
   return copy
 end
 
+--- The place of m:break_on: a text, a condition, or a table of both.
+function calls.convert_break(where)
+  if type(where) ~= "table" then return core.outside(where, "break_on") end
+  local copy = {}
+  for key, one in next, calls.convert_filter(where, "'above' of break_on") do copy[key] = one end
+  copy.when = core.outside(copy.when, "break_on")
+  return copy
+end
+
 --- An event with its value, place and text in the units of the models.
 function calls.convert_event(event)
   if type(event) ~= "table" then return event end
@@ -78,17 +93,17 @@ function calls.convert_event(event)
     copy.value = nil
   end
   for _, axis in ipairs { "x", "y", "z" } do copy[axis] = rules.of "m"(rawget(event, axis), calls.system, -1) end
-  copy.text = calls.system:message(event.text)
+  copy.text = calls.system:message(event.text, rawget(event, "value"), unit)
   return setmetatable(copy, getmetatable(event))
 end
 
-local wrapped = {}
+local opened = {}
 --- Tables with functions of the engine, which the first of them creates: reports and energies open the door for these.
 function calls.wrap_table_functions()
   for _, name in ipairs { "trilith.report", "trilith.energy" } do
-    local metatable = not wrapped[name] and rawget(debug.getregistry(), name)
+    local metatable = not opened[name] and rawget(debug.getregistry(), name)
     if metatable then
-      wrapped[name] = true
+      opened[name] = true
       local index, text_of = metatable.__index, metatable.__tostring
       metatable.__index = function(...) return calls.inside(index, ...) end
       metatable.__tostring = text_of and function(found) return calls.system:message(calls.inside(text_of, found)) end

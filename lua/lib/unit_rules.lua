@@ -1,6 +1,6 @@
 -- Conversion of tables between SI and the units of a script's models. A rule is a function (value, system, direction);
 -- direction 1 converts to SI, -1 from SI. The rules here are of keys and results that their declarations do not
--- describe.
+-- describe; lib/unit_tables has the rules of nested tables.
 local _, core = ...
 local rules = {}
 core.unit_rules = rules
@@ -37,14 +37,6 @@ end
 
 --- The value has no unit, or is a handle, whose numbers are in SI inside.
 function rules.same(value) return value end
-
---- Lengths and counts together: the same only where the unit of length is the metre.
-function rules.shape(what)
-  return function(value, system)
-    if type(value) == "table" and system.length ~= 1 then refuse(what, system) end
-    return value
-  end
-end
 
 local function has_number(value)
   if type(value) == "number" then return true end
@@ -92,7 +84,7 @@ function rules.rows(...)
   end)
 end
 
-local of, same, fields, each, shape, rows = rules.of, rules.same, rules.fields, rules.each, rules.shape, rules.rows
+local of, same, fields, each, rows = rules.of, rules.same, rules.fields, rules.each, rules.rows
 
 local box = { from = "m", to = "m" }
 local function joint_rule()
@@ -131,18 +123,11 @@ rules.keys = {
   hold = each(fields("hold", box)),
   body = same, band_damping = same, turn = same, load_curve = same, becomes_from = same,
   support = same, from_support = same, to_support = same, motions = same, level = level, elements = same,
-  mesh = function(value, system, direction)
-    if type(value) == "table" and value.file and system.length ~= 1 then refuse("the file of a mesh", system) end
-    return fields("mesh", { nodes = "m", elements = same })(value, system, direction)
-  end,
   shape = fields("shape", { outline = "m" }),
   drain = fields("drain", { at = "m", efficiency = "1" }),
   bars = each(fields("bars", { area = "m2", height = "m", count = "1", across = "m", spread = "m" })),
   ["stack.blocks"] = each(fields("blocks", { width = "m", height = "m", offset = "m" })),
   ["ground.steps"] = each(fields("steps", { from = "m", level = "m" })),
-  storeys = shape "storeys", openings = shape "openings", lintels = shape "lintels", base = shape "base",
-  capital = shape "capital", walls = shape "walls", beams = shape "beams", spheres = shape "spheres",
-  clump = shape "clump", pieces = shape "pieces", cracks = shape "cracks",
   ["frame.joints"] = each(joint_rule()),
   ["frame.members"] = each(fields("a member", { from_at = "m", to_at = "m", divisions = "1", stations = "1",
     orientation = same })),
@@ -180,6 +165,7 @@ end
 
 local shape_of_mode = each(fields("a shape", { x = "1", y = "1", z = "1", rotation = "1/m", rotation_x = "1/m",
   rotation_y = "1/m", rotation_z = "1/m" }))
+rules.shape_of_mode = shape_of_mode
 
 --- A natural mode. Its factors of participation belong to a shape of mass 1, so they are roots of masses.
 local function mode(value, system, direction)
@@ -248,12 +234,3 @@ end
 --- Functions that take and return numbers in any consistent units, or none.
 rules.plain = { ["trilith.joint_stiffness"] = true, ["trilith.bilinear"] = true, ["trilith.rayleigh"] = true,
   ["trilith.drift_limit"] = true, ["trilith.version"] = true, ["trilith.params"] = true, ["trilith.units"] = true }
-
---- Functions that do not convert; each of them is refused.
-rules.refused = {}
-for _, name in ipairs { "trilith.study", "trilith.calibrate", "model:story", "model:wait", "model:break_on",
-  "model:rewind",
-  "model:compare", "model:change", "model:lint", "model:calibrate", "model:absorbing_boundary", "model:bridge",
-  "space:bridge" } do
-  rules.refused[name] = true
-end

@@ -70,4 +70,5 @@ end
 function system_type.name(_, unit) return core.unit_name(unit) end
 
 --- Converts each number with an SI unit in a text, such as "0.5 m", to this system, with the same number of digits.
-function system_type.message(_, text) return core.unit_message(text) end
+--- `value`, in an SI unit, is the exact number that the text gives rounded.
+function system_type.message(_, text, value, unit) return core.unit_message(text, value, unit) end

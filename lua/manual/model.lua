@@ -40,7 +40,7 @@ name     text = kind and number  name of the law in results]] },
 name     text     name
 outline  points?  corners in order
 shape    table?   or a part, such as trilith.block{...}
-mesh     table?   or a mesh: { file = } or { nodes = , elements = }; with body = "rigid": rigid, of these pieces]],
+mesh     table?   or { file = , scale = 1 } or { nodes = , elements = }; body = "rigid": rigid, of these pieces]],
     with = "body", gives = "body" },
   { "model:add", "Adds parts, such as the results of trilith.build, as bodies.", args = [[
 parts    table   list of { name, outline, groups }

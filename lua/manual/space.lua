@@ -87,7 +87,7 @@ span          table?         default keys of all spans]], gives = "table" },
 name    text      name
 hull    vectors?  points; the body is their convex hull
 pieces  list?     or { { hull = }, ... }: convex pieces that share faces
-mesh    table?    or a mesh: { file = } or { nodes = , elements = }; body = "rigid": rigid, of these pieces
+mesh    table?    or { file = , scale = 1 } or { nodes = , elements = }; body = "rigid": rigid, of these pieces
 ]], with = "solid", gives = "body" },
   { "space:add", "Adds parts of the plane, such as the results of trilith.build, with a depth. x stays, y becomes z.",
     args = [[

@@ -29,7 +29,7 @@ force                 number N   force at the end
 displacement          number m   displacement at the end
 drift                 number m   drift at the end
 limit                 text       limit that ended the stage: "displacement", "drift", "drop", "until", "samples", ...
-carried_at_peak       number N   part of the peak force that the structure carries statically
+carried_at_peak       number N   part of the peak force that the structure carries statically; below 0 while it swings
 quasi_static          flag       false where inertia and damping exceed 2 % of the peak force
 limits                list?      control "arc": limit points of the path, { force = , displacement = , highest = }
 happened              list?      control "arc": sentences on yielding and failures along the path]],

@@ -1,7 +1,6 @@
 -- Fragility of a dry arch: one settled model, six pulses of each size, each in its own process.
 -- Draw the curve with: trilith plot out/arch_fragility.h5 --fragility collapsed --over pga
 local trilith = require "trilith"
-local g = trilith.units "g"
 local p = trilith.params { out = { "out/arch_fragility.h5", "table of the study" } }
 
 local function arch_at_rest()
@@ -25,7 +24,8 @@ local function pulse(pga, period)
 end
 
 local study = trilith.study { file = p.out, before = arch_at_rest,
-  parameters = { pga = { 0.3*g, 0.5*g, 0.7*g, 0.9*g, 1.1*g }, period = { 0.4, 0.6, 0.8, 1, 1.2, 1.4 } },
+  parameters = { pga = { 0.3, 0.5, 0.7, 0.9, 1.1, unit = "g" },
+    period = { 0.4, 0.6, 0.8, 1, 1.2, 1.4, unit = "s" } },
   case = function(case, m)
     local crown = m:bodies { group = "voussoirs" }[6]
     local y0, lost = crown.uy, false
@@ -42,5 +42,5 @@ for _, row in ipairs(study.rows) do
   collapses[row.pga] = (collapses[row.pga] or 0) + (row.collapsed and 1 or 0)
 end
 for _, pga in ipairs { 0.3, 0.5, 0.7, 0.9, 1.1 } do
-  print(("%.1f g: %d of 6 collapse"):format(pga, collapses[pga*g]))
+  print(("%.1f g: %d of 6 collapse"):format(pga, collapses[pga]))
 end

@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/exact_message.hpp"
 #include "base/quantity_text.hpp"
 #include "near.hpp"
 
@@ -95,4 +97,26 @@ TEST_CASE("quantities in a system have its unit instead of a prefix") {
   const ShownUnit unit = engineering_unit(8e5, "Pa", metric);
   CHECK(unit.size == 1e3);
   CHECK(unit.text == "kN/m²");
+}
+
+TEST_CASE("exact values replace the rounded numbers of a text before the conversion") {
+  const UnitSystem small("N mm"), american("kip ft");
+  const std::array exact{ExactNumber{136987.6, "N m"}, ExactNumber{-0.0123456, "m"}};
+  CHECK(exact_message(small, "yielded under 137 kN m", exact) == "yielded under 136987600 N mm");
+  CHECK(exact_message(small, "under -137 kN m at 12.3 mm", exact) == "under -136987600 N mm at 12.3 mm");
+  CHECK(exact_message(american, "under 137 kN m", exact) == "under 101 kip ft");
+  // Another number, another unit, and a number beyond the rounding are converted as they are.
+  CHECK(exact_message(small, "under 138 kN m", exact) == "under 138000000 N mm");
+  CHECK(exact_message(small, "137 kN", exact) == "137000 N");
+  CHECK(exact_message(small, "137.2 kN m", exact) == "137200000 N mm");
+  CHECK(exact_message(UnitSystem(), "137 kN m", exact) == "137 kN m");
+}
+
+TEST_CASE("a message asks for a number in the unit of the system") {
+  const UnitSystem small("N mm");
+  CHECK(small.message("'height' is missing; give a number in m") == "'height' is missing; give a number in mm");
+  CHECK(small.message("must be a finite number in Pa/m, above 0") == "must be a finite number in N/mm3, above 0");
+  CHECK(small.message("a number in s") == "a number in s");
+  CHECK(small.message("the number in metres") == "the number in metres");
+  CHECK(small.message(small.message("a number in N m")) == "a number in N mm");
 }

@@ -11,6 +11,7 @@
 #include "draw/scene/results_picture.hpp"
 #include "model/energy.hpp"
 #include "model/event/event_list.hpp"
+#include "results/reading/event_units.hpp"
 #include "results/reading/largest_value.hpp"
 
 namespace trilith::draw {
@@ -238,7 +239,7 @@ std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow
   std::vector<ChartMark> marks;
   for (const auto& [type, events] : by_type) {
     if (events.size() <= most_marks_of_a_type) {
-      for (const results::EventRow& e : events) marks.push_back({e.time, units.message(e.text)});
+      for (const results::EventRow& e : events) marks.push_back({e.time, results::text_in(e, units)});
       continue;
     }
     const bool impacts = type == info_of(EventType::impact).name;
@@ -246,7 +247,7 @@ std::vector<ChartMark> event_marks(const ResultsReader& reader, const PlotWindow
       return a.first.value < b.first.value;
     };
     const results::EventRow& one = impacts ? *std::max_element(events.begin(), events.end(), slower) : events.front();
-    marks.push_back({one.time, fmt::format("{} ({} of {})", units.message(one.text), impacts ? "fastest" : "first",
+    marks.push_back({one.time, fmt::format("{} ({} of {})", results::text_in(one, units), impacts ? "fastest" : "first",
                                            events.size())});
   }
   std::stable_sort(marks.begin(), marks.end(), [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });

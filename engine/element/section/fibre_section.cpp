@@ -1,6 +1,7 @@
 #include "element/section/fibre_section.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "element/section/fibre_lanes.hpp"
@@ -130,6 +131,13 @@ void respond_part(const L& law, std::span<const Fibre> fibres, const SectionStra
   respond_one_by_one(law, fibres.subspan(done), strain, before + place, after + place, out);
 }
 
+/// The laws of the parts that the section has; null for the others.
+template <class Spec>
+auto used_laws(Spec& spec) -> std::array<decltype(&spec.law), 3> {
+  return {&spec.law, spec.cover > 0 || spec.core ? &spec.cover_law : nullptr,
+          spec.bars.empty() ? nullptr : &spec.bar_law};
+}
+
 }  // namespace
 
 int FibreSection::memory_size() const {
@@ -149,6 +157,17 @@ Eigen::Matrix2d FibreSection::stiffest() const {
     }
   }
   return out;
+}
+
+bool depends_on_length(const FibreSpec& spec) {
+  const auto laws = used_laws(spec);
+  return std::ranges::any_of(laws, [](const UniaxialLaw* law) { return law && trilith::depends_on_length(*law); });
+}
+
+FibreSpec for_length(FibreSpec spec, double length) {
+  for (UniaxialLaw* const law : used_laws(spec))
+    if (law) check_law(*law), *law = law_for_length(*law, length);
+  return spec;
 }
 
 /// For each layer the core part, and the rest as cover. Bars are added at their height.

@@ -47,6 +47,11 @@ struct FibreSpec {
       cells{};  ///< sections in space: up and across; 0: default, see element/section/fibre_section_3d.hpp
 };
 
+/// Whether a law has a fracture energy, so that the section of a beam depends on its length.
+bool depends_on_length(const FibreSpec& spec);
+/// The specification of a beam of `length` [m], see law_for_length; its laws are checked. Throws InputError.
+FibreSpec for_length(FibreSpec spec, double length);
+
 struct Fibre {
   double area = 0;    ///< [m2]
   double height = 0;  ///< above the centroid [m]

@@ -31,6 +31,29 @@ concept UniaxialLawType = Declared<L> && requires(const L& law, double strain, c
 inline int memory_size(const UniaxialLaw& law) {
   return std::visit([](const auto& l) { return std::decay_t<decltype(l)>::memory_size; }, law);
 }
+/// Whether it has a fracture energy, so that its strains depend on the length of the beam.
+inline bool depends_on_length(const UniaxialLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.crush_energy; })
+          return l.crush_energy > 0 || l.energy_tension > 0;
+        else
+          return false;
+      },
+      law);
+}
+/// The law of the fibres of a beam of `length` [m]: of laws with fracture energies, the one with their strains. Throws
+/// InputError if the beam is too long for them.
+inline UniaxialLaw law_for_length(const UniaxialLaw& law, double length) {
+  return std::visit(
+      [&](const auto& l) -> UniaxialLaw {
+        if constexpr (requires { l.for_length(length); })
+          return l.for_length(length);
+        else
+          return l;
+      },
+      law);
+}
 /// Largest stiffness [Pa].
 inline double stiffest(const UniaxialLaw& law) {
   return std::visit([](const auto& l) { return l.tangent(); }, law);

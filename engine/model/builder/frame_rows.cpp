@@ -1,6 +1,9 @@
 #include "model/builder/frame_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
@@ -106,13 +109,6 @@ class YieldRows {
  public:
   YieldRows(const FrameMemberOf<D>& member, const decltype(MemberMaterial<D>::elastic)& elastic, Model<D>& model)
       : member_(member), elastic_(elastic), yields_(rows_of_yields(model)), memory_(model.beam_memory) {
-    if (const auto* const fibres = std::get_if<MemberFibres>(&member.yields)) {
-      section_ = static_cast<int>(yields_.sections.size());
-      if constexpr (D == 2)
-        yields_.sections.push_back(make_fibres(fibres->spec));
-      else
-        yields_.sections.push_back(make_fibres_in_space(fibres->spec));
-    }
     if (const auto* const hinges = std::get_if<MemberHinges>(&member.yields))
       for (const int end : {0, 1})
         if (hinges->end[end]) hinge_[end] = add_law(*hinges->end[end]);
@@ -121,10 +117,11 @@ class YieldRows {
   /// `first`, `last`: the beam is the member's first or last one.
   void add(BeamOf<D>& beam, bool first, bool last, const std::array<bool, 2>& pinned) {
     if (const auto* const fibres = std::get_if<MemberFibres>(&member_.yields)) {
-      const auto made = fibre_beam(*fibres, beam.length, pinned);
+      const int section = section_of_length(*fibres, beam.length);
+      const auto made = fibre_beam(*fibres, section, beam.length, pinned);
       beam.yield = BeamYield::in_fibres, beam.yield_row = static_cast<int>(yields_.fibre_beams.size());
-      beam.stiffness = stiffest_beam(made, yields_.sections[section_]);
-      yields_.fibre_beams.push_back({made, section_});
+      beam.stiffness = stiffest_beam(made, yields_.sections[section]);
+      yields_.fibre_beams.push_back({made, section});
     } else if ((first && hinge_[0] >= 0) || (last && hinge_[1] >= 0)) {
       const std::array<int, 2> law{first && hinge_[0] >= 0 ? hinge_[0] : add_law(HingeLaw::never()),
                                    last && hinge_[1] >= 0 ? hinge_[1] : add_law(HingeLaw::never())};
@@ -136,13 +133,26 @@ class YieldRows {
   }
 
  private:
+  /// The row of the section of a beam: one for the member, or one for each length if its laws depend on it.
+  int section_of_length(const MemberFibres& fibres, double length) {
+    const double key = depends_on_length(fibres.spec) ? length : 0;
+    for (const auto& [known, row] : sections_)
+      if (std::abs(known - key) <= same_length * key) return row;
+    sections_.emplace_back(key, static_cast<int>(yields_.sections.size()));
+    if constexpr (D == 2)
+      yields_.sections.push_back(make_fibres(for_length(fibres.spec, length)));
+    else
+      yields_.sections.push_back(make_fibres_in_space(for_length(fibres.spec, length)));
+    return sections_.back().second;
+  }
   int add_law(const HingeLaw& law) {
     yields_.hinge_laws.push_back(law);
     return static_cast<int>(yields_.hinge_laws.size()) - 1;
   }
-  [[nodiscard]] std::conditional_t<D == 2, FibreBeam, FibreBeam3> fibre_beam(const MemberFibres& fibres, double length,
+  [[nodiscard]] std::conditional_t<D == 2, FibreBeam, FibreBeam3> fibre_beam(const MemberFibres& fibres, int row,
+                                                                             double length,
                                                                              const std::array<bool, 2>& pinned) const {
-    const auto& section = yields_.sections[section_];
+    const auto& section = yields_.sections[row];
     if constexpr (D == 2) {
       const double shear = member_.shear ? elastic_.shear * member_.section.shear_area : 0;
       return make_fibre_beam(section, length, pinned, shear, fibres.rule, fibres.stations);
@@ -159,7 +169,9 @@ class YieldRows {
   const decltype(MemberMaterial<D>::elastic)& elastic_;
   YieldsOf<D>& yields_;
   int& memory_;  ///< of all beams of the model
-  int section_ = -1;
+  /// Beams whose lengths differ by less than this share have one section.
+  static constexpr double same_length = 1e-9;
+  std::vector<std::pair<double, int>> sections_;  ///< lengths [m] and rows
   std::array<int, 2> hinge_{-1, -1};
 };
 

@@ -56,11 +56,11 @@ void check_hinge(const FrameMemberOf<D>& member, int end, const HingeLaw& law, d
 
 /// The fibres of a member form beams; `length` of one [m].
 void check_fibres(const FrameMember& member, const MemberFibres& fibres, double length) {
-  make_fibre_beam(make_fibres(fibres.spec), length, member.pinned, 0, fibres.rule, fibres.stations);
+  make_fibre_beam(make_fibres(for_length(fibres.spec, length)), length, member.pinned, 0, fibres.rule, fibres.stations);
 }
 void check_fibres(const SpaceMember& member, const MemberFibres& fibres, double length) {
-  make_fibre_beam_in_space(make_fibres_in_space(fibres.spec), length, member.pinned, {}, 1, fibres.rule,
-                           fibres.stations);
+  make_fibre_beam_in_space(make_fibres_in_space(for_length(fibres.spec, length)), length, member.pinned, {}, 1,
+                           fibres.rule, fibres.stations);
 }
 
 /// Throws InputError, with `owner` in front, if a member cannot yield as specified. `length`: of its beams [m].
@@ -92,6 +92,9 @@ void check_member_materials(const FrameSpecOf<D>& frame, const std::string& body
   for (const FrameMemberOf<D>& m : frame.members) {
     const std::string& name = name_of_material(m, body_material);
     const Material* const material = material_named(materials, name);
+    if (material == nullptr && !name.empty())
+      throw InputError(fmt::format("{}: there is no material '{}' for its member '{}'; make it before, by m:material",
+                                   owner, name, name_of(frame, m)));
     if (material == nullptr || !material->solid)
       throw InputError(fmt::format("{}: its members need a material with a stiffness (E, nu); {} has none", owner,
                                    name.empty() ? "it" : "'" + name + "'"));

@@ -13,6 +13,7 @@
 #include "results/file/body_mass.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
+#include "results/reading/event_units.hpp"
 #include "results/reading/member_values.hpp"
 
 namespace trilith::results {
@@ -34,6 +35,7 @@ class Cells {
   Cells& cell(double value, std::string_view unit) { return cell(units_.shown(value, unit)); }
   /// A text of the engine, whose numbers are written in the units of the table.
   Cells& message(std::string_view text) { return cell(units_.message(text)); }
+  [[nodiscard]] std::string text_of(const EventRow& event) const { return text_in(event, units_); }
   [[nodiscard]] std::string unit(std::string_view si) const { return units_.name(si); }
   Cells& count(std::int64_t value) {
     out_.count(value);
@@ -116,7 +118,7 @@ void write_events(const ResultsReader& reader, Cells& out) {
       else
         out.cell(f.name).cell(f.value, f.unit).cell(out.unit(f.unit));
     }
-    out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).message(e.text).end_row();
+    out.cell(e.cause < 0 ? std::string() : fmt::format("{}", e.cause)).cell(out.text_of(e)).end_row();
   }
 }
 

@@ -95,6 +95,23 @@ results::BeamRow row_of(const Model<D>& model, const SomeBeam& beam, int member)
   return row;
 }
 
+/// The values in use of a fibre law. Fracture energies have become strains of the beam's length, so that optional
+/// values at their preset are left out.
+template <Declared L>
+std::string fibre_law_text(const L& law) {
+  std::string text = describe(law);
+  if constexpr (requires { L::always_in_fingerprint; }) {
+    std::size_t place = 0;
+    for (const Parameter<L>& p : L::parameters()) {
+      if (place++ < L::always_in_fingerprint || law.*(p.member) != p.preset) continue;
+      const std::string unused = fmt::format(", {}={:g}{}{}", p.name, p.preset, p.unit == "1" ? "" : " ",
+                                             p.unit == "1" ? std::string_view{} : std::string_view(p.unit));
+      if (const std::size_t at = text.find(unused); at != std::string::npos) text.erase(at, unused.size());
+    }
+  }
+  return text;
+}
+
 /// Laws of a section of fibres with the number and the area of their fibres.
 template <class FibreSectionOf>
 std::string section_text(const FibreSectionOf& section) {
@@ -103,7 +120,7 @@ std::string section_text(const FibreSectionOf& section) {
     double area = 0;
     for (int i = part.first; i < part.first + part.count; ++i) area += section.fibres[static_cast<std::size_t>(i)].area;
     text += fmt::format("{}{} fibres of {:.4g} m2: {}", text.empty() ? "" : "; ", part.count, area,
-                        std::visit([](const auto& law) { return describe(law); }, part.law));
+                        std::visit([](const auto& law) { return fibre_law_text(law); }, part.law));
   }
   return text;
 }

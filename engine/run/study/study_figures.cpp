@@ -108,7 +108,8 @@ StudyFigure figure_from_results(const std::filesystem::path& folder, const Study
       if (h.name != wanted.history) continue;
       const std::vector<double> values = results.history(h.name);
       if (values.empty()) throw InputError(fmt::format("history '{}' has no values", h.name));
-      return {wanted.column(), h.unit, take_from(values, wanted.take)};
+      const UnitSystem units = results.units();
+      return {wanted.column(), units.name(h.unit), units.shown(take_from(values, wanted.take), h.unit)};
     }
   }
   if (known.empty()) throw InputError("it left no results with histories; its script needs m:results and m:history");

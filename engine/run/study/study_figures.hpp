@@ -34,7 +34,7 @@ std::string figures_text(const std::vector<StudyFigure>& figures);
 std::vector<StudyFigure> figures_from(const std::string& text);
 
 /// The figure of `wanted` from the results files (*.h5) in `folder`: from the first file, by name, that contains the
-/// history. Throws InputError if none does.
+/// history, in the units of the script of the case. Throws InputError if none does.
 StudyFigure figure_from_results(const std::filesystem::path& folder, const StudyHistory& wanted);
 
 /// File in a case's folder with figures_text, written when the script of the case has ended.

@@ -191,16 +191,17 @@ int call_timed(lua_State* L) {
   return lua_gettop(L);
 }
 
-/// `core.timed(f, what)`: f itself; with a profile, a function that adds its run time under that name.
+/// `core.timed(f, what, written)`: f itself; with a profile, a function that adds its run time under that name and the
+/// place of `written`, the function of the script that f may wrap.
 int timed(lua_State* L) {
   Host& h = host(L);
-  lua_settop(L, 2);
+  lua_settop(L, 3);
   if (!h.profile.wanted || lua_type(L, 1) != LUA_TFUNCTION) {
     lua_settop(L, 1);
     return 1;
   }
   lua_Debug info;
-  lua_pushvalue(L, 1);
+  lua_pushvalue(L, lua_type(L, 3) == LUA_TFUNCTION ? 3 : 1);
   lua_getinfo(L, ">S", &info);
   h.profile.callbacks.push_back({fmt::format("{} at {}:{}", text_at(L, 2), info.short_src, info.linedefined), 0, 0});
   lua_settop(L, 1);

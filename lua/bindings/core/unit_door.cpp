@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/exact_message.hpp"
 #include "base/units.hpp"
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/guard.hpp"
@@ -102,7 +103,9 @@ int name_of_unit(lua_State* L) {
 }
 
 int message_in_units(lua_State* L) {
-  const std::string text = host(L).units.message(text_at(L, 1));
+  const std::string unit = lua_type(L, 3) == LUA_TSTRING ? text_at(L, 3) : "";
+  const std::array exact{ExactNumber{lua_tonumber(L, 2), unit}};
+  const std::string text = exact_message(host(L).units, text_at(L, 1), exact);
   lua_pushlstring(L, text.data(), text.size());
   return 1;
 }

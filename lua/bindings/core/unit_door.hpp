@@ -46,7 +46,8 @@ int dimension_of_unit(lua_State* L);
 int take_units(lua_State* L);
 /// core.unit_name(unit): the unit of the script for a quantity in this SI unit.
 int name_of_unit(lua_State* L);
-/// core.unit_message(text): the text with its numbers in the units of the script.
+/// core.unit_message(text, value, unit): the text with its numbers in the units of the script. `value`, in an SI unit,
+/// is the exact number that the text gives rounded; both may be left out.
 int message_in_units(lua_State* L);
 
 /// A number with a unit or a point was read from a script, or the factor of a unit was given to it.

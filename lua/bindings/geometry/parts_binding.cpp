@@ -4,6 +4,7 @@
 
 #include "bindings/core/bindings.hpp"
 #include "bindings/geometry/bridge_book.hpp"
+#include "bindings/geometry/mesh_file.hpp"
 #include "bindings/geometry/part_makers.hpp"
 #include "bindings/geometry/part_reading.hpp"
 #include "bindings/geometry/solid_makers.hpp"
@@ -173,16 +174,12 @@ std::array<int, 4> element_at(lua_State* L, Keys& keys, lua_Integer number) {
   return element;
 }
 
-/// { file = "x.msh" } or { nodes = {{x, y}, ...}, elements = {{1, 2, 3, 4}, ...} } at the top of the stack.
+/// { file = "x.msh", scale = 1 } or { nodes = {{x, y}, ...}, elements = {{1, 2, 3, 4}, ...} } at the top of the stack.
 Mesh mesh_at(lua_State* L) {
   Keys keys(L, -1, "mesh");
   Mesh mesh;
   const std::string file = keys.text("file", "");
-  if (!file.empty()) {
-    keys.finish();
-    const std::filesystem::path path = file;
-    return read_gmsh(path.is_absolute() ? path : host(L).folder() / path);
-  }
+  if (!file.empty()) return mesh_of_file(keys, file, read_gmsh);
   mesh.node = keys.points("nodes");
   if (keys.push("elements") != LUA_TTABLE) keys.wrong("elements", "a list { {1, 2, 3, 4}, ... } of numbers of nodes");
   const auto count = lua_type(L, -1) == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
@@ -208,7 +205,7 @@ std::optional<Mesh> read_mesh(Keys& keys) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong("mesh", "{ file = } or { nodes = , elements = }");
+    keys.wrong("mesh", "{ file = , scale = } or { nodes = , elements = }");
   }
   lua_pop(L, 1);
   return mesh;

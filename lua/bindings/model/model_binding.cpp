@@ -82,6 +82,7 @@ const char* const storeys_field = "storeys";
 void push_verdict(lua_State* L, const ModelBox& box) {
   const Verdict& verdict = box.get().verdict();
   lua_createtable(L, 0, 4);
+  luaL_setmetatable(L, "trilith.findings");
   lua_pushboolean(L, verdict.sound() ? 1 : 0);
   lua_setfield(L, -2, "sound");
   lua_pushnumber(L, verdict.sound() ? box.get().time() : verdict.sound_until());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bindings/core/bindings.hpp"
+#include "bindings/geometry/mesh_file.hpp"
 #include "bindings/geometry/part_reading.hpp"
 #include "bindings/geometry/solid_makers.hpp"
 #include "bindings/readings/body_reading.hpp"
@@ -235,15 +236,12 @@ SpaceCell cell_at(lua_State* L, Keys& keys, lua_Integer number) {
   return cell;
 }
 
-/// { file = "x.msh" } or { nodes = {{x, y, z}, ...}, elements = {{1, 2, ...}, ...} } at the top of the stack.
+/// { file = "x.msh", scale = 1 } or { nodes = {{x, y, z}, ...}, elements = {{1, 2, ...}, ...} } at the top of the
+/// stack.
 SpaceMesh space_mesh_at(lua_State* L) {
   Keys keys(L, -1, "mesh");
   const std::string file = keys.text("file", "");
-  if (!file.empty()) {
-    keys.finish();
-    const std::filesystem::path path = file;
-    return read_gmsh_in_space(path.is_absolute() ? path : host(L).folder() / path);
-  }
+  if (!file.empty()) return mesh_of_file(keys, file, read_gmsh_in_space);
   SpaceMesh mesh;
   mesh.node = keys.vectors("nodes");
   if (keys.push("elements") != LUA_TTABLE) keys.wrong("elements", "a list { {1, 2, 3, 4}, ... } of numbers of nodes");
@@ -269,7 +267,7 @@ std::optional<SpaceMesh> read_space_mesh(Keys& keys) {
       keys.problem(e.what());
     }
   } else if (type != LUA_TNIL) {
-    keys.wrong("mesh", "{ file = } or { nodes = , elements = }");
+    keys.wrong("mesh", "{ file = , scale = } or { nodes = , elements = }");
   }
   lua_pop(keys.lua(), 1);
   return mesh;

@@ -233,7 +233,10 @@ void read_followed(Keys& keys, History& h, ScriptModel& m) {
                      follow_key<BearingHandle>(keys, "bearing", h, what, m) ||
                      follow_key<SeatHandle>(keys, "seat", h, what, m);
   if (!owned) follow_model(keys, h, what, m);
-  if (!keys.has("seepage")) keys.refuse("at", "'at' is a place along a joint; give seepage, the name of the joint");
+  if (!keys.has("seepage"))
+    keys.refuse("at", keys.has("body") ? "'at' is a place along a joint of seepage; for a point of a body give of = "
+                                         "function() return (body:point { x, y }) end"
+                                       : "'at' is a place along a joint; give seepage, the name of the joint");
   if (what != "temperature" || !keys.has("body"))
     keys.refuse("point", "'point' is of a body's temperature; give body and what = \"temperature\", or leave it out");
   keys.know({"body", "bearing", "seat", "storey", "seepage", "at", "point", "every"});

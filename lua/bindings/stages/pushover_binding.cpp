@@ -88,17 +88,28 @@ GroundMotion push_motion(const Simulation<D>& sim, const PushOrder<D>& o) {
   return gentle_motion(o.displacement, gentle_acceleration, std::min(gentle_periods * period, longest_gentle));
 }
 
+/// The part of a peak that the structure carries, and a remedy. Below 0 the supports push along with it: the masses
+/// swing, and a slower push does not end this.
+std::string inertia_text(const PushPeak& peak, double slower, bool gently) {
+  if (peak.carried <= 0)
+    return fmt::format(
+        "the structure carries none of it, and its masses take {}: it swings, as after a break or an "
+        "impact. Read the curve before this displacement, or use control = \"arc\"",
+        quantity_text(peak.force - peak.carried, "N"));
+  return fmt::format(
+      "the structure carries {} of it, and inertia and damping the rest, {:.1f} %. Push more slowly, at "
+      "{:.2g} m/s or less, {}or use control = \"arc\"",
+      quantity_text(peak.carried, "N"), 100 * peak.share_of_inertia(), slower, gently ? "" : "or leave out rate, ");
+}
+
 /// A peak with a share of inertia and damping is not a capacity.
 void note_inertia(lua_State* L, ScriptModel& m, const std::string& name, double rate, double usual, bool gently,
                   const PushPeak& peak) {
   if (peak.is_static()) return;
   const double slower = std::min(usual, rate * PushPeak::most_of_inertia / peak.share_of_inertia());
-  m.note_at_once(fmt::format("{}{}: the peak of {} at {} is not a static capacity: the structure carries {} of it, and "
-                             "inertia and damping "
-                             "the rest, {:.1f} %. Push more slowly, at {:.2g} m/s or less, {}or use control = \"arc\"",
-                             caution_mark, name, quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"),
-                             quantity_text(peak.carried, "N"), 100 * peak.share_of_inertia(), slower,
-                             gently ? "" : "or leave out rate, "),
+  m.note_at_once(fmt::format("{}{}: the peak of {} at {} is not a static capacity: {}", caution_mark, name,
+                             quantity_text(peak.force, "N"), quantity_text(peak.displacement, "m"),
+                             inertia_text(peak, slower, gently)),
                  host(L));
 }
 

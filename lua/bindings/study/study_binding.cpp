@@ -10,6 +10,7 @@
 #include "bindings/core/bindings.hpp"
 #include "bindings/core/interrupt_watch.hpp"
 #include "bindings/core/no_solution_error.hpp"
+#include "bindings/core/unit_door.hpp"
 #include "bindings/readings/figures_reading.hpp"
 #include "bindings/study/study_order.hpp"
 #include "bindings/study/study_reading.hpp"
@@ -56,13 +57,25 @@ Wanted read_wanted(Keys& keys) {
   return w;
 }
 
-/// The parameters of a case as a table, numbers in SI if the plan names their unit.
-void push_parameters(lua_State* L, const StudyPlan& plan, std::size_t index) {
+/// A number of the script's parameter in `unit` [SI], or in the units of the script if its models have some.
+double parameter_number(const Host& h, double number, const std::string& unit) {
+  if (unit.empty()) return number;
+  const UnitProduct product = parse_unit(unit);
+  if (h.units.is_si()) {
+    count_quantity();
+    return number * product.factor;
+  }
+  return h.units.shown(number * product.factor, si_unit(product.dimension));
+}
+
+/// The parameters of a case as a table; a number whose unit the plan names is in the units of the script's models, or
+/// in SI.
+void push_parameters(lua_State* L, const Host& h, const StudyPlan& plan, std::size_t index) {
   lua_newtable(L);
   for (std::size_t k = 0; k < plan.names.size(); ++k) {
     const StudyValue& value = plan.cases[index][k];
     if (const auto* number = std::get_if<double>(&value))
-      lua_pushnumber(L, plan.units[k].empty() ? *number : *number * parse_unit(plan.units[k]).factor);
+      lua_pushnumber(L, parameter_number(h, *number, plan.units[k]));
     else if (const auto* flag = std::get_if<bool>(&value))
       lua_pushboolean(L, *flag ? 1 : 0);
     else
@@ -84,7 +97,7 @@ void make_state(lua_State* L) {
 /// Calls the case's function with its parameters and the result of `before`; stores its figures.
 void call_case(lua_State* L, Host& h, const StudyPlan& plan, std::size_t index) {
   lua_getfield(L, 1, "case");
-  push_parameters(L, plan, index);
+  push_parameters(L, h, plan, index);
   lua_getfield(L, LUA_REGISTRYINDEX, state_key);
   for (std::size_t k = 0; k < plan.names.size(); ++k)
     h.parameters.push_back({plan.names[k], text_of(plan.cases[index][k]), plan.units[k], "", "of the study"});

@@ -11,6 +11,7 @@
 #include "program/units_option.hpp"
 #include "program/verbs.hpp"
 #include "results/reading/event_table.hpp"
+#include "results/reading/event_units.hpp"
 #include "results/reading/info.hpp"
 #include "results/study/study_info.hpp"
 
@@ -44,7 +45,8 @@ int show_info(const InfoOptions& options) {
     return ended_well;
   }
   tell_of_newer_run(reader);
-  const std::vector<results::EventRow> events = options.of_note ? draw::events_of_note(reader) : reader.events();
+  std::vector<results::EventRow> events = options.of_note ? draw::events_of_note(reader) : reader.events();
+  for (results::EventRow& e : events) e.text = results::text_in(e, units);
   fmt::print("{}",
              terminal_text(units.message(results::event_table(events, results::time_origin(reader, options.since)))));
   return ended_well;

@@ -139,3 +139,101 @@ TEST_CASE("inconsistent parameters of concrete are rejected") {
 }
 
 }  // namespace trilith
+
+namespace trilith {
+namespace {
+
+/// Energy per area that a bar of `length`, one fibre, dissipates beyond its peak. It is the work of the stress on the
+/// displacement, with the elastic energy at the peak.
+template <class L>
+double softening_energy(const L& law, double length, double last_strain, int steps = 200'000) {
+  LedFibre<L> led{law};
+  const double peak = law.peak_strain();
+  led.to(-peak);
+  double work = 0.5 * led.now.stress() * led.now.stress() / law.initial();
+  for (int i = 1; i <= steps; ++i) {
+    const double before = led.now.stress(), strain = (last_strain - peak) / steps;
+    led.to(-(peak + i * strain));
+    work += -0.5 * (before + led.now.stress()) * strain;
+  }
+  return length * (work - 0.5 * led.now.stress() * led.now.stress() / law.initial());
+}
+
+}  // namespace
+
+TEST_CASE("with a fracture energy a bar of any length dissipates this energy as it softens") {
+  constexpr double energy = 25e3;  // [J/m2]
+  for (const double length : {0.05, 0.2, 0.6}) {
+    KentPark kent{fc, 0.002, 0.006, 0.2, 1.1, 0, 0};
+    kent.crush_energy = energy;
+    const KentPark own = kent.for_length(length);
+    CHECK(near(softening_energy(own, length, own.ultimate), energy, 1e-6));
+    CHECK(own.crush_energy == 0);
+
+    Mander mander{fc, 27e9, 0.002, 0.012, 0.1, 1.2, 0, 0};
+    mander.crush_energy = energy;
+    const Mander stretched = mander.for_length(length);
+    const double end = stretched.peak_strain() + stretched.stretch * (mander.ultimate - mander.peak_strain());
+    CHECK(near(softening_energy(stretched, length, end * (1 - 1e-12)), energy, 1e-5));
+    CHECK(near(stretched.envelope(end * (1 + 1e-9)).stress, 0.1 * 1.2 * fc, 1e-12));
+  }
+}
+
+TEST_CASE("the strain of Coleman and Spacone for 20 % residual stress") {
+  KentPark law{fc, 0.002, 0.006, 0.2, 1, 0, 0};
+  law.crush_energy = 20e3;
+  const double length = 0.3, e20 = 20e3 / (0.6 * fc * length) - 0.8 * fc / law.initial() + 0.002;
+  CHECK(near(law.for_length(length).ultimate, e20, 1e-12));
+}
+
+TEST_CASE("the tangent of a stretched envelope is its slope, and stretch 1 has the bits of the plain curve") {
+  Mander law{fc, 27e9, 0.002, 0.012, 0.1, 1.2, 0, 0};
+  for (const double stretch : {0.3, 1.0, 4.0}) {
+    law.stretch = stretch;
+    for (const double e : {0.001, 0.0035, 0.0045, 0.006}) {
+      constexpr double h = 1e-7;
+      const double slope = (law.envelope(e + h).stress - law.envelope(e - h).stress) / (2 * h);
+      CHECK(std::abs(law.envelope(e).slope - slope) < 1e-4 * law.young);
+    }
+  }
+}
+
+TEST_CASE("a crack dissipates its fracture energy in beams of any length") {
+  KentPark law{fc, 0.002, 0.006, 0.2, 1, 2e6, 0};
+  law.energy_tension = 100;
+  for (const double length : {0.05, 0.3, 1.0}) {
+    const KentPark own = law.for_length(length);
+    CHECK(near(0.5 * law.tension * own.tension_end * length, 100, 1e-12));
+    LedFibre<KentPark> led{own};
+    double work = 0;
+    constexpr int steps = 20'000;
+    for (int i = 1; i <= steps; ++i) {
+      const double before = led.now.stress();
+      led.to(own.tension_end * i / steps);
+      work += 0.5 * (before + led.now.stress()) * own.tension_end / steps;
+    }
+    CHECK(near(length * work, 100, 1e-4));
+  }
+}
+
+TEST_CASE("a beam that would snap back as it softens, and energies without effect, are rejected") {
+  KentPark law{fc, 0.002, 0.006, 0.2, 1, 2e6, 0};
+  law.crush_energy = 20e3;
+  // The line falls straight down where the bar's own elastic energy is the fracture energy.
+  const double longest = 20e3 / (0.6 * fc * 0.8 * fc / law.initial());
+  CHECK_NOTHROW((void)law.for_length(0.999 * longest));
+  CHECK_THROWS_WITH_AS((void)law.for_length(1.001 * longest), doctest::Contains("more divisions"), InputError);
+  law.residual = 1;
+  CHECK_THROWS_AS(law.check(), InputError);
+  law.residual = 0.2, law.energy_tension = 100, law.tension_end = 1e-3;
+  CHECK_THROWS_AS(law.check(), InputError);
+  law.tension_end = 0, law.tension = 0;
+  CHECK_THROWS_AS(law.check(), InputError);
+  Mander mander{fc, 27e9, 0.002, 0.012, 0.1, 1.2, 0, 0};
+  mander.crush_energy = 25e3, mander.stretch = 2;
+  CHECK_THROWS_AS(mander.check(), InputError);
+  mander.stretch = 1;
+  CHECK_THROWS_WITH_AS((void)mander.for_length(50), doctest::Contains("more divisions"), InputError);
+}
+
+}  // namespace trilith

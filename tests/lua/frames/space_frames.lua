@@ -149,6 +149,7 @@ refused("without a second moment across; give it inertia_across",
 refused("without a profile; give it width",
   beam { section = trilith.section { area = 0.1, inertia = 1e-3, depth = 0.4, torsion = 1e-3, inertia_across = 1e-3 } })
 refused("its members need a material with a stiffness (E, nu); 'stone' has none", beam { material = "stone" })
+refused("there is no material 'ston' for its member", beam { material = "ston" })
 refused("'to' is {1, 2}, must be {x, y, z}, three finite numbers", beam { to = { 1, 2 } })
 refused("pinned at both ends; give it at least two divisions", beam { pinned = { "from", "to" }, divisions = 1 })
 refused("unknown key 'oriented'", beam { oriented = 1 })

@@ -134,8 +134,8 @@ local other = math.sqrt(1e8/2000)/(2*math.pi)
 local function fit() return three:calibrate { frequency = 0.9*other, vary = "mortar.kn", shape = up } end
 local ok, said = pcall(fit)
 local from, to, soft, stiff = tostring(said):match(
-  "calibrate: the frequency falls from ([%d.]+) to ([%d.]+) Hz while mortar.kn rises from ([%d.e+]+) to ([%d.e+]+); "
-  .. "give a mode by its number, or narrower bounds")
+  "calibrate: the frequency falls from ([%d.]+) to ([%d.]+) Hz while mortar.kn rises from ([%d.e+]+) Pa/m "
+  .. "to ([%d.e+]+) Pa/m; give a mode by its number, or narrower bounds")
 assert(not ok and from, tostring(said))
 near(tonumber(to), other, 1e-4)
 assert(tonumber(from) > other and tonumber(soft) < tonumber(stiff))
