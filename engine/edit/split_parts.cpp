@@ -107,6 +107,8 @@ class SplitParts {
       if (kept.size() > 2) see(part, static_cast<int>(node_of(model_, part)), kept);
     }
   }
+  /// A plane divides each face that it meets.
+  [[nodiscard]] static bool is_at_crack(const WetFace<D>& /*face*/) { return false; }
   template <class See>
   void for_new_faces(See&& see) const {
     for (const int part : {split_.behind, split_.ahead})
