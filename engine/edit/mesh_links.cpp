@@ -264,8 +264,16 @@ void hand_over_mesh_links(Model<D>& model, const SplitBody& split, const MeshCut
   const MeshLinks<D> parts(model, split, rows, cut);
   give_ends(model, rows, parts);
   give_loads_of_mesh(model, parts);
+  give_field_faces(model, parts);
   copy_conditions(model, rows, split.body);
 }
+std::vector<SplitFace> mesh_crack_faces(const Model<2>& model, const SplitBody& split, const MeshCut& cut) {
+  const MeshParts<2> rows(model, split, cut);
+  std::vector<SplitFace> out;
+  MeshLinks<2>(model, split, rows, cut).for_new_faces([&](const SplitFace& face) { out.push_back(face); });
+  return out;
+}
+
 template void hand_over_mesh_links(Model<2>&, const SplitBody&, const MeshCut&);
 template void hand_over_mesh_links(Model<3>&, const SplitBody&, const MeshCut&);
 

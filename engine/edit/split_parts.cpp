@@ -258,9 +258,16 @@ void hand_over_links(Model<D>& model, const SplitBody& split, const CrackSection
   for (Push<D>& push : model.pushes)
     for (PushRow<D>& row : push.rows) parts.give(row);
   give_loads(model, parts);
+  give_field_faces(model, parts);
   const std::size_t n = node_of(model, split.body);
   for (const int part : {split.behind, split.ahead})
     model.load[node_of(model, part)] = model.mass[node_of(model, part)] / model.mass[n] * model.load[n];
+}
+
+std::vector<SplitFace> crack_faces(const Model<2>& model, const SplitBody& split, const CrackSection<2>& section) {
+  std::vector<SplitFace> out;
+  SplitParts<2>(model, split, section).for_new_faces([&](const SplitFace& face) { out.push_back(face); });
+  return out;
 }
 
 template void place_parts(const Model<2>&, State<2>&, const SplitBody&);
