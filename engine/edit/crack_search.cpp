@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "assembly/contact/solid_resultants.hpp"
+#include "assembly/field/joint_water.hpp"
 #include "base/rotation_3d.hpp"
 #include "edit/mesh_section.hpp"
 #include "geometry/space/face_overlap_3d.hpp"
@@ -172,6 +173,10 @@ void find_surface_loads(const Model<D>& model, const State<D>& state, const Work
     LoadSizes<D> on{{model, state, &work, &work.closed_joints}, load[static_cast<std::size_t>(row)]};
     one.apply(on, part);
   });
+  if constexpr (D == 2)
+    if (has_joint_water(model))
+      for (std::size_t i = 0; i < load.size(); ++i)
+        load[i] += thrust_on_body(model, state, cracking.bodies[i].body, Vec2::Zero()).force.norm();
 }
 
 SectionUse use_of(const ContactLaw& law, const CrackingBody<2>& body, const CrackSection<2>& section,

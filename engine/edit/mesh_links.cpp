@@ -117,37 +117,15 @@ class MeshLinks {
     }
   }
 
-  /// Adds the faces of the crack to the wet faces of the parts, if one of the wet faces of the body reaches its edge.
-  void wet_crack(const std::vector<WetFace<D>>& faces, std::vector<WetFace<D>>& given) const {
-    const auto at = std::find_if(faces.begin(), faces.end(), [&](const WetFace<D>& f) { return reaches_crack(f); });
-    if (at == faces.end()) return;
-    for_new_faces([&](const auto& face) {
-      if constexpr (D == 2)
-        given.push_back({face.body, face.skin_a, face.skin_b, 0, 1, at->depth});
-      else
-        given.push_back(face);
-    });
-  }
-
-  // Only rigid bodies have loads over whole faces and axes of their own.
-
-  [[nodiscard]] Turn3 axes_of(int /*part*/) const requires(D == 3) { return Turn3(UnitQuaternion{}); }
-  [[nodiscard]] std::vector<Vec3> corners_of(int /*face*/) const requires(D == 3) { return {}; }
-  [[nodiscard]] int face_with(int /*part*/, int face, const std::vector<Vec3>& /*corners*/) const requires(D == 3) {
-    return face;
-  }
-  template <class See>
-  void for_polygon(const std::vector<Vec3>& /*corners*/, See&& /*see*/) const requires(D == 3) {}
-
- private:
-  /// A wet end of the face is a node of the cut.
-  [[nodiscard]] bool reaches_crack(const WetFace<2>& face) const requires(D == 2) {
+  /// In the plane a wet end of the face is a node of the cut.
+  [[nodiscard]] bool is_at_crack(const WetFace<2>& face) const requires(D == 2) {
     const auto is_on_both = [&](int skin) { return parts_.skin_copy(0, skin) >= 0 && parts_.skin_copy(1, skin) >= 0; };
     return is_on(face.body) &&
            ((face.from <= 0 && is_on_both(face.skin_a)) || (face.to >= 1 && is_on_both(face.skin_b)));
   }
-  /// Two wet corners of the face are nodes of the cut. Corners lie on the plane that is fitted to a warped face.
-  [[nodiscard]] bool reaches_crack(const WetFace<3>& face) const requires(D == 3) {
+  /// In space two wet corners of the face are nodes of the cut. Corners lie on the plane that is fitted to a warped
+  /// face.
+  [[nodiscard]] bool is_at_crack(const WetFace<3>& face) const requires(D == 3) {
     if (!is_on(face.body) || !on_frame(face.at)) return false;
     constexpr double same_place = 1e-3;  // share of the size of the face
     const BodyMotion start = start_of(model_, face.at.node[0]);
@@ -162,6 +140,18 @@ class MeshLinks {
     };
     return std::count_if(face.corners.begin(), face.corners.end(), touches) >= 2;
   }
+
+  // Only rigid bodies have loads over whole faces and axes of their own.
+
+  [[nodiscard]] Turn3 axes_of(int /*part*/) const requires(D == 3) { return Turn3(UnitQuaternion{}); }
+  [[nodiscard]] std::vector<Vec3> corners_of(int /*face*/) const requires(D == 3) { return {}; }
+  [[nodiscard]] int face_with(int /*part*/, int face, const std::vector<Vec3>& /*corners*/) const requires(D == 3) {
+    return face;
+  }
+  template <class See>
+  void for_polygon(const std::vector<Vec3>& /*corners*/, See&& /*see*/) const requires(D == 3) {}
+
+ private:
   [[nodiscard]] int first_node() const { return model_.bodies[static_cast<std::size_t>(split_.body)].first_node; }
   /// In space: attached to a contact frame, see model/contact/contact_frame.hpp.
   [[nodiscard]] static bool on_frame(const Attachment<D>& at) { return D == 3 && at.node[0] < 0; }
@@ -219,8 +209,6 @@ void give_load(const L& load, const MeshLinks<D>& parts, std::vector<L>& given) 
       return;
     }
   hand_over(load, parts, given);
-  // Water at rest wets the crack as well.
-  if constexpr (requires(L l, WetFace<D> f) { l.faces.push_back(f); }) parts.wet_crack(load.faces, given.back().faces);
 }
 
 /// Supports, motions and steady forces of the nodes.
@@ -276,8 +264,16 @@ void hand_over_mesh_links(Model<D>& model, const SplitBody& split, const MeshCut
   const MeshLinks<D> parts(model, split, rows, cut);
   give_ends(model, rows, parts);
   give_loads_of_mesh(model, parts);
+  give_field_faces(model, parts);
   copy_conditions(model, rows, split.body);
 }
+std::vector<SplitFace> mesh_crack_faces(const Model<2>& model, const SplitBody& split, const MeshCut& cut) {
+  const MeshParts<2> rows(model, split, cut);
+  std::vector<SplitFace> out;
+  MeshLinks<2>(model, split, rows, cut).for_new_faces([&](const SplitFace& face) { out.push_back(face); });
+  return out;
+}
+
 template void hand_over_mesh_links(Model<2>&, const SplitBody&, const MeshCut&);
 template void hand_over_mesh_links(Model<3>&, const SplitBody&, const MeshCut&);
 

@@ -34,6 +34,21 @@ MeshParts<D>::MeshParts(const Model<D>& model, const SplitBody& split, const Mes
 }
 
 template <int D>
+std::vector<int> MeshParts<D>::continued_nodes() const {
+  std::vector<int> out;
+  for (const int side : {0, 1}) {
+    const Body& part = model_.bodies[static_cast<std::size_t>(body(side))];
+    const std::size_t first = out.size();
+    out.resize(first + static_cast<std::size_t>(part.nodes), -1);
+    const std::vector<int>& copies = copy_[static_cast<std::size_t>(side)];
+    for (std::size_t i = 0; i < copies.size(); ++i)
+      if (copies[i] >= 0)
+        out[first + static_cast<std::size_t>(copies[i] - part.first_node)] = first_node_ + static_cast<int>(i);
+  }
+  return out;
+}
+
+template <int D>
 void MeshParts<D>::add_pieces(int side) {
   const auto at = static_cast<std::size_t>(side);
   const Body& part = model_.bodies[static_cast<std::size_t>(body(side))];

@@ -30,6 +30,8 @@ class MeshParts {
   [[nodiscard]] int copy(int side, int node) const {
     return copy_[static_cast<std::size_t>(side)][static_cast<std::size_t>(node - first_node_)];
   }
+  /// For each node of the part behind, then of the part ahead, the node of the body that it continues.
+  [[nodiscard]] std::vector<int> continued_nodes() const;
   [[nodiscard]] bool on_both(int node) const { return copy(0, node) >= 0 && copy(1, node) >= 0; }
   /// The piece that continues a piece of the body.
   [[nodiscard]] PartPiece piece(int piece) const;

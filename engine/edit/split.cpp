@@ -12,6 +12,7 @@
 #include "edit/restart.hpp"
 #include "edit/split_contacts.hpp"
 #include "edit/split_contacts_space.hpp"
+#include "edit/split_fields.hpp"
 #include "edit/split_mesh.hpp"
 #include "edit/split_parts.hpp"
 #include "law/contact/list.hpp"
@@ -117,6 +118,19 @@ std::vector<SolidRecord> records_of(const Model<3>& model, const State<3>& state
   return solid_records(model, state, work);
 }
 
+/// Moves the links and fields of a rigid body to its parts.
+template <int D>
+void give_rigid(Model<D>& model, State<D>& state, const SplitBody& parts, const CrackingBody<D>& row,
+                const CrackSection<D>& section) {
+  place_parts(model, state, parts);
+  hand_over_links(model, parts, section);
+  const int whole = model.bodies[static_cast<std::size_t>(parts.body)].first_node;
+  split_heat(model, state, parts, {whole, whole});
+  if constexpr (D == 2)
+    split_seepage(model, state, parts, crack_faces(model, parts, section),
+                  model.laws[static_cast<std::size_t>(row.law)]);
+}
+
 /// Moves a mesh to its parts, with all its contacts.
 template <int D, class Records>
 Records give_mesh(Model<D>& model, State<D>& state, const Records& records, const SplitBody& parts,
@@ -124,6 +138,10 @@ Records give_mesh(Model<D>& model, State<D>& state, const Records& records, cons
   const MeshCut& cut = *row.sections[static_cast<std::size_t>(crack.section)].cut;
   place_mesh_parts(model, state, parts, cut);
   hand_over_mesh_links(model, parts, cut);
+  split_heat(model, state, parts, MeshParts<D>(model, parts, cut).continued_nodes());
+  if constexpr (D == 2)
+    split_seepage(model, state, parts, mesh_crack_faces(model, parts, cut),
+                  model.laws[static_cast<std::size_t>(row.law)]);
   Records given = mesh_handed_over(model, state, records, parts, cut);
   const Records own = mesh_crack_contacts(model, state, parts, row, crack);
   given.insert(given.end(), own.begin(), own.end());
@@ -163,8 +181,7 @@ std::vector<Event> split(Model<D>& model, State<D>& state, Work<D>& work, const 
     if (section.cut) {
       records = give_mesh(model, state, records, parts, row, crack);
     } else {
-      place_parts(model, state, parts);
-      hand_over_links(model, parts, section);
+      give_rigid(model, state, parts, row, section);
       records = divided(model, state, records, parts, section);
       if (auto contact = crack_contact(model, state, parts, row, crack)) records.push_back(std::move(*contact));
     }

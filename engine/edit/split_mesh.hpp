@@ -20,6 +20,9 @@ void place_mesh_parts(const Model<D>& model, State<D>& state, const SplitBody& s
 template <int D>
 void hand_over_mesh_links(Model<D>& model, const SplitBody& split, const MeshCut& cut);
 
+/// As crack_faces of rigid bodies, see edit/split_parts.hpp.
+std::vector<SplitFace> mesh_crack_faces(const Model<2>& model, const SplitBody& split, const MeshCut& cut);
+
 /// Gives the contacts of the body to its parts, which have the same faces.
 std::vector<ContactRecord> mesh_handed_over(const Model<2>& model, const State<2>& state,
                                             const std::vector<ContactRecord>& records, const SplitBody& split,

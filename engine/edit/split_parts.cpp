@@ -107,6 +107,8 @@ class SplitParts {
       if (kept.size() > 2) see(part, static_cast<int>(node_of(model_, part)), kept);
     }
   }
+  /// A plane divides each face that it meets.
+  [[nodiscard]] static bool is_at_crack(const WetFace<D>& /*face*/) { return false; }
   template <class See>
   void for_new_faces(See&& see) const {
     for (const int part : {split_.behind, split_.ahead})
@@ -256,9 +258,16 @@ void hand_over_links(Model<D>& model, const SplitBody& split, const CrackSection
   for (Push<D>& push : model.pushes)
     for (PushRow<D>& row : push.rows) parts.give(row);
   give_loads(model, parts);
+  give_field_faces(model, parts);
   const std::size_t n = node_of(model, split.body);
   for (const int part : {split.behind, split.ahead})
     model.load[node_of(model, part)] = model.mass[node_of(model, part)] / model.mass[n] * model.load[n];
+}
+
+std::vector<SplitFace> crack_faces(const Model<2>& model, const SplitBody& split, const CrackSection<2>& section) {
+  std::vector<SplitFace> out;
+  SplitParts<2>(model, split, section).for_new_faces([&](const SplitFace& face) { out.push_back(face); });
+  return out;
 }
 
 template void place_parts(const Model<2>&, State<2>&, const SplitBody&);

@@ -1,12 +1,14 @@
 // Data of a model that move from a body that has split to its parts: motion, bearings, seats and loads.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "edit/split_contacts.hpp"
 #include "load/list.hpp"
 #include "model/crack_planes.hpp"
+#include "model/field/heat.hpp"
 #include "model/state.hpp"
 
 namespace trilith {
@@ -31,5 +33,55 @@ void replace_loads(Model<D>& model, Give&& give) {
     }
   });
 }
+
+/// Joints with the faces of a body, and their ends on it, on its parts.
+template <class Parts>
+JointFlow given_joints(JointFlow flow, const Parts& parts) {
+  for (FlowJoint& joint : flow.joints) {
+    if (!joint.has_bodies()) continue;
+    int body = -1;
+    parts.give(joint.heel, body), parts.give(joint.toe, body);
+    for (std::vector<FlowFace>* faces : {&joint.upper, &joint.lower}) {
+      const std::vector<FlowFace> whole = std::move(*faces);
+      faces->clear();
+      for (const FlowFace& face : whole) {
+        if (!parts.is_on(face.body)) {
+          faces->push_back(face);
+          continue;
+        }
+        parts.for_face(SplitFace{face.body, face.skin_a, face.skin_b}, [&](const SplitFace& part) {
+          faces->push_back({part.body, part.skin_a, part.skin_b, face.depth});
+        });
+      }
+    }
+  }
+  return flow;
+}
+
+/// Gives the faces of a body at which its fields exchange to its parts: see HeatFaces, and FlowJoint. `parts`: see
+/// load/load_kind.hpp.
+template <int D, class Parts>
+void give_field_faces(Model<D>& model, const Parts& parts) {
+  if (const auto heat = field_of(model.fields, FieldKind::heat); heat && heat->faces) {
+    HeatFaces<D> faces = heat_faces<D>(*heat);
+    for (ExchangeFaces<D>& row : faces.rows) {
+      const std::vector<WetFace<D>> whole = std::move(row.faces);
+      split_faces(parts, whole, row.faces, false);
+    }
+    Field given = *heat;
+    given.faces = std::make_shared<const HeatFaces<D>>(std::move(faces));
+    set_field(model.fields, std::move(given));
+  }
+  if constexpr (D == 2)
+    if (const auto water = field_of(model.fields, FieldKind::seepage)) {
+      Field given = *water;
+      given.flow = std::make_shared<const JointFlow>(given_joints(*water->flow, parts));
+      set_field(model.fields, std::move(given));
+    }
+}
+
+/// The faces of the crack of a body that has split, from one end to the other: for each the face of the part behind,
+/// then of the part ahead, counter-clockwise on its part.
+std::vector<SplitFace> crack_faces(const Model<2>& model, const SplitBody& split, const CrackSection<2>& section);
 
 }  // namespace trilith

@@ -81,6 +81,7 @@ void add_flow(Hash& hash, const JointFlow& flow) {
     for (const double v : {j.length, j.width, j.elevation[0], j.elevation[1], j.aperture[0], j.aperture[1],
                            j.compliance, j.coupling, j.density, j.viscosity, j.bulk_modulus, j.weight})
       add_number(hash, v);
+    if (j.crack_aperture > 0) add_number(hash, j.crack_aperture);
     for (const std::vector<FlowFace>* faces : {&j.upper, &j.lower})
       for (const FlowFace& f : *faces)
         add_number(hash, f.body), add_number(hash, f.skin_a), add_number(hash, f.skin_b), add_number(hash, f.depth);

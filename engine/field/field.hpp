@@ -114,6 +114,10 @@ struct FreeStrain {
   std::array<double, 2> bend{};
 };
 
+/// The faces of bodies at which cells exchange with surroundings, or have their values: HeatFaces in
+/// model/field/heat.hpp.
+struct FieldFaces {};
+
 struct Field {
   FieldKind kind = FieldKind::heat;
   std::vector<double> capacity;  ///< [cell] [J/K]
@@ -122,6 +126,7 @@ struct Field {
   std::vector<FieldSurrounding> surroundings;
   std::vector<FieldExchange> exchange;
   std::vector<FieldHeld> held;
+  std::shared_ptr<const FieldFaces> faces;  ///< of `exchange` and `held`, by which a body that cracks divides them
   std::vector<FieldBody> bodies;
   std::vector<int> row_of;                   ///< [body of the model] row of bodies; -1, or beyond the end: none
   std::vector<ContactConductance> contacts;  ///< a later row overrides an earlier one

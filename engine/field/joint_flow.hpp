@@ -53,7 +53,7 @@ struct FlowRectangle {
 /// A joint between two bodies, or a fissure of given size, in stretches of
 /// equal length.
 struct FlowJoint {
-  std::string name;
+  std::string name;        ///< the parts of a joint that a crack meets have one name and follow each other
   int from = -1, to = -1;  ///< its nodes
   int first_cell = 0, cells = 0;
   double length = 0, width = 1;       ///< at the start [m]
@@ -64,6 +64,7 @@ struct FlowJoint {
   double density = 1000;              ///< [kg/m3]
   double viscosity = 1e-3;            ///< [Pa s]
   double bulk_modulus = 2.2e9;        ///< [Pa]
+  double crack_aperture = 0;          ///< of a closed crack of its bodies that meets it; 0: its own aperture there [m]
   double weight = 0;                  ///< of a unit volume [N/m3]
   std::vector<FlowFace> upper,
       lower;                ///< none for a fissure; in space one each, without skin points
@@ -96,6 +97,7 @@ struct JointFlow {
   /// cells() + i its volume of water [m3].
   [[nodiscard]] int cells() const { return joints.empty() ? 0 : joints.back().first_cell + joints.back().cells; }
   [[nodiscard]] bool has_bodies() const;
+  /// The first joint of that name, or nullptr.
   [[nodiscard]] const FlowJoint* find(const std::string& name) const;
   [[nodiscard]] int find_node(const std::string& name) const;  ///< -1: none
 };

@@ -46,7 +46,8 @@
 //   face, corners)`: the face of a part that holds a part of it.
 // - `parts.for_polygon(corners, see)`, in space: calls see(part, node, corners) for the parts of a plane convex polygon
 //   in the axes of the body's node, each in the axes of the part's node.
-// - `parts.for_new_faces(see)`: calls see(face) for the two faces of the crack.
+// - `parts.is_at_crack(face)`: true for a face that the crack meets at its edge, without dividing it.
+// - `parts.for_new_faces(see)`: calls see(face) for all faces of the crack.
 #pragma once
 
 #include <concepts>

@@ -6,6 +6,7 @@
 #include "assembly/contact/contact_resultants.hpp"
 #include "assembly/contact/contact_rows.hpp"
 #include "assembly/evaluate.hpp"
+#include "assembly/field/joint_water.hpp"
 #include "model/pose.hpp"
 
 namespace trilith {
@@ -100,6 +101,10 @@ void SurfaceForces::collect(std::span<const int> bodies) {
     WholeLoads<2> on{{model_, state_, &work_, &work_.closed_joints}, loads};
     apply_parts(model_, b.loads, on);
     b.sum.force += loads.force, b.sum.moment += loads.moment;
+    if (has_joint_water(model_)) {
+      const JointThrust water = thrust_on_body(model_, state_, b.body, centre);
+      b.sum.force += water.force, b.sum.moment += water.moment;
+    }
   }
 }
 
@@ -213,6 +218,11 @@ PlaneForces SurfaceForces::in_section(std::size_t i, const CrackSection<2>& sect
   LoadsBehind<2> on{{model_, state_, &work_, &work_.closed_joints}, middle, normal, loads};
   apply_parts(model_, b.loads, on);
   force += loads.force, moment += loads.moment;
+  if (has_joint_water(model_)) {
+    const PlaneBehind plane{middle, normal};
+    const JointThrust water = thrust_on_body(model_, state_, b.body, middle, &plane);
+    force += water.force, moment += water.moment;
+  }
   const double turning = b.sum.moment / model_.inertia[n];
   const double spin = state_.spin[n] + (state_.implicit() ? 0.0 : 0.5 * state_.last_dt * turning);
   const Vec2 inert = section.mass * (b.sum.force / model_.mass[n] + cross(turning, arm) - spin * spin * arm);

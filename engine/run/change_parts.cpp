@@ -44,8 +44,10 @@ void Simulation<D>::grow(Model<D> grown) {
   drop_step();
 }
 
+/// Bodies that a process does not bring to equilibrium have stresses of temperatures that they have not followed.
 template <int D>
 CrackSearch<D> Simulation<D>::search_cracks() {
+  if (stage_ && stage_->options.process && !stage_->options.process->mechanics) return {{}, cracking_.watch, 0};
   refresh();
   return trilith::search_cracks(model_, state_, work_, cracking_, crack_scratch_);
 }

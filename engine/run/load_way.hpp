@@ -46,8 +46,8 @@ struct LoadWay {
   }
 };
 
-/// Repeats the shifts of motions and load curves by a path that was reported, with the same rounding. The model is then
-/// as it was at the end of the path.
+/// Repeats the shifts of motions and load curves by a path that was reported, with the same rounding, and sets its
+/// scaled loads. The model, with the parts of all bodies that have cracked, is then as it was at the end of the path.
 template <int D>
 void postpone_by_way(Model<D>& model, const LoadWay<D>& way);
 

@@ -169,6 +169,8 @@ StageReport Simulation<D>::process(const StageOptions& options, const Equilibriu
       }
       ++report.steps;
       tell_process_step(found, listener, i == steps);
+      if (process.mechanics && !diverged && cracks_now(listener))
+        diverged = find_rest(how, listener, "after " + clock_text(state_.fields.front().clock), found);
       if (stop_.load(std::memory_order_relaxed)) break;
     }
     const Instant<D> now = instant();

@@ -54,6 +54,14 @@ bool cracks_from(const LoadWay<D>& way, std::size_t point) {
                      [](const Waypoint<D>& p) { return !p.cracks.empty(); });
 }
 
+/// Sets the loads that a path scales. `unit`: at factor 1.
+template <int D>
+void set_scaled_loads(Model<D>& model, const std::vector<PointLoad<D>>& unit, double factor) {
+  auto one = unit.begin();
+  for (PointLoad<D>& load : loads_of<PointLoad<D>>(model))
+    if (one != unit.end() && load.name == one->name) load.force = factor * (one++)->force;
+}
+
 }  // namespace
 
 template <int D>
@@ -63,6 +71,11 @@ void postpone_by_way(Model<D>& model, const LoadWay<D>& way) {
   for (std::size_t i = 0; i < reported; ++i)
     postpone_courses(model, way.time_of(i) - std::exchange(told, way.time_of(i)));
   postpone_courses(model, way.duration() - told);
+  if (!way.end) return;  // the loads have stayed as they were at the end of the path
+  const std::vector<PointLoad<D>>* loads = &way.loads;
+  for (std::size_t i = 0; i < reported; ++i)
+    if (!way.points[i].cracks.empty()) loads = &way.points[i].loads;
+  set_scaled_loads(model, *loads, way.points.back().factor);
 }
 
 /// Reports the events of a change at this instant, and returns them.
@@ -85,9 +98,7 @@ void Simulation<D>::tell_way(const LoadWay<D>& way, const RunListener<D>& listen
   const double begun = state_.time;
   std::size_t at = 0;
   const auto go_to = [&](const Waypoint<D>& point, const State<D>& state, double since) {
-    auto unit = loads.begin();
-    for (PointLoad<D>& load : loads_of<PointLoad<D>>(model_))
-      if (unit != loads.end() && load.name == unit->name) load.force = point.factor * (unit++)->force;
+    set_scaled_loads(model_, loads, point.factor);
     postpone_courses(model_, since - std::exchange(told, since));
     state_ = state;
     state_.time = begun + since, state_.last_dt = 0;
@@ -144,13 +155,19 @@ std::optional<Divergence> Simulation<D>::find_rest(const EquilibriumOptions& how
     refresh();
     for (const Event& e : found.events) tell(e, listener, instant());
     if (std::optional<Divergence> diverged = watch_->look_at_strains(instant(), loads)) return diverged;
-    if (!found.converged || cracking_.bodies.empty() || !listener.change_model) return std::nullopt;
-    const std::size_t bodies = model_.bodies.size();
-    if (!listener.change_model(model_)) return std::nullopt;
-    const std::vector<Event> told = tell_change(listener);
-    const auto is_crack = [](const Event& e) { return e.type == EventType::unit_cracked; };
-    if (model_.bodies.size() == bodies || std::none_of(told.begin(), told.end(), is_crack)) return std::nullopt;
+    if (!found.converged || !cracks_now(listener)) return std::nullopt;
   }
+}
+
+/// Makes the changes of this instant, and reports them. True if bodies have cracked.
+template <int D>
+bool Simulation<D>::cracks_now(const RunListener<D>& listener) {
+  if (cracking_.bodies.empty() || !listener.change_model) return false;
+  const std::size_t bodies = model_.bodies.size();
+  if (!listener.change_model(model_)) return false;
+  const std::vector<Event> told = tell_change(listener);
+  const auto is_crack = [](const Event& e) { return e.type == EventType::unit_cracked; };
+  return model_.bodies.size() != bodies && std::any_of(told.begin(), told.end(), is_crack);
 }
 
 /// A stage without duration, between two evaluations of the same instant; the events that led to rest are reported at

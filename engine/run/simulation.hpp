@@ -191,6 +191,7 @@ class Simulation {
   void tell_process_step(const Equilibrium& found, const RunListener<D>& listener, bool last);
   void end_process(const Equilibrium& found, const EquilibriumOptions& how, const std::optional<Divergence>& diverged);
   std::vector<Event> tell_change(const RunListener<D>& listener);
+  bool cracks_now(const RunListener<D>& listener);
   void tell_way(const LoadWay<D>& way, const RunListener<D>& listener);
   std::optional<Divergence> find_rest(const EquilibriumOptions& how, const RunListener<D>& listener,
                                       const std::string& loads, Equilibrium& found);

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/space.hpp"
+#include "results/file/field_names.hpp"
 
 namespace trilith::view {
 namespace {
 
 struct Quanta {
   double length = 1, angle = 1, force = 1, bearing_force = 1, bearing_displacement = 1, stress = 1, plastic = 1,
-         member_force = 1;
+         member_force = 1, temperature = 1;
 };
 
 /// A row of positions of `dim` numbers; z is 0 in the plane.
@@ -98,7 +100,7 @@ class Gatherer {
     append(rotation_, frame.rotation);
     append(stress_, frame.stress);
     append(plastic_, frame.plastic);
-    for (const auto& [block, field] : members_) append(fields_[block], frame.fields[field]);
+    for (const auto& [block, field] : recorded_) append(fields_[block], frame.fields[field]);
     for (const results::BearingState s : frame.bearing_state) state_.values.push_back(static_cast<std::int32_t>(s));
     append(force_, frame.bearing_force);
     append(displacement_, frame.bearing_displacement);
@@ -118,15 +120,18 @@ class Gatherer {
   }
 
  private:
-  /// Forces and states of the members of frames.
+  /// Forces and states of the members of frames, and the temperatures of nodes.
   void take_fields(const results::Header& header, const Quanta& quanta) {
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
       const results::Field& field = header.fields[i];
-      if (field.name != "member_force" && field.name != "member_state") continue;
-      members_.emplace_back(fields_.size(), i);
-      fields_.push_back({field.name,
+      const bool heat = field.name == results::node_temperature, force = field.name == "member_force";
+      if (!heat && !force && field.name != "member_state") continue;
+      recorded_.emplace_back(fields_.size(), i);
+      fields_.push_back({heat ? "temperature" : field.name,
                          field.rows * static_cast<std::size_t>(field.width),
-                         field.name == "member_force" ? quanta.member_force : 1,
+                         heat    ? quanta.temperature
+                         : force ? quanta.member_force
+                                 : 1,
                          {}});
     }
   }
@@ -144,19 +149,33 @@ class Gatherer {
   ViewBlock time_, stage_, position_, rotation_, stress_, plastic_, state_, force_, displacement_, contact_frame_,
       contact_first_, place_, push_, pair_;
   std::vector<ViewBlock> fields_;
-  std::vector<std::pair<std::size_t, std::size_t>> members_;  // block in fields_, and field of the frames
+  std::vector<std::pair<std::size_t, std::size_t>> recorded_;  // block in fields_, and field of the frames
 };
 
 void note_sizes(const std::vector<double>& values, std::vector<double>& sizes) {
   for (const double v : values) sizes.push_back(std::abs(v));
 }
 
+/// Index of a field of the frames; their number if there is none.
+std::size_t field_index(const results::Header& header, std::string_view name) {
+  const auto at =
+      std::find_if(header.fields.begin(), header.fields.end(), [&](const results::Field& f) { return f.name == name; });
+  return static_cast<std::size_t>(at - header.fields.begin());
+}
+
+/// A share of the range of the temperatures, so that heat of friction is seen as well as a season.
+double temperature_quantum(const std::vector<double>& temperatures) {
+  if (temperatures.empty()) return 1;
+  const auto [low, high] = std::minmax_element(temperatures.begin(), temperatures.end());
+  return *high > *low ? std::max(1e-6, (*high - *low) / 2000) : 0.01;
+}
+
 /// Quanta of forces and bearings from about 50 frames; returns the mean number of contact forces per frame.
 double survey(const results::ResultsReader& reader, Quanta& quanta) {
   std::vector<double> forces, bearing_forces, displacements, stresses, plastic, member_forces;
-  const auto field = std::find_if(reader.header().fields.begin(), reader.header().fields.end(),
-                                  [](const results::Field& f) { return f.name == "member_force"; });
-  const auto of_members = static_cast<std::size_t>(field - reader.header().fields.begin());
+  std::vector<double> temperatures;
+  const std::size_t of_members = field_index(reader.header(), "member_force"),
+                    of_nodes = field_index(reader.header(), results::node_temperature);
   std::size_t contacts = 0, looked = 0;
   const std::size_t count = reader.frame_count(), step = std::max<std::size_t>(1, count / 50);
   for (std::size_t i = 0; i < count; i += step, ++looked) {
@@ -169,12 +188,16 @@ double survey(const results::ResultsReader& reader, Quanta& quanta) {
     note_sizes(frame.stress, stresses);
     note_sizes(frame.plastic, plastic);
     if (of_members < frame.fields.size()) note_sizes(frame.fields[of_members], member_forces);
+    if (of_nodes < frame.fields.size())
+      for (const double t : frame.fields[of_nodes])
+        if (t > results::no_temperature) temperatures.push_back(t);
   }
   quanta.force = usual_quantum(std::move(forces), 0.9, 1000);
   quanta.bearing_force = usual_quantum(std::move(bearing_forces), 0.9, 5000);
   quanta.bearing_displacement = usual_quantum(std::move(displacements), 0.9, 5000);
   quanta.stress = usual_quantum(std::move(stresses), 0.9, 500);
   quanta.member_force = usual_quantum(std::move(member_forces), 0.9, 5000);
+  quanta.temperature = temperature_quantum(temperatures);
   quanta.plastic = usual_quantum(std::move(plastic), 0.9, 500);
   return looked > 0 ? static_cast<double>(contacts) / static_cast<double>(looked) : 0;
 }

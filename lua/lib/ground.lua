@@ -1,7 +1,6 @@
 -- m:level_ground{ level = 0, ... }, also m:ground{ level = 0, ... }: level ground under the whole model, in the plane
 -- and in space: one fixed body, so large that no body of the model reaches its end.
 local _, core = ...
-local owner = "level_ground"
 local methods = core.members "model"
 local with_profile = methods.ground
 
@@ -28,7 +27,7 @@ local function extent_of(model)
   return low, high
 end
 
-local function number(key, value)
+local function number(owner, key, value)
   if type(value) ~= "number" or value ~= value or math.abs(value) == math.huge then
     core.fail(("%s: '%s' is %s, must be a number in m"):format(owner, key,
       value == nil and "missing" or core.what_is(value)))
@@ -36,9 +35,10 @@ local function number(key, value)
   return value
 end
 
-function methods.level_ground(model, options)
+--- `owner`: the name by which the script calls it, for messages.
+local function level_ground(owner, model, options)
   core.check_keys(owner, options, { "level", "material", "name", "groups", "reach" })
-  local level, low, high = number("level", options.level), extent_of(model)
+  local level, low, high = number(owner, "level", options.level), extent_of(model)
   if not low[1] then
     core.fail(owner .. ": the model has no body yet, and the ground is sized by it; call it after the bodies are made")
   end
@@ -58,7 +58,9 @@ function methods.level_ground(model, options)
     support = "fixed", at = { x0, low[2] - reach, level - deep }, size = { x1 - x0, high[2] - low[2] + 2*reach, deep } }
 end
 
+function methods.level_ground(model, options) return level_ground("level_ground", model, options) end
+
 function methods.ground(model, options)
-  if type(options) == "table" and options.level ~= nil then return methods.level_ground(model, options) end
+  if type(options) == "table" and options.level ~= nil then return level_ground("ground", model, options) end
   return with_profile(model, options)
 end

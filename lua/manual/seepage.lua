@@ -19,6 +19,7 @@ filled        flag = true        water fills it at the start; false: it is dry
 density       number kg/m3 = 1000      of the water  <above 0>
 viscosity     number Pa s = 1e-3       of the water  <above 0>
 bulk_modulus  number Pa = 2.2e9        of the water  <above 0>
+crack_aperture  number m?        of a closed crack of its bodies at the joint; without it as the joint  <above 0>
 name          text?              name in readings]], gives = "string",
     example = 'm:seepage { name = "fissure", length = 2, aperture = 2e-4, from = "lake", to = "drain" }' },
   { "model:seepage_head", "The head at a node of seepage: a course of elevations of a free surface, or the level of a "

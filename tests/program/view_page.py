@@ -211,6 +211,32 @@ def shows_stress(page):
     assert "mean stress" in page.text("#selection")
 
 
+def shows_temperature(page):
+    """Bodies and elements have the colours of their temperature at the time that is played, a body its history."""
+    assert "temperature" in page.evaluate("trilith.ways.map(w => w.id)")
+    page.evaluate("trilith.colourBy('temperature')")
+    page.keys(Keys.HOME)
+    page.until("!trilith.waiting")
+    bottom, top = page.evaluate("trilith.way.bottom"), page.evaluate("trilith.way.top")
+    assert 2.5 < bottom < 3.1 and 29.9 < top < 30.5, (bottom, top)
+    first, last = (page.evaluate(f"trilith.way.values({frame})") for frame in ("0", "trilith.run.frames - 1"))
+    names = page.evaluate("trilith.run.bodies.map(b => b.name)")
+    kiln, cold = names.index("kiln"), names.index("store")
+    assert abs(first[kiln] - 30) < 0.05 and last[kiln] < first[kiln] - 1, (first, last)
+    assert last[names.index("bare")] is None, last
+    cells = page.evaluate("trilith.way.cells?.(trilith.run.frames - 1) ?? []")
+    assert not cells or max(c for c in cells if c is not None) <= top, cells
+    low, high = (page.evaluate(f"trilith.colours.at({frame}, 0)[{body}]") for frame, body in
+                 (("0", cold), ("0", kiln)))
+    assert low != high, (low, high)
+    page.picture("temperature at first")
+    page.keys(Keys.END)
+    page.picture("temperature")
+    assert "°C" in page.text("#legend"), page.text("#legend")
+    page.evaluate("trilith.select({ body: trilith.run.bodies.find(b => b.name === 'kiln') })")
+    assert "temperature" in page.text("#selection")
+
+
 def plays_a_mode(page):
     """The menu of modes: the first oscillates about its position, space stops it, a key selects the next; back to the run."""
     assert page.evaluate("trilith.run.modes.length") == 3

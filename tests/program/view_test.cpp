@@ -71,6 +71,46 @@ TEST_CASE("the page of a wall in running bond shows cracks and damage") {
   browse(here / "wall.html", "plays_to_the_end shows_cracks shows_a_body");
 }
 
+TEST_CASE("the page shows temperatures in the plane and in space at the time that is played") {
+  if (program_is_missing()) return;
+  const testing::Folder here;
+  std::ofstream(here / "heat.lua") << R"lua(
+local trilith = require "trilith"
+local p = trilith.params { dim = { 2, "2 or 3" } }
+local m = trilith.model { name = "heat", dim = p.dim }
+m:material { name = "stone", density = 2400, E = 2e10, nu = 0.2 }
+m:contact { between = { "*", "*" }, law = trilith.frictional { kn = 1e10, ks = 5e9, mu = 0.6, beta = 1e-4 } }
+local function block(name, x, width, height, keys)
+  keys.name, keys.material = name, "stone"
+  if p.dim == 3 then
+    keys.at, keys.size = { x, 0, height < 0 and height or 0 }, { width, 2, math.abs(height) }
+  else
+    keys.at, keys.width, keys.height = { x, height < 0 and height or 0 }, width, math.abs(height)
+  end
+  m:block(keys)
+end
+block("ground", -1, 9, -1, { support = "fixed" })
+block("kiln", 0, 2, 2, { body = { mesh = p.dim == 3 and { 4, 2, 4 } or { 4, 4 } } })
+block("store", 3, 1, 2, {})
+block("bare", 5, 1, 1, {})
+m:heat { body = "kiln", conductivity = 2, heat_capacity = 900, temperature = 30 }
+m:heat { body = "store", conductivity = 2, heat_capacity = 900, temperature = 3 }
+m:heat { body = "ground", conductivity = 2, heat_capacity = 900, temperature = 8 }
+m:heat_exchange { body = "kiln", side = "top", temperature = 5, exchange = 50 }
+m:heat_contact { conductance = 100 }
+m:results { file = p.dim == 3 and "heat3.h5" or "heat.h5", frames = 0.01, histories = 0.01 }
+m:consolidate { integrator = "static" }
+m:process { duration = 864000, step = 43200 }
+)lua";
+  for (const std::string dim : {"2", "3"}) {
+    const Output run = run_program(here.path, "run heat.lua --quiet dim=" + dim);
+    REQUIRE_MESSAGE(run.code == 0, run.err);
+    const std::string name = dim == "3" ? "heat3" : "heat";
+    CHECK(run_program(here.path, "view " + name + ".h5").out == name + ".html\n");
+    browse(here.path / (name + ".html"), "shows_temperature");
+  }
+}
+
 TEST_CASE("the page of a wall of finite elements shows their stress") {
   if (program_is_missing()) return;
   const testing::Folder here;

@@ -16,6 +16,7 @@ struct FacingPair {
   JointStretch stretch;
   Vec2 onto_a, onto_b;  // depth times length times normal into the body [m2]
   int a0, a1, b0, b1;   // skin points
+  int body_a, body_b;
   double s_lo = 0, s_hi = 0;
 
   template <class Places>
@@ -26,7 +27,9 @@ struct FacingPair {
         a0(a.skin_a),
         a1(a.skin_b),
         b0(b.skin_a),
-        b1(b.skin_b) {
+        b1(b.skin_b),
+        body_a(a.body),
+        body_b(b.body) {
     s_lo = along.dot(stretch.point(stretch.overlap.lo) - heel);
     s_hi = along.dot(stretch.point(stretch.overlap.hi) - heel);
   }
@@ -80,6 +83,20 @@ double gap_at(const std::vector<FacingPair>& pairs, double s) {
   return 0;
 }
 
+/// Calls f(t0, t1, pressure) for the cells with pressure between two faces, along their common direction.
+template <class F>
+void for_wet_cells(const PlacedJoint& now, const FacingPair& pair, const FieldValues& water, F&& f) {
+  const FlowJoint& joint = now.joint;
+  for (int i = 0; i < joint.cells; ++i) {
+    const double p = joint.weight * water.at(joint.first_cell + i);
+    const double from = std::max(pair.first(), now.length * i / joint.cells);
+    const double to = std::min(pair.last(), now.length * (i + 1) / joint.cells);
+    if (p <= 0 || !(to > from)) continue;
+    const double t = pair.along(from), u = pair.along(to);
+    f(std::min(t, u), std::max(t, u), p);
+  }
+}
+
 /// Presses the cells of a joint onto the skins of the upper and the lower body.
 template <class Push>
 void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldValues& water, bool upper, bool lower,
@@ -87,21 +104,56 @@ void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldVal
   const PlacedJoint now(on, joint);
   now.for_pairs([&](const FacingPair& pair) {
     EndShares on_a, on_b;
-    for (int i = 0; i < joint.cells; ++i) {
-      const double p = joint.weight * water.at(joint.first_cell + i);
-      const double from = std::max(pair.first(), now.length * i / joint.cells);
-      const double to = std::min(pair.last(), now.length * (i + 1) / joint.cells);
-      if (p <= 0 || !(to > from)) continue;
-      const double t = pair.along(from), u = pair.along(to), t0 = std::min(t, u), t1 = std::max(t, u);
+    for_wet_cells(now, pair, water, [&](double t0, double t1, double p) {
       on_a += pressed_ends(pair.stretch.on_a(t0), p, pair.stretch.on_a(t1), p);
       on_b += pressed_ends(pair.stretch.on_b(t1), p, pair.stretch.on_b(t0), p);
-    }
+    });
     if (upper) push(pair.a0, on_a.a * pair.onto_a), push(pair.a1, on_a.b * pair.onto_a);
     if (lower) push(pair.b0, on_b.a * pair.onto_b), push(pair.b1, on_b.b * pair.onto_b);
   });
 }
 
+/// Adds the pressure `p` between two positions on a face, on the part of it that is behind a plane, if there is one.
+void add_behind(const PlaneBehind* plane, const Vec2& a, const Vec2& b, double from, double to, double p,
+                EndShares& ends) {
+  if (plane != nullptr) {
+    const double first = plane->normal.dot(a - plane->point), last = plane->normal.dot(b - plane->point);
+    if (first >= 0 && last >= 0) return;
+    const double cut = first / (first - last);
+    if (first < 0 && last > 0) to = std::min(to, cut);
+    if (first > 0 && last < 0) from = std::max(from, cut);
+  }
+  if (to > from) ends += pressed_ends(from, p, to, p);
+}
+
 }  // namespace
+
+JointThrust thrust_on_body(const Model<2>& model, const State<2>& state, int body, const Vec2& about,
+                           const PlaneBehind* plane) {
+  JointThrust out;
+  const LoadPlaces<2> on{model, state};
+  const FieldValues water = values_of(model.fields, state.fields, FieldKind::seepage);
+  if (!water) return out;
+  const auto push = [&](int skin, const Vec2& f) {
+    out.force += f, out.moment += cross(Vec2(on.skin(skin) - about), f);
+  };
+  for (const FlowJoint& joint : water.field().flow->joints) {
+    if (!joint.has_bodies()) continue;
+    const PlacedJoint now(on, joint);
+    now.for_pairs([&](const FacingPair& pair) {
+      if (pair.body_a != body && pair.body_b != body) return;
+      const JointStretch& at = pair.stretch;
+      EndShares on_a, on_b;
+      for_wet_cells(now, pair, water, [&](double t0, double t1, double p) {
+        if (pair.body_a == body) add_behind(plane, at.a0, at.a1, at.on_a(t0), at.on_a(t1), p, on_a);
+        if (pair.body_b == body) add_behind(plane, at.b0, at.b1, at.on_b(t1), at.on_b(t0), p, on_b);
+      });
+      push(pair.a0, on_a.a * pair.onto_a), push(pair.a1, on_a.b * pair.onto_a);
+      push(pair.b0, on_b.a * pair.onto_b), push(pair.b1, on_b.b * pair.onto_b);
+    });
+  }
+  return out;
+}
 
 template <int D>
 bool has_joint_water(const Model<D>& model) {
@@ -238,7 +290,7 @@ std::vector<WaterSpring> water_springs(const Model<2>& model, const State<2>& st
       const double gap = std::min(pair.gap(pair.first()), pair.gap(pair.last()));
       const double least = std::max(least_aperture * own, own + std::min(0.0, gap));
       WaterSpring spring;
-      spring.body_a = joint.upper.front().body, spring.body_b = joint.lower.front().body;
+      spring.body_a = pair.body_a, spring.body_b = pair.body_b;
       spring.skin = {{{pair.a0, pair.a1}, {pair.b0, pair.b1}}};
       spring.at = pair.stretch.point(pair.along(0.5 * (pair.first() + pair.last())));
       spring.normal = pair.onto_a.normalized(), spring.length = pair.last() - pair.first();

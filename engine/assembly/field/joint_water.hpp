@@ -58,6 +58,13 @@ struct JointThrust {
 struct SpaceThrust {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
 };
+/// A plane; behind it is the side away from its normal.
+struct PlaneBehind {
+  Vec2 point = Vec2::Zero(), normal = Vec2::UnitX();
+};
+/// Force on a body by the water in all its joints, or on the part of it behind a plane, and moment about a point.
+JointThrust thrust_on_body(const Model<2>& model, const State<2>& state, int body, const Vec2& about,
+                           const PlaneBehind* plane = nullptr);
 SpaceThrust thrust_on_upper(const FlowJoint& joint, const Model<3>& model, const State<3>& state);
 /// Present ends of a joint in space [m].
 std::array<Vec3, 2> ends_in_space(const FlowJoint& joint, const Model<3>& model, const State<3>& state);

@@ -156,19 +156,17 @@ inline bool has_extent(const WetFace<3>& face) {
 }
 
 /// Replaces the faces of a body that has split by the faces of its parts. `enters`: the faces of the crack are added
-/// where it divides one of the faces. Bodies remain in the order of the faces.
+/// where it meets one of the faces. Bodies remain in the order of the faces.
 template <int D, class Parts>
 void split_faces(const Parts& parts, const std::vector<WetFace<D>>& faces, std::vector<WetFace<D>>& out, bool enters) {
   out.clear();
   std::vector<WetFace<D>> ahead;
-  bool reached = false;
-  double depth = 1;
+  const WetFace<D>* reached = nullptr;
   for (const WetFace<D>& face : faces) {
     if (!parts.is_on(face.body)) {
       out.push_back(face);
       continue;
     }
-    if constexpr (D == 2) depth = face.depth;
     int count = 0;
     parts.for_face(split_face(face), [&](const auto& part) {
       WetFace<D> given = wet_part(face, part);
@@ -176,13 +174,13 @@ void split_faces(const Parts& parts, const std::vector<WetFace<D>>& faces, std::
       ++count;
       (parts.is_behind(given.body) ? out : ahead).push_back(std::move(given));
     });
-    reached = reached || count > 1;
+    if (reached == nullptr && (count > 1 || parts.is_at_crack(face))) reached = &face;
   }
   out.insert(out.end(), std::make_move_iterator(ahead.begin()), std::make_move_iterator(ahead.end()));
-  if (!enters || !reached) return;
+  if (!enters || reached == nullptr) return;
   parts.for_new_faces([&](const auto& face) {
     if constexpr (D == 2)
-      out.push_back({face.body, face.skin_a, face.skin_b, 0, 1, depth});
+      out.push_back({face.body, face.skin_a, face.skin_b, 0, 1, reached->depth});
     else
       out.push_back(face);
   });

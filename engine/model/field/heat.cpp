@@ -134,9 +134,9 @@ int add_surrounding(Field& field, const HeatExchangeSpec& spec) {
 }
 
 /// A part of a face with the cell that it belongs to.
-void add_face_part(Field& field, const HeatExchangeSpec& spec, int surrounding, int cell, double area) {
-  if (spec.exchange) {
-    field.exchange.push_back({cell, surrounding, *spec.exchange * area});
+void add_face_part(Field& field, const std::optional<double>& exchange, int surrounding, int cell, double area) {
+  if (exchange) {
+    field.exchange.push_back({cell, surrounding, *exchange * area});
     return;
   }
   const auto same = [&](const FieldHeld& h) { return h.cell == cell; };
@@ -144,18 +144,18 @@ void add_face_part(Field& field, const HeatExchangeSpec& spec, int surrounding, 
   field.held.push_back({cell, surrounding});
 }
 
-void add_face(Field& field, const Model<2>& model, const FieldBody& row, const HeatExchangeSpec& spec, int surrounding,
-              const WetFace<2>& face) {
+void add_face(Field& field, const Model<2>& model, const FieldBody& row, const std::optional<double>& exchange,
+              int surrounding, const WetFace<2>& face) {
   const auto place = [&](int skin) { return skin_start(model, skin); };
   const double length = (place(face.skin_b) - place(face.skin_a)).norm(), area = length * face.depth;
   // Integrals of the two linear shape functions over the part of the face.
   const double whole = face.to - face.from, at_b = 0.5 * (face.to * face.to - face.from * face.from);
-  add_face_part(field, spec, surrounding, row.cell_of(model.skin_node[face.skin_a]), area * (whole - at_b));
-  add_face_part(field, spec, surrounding, row.cell_of(model.skin_node[face.skin_b]), area * at_b);
+  add_face_part(field, exchange, surrounding, row.cell_of(model.skin_node[face.skin_a]), area * (whole - at_b));
+  add_face_part(field, exchange, surrounding, row.cell_of(model.skin_node[face.skin_b]), area * at_b);
 }
 
-void add_face(Field& field, const Model<3>& model, const FieldBody& row, const HeatExchangeSpec& spec, int surrounding,
-              const WetFace<3>& face) {
+void add_face(Field& field, const Model<3>& model, const FieldBody& row, const std::optional<double>& exchange,
+              int surrounding, const WetFace<3>& face) {
   const auto area_of = [&](const std::vector<Vec3>& corners) {
     PressureSum sum;
     sum.add(corners, face.normal, {1, Vec3::Zero()}, 1);
@@ -163,11 +163,11 @@ void add_face(Field& field, const Model<3>& model, const FieldBody& row, const H
   };
   double area = area_of(face.corners);
   for (const std::vector<Vec3>& inner : face.inner) area -= area_of(inner);
-  if (row.layout == CellLayout::one) return add_face_part(field, spec, surrounding, row.first_cell, area);
+  if (row.layout == CellLayout::one) return add_face_part(field, exchange, surrounding, row.first_cell, area);
   const Fit& fit = model.fits[static_cast<std::size_t>(-1 - model.carrier_of(face.piece, face.face))];
   for (int i = 0; i < fit.nodes; ++i) {
     const double mean = model.fit_number[static_cast<std::size_t>(fit.first_number + 4 * i)];
-    add_face_part(field, spec, surrounding, row.cell_of(fit.node[static_cast<std::size_t>(i)]), area * mean);
+    add_face_part(field, exchange, surrounding, row.cell_of(fit.node[static_cast<std::size_t>(i)]), area * mean);
   }
 }
 
@@ -226,16 +226,29 @@ void add_heat_exchange(Field& field, const Model<D>& model, const HeatExchangeSp
   if (faces.empty())
     throw InputError(fmt::format("heat exchange '{}': no face of its bodies points to that side", spec.name));
   const int surrounding = add_surrounding(field, spec);
+  const ExchangeFaces<D> exchange{surrounding, spec.exchange, faces};
   for (const WetFace<D>& face : faces) {
-    const FieldBody* row = field.find(face.body);
-    if (row == nullptr)
+    if (field.find(face.body) == nullptr)
       throw InputError(
           fmt::format("heat exchange '{}': body '{}' has no thermal properties; give them first: m:heat {{ "
                       "body = \"{}\", conductivity =, heat_capacity = }}",
                       spec.name, model.bodies[static_cast<std::size_t>(face.body)].name,
                       model.bodies[static_cast<std::size_t>(face.body)].name));
-    add_face(field, model, *row, spec, surrounding, face);
+    add_exchange_face(field, model, exchange, face);
   }
+  auto known = std::make_shared<HeatFaces<D>>(heat_faces<D>(field));
+  known->rows.push_back(exchange);
+  field.faces = std::move(known);
+}
+
+template <int D>
+HeatFaces<D> heat_faces(const Field& field) {
+  return field.faces ? static_cast<const HeatFaces<D>&>(*field.faces) : HeatFaces<D>{};
+}
+
+template <int D>
+void add_exchange_face(Field& field, const Model<D>& model, const ExchangeFaces<D>& of, const WetFace<D>& face) {
+  add_face(field, model, *field.find(face.body), of.exchange, of.surrounding, face);
 }
 
 void add_friction_heat(Field& field) {
@@ -258,7 +271,7 @@ void add_frame_exchange(Field& field, const std::vector<double>& node_length, co
   for (std::size_t n = 0; n < node_length.size(); ++n)
     for (const int face : {0, 1})
       if (face == 0 ? lower : upper)
-        add_face_part(field, spec, surrounding, row.cell_of(row.first_node + static_cast<int>(n), face),
+        add_face_part(field, spec.exchange, surrounding, row.cell_of(row.first_node + static_cast<int>(n), face),
                       row.width * node_length[n]);
 }
 
@@ -276,6 +289,10 @@ template void add_heat(Field&, const Model<2>&, int, const HeatSpec&);
 template void add_heat(Field&, const Model<3>&, int, const HeatSpec&);
 template void add_heat_exchange(Field&, const Model<2>&, const HeatExchangeSpec&, const std::vector<WetFace<2>>&);
 template void add_heat_exchange(Field&, const Model<3>&, const HeatExchangeSpec&, const std::vector<WetFace<3>>&);
+template HeatFaces<2> heat_faces(const Field&);
+template HeatFaces<3> heat_faces(const Field&);
+template void add_exchange_face(Field&, const Model<2>&, const ExchangeFaces<2>&, const WetFace<2>&);
+template void add_exchange_face(Field&, const Model<3>&, const ExchangeFaces<3>&, const WetFace<3>&);
 template std::vector<double> beam_lengths(const Model<2>&, int);
 template std::vector<double> beam_lengths(const Model<3>&, int);
 

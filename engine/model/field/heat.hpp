@@ -1,6 +1,7 @@
 // Heat in bodies: cells, conduction, expansion, exchange with surroundings (field/field.hpp), from a model.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,34 @@ struct HeatExchangeSpec {
   FieldCourse course;
   std::optional<double> exchange;  ///< above 0 [W/(m2 K)]; none: the faces have the temperature of the surrounding
 };
+
+/// Faces with one surrounding.
+template <int D>
+struct ExchangeFaces {
+  int surrounding = -1;
+  std::optional<double> exchange;  ///< see HeatExchangeSpec
+  std::vector<WetFace<D>> faces;
+};
+/// Field::faces of heat, in the order of their declaration. Sections of frames have none.
+template <int D>
+struct HeatFaces : FieldFaces {
+  std::vector<ExchangeFaces<D>> rows;
+};
+/// A copy of the faces of a field, to change.
+template <int D>
+HeatFaces<D> heat_faces(const Field& field);
+/// Adds the exchange of the cells at a face of a body with cells.
+template <int D>
+void add_exchange_face(Field& field, const Model<D>& model, const ExchangeFaces<D>& of, const WetFace<D>& face);
+
+/// Replaces the cells of a body by the cells of its two parts, with the same properties: the capacity of each cell is
+/// in proportion to the mass of its node. `source`: for each node of the first part, then of the second, the node of
+/// the body whose temperature it has. Faces of the parts in Field::faces exchange heat as before, and contacts of the
+/// body have their conductance as contacts of the parts. `values`: of the field; may be empty. A body without cells
+/// changes its contacts alone.
+template <int D>
+void divide_heat(Field& field, const Model<D>& model, int body, const std::array<int, 2>& parts,
+                 const std::vector<int>& source, FieldState& values);
 
 /// Throws InputError for a name that exists, an invalid course, a body without cells, and no faces.
 template <int D>

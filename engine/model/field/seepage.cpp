@@ -45,6 +45,7 @@ void check_numbers(const SeepageSpec& spec, const std::string& owner) {
   require_positive(spec.density, owner + ": density", "kg/m3");
   require_positive(spec.viscosity, owner + ": viscosity", "Pa s");
   require_positive(spec.bulk_modulus, owner + ": bulk_modulus", "Pa");
+  require_not_negative(spec.crack_aperture, owner + ": crack_aperture", "m");
   if (spec.divisions < 1 || spec.divisions > most_cells_of_joint)
     throw InputError(
         fmt::format("{}: divisions is {}, must be from 1 to {}", owner, spec.divisions, most_cells_of_joint));
@@ -208,6 +209,7 @@ void add_seepage(Field& field, const Model<D>& model, const SeepageSpec& spec) {
   joint.elevation = spec.elevation, joint.aperture = spec.aperture;
   joint.compliance = spec.stiffness > 0 ? 1 / spec.stiffness : 0;
   joint.density = spec.density, joint.viscosity = spec.viscosity, joint.bulk_modulus = spec.bulk_modulus;
+  joint.crack_aperture = spec.crack_aperture;
   joint.weight = weight_of_water(model, spec.density, owner);
   if (spec.upper >= 0) set_bodies(model, spec, owner, joint);
   joint.from = node_at(flow, spec.from, joint.elevation[0], owner);

@@ -28,6 +28,7 @@ struct SeepageSpec {
   double density = 1000;              ///< [kg/m3]
   double viscosity = 1e-3;            ///< [Pa s]
   double bulk_modulus = 2.2e9;        ///< [Pa]
+  double crack_aperture = 0;          ///< see FlowJoint [m]
 };
 
 /// Adds a joint or fissure, and its nodes where they are new. Throws InputError for numbers out of range, a name that

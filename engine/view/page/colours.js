@@ -104,6 +104,23 @@ function elementColourings(run) {
   return out;
 }
 
+/** The option to colour bodies and finite elements by their temperature, with fixed bodies. */
+function temperatureColourings(run) {
+  if (!run.block("temperature").rows) return [];
+  const own = run.bodies.map((b) => Array.from({ length: b.nodes }, (_, i) => b.node + i));
+  const values = (frame) => own.map((nodes) => run.meanTemperature(nodes, frame));
+  const cells = run.elements?.length ? (frame) => run.elements.map((e) => run.meanTemperature(e.nodes, frame)) : undefined;
+  let low = Infinity, high = -Infinity;
+  const step = Math.max(1, Math.floor(run.frames / 100));
+  for (let frame = (run.frames - 1) % step; frame < run.frames; frame += step)
+    for (let node = 0; node < run.nodes; node++) {
+      const t = run.temperature(node, frame);
+      if (t !== null) [low, high] = [Math.min(low, t), Math.max(high, t)];
+    }
+  if (!(high > low)) [low, high] = [low - 1, low + 1];
+  return [{ id: "temperature", label: "temperature", unit: "°C", bottom: low, top: high, all: true, values, cells }];
+}
+
 /** All colour options for which this run has data. `values(frame, time)`: one number or null for each body. */
 export function colourings(run) {
   const free = (f) => (frame, time) => run.bodies.map((b) => (b.free ? f(b, frame, time) : null));
@@ -124,6 +141,7 @@ export function colourings(run) {
     out.push({ id: "stress", label: "mean compression, from contact forces", unit: "Pa", values: (f) => spaceCompressions(run, f) });
   if (run.bodies.some((b) => b.bonds))
     out.push({ id: "damage", label: "damage: share of bonds lost", unit: "1", top: 1, values: free((b, f, t) => run.damage(b, t)) });
+  out.push(...temperatureColourings(run));
   for (const c of out) if ((c.values || c.cells) && !c.top) c.top = usualTop(run, c);
   return out;
 }
@@ -169,28 +187,29 @@ export class BodyColours {
     if (this.fixed) return this.fixed;
     const values = this.colouring.values?.(frame, time);
     return this.run.bodies.map((body, i) => {
-      if (!body.free) return this.theme.ground;
       const value = values?.[i] ?? null;
+      if (!body.free && !(this.colouring.all && value !== null)) return this.theme.ground;
       return value === null ? this.theme.line : this.colourOf(value);
     });
   }
 
   /** A colour for each element in `frame`, or null if elements have no own colours. */
   cellsAt(frame) {
-    return this.colouring.cells?.(frame).map((value) => this.colourOf(value)) ?? null;
+    return this.colouring.cells?.(frame).map((value) => (value === null ? this.theme.line : this.colourOf(value))) ?? null;
   }
 
   colourOf(value) {
-    const { top, signed } = this.colouring;
-    const share = signed ? 0.5 + 0.5 * (value / top) : value / top;
+    const { top, bottom = 0, signed } = this.colouring;
+    const share = signed ? 0.5 + 0.5 * (value / top) : (value - bottom) / (top - bottom);
     return this.ramp[Math.round((this.ramp.length - 1) * Math.max(0, Math.min(1, share)))];
   }
 
   /** Ends of the colour bar as text. */
   ends() {
-    const { top, signed, unit } = this.colouring;
+    const { top, bottom, signed, unit } = this.colouring;
     const to = readableUnit(top, unit);
     const high = `${figures(top * to.factor, 2)} ${to.unit}`;
+    if (bottom !== undefined) return [`${figures(bottom * to.factor)} ${to.unit}`, `${figures(top * to.factor)} ${to.unit}`];
     return signed ? [`−${high}`, high] : ["0", high];
   }
 }

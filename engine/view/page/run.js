@@ -211,6 +211,18 @@ export class Run {
     return [quantum * values[at], quantum * values[at + 1], quantum * values[at + 2]];
   }
 
+  /** Temperature of a node in a frame [°C]; null: none. */
+  temperature(node, frame) {
+    const { values, quantum, columns } = this.block("temperature"), t = quantum * values[frame * columns + node];
+    return t > -273.1 ? t : null;
+  }
+
+  /** Mean temperature of nodes that have one [°C]; null: none has. */
+  meanTemperature(nodes, frame) {
+    const known = nodes.map((n) => this.temperature(n, frame)).filter((t) => t !== null);
+    return known.length ? known.reduce((sum, t) => sum + t, 0) / known.length : null;
+  }
+
   /** Present positions of the points a and b of a bearing. */
   bearingEnds(bearing) {
     const end = (node, x, y) => {

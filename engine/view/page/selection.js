@@ -50,8 +50,16 @@ export class SelectionPanel {
       this.plot("speed", "m/s", [{ name: "speed", times, values: column((i) => run.speed(body, i)) }]),
       ...(body.nodes === 1 ? [this.plot("rotation", "rad", [{ name: "rotation", times, values: column((i) => run.rotation(body, i)) }])] : []),
       ...this.stressPlot(body),
+      ...this.temperaturePlot(body),
       this.events((e) => e.a === body.index || e.b === body.index));
     this.tell = (frame) => `displacement ${quantity(Math.hypot(...axes.map(([, v]) => v[frame] - v[0])), "m")}, speed ${quantity(run.speed(body, frame), "m/s")}`;
+  }
+
+  temperaturePlot(body) {
+    const { run } = this.app, nodes = Array.from({ length: body.nodes }, (_, i) => body.node + i);
+    if (!run.block("temperature").rows || run.meanTemperature(nodes, run.frames - 1) === null) return [];
+    return [this.plot("temperature", "°C", [{ name: "mean", times: run.times,
+      values: Float64Array.from({ length: run.frames }, (_, f) => run.meanTemperature(nodes, f) ?? NaN) }])];
   }
 
   /** Mean stress over the elements of a body. */

@@ -17,16 +17,6 @@
 namespace trilith::script {
 namespace {
 
-template <int D>
-void require_no_cracks(SimulatedModel<D>& m, int body) {
-  for (const CrackingBody<D>& c : m.simulation().cracking().bodies)
-    if (c.body == body)
-      throw InputError(
-          fmt::format("heat: body '{}' has crack planes; heat acts in bodies without them: give it cracks = false, or "
-                      "model its parts as bodies with a bond between them",
-                      m.body_name(body)));
-}
-
 double density_of(const ScriptModel& m, int body) {
   for (const Material& material : m.materials)
     if (material.name == m.material_of(body)) return material.density;
@@ -56,7 +46,6 @@ int declare_heat(lua_State* L, SimulatedModel<D>& m) {
   finish_between_stages(keys, m, "heat");
   Field field = heat_copy(m.simulation().model());
   for (const int body : bodies) {
-    require_no_cracks(m, body);
     spec.density = density_of(m, body);
     add_heat(field, m.simulation().model(), body, spec);
   }
@@ -226,8 +215,9 @@ int read_temperature(lua_State* L, M& m) {
   const Model<D>& model = m.simulation().model();
   require_heat(model, "temperature");
   const FieldValues heat = values_of(model.fields, m.simulation().state().fields, FieldKind::heat);
-  const BodyTemperature t =
-      temperature_of(model, heat, bodies.front(), at, fmt::format("temperature of '{}'", m.body_name(bodies.front())));
+  const int body = bodies.front();
+  const std::string owner = fmt::format("temperature of '{}'", m.body_name(body));
+  const BodyTemperature t = at ? temperature_of(model, heat, body, *at, owner) : temperature_of(heat, {body}, owner);
   lua_pushnumber(L, t.value), lua_pushnumber(L, t.difference);
   return 2;
 }

@@ -59,15 +59,12 @@ const FieldBody& require_row(const FieldValues& heat, int body, const std::strin
   return *row;
 }
 
-BodyTemperature whole_body(const FieldValues& heat, const FieldBody& row) {
-  TemperatureSum sum{heat};
-  const auto capacity = [&](int cell) { return heat.field().capacity[static_cast<std::size_t>(cell)]; };
-  if (row.layout != CellLayout::sections) {
+void add_body(const FieldBody& row, TemperatureSum& sum) {
+  const auto capacity = [&](int cell) { return sum.heat.field().capacity[static_cast<std::size_t>(cell)]; };
+  if (row.layout != CellLayout::sections)
     for (int cell = row.first_cell; cell < row.first_cell + row.cells; ++cell) sum.add(cell, capacity(cell));
-    return sum.mean();
-  }
-  for (int n = 0; 2 * n < row.cells; ++n) sum.add_node(row, row.first_node + n, 2 * capacity(row.first_cell + 2 * n));
-  return sum.mean();
+  else
+    for (int n = 0; 2 * n < row.cells; ++n) sum.add_node(row, row.first_node + n, 2 * capacity(row.first_cell + 2 * n));
 }
 
 /// The node of a body nearest to a point at the start.
@@ -118,27 +115,41 @@ FieldCourse read_course(Keys& keys, const char* key, double clock) {
   return course;
 }
 
-BodyTemperature temperature_of(const Model<2>& model, const FieldValues& heat, int body, const std::optional<Vec2>& at,
+std::vector<int> parts_of(const ScriptModel& m, int body) {
+  const int first = m.first_part(body);
+  if (first < 0) return {body};
+  std::vector<int> out = parts_of(m, first);
+  for (const int part : parts_of(m, first + 1)) out.push_back(part);
+  return out;
+}
+
+BodyTemperature temperature_of(const FieldValues& heat, const std::vector<int>& bodies, const std::string& owner) {
+  TemperatureSum sum{heat};
+  for (const int body : bodies) add_body(require_row(heat, body, owner), sum);
+  return sum.mean();
+}
+
+BodyTemperature temperature_of(const Model<2>& model, const FieldValues& heat, int body, const Vec2& at,
                                const std::string& owner) {
   const FieldBody& row = require_row(heat, body, owner);
-  if (!at || row.layout == CellLayout::one) return whole_body(heat, row);
+  if (row.layout == CellLayout::one) return temperature_of(heat, {body}, owner);
   TemperatureSum sum{heat};
   if (row.layout == CellLayout::sections) {
-    sum.add_node(row, node_near(model, body, *at), 1);
+    sum.add_node(row, node_near(model, body, at), 1);
     return sum.mean();
   }
-  const Attachment<2> point = tie_point(model, body, *at, owner);
+  const Attachment<2> point = tie_point(model, body, at, owner);
   for (int i = 0; i < point.nodes; ++i)
     sum.add_node(row, point.node[static_cast<std::size_t>(i)], point.weight[static_cast<std::size_t>(i)]);
   return sum.mean();
 }
 
-BodyTemperature temperature_of(const Model<3>& model, const FieldValues& heat, int body, const std::optional<Vec3>& at,
+BodyTemperature temperature_of(const Model<3>& model, const FieldValues& heat, int body, const Vec3& at,
                                const std::string& owner) {
   const FieldBody& row = require_row(heat, body, owner);
-  if (!at || row.layout == CellLayout::one) return whole_body(heat, row);
+  if (row.layout == CellLayout::one) return temperature_of(heat, {body}, owner);
   TemperatureSum sum{heat};
-  sum.add_node(row, node_near(model, body, *at), 1);
+  sum.add_node(row, node_near(model, body, at), 1);
   return sum.mean();
 }
 

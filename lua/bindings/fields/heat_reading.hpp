@@ -1,8 +1,8 @@
 // Readers of the keys of fields.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "bindings/core/keys.hpp"
 #include "bindings/model/simulated_model.hpp"
@@ -42,14 +42,18 @@ const Field& require_heat(const Model<D>& model, const std::string& owner) {
   throw InputError(owner + ": no body has thermal properties; declare m:heat first");
 }
 
-/// Temperature of a body, the mean by heat capacity, or at a point at the start; `difference`: upper less lower face of
-/// the sections of a frame.
+/// The bodies that a body has become by cracks: itself if it is whole.
+std::vector<int> parts_of(const ScriptModel& m, int body);
+
+/// Temperature of bodies, the mean by heat capacity, or of a body at a point at the start; `difference`: upper less
+/// lower face of the sections of a frame.
 struct BodyTemperature {
   double value = 0, lowest = 0, highest = 0, difference = 0;
 };
-BodyTemperature temperature_of(const Model<2>& model, const FieldValues& heat, int body, const std::optional<Vec2>& at,
+BodyTemperature temperature_of(const FieldValues& heat, const std::vector<int>& bodies, const std::string& owner);
+BodyTemperature temperature_of(const Model<2>& model, const FieldValues& heat, int body, const Vec2& at,
                                const std::string& owner);
-BodyTemperature temperature_of(const Model<3>& model, const FieldValues& heat, int body, const std::optional<Vec3>& at,
+BodyTemperature temperature_of(const Model<3>& model, const FieldValues& heat, int body, const Vec3& at,
                                const std::string& owner);
 
 }  // namespace trilith::script

@@ -37,7 +37,7 @@ void read_fissure(Keys& keys, SeepageSpec& spec) {
   spec.length = keys.number("length", "m"), spec.width = keys.number("width", "m", 1);
   spec.elevation = read_ends(keys, "elevation", "m", false);
   spec.stiffness = keys.number("stiffness", "Pa/m", 0);
-  keys.refuse("heel", "is the first end of a joint between bodies; a fissure has none");
+  keys.refuse("heel", "'heel' is the first end of a joint between bodies; a fissure has none");
 }
 
 void read_joint(Keys& keys, const ScriptModel& m, SeepageSpec& spec) {
@@ -52,17 +52,15 @@ void read_joint(Keys& keys, const ScriptModel& m, SeepageSpec& spec) {
   else if (keys.has("heel"))
     spec.heel_in_space = keys.vector("heel");
   for (const char* key : {"length", "width", "elevation", "stiffness"})
-    keys.refuse(key, "follows from the bodies of the joint; leave it out");
+    keys.refuse(key, fmt::format("'{}' follows from the bodies of the joint; leave it out", key));
 }
 
-template <int D>
-void require_whole_bodies(SimulatedModel<D>& m, const SeepageSpec& spec) {
-  for (const CrackingBody<D>& c : m.simulation().cracking().bodies)
+void require_whole_bodies(SimulatedModel<3>& m, const SeepageSpec& spec) {
+  for (const CrackingBody<3>& c : m.simulation().cracking().bodies)
     if (c.body == spec.upper || c.body == spec.lower)
       throw InputError(
-          fmt::format("seepage '{}': body '{}' has crack planes: give it cracks = false, "
-                      "or model its parts as bodies with a bond "
-                      "between them",
+          fmt::format("seepage '{}': body '{}' has crack planes, and in space water does not follow a crack; give it "
+                      "cracks = false, join two bodies by a bond, or model a section in the plane",
                       spec.name, m.body_name(c.body)));
 }
 
@@ -95,6 +93,12 @@ int declare_seepage(lua_State* L, SimulatedModel<D>& m) {
         "fissure [m]");
   keys.know({"upper", "lower", "heel", "length", "width", "elevation", "stiffness"});
   spec.aperture = read_ends(keys, "aperture", "m", true);
+  if (spec.upper >= 0 || spec.lower >= 0)
+    spec.crack_aperture = keys.number("crack_aperture", "m", 0);
+  else
+    keys.refuse("crack_aperture", "'crack_aperture' is of cracks of the bodies of a joint; a fissure has none");
+  if (keys.has("crack_aperture") && !(spec.crack_aperture > 0))
+    keys.problem(fmt::format("'crack_aperture' is {:g} m, must be above 0", spec.crack_aperture));
   spec.divisions = keys.count("divisions", 32);
   spec.from = keys.text("from", spec.name + ".from"), spec.to = keys.text("to", spec.name + ".to");
   spec.filled = keys.flag("filled", true);
@@ -104,7 +108,7 @@ int declare_seepage(lua_State* L, SimulatedModel<D>& m) {
   const Model<D>& model = m.simulation().model();
   Field field = seepage_copy(model);
   if (spec.name.empty()) spec.name = free_seepage_name(field);
-  require_whole_bodies(m, spec);
+  if constexpr (D == 3) require_whole_bodies(m, spec);
   if (const FieldState* values = seepage_values(m); values != nullptr && !values->value.empty())
     throw InputError(
         fmt::format("seepage '{}': water flows already; declare "
@@ -187,12 +191,23 @@ void push_joint(lua_State* L, const JointReading& now) {
   set_number(L, "inflow", now.inflow), set_number(L, "outflow", now.outflow);
 }
 
-void set_thrust(lua_State* L, const Simulation<2>& s, const FlowJoint& j) {
-  const JointThrust thrust = thrust_on_upper(j, s.model(), s.state());
+/// Of all parts of a joint.
+template <class Thrust, int D>
+Thrust thrust_of(const Simulation<D>& s, const JointFlow& flow, const FlowJoint& joint) {
+  Thrust out;
+  for (const FlowJoint& j : flow.joints) {
+    if (j.name != joint.name) continue;
+    const Thrust one = thrust_on_upper(j, s.model(), s.state());
+    out.force += one.force, out.moment += one.moment;
+  }
+  return out;
+}
+void set_thrust(lua_State* L, const Simulation<2>& s, const JointFlow& flow, const FlowJoint& j) {
+  const auto thrust = thrust_of<JointThrust>(s, flow, j);
   set_list(L, "force", {thrust.force.x(), thrust.force.y()}), set_number(L, "moment", thrust.moment);
 }
-void set_thrust(lua_State* L, const Simulation<3>& s, const FlowJoint& j) {
-  const SpaceThrust thrust = thrust_on_upper(j, s.model(), s.state());
+void set_thrust(lua_State* L, const Simulation<3>& s, const JointFlow& flow, const FlowJoint& j) {
+  const auto thrust = thrust_of<SpaceThrust>(s, flow, j);
   set_list(L, "force", {thrust.force.x(), thrust.force.y(), thrust.force.z()});
   set_list(L, "moment", {thrust.moment.x(), thrust.moment.y(), thrust.moment.z()});
 }
@@ -227,7 +242,7 @@ int read_seepage(lua_State* L, SimulatedModel<D>& m) {
     throw InputError(fmt::format("seepage_state: the name is {}, must be the name of a joint", what_is(L, 2)));
   const FlowJoint& joint = require_flow_joint(field, text_at(L, 2), "seepage_state");
   push_joint(L, now.joint(joint));
-  if (joint.has_bodies()) set_thrust(L, s, joint);
+  if (joint.has_bodies()) set_thrust(L, s, *field.flow, joint);
   return 1;
 }
 

@@ -87,10 +87,30 @@ SeepageNow<D>::SeepageNow(const Simulation<D>& s)
           flow, apertures, state,
           seepage_heads(*field_of(s.model().fields, FieldKind::seepage), s.model(), state.clock, s.state().time))) {}
 
+/// The parts of a joint that a crack has divided follow each other.
 template <int D>
-JointReading SeepageNow<D>::joint(const FlowJoint& j) const {
+JointReading SeepageNow<D>::joint(const FlowJoint& of) const {
   JointReading out;
-  out.length = j.length;
+  const FlowJoint *first = nullptr, *last = nullptr;
+  for (const FlowJoint& j : flow.joints) {
+    if (j.name != of.name) continue;
+    if (first == nullptr) first = &j;
+    last = &j;
+    add_cells(j, out);
+  }
+  out.head_from = flows.node_head[static_cast<std::size_t>(first->from)];
+  out.head_to = flows.node_head[static_cast<std::size_t>(last->to)];
+  for_joint_ends(flow, apertures, state, [&](const FlowJoint& one, int node, double k, double h, bool /*wet*/) {
+    const double q = k * (flows.node_head[static_cast<std::size_t>(node)] - h);
+    if (&one == first && node == first->from) out.inflow = q;
+    if (&one == last && node == last->to) out.outflow = -q;
+  });
+  return out;
+}
+
+template <int D>
+void SeepageNow<D>::add_cells(const FlowJoint& j, JointReading& out) const {
+  out.length += j.length;
   for (int i = 0; i < j.cells; ++i) {
     const auto cell = static_cast<std::size_t>(j.first_cell + i);
     const double psi = state.value[cell], water = state.value[static_cast<std::size_t>(flow.cells()) + cell];
@@ -99,15 +119,6 @@ JointReading SeepageNow<D>::joint(const FlowJoint& j) const {
     out.aperture.push_back(a), out.fill.push_back(std::min(1.0, water / room));
     out.volume += water, out.wet_length += out.fill.back() * j.cell_length();
   }
-  out.head_from = flows.node_head[static_cast<std::size_t>(j.from)];
-  out.head_to = flows.node_head[static_cast<std::size_t>(j.to)];
-  for_joint_ends(flow, apertures, state, [&](const FlowJoint& one, int node, double k, double h, bool /*wet*/) {
-    if (&one != &j) return;
-    const double q = k * (flows.node_head[static_cast<std::size_t>(node)] - h);
-    if (node == j.from) out.inflow = q;
-    if (node == j.to) out.outflow = -q;
-  });
-  return out;
 }
 
 template struct SeepageNow<2>;

@@ -54,7 +54,11 @@ struct SeepageNow {
   FlowPicture flows;
 
   explicit SeepageNow(const Simulation<D>& s);
-  [[nodiscard]] JointReading joint(const FlowJoint& j) const;
+  /// All joints of the name of one, which a crack has divided.
+  [[nodiscard]] JointReading joint(const FlowJoint& of) const;
+
+ private:
+  void add_cells(const FlowJoint& j, JointReading& out) const;
 };
 
 }  // namespace trilith::script

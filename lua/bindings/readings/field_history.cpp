@@ -42,8 +42,9 @@ double joint_number(SimulatedModel<D>& m, const std::string& name, const JointQu
   const FlowJoint& joint = require_flow_joint(require_seepage(s.model(), owner), name, owner);
   const JointReading now = SeepageNow<D>(s).joint(joint);
   if (quantity.whole != nullptr) return now.*quantity.whole;
-  const int cell = std::clamp(static_cast<int>(at / joint.cell_length()), 0, joint.cells - 1);
-  return (now.*quantity.cells)[static_cast<std::size_t>(cell)];
+  const std::vector<double>& cells = now.*quantity.cells;
+  const int cell = std::clamp(static_cast<int>(at / joint.cell_length()), 0, static_cast<int>(cells.size()) - 1);
+  return cells[static_cast<std::size_t>(cell)];
 }
 
 double joint_number(ScriptModel& m, const std::string& name, const JointQuantity& quantity, double at,
@@ -64,16 +65,19 @@ struct BodyPoint {
   std::optional<Vec3> space;
 };
 
+/// NaN where the body, or all its parts, are removed.
 template <int D, class M, class P>
 double temperature_now(M& m, int body, const std::optional<P>& at, const std::string& owner) {
+  std::vector<int> bodies = at ? std::vector<int>{m.part_with(body, *at)} : parts_of(m, body);
+  std::erase_if(bodies, [&](int part) { return m.is_out(part); });
+  if (bodies.empty()) return std::numeric_limits<double>::quiet_NaN();
   const Simulation<D>& s = m.simulation();
   require_heat(s.model(), owner);
   const FieldValues heat = values_of(s.model().fields, s.state().fields, FieldKind::heat);
-  return temperature_of(s.model(), heat, body, at, owner).value;
+  return (at ? temperature_of(s.model(), heat, bodies.front(), *at, owner) : temperature_of(heat, bodies, owner)).value;
 }
 
 double temperature_now(ScriptModel& m, int body, const BodyPoint& at, const std::string& owner) {
-  if (m.is_out(body)) return std::numeric_limits<double>::quiet_NaN();
   if (SpaceModel* space = as_space(m)) return temperature_now<3>(*space, body, at.space, owner);
   return temperature_now<2>(*as_plane(m), body, at.plane, owner);
 }

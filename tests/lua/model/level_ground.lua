@@ -42,5 +42,12 @@ refused("the model has no body yet", e.level_ground, e, { level = 0, material = 
 e:block { name = "b", width = 1, height = 1, at = { 0, 0 }, material = "stone" }
 refused("'level' is missing, must be a number in m", e.level_ground, e, { material = "stone" })
 refused("'reach' is", e.level_ground, e, { level = 0, material = "stone", reach = -1 })
+-- A message begins with the name that the script uses.
+refused("level_ground: 'reach' is", e.level_ground, e, { level = 0, reach = -1 })
+refused("ground: 'reach' is", e.ground, e, { level = 0, reach = -1 })
+do
+  local _, why = pcall(e.ground, e, { level = 0, reach = -1 })
+  assert(not tostring(why):find("level_ground:", 1, true), tostring(why))
+end
 refused("unknown key 'lavel'", e.level_ground, e, { lavel = 0 })
 m:close() s:close() e:close()
