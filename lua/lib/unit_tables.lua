@@ -57,7 +57,8 @@ end
 keys["absorbing_boundary.motion"] = wave
 keys["absorbing_boundary.divisions"] = same
 keys["absorbing_boundary.free_field"] = fields("free_field", { base = "m", surface = "m", motion = wave,
-  half_space = fields("half_space", { density = "kg/m3", cs = "m/s", cp = "m/s" }) })
+  half_space = fields("half_space", { density = "kg/m3", cs = "m/s", cp = "m/s" }),
+  layers = each(fields("a layer", { top = "m", density = "kg/m3", cs = "m/s", cp = "m/s" })) })
 results["model:absorbing_boundary"] = fields("the boundary", { area = "m2", bearings = same })
 
 -- Fits to frequencies.

@@ -320,9 +320,9 @@ function cases.waves()
   end
   local wave = { { 0, 0 }, { 0.05, q(0.1, "m/s") }, { 0.1, 0 } }
   local base = boundary { edge = "bottom", motion = { x = wave } }
-  for _, edge in ipairs { "left", "right" } do
-    boundary { edge = edge, free_field = { base = 0, surface = q(8, "m"), motion = wave, half_space = medium } }
-  end
+  local function layer(top) return { top = top, density = medium.density, cs = medium.cs, cp = medium.cp } end
+  boundary { edge = "left", free_field = { base = 0, surface = q(8, "m"), motion = wave, half_space = medium } }
+  boundary { edge = "right", free_field = { base = 0, motion = wave, layers = { layer(q(3, "m")), layer(q(8, "m")) } } }
   m:run { duration = 0.15, dt = 2e-4 }
   report("area", base.area, "m2")
   report("moved", (soil:point { q(2, "m"), q(8, "m") }) - q(2, "m"), "m")
