@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "report/sections.hpp"
 #include "results/file/field_names.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/quantity_text.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "report/sections.hpp"
 #include "results/reading/event_tree.hpp"
 #include "results/reading/largest_value.hpp"

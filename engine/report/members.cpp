@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/quantity_text.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "report/sections.hpp"
 #include "results/reading/member_summary.hpp"
 

@@ -1,6 +1,6 @@
 #include "report/report.hpp"
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "report/sections.hpp"
 
 namespace trilith::report {

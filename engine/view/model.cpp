@@ -10,7 +10,7 @@
 
 #include "draw/members/results_members.hpp"
 #include "draw/palette.hpp"
-#include "draw/scene/solid_joints.hpp"
+#include "draw/results/solid_joints.hpp"
 #include "model/event/event_list.hpp"
 #include "results/file/body_mass.hpp"
 #include "results/reading/event_units.hpp"

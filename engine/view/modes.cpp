@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/scene/results_modes.hpp"
+#include "draw/results/results_modes.hpp"
 
 namespace trilith::view {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "draw/scene/results_findings.hpp"
+#include "draw/results/results_findings.hpp"
 #include "program/comma_list.hpp"
 #include "program/positive.hpp"
 #include "program/since_option.hpp"

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 
 namespace trilith::program {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "draw/members/results_members.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "near.hpp"
 #include "physics/members/yielding.hpp"
 #include "report/report.hpp"

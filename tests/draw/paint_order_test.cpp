@@ -6,8 +6,8 @@
 
 #include "base/error.hpp"
 #include "draw/inside_outline.hpp"
+#include "draw/results/results_picture.hpp"
 #include "draw/scene/paint_order.hpp"
-#include "draw/scene/results_picture.hpp"
 #include "draw/solid_samples.hpp"
 #include "near.hpp"
 #include "results/sample_run.hpp"

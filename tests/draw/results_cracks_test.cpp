@@ -1,7 +1,7 @@
 // Cracks in pictures: joints that have lost their bond, and dry joints that are open or have slid.
 #include <doctest/doctest.h>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

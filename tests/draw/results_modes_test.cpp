@@ -1,5 +1,5 @@
 // Pictures of natural modes: readable displacements about the current position.
-#include "draw/scene/results_modes.hpp"
+#include "draw/results/results_modes.hpp"
 
 #include <doctest/doctest.h>
 

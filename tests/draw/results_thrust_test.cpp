@@ -1,7 +1,7 @@
 // The line of thrust in pictures.
 #include <doctest/doctest.h>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "results/sample_run.hpp"
 
 using namespace trilith;

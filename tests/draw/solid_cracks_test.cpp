@@ -1,9 +1,9 @@
 // Cracks between solids: joints detected from faces at the start, their later state, and visibility in pictures.
-#include "draw/scene/solid_cracks.hpp"
+#include "draw/results/solid_cracks.hpp"
 
 #include <doctest/doctest.h>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "near.hpp"
 #include "results/sample_run.hpp"
 #include "results/tumbling_boxes.hpp"

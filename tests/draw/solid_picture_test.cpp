@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "draw/results/results_picture.hpp"
 #include "draw/sample_pictures.hpp"
-#include "draw/scene/results_picture.hpp"
 #include "draw/scene/scene_faces.hpp"
 #include "draw/scene/scene_legend.hpp"
 #include "draw/scene/scene_view.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/inside_outline.hpp"
-#include "draw/scene/results_solids.hpp"
+#include "draw/results/results_solids.hpp"
 #include "near.hpp"
 #include "physics/space/space_solids.hpp"
 #include "results/file/placement.hpp"

@@ -1,8 +1,8 @@
 // A small collapse, recorded and drawn for inspection, with checks of the pictures' labels.
 #include <doctest/doctest.h>
 
+#include "draw/results/results_picture.hpp"
 #include "draw/sample_pictures.hpp"
-#include "draw/scene/results_picture.hpp"
 #include "run/falling_span.hpp"
 
 using namespace trilith;

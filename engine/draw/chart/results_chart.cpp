@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "model/energy.hpp"
 #include "model/event/event_list.hpp"
 #include "results/reading/event_units.hpp"

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "draw/scene/results_modes.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_modes.hpp"
+#include "draw/results/results_picture.hpp"
 #include "draw/scene/view_direction.hpp"
 #include "program/comma_list.hpp"
 #include "program/newer_run.hpp"

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/terminal_text.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "program/newer_run.hpp"
 #include "program/since_option.hpp"
 #include "program/units_option.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "base/error.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "program/comma_list.hpp"
 #include "program/film_encoder.hpp"
 #include "program/newer_run.hpp"

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/terminal_text.hpp"
 #include "draw/chart/study_chart.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "program/newer_run.hpp"
 #include "program/output_folder.hpp"
 #include "program/since_option.hpp"

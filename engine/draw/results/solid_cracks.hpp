@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "draw/results/solid_joints.hpp"
 #include "draw/scene/scene_picture.hpp"
-#include "draw/scene/solid_joints.hpp"
 #include "draw/scene/solid_piece.hpp"
 #include "draw/scene/view_direction.hpp"
 

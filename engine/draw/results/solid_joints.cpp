@@ -1,10 +1,10 @@
-#include "draw/scene/solid_joints.hpp"
+#include "draw/results/solid_joints.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "geometry/hierarchical_hash_grid.hpp"
 #include "geometry/space/face_overlap_3d.hpp"
 

@@ -1,4 +1,4 @@
-#include "draw/scene/field_colours.hpp"
+#include "draw/results/field_colours.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "draw/scene/results_colours.hpp"
+#include "draw/results/results_colours.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
-#include "draw/scene/field_colours.hpp"
-#include "draw/scene/results_findings.hpp"
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/field_colours.hpp"
+#include "draw/results/results_findings.hpp"
+#include "draw/results/results_picture.hpp"
 #include "results/file/placement.hpp"
 #include "results/reading/frame_values.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "draw/chart/chart.hpp"
 #include "draw/chart/energy_chart.hpp"
+#include "draw/results/trimmed_ground.hpp"
 #include "draw/scene/scene_picture.hpp"
 #include "draw/scene/solid_piece.hpp"
-#include "draw/scene/trimmed_ground.hpp"
 #include "draw/scene/view_direction.hpp"
 #include "results/file/time_origin.hpp"
 #include "results/reading/reader.hpp"

@@ -1,9 +1,9 @@
-#include "draw/scene/solid_cracks.hpp"
+#include "draw/results/solid_cracks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "draw/scene/crack_mark.hpp"
+#include "draw/results/crack_mark.hpp"
 
 namespace trilith::draw {
 namespace {

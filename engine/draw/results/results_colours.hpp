@@ -12,7 +12,7 @@ namespace trilith::draw {
 
 /// Sets the value of each free body by one of colour_names() other than "group". The displacement is of its first node
 /// from the start. The damage is the mean lost share of the bonds of its joints. The pressure, in space only, is the
-/// largest mean pressure of its contacts. Temperature and water: see draw/scene/field_colours.hpp. Throws InputError
+/// largest mean pressure of its contacts. Temperature and water: see draw/results/field_colours.hpp. Throws InputError
 /// for an unknown name, and where the file does not have the data.
 void colour_bodies(const results::ResultsReader& reader, const results::Frame& frame, const std::string& by,
                    Scene& scene);

@@ -1,4 +1,4 @@
-#include "draw/scene/results_solids.hpp"
+#include "draw/results/results_solids.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "draw/results/trimmed_ground.hpp"
 #include "draw/scene/paint_order.hpp"
 #include "draw/scene/scene_spheres.hpp"
-#include "draw/scene/trimmed_ground.hpp"
 #include "results/file/placement.hpp"
 
 namespace trilith::draw {

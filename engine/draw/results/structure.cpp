@@ -1,9 +1,9 @@
-#include "draw/scene/structure.hpp"
+#include "draw/results/structure.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 #include "results/file/placement.hpp"
 
 namespace trilith::draw {

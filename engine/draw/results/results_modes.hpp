@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 
 namespace trilith::draw {
 

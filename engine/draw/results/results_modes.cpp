@@ -1,4 +1,4 @@
-#include "draw/scene/results_modes.hpp"
+#include "draw/results/results_modes.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/rotation_3d.hpp"
-#include "draw/scene/results_solids.hpp"
+#include "draw/results/results_solids.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"
 

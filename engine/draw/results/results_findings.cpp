@@ -1,4 +1,4 @@
-#include "draw/scene/results_findings.hpp"
+#include "draw/results/results_findings.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "base/nearest.hpp"
 #include "base/portable.hpp"
 #include "base/rotation_3d.hpp"
-#include "draw/scene/crack_mark.hpp"
+#include "draw/results/crack_mark.hpp"
 #include "results/file/placement.hpp"
 #include "results/reading/frame_values.hpp"
 

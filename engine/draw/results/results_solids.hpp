@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "draw/scene/results_picture.hpp"
-#include "draw/scene/solid_cracks.hpp"
-#include "draw/scene/trimmed_ground.hpp"
+#include "draw/results/results_picture.hpp"
+#include "draw/results/solid_cracks.hpp"
+#include "draw/results/trimmed_ground.hpp"
 
 namespace trilith::draw {
 

@@ -1,4 +1,4 @@
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "draw/members/results_members.hpp"
-#include "draw/scene/field_colours.hpp"
-#include "draw/scene/results_colours.hpp"
-#include "draw/scene/results_findings.hpp"
-#include "draw/scene/results_solids.hpp"
-#include "draw/scene/structure.hpp"
+#include "draw/results/field_colours.hpp"
+#include "draw/results/results_colours.hpp"
+#include "draw/results/results_findings.hpp"
+#include "draw/results/results_solids.hpp"
+#include "draw/results/structure.hpp"
 #include "model/event/event_list.hpp"
 #include "results/file/placement.hpp"
 #include "results/file/presence.hpp"

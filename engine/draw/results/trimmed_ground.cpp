@@ -1,9 +1,9 @@
-#include "draw/scene/trimmed_ground.hpp"
+#include "draw/results/trimmed_ground.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "draw/scene/results_picture.hpp"
+#include "draw/results/results_picture.hpp"
 
 namespace trilith::draw {
 namespace {
