@@ -140,6 +140,7 @@ void Simulation<D>::tell_point(const Waypoint<D>& point, const RunListener<D>& l
   }
   if (options.frame_interval > 0 && listener.on_frame) listener.on_frame(now);
   if (options.history_interval > 0 && listener.on_history) listener.on_history(now);
+  if (options.energy_interval > 0 && listener.on_energy) listener.on_energy(now, energy());
   if (listener.on_step) listener.on_step(now);
 }
 

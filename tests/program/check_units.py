@@ -191,6 +191,12 @@ with open(os.path.join(folder, "post.html"), encoding="utf-8") as text:
     # 0.002 + 2 G/(1.2 f h) - 0.8 f/E with E = 2 f/0.002
     expect("the law of a report", text.read(), [r"kent_park\{strength=30 N/mm2[^}]*ultimate=0\.00397778"], [r"crush_energy=0"])
 
+# A path by arc length has its energies at each point.
+with h5py.File(os.path.join(folder, "portal_SI.h5"), "r") as data:
+    plastic, residual = data["energy/plastic"][()], data["energy/residual"][()]
+    if len(plastic) < 10 or len(set(plastic)) < 10 or numpy.max(numpy.abs(residual)) > 1e-4 * plastic[-1]:
+        failed.append(f"energies of a path: {len(plastic)} rows, plastic {plastic}, residual {residual}")
+
 # The door: functions that do not convert are refused, and so are numbers given too early.
 REFUSED = {
     'local early = trilith.frictional\nlocal m = trilith.model { units = "N mm" }\n'
