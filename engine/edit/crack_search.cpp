@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -21,12 +22,6 @@ std::int64_t steps_until_next(double share) {
   if (share >= 0.5) return 1;
   if (share >= 0.25) return 4;
   return share >= 0.1 ? 16 : 64;
-}
-
-/// Growth of the forces on its surface after which a body is computed again: to half of its strength in proportion, and
-/// at least by a quarter.
-double allowed_growth(double share) {
-  return std::clamp(0.5 / std::max(share, 1e-3), 1.25, 4.0);
 }
 
 void keep_larger(SectionUse& most, double share, JointMode mode, double stress, double at) {
@@ -188,6 +183,36 @@ SectionUse use_of(const ContactLaw& law, const CrackingBody<3>& /*body*/, const 
   return section_use(law, section, f);
 }
 
+/// Area of a section [m2] and its length along the axis of least bending strength [m].
+struct SectionSize {
+  double area, length;
+};
+SectionSize size_of(const CrackingBody<2>& body, const CrackSection<2>& s) {
+  return {s.length() * body.depth, s.length()};
+}
+/// As of a rectangle with the same area and the least second moment.
+SectionSize size_of(const CrackingBody<3>& /*body*/, const CrackSection<3>& s) {
+  const double half = 0.5 * (s.xx - s.yy), least = 0.5 * (s.xx + s.yy) - std::sqrt(half * half + s.xy * s.xy);
+  return {s.area, std::sqrt(12 * std::max(0.0, least) / s.area)};
+}
+
+/// Smallest force on the surface of a body that can use all of the strength of one of its sections [N]: a pull with the
+/// largest lever that the body offers, or a shear force.
+template <int D>
+double least_force(const ContactLaw& law, const Model<D>& model, const CrackingBody<D>& body) {
+  const double lever = model.body_radius[static_cast<std::size_t>(body.body)];
+  double least = std::numeric_limits<double>::infinity();
+  with_kernel({law}, [&]<class K>(const K& kernel) {
+    if constexpr (K::bonds)
+      for (const CrackSection<D>& section : body.sections) {
+        const SectionSize size = size_of(body, section);
+        const double pull = kernel.tension * size.area / (1 + 6 * lever / size.length);
+        least = std::min({least, pull, kernel.cohesion * size.area});
+      }
+  });
+  return least;
+}
+
 template <int D>
 using FoundForces = std::conditional_t<D == 2, SurfaceForces, SurfaceForces3>;
 
@@ -246,7 +271,7 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
   std::vector<int> bodies, rows;
   for (std::size_t i = 0; i < cracking.bodies.size(); ++i) {
     const CrackWatch& watch = found.watch[i];
-    const bool due = state.implicit() || state.step >= watch.next || load[i] > watch.load;
+    const bool due = state.implicit() || state.step >= watch.next || std::abs(load[i] - watch.load) > watch.change;
     if (is_mesh(cracking.bodies[i]) || !due || !can_crack(model, state, cracking.bodies[i].body)) continue;
     bodies.push_back(cracking.bodies[i].body), rows.push_back(static_cast<int>(i));
   }
@@ -256,7 +281,10 @@ CrackSearch<D> search(const Model<D>& model, const State<D>& state, const Work<D
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto row = static_cast<std::size_t>(rows[k]);
     const WorstSection<D> worst = worst_section(model, cracking.bodies[row], forces, k);
-    found.watch[row] = {state.step + steps_until_next(worst.use.share), load[row] * allowed_growth(worst.use.share)};
+    const CrackingBody<D>& body = cracking.bodies[row];
+    const double force = least_force(model.laws[static_cast<std::size_t>(body.law)], model, body);
+    found.watch[row] = {state.step + steps_until_next(worst.use.share), load[row],
+                        0.5 * std::max(0.0, 1 - worst.use.share) * force};
     found.share = std::max(found.share, worst.use.share);
     if (worst.use.share > limit) found.cracks.push_back(crack_of(model, state, cracking.bodies[row], worst));
   }

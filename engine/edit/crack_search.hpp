@@ -6,9 +6,10 @@
 // mean normal stress.
 //
 // Sections far from their strength are not computed at every step: see CrackWatch. A body is computed again when the
-// forces on its surface have grown by a quarter, or by more far from its strength. It is computed at the latest after a
-// number of steps that falls with the share of its strength used. The watch is saved with a run, so that a restarted
-// run computes the same bodies.
+// sum of the forces on its surface has risen or fallen by a limit. The limit is half of the force that can use up the
+// rest of the strength of its weakest section, pulled or bent. So a body in compression is computed again before it is
+// pulled. It is computed at the latest after a number of steps that falls with the share of its strength used. The
+// watch is saved with a run, so that a restarted run computes the same bodies.
 //
 // A mesh is compared at every step: its section needs the elements next to it alone (edit/mesh_section.hpp).
 //

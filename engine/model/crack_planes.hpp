@@ -109,7 +109,8 @@ struct CrackOpening {
 /// The next time at which the sections of a body are computed, see edit/crack_search.hpp.
 struct CrackWatch {
   std::int64_t next = 0;  ///< step at which they are computed at the latest
-  double load = 0;        ///< sum of the forces on its surface above which they are computed at once [N]
+  double load = 0;        ///< sum of the forces on its surface when they were computed [N]
+  double change = 0;      ///< change of this sum beyond which they are computed at once [N]
 };
 
 /// All bodies of a model that may crack.

@@ -34,7 +34,7 @@ void each_field(File& file, FailedCheck& f) {
 
 template <class File>
 void each_field(File& file, CrackWatch& w) {
-  file.item(w.next), file.item(w.load);
+  file.item(w.next), file.item(w.load), file.item(w.change);
 }
 
 template <int D>
