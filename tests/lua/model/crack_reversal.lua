@@ -4,8 +4,8 @@ local trilith = require "trilith"
 local size, long, strength = 0.1, 0.4, 3e6
 local capacity = strength*size*size
 
--- A rod without gravity, pressed at both ends by `pressed`; for 2 ms from 0.02 s on, pulled by `pulled` and bent by four
--- forces `bent`.
+-- A rod without gravity, pressed at both ends by `pressed`. For 2 ms from 0.02 s on it is pulled by `pulled` and bent
+-- by four forces `bent`.
 local function cracks(dim, pressed, pulled, bent)
   local m = trilith.model { name = "rod", dim = dim, gravity = 0, thickness = dim == 2 and size or nil }
   m:material { name = "stone", density = 2400 }
@@ -42,14 +42,14 @@ for _, dim in ipairs { 2, 3 } do
     local words = ("in %d dimensions, pressed by %g of its capacity"):format(dim, pressed/capacity)
     for _, share in ipairs { 0.98, 1.02, 3 } do
       local found = cracks(dim, pressed, share*capacity, 0)
-      assert(found == (share > 1 and 1 or 0), 
+      assert(found == (share > 1 and 1 or 0),
         ("%s and pulled by %g, the rod cracks %d times"):format(words, share, found))
     end
     -- The moment about the middle over the section modulus is the stress; the pressure takes its part.
     local lever, modulus = 0.5*long - 0.01, size^3/6
     for _, share in ipairs { 0.97, 1.03 } do
       local found = cracks(dim, pressed, -pressed, share*(strength + pressed/size^2)*modulus/lever)
-      assert(found == (share > 1 and 1 or 0), 
+      assert(found == (share > 1 and 1 or 0),
         ("%s and bent by %g, the rod cracks %d times"):format(words, share, found))
     end
   end
