@@ -49,7 +49,8 @@ fails("must be from 0 to 8 m", { seepage = "joint", what = "pressure", at = 9 })
 fails("leave out at", { seepage = "joint", what = "volume", at = 1 })
 fails("not a reading of a joint", { seepage = "joint", what = "pressures", at = 1 })
 fails("there is no joint 'joints'", { seepage = "joints", what = "volume" })
-fails("give seepage", { body = "dam", what = "ux", at = 1 })
+fails("for a point of a body give of = function()", { body = "dam", what = "ux", at = 1 })
+fails("give seepage, the name of the joint", { what = "time", at = 1 })
 fails("is of a body's temperature", { body = "dam", what = "ux", point = { 1, 1 } })
 """
 

@@ -158,7 +158,8 @@ export class SpaceScene extends Scene {
 
   drawStart(theme, xs = this.startX, ys = this.startY, zs = this.startZ) {
     this.upload(xs, ys, zs);
-    this.drawList(this.gl.LINES, this.edges, [...shares(theme.ghost), 1]);
+    // The edges of bodies that have not moved stay in front: rounding would choose one of both lines at each draw.
+    this.drawList(this.gl.LINES, this.edges, [...shares(theme.ghost), 1], 0.5);
   }
 
   /** Largest distance of any point from the origin [m]: the range of the depth buffer. */
@@ -206,10 +207,10 @@ export class SpaceScene extends Scene {
     gl.bufferData(gl.ARRAY_BUFFER, this.points, gl.DYNAMIC_DRAW);
   }
 
-  /** Edges are drawn slightly nearer than their faces. */
-  setLine(line) {
+  /** Edges are drawn slightly nearer than their faces, by a share of the usual distance. */
+  setLine(line, share = 1) {
     this.gl.uniform4fv(this.at("line"), line);
-    this.gl.uniform1f(this.at("nearer"), line[3] > 0 ? Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
+    this.gl.uniform1f(this.at("nearer"), line[3] > 0 ? share * Math.min(4 / this.camera.scale, 0.12 * this.usualSize) : 0);
   }
 
   /** All faces. Where a face is seen from behind, a section is visible, and later objects are behind it if they are behind
@@ -277,9 +278,9 @@ export class SpaceScene extends Scene {
     gl.uniform4fv(this.at("cut"), cut.plane());
   }
 
-  drawList(kind, list, line) {
+  drawList(kind, list, line, share = 1) {
     const { gl } = this;
-    this.setLine(line);
+    this.setLine(line, share);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, list.buffer);
     gl.drawElements(kind, list.count, gl.UNSIGNED_INT, 0);
   }
