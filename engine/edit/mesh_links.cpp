@@ -81,6 +81,7 @@ class MeshLinks {
       if (has_weight(at, i)) known = parts_.copy(side, at.node[static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(at.nodes); ++i)
       for (int* node : {&at.node[i], &at.turn[i]}) {
+        if (!parts_.has_node(*node)) continue;  // nothing turns the arm of a point between nodes
         const int copy = parts_.copy(side, *node);
         *node = copy >= 0 ? copy : known;
       }
