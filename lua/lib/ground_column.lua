@@ -147,8 +147,9 @@ function core.ground_column(layers, z_below, motion, fail)
     column.layers[i] = { from = layer.from, to = layer.to, c = layer.c, z = layer.z,
       travel = (layer.to - layer.from)/layer.c/column.dt, rise = {}, fall = {} }
   end
-  local steps = fill(column, motion, fail)
+  local over = (fill(column, motion, fail) - 2)*column.dt
   local function waves(level, t)
+    t = math.min(t, over) -- all waves are constant from then on
     local at = column.layers[#column.layers]
     for _, layer in ipairs(column.layers) do
       if level <= layer.to then
@@ -160,5 +161,5 @@ function core.ground_column(layers, z_below, motion, fail)
     local fall = between(at.fall, t/column.dt - (at.to - level)/(at.c*column.dt))
     return rise + fall, at.z*(fall - rise)
   end
-  return waves, (steps - 2)*column.dt
+  return waves, over
 end

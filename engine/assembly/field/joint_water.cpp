@@ -113,6 +113,12 @@ void press_joint(const LoadPlaces<2>& on, const FlowJoint& joint, const FieldVal
   });
 }
 
+/// True if a body has a face at the joint.
+bool has_face(const FlowJoint& joint, int body) {
+  const auto has = [&](const FlowFace& face) { return face.body == body; };
+  return std::ranges::any_of(joint.upper, has) || std::ranges::any_of(joint.lower, has);
+}
+
 /// Adds the pressure `p` between two positions on a face, on the part of it that is behind a plane, if there is one.
 void add_behind(const PlaneBehind* plane, const Vec2& a, const Vec2& b, double from, double to, double p,
                 EndShares& ends) {
@@ -138,7 +144,7 @@ JointThrust thrust_on_body(const Model<2>& model, const State<2>& state, int bod
     out.force += f, out.moment += cross(Vec2(on.skin(skin) - about), f);
   };
   for (const FlowJoint& joint : water.field().flow->joints) {
-    if (!joint.has_bodies()) continue;
+    if (!has_face(joint, body)) continue;
     const PlacedJoint now(on, joint);
     now.for_pairs([&](const FacingPair& pair) {
       if (pair.body_a != body && pair.body_b != body) return;

@@ -141,6 +141,17 @@ local function layer(p)
   return out
 end
 
+-- Ground with a free field at both sides against the column alone: `pulse(with_sides)` gives the history of the surface
+-- and the model. Results of the case, and both histories.
+local function against_column(pulse)
+  local with, m = pulse(true)
+  local alone = pulse(false)
+  local t1, v1 = velocities(with)
+  local t2, v2 = velocities(alone)
+  return { ["peak over the peak of the column"] = peak(t1, v1, 0, 1)/peak(t2, v2, 0, 1),
+    ["residual of the energy balance"] = m.residual/m.energy.load }, with, alone
+end
+
 -- Free field at both sides: the ground moves like a column.
 local function wide(p)
   local height, width = 20, 10
@@ -167,13 +178,9 @@ local function wide(p)
     m:run { duration = 0.4 }
     return history, m
   end
-  local with, m = pulse(true)
-  local alone = pulse(false)
-  local t1, v1 = velocities(with)
-  local t2, v2 = velocities(alone)
-  return { ["peak over the peak of the column"] = peak(t1, v1, 0, 1)/peak(t2, v2, 0, 1),
-    ["displacement over the displacement of the column"] = (with.last - with.values[1])/(alone.last - alone.values[1]),
-    ["residual of the energy balance"] = m.residual/m.energy.load }
+  local out, with, alone = against_column(pulse)
+  out["displacement over the displacement of the column"] = (with.last - with.values[1])/(alone.last - alone.values[1])
+  return out
 end
 
 local function wide_case(kind)
@@ -223,16 +230,12 @@ local function layered()
     m:run { duration = 1.5, integrator = "implicit", dt = 0.0005 }
     return history, m
   end
-  local with, m = pulse(true)
-  local alone = pulse(false)
-  local t1, v1 = velocities(with)
-  local t2, v2 = velocities(alone)
-  local out = { ["peak over the peak of the column"] = peak(t1, v1, 0, 1)/peak(t2, v2, 0, 1),
-    ["residual of the energy balance"] = m.residual/m.energy.load }
+  local out, with = against_column(pulse)
+  local t, v = velocities(with)
   local input_t, input_v = {}, {}
   for i = 0, 800 do input_t[i + 1], input_v[i + 1] = i*1e-4, amplitude*math.sin(math.pi*i/800)^2 end
   for _, f in ipairs { 3, 6, 10 } do
-    out[("surface over outcrop at %g Hz"):format(f)] = transform(t1, v1, f)/(2*transform(input_t, input_v, f))
+    out[("surface over outcrop at %g Hz"):format(f)] = transform(t, v, f)/(2*transform(input_t, input_v, f))
   end
   return out
 end

@@ -101,6 +101,26 @@ local function surface_after(field)
   g:run { duration = 0.2, dt = 1e-3, integrator = "implicit" }
   return (layer:point { 2, 8 })
 end
+-- A motion that goes on at its last velocity keeps the ground moving with twice that velocity.
+do
+  local lasting = { { 0, 0 }, { 0.025, 0.1 }, { 0.05, 0.1 } }
+  local g = trilith.model { name = "lasting", gravity = 0 }
+  g:material { name = "soil", density = 1800, E = 1.8e8, nu = 0.25, plane = "strain" }
+  g:contact { between = { "*", "*" }, law = "none" }
+  local layer = g:block { name = "soil", width = 4, height = 8, at = { 0, 0 }, material = "soil",
+    body = { mesh = { 4, 8 } }, floating = true }
+  local spec = { body = layer, density = 1800, cs = 200, cp = 346 }
+  g:absorbing_boundary(with(spec, { edge = "bottom", motion = lasting }))
+  local field = { base = 0, surface = 8, motion = lasting, half_space = { density = 2200, cs = 800, cp = 1500 } }
+  for _, side in ipairs { "left", "right" } do g:absorbing_boundary(with(spec, { edge = side, free_field = field })) end
+  g:run { duration = 2, dt = 1e-3, integrator = "implicit" }
+  local before = layer:point { 2, 8 }
+  g:run { duration = 0.1, dt = 1e-3, integrator = "implicit" }
+  local velocity = ((layer:point { 2, 8 }) - before)/0.1
+  assert(math.abs(velocity - 0.2) < 2e-3, ("the surface moves with %g m/s after the motion"):format(velocity))
+  g:close()
+end
+
 local whole = surface_after { base = 0, surface = 8, motion = pulse }
 local parts = surface_after { base = 0, motion = pulse, layers = {
   { top = 3, density = 1800, cs = 200, cp = 346 }, { top = 8, density = 1800, cs = 200, cp = 346 } } }
