@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -37,7 +39,7 @@ struct Change {
 
 /// An undamaged file, and the names of its data sets and groups.
 struct Base {
-  std::string path;
+  std::string path, bytes;
   std::vector<std::string> objects;
 };
 
@@ -46,11 +48,12 @@ herr_t add_name(hid_t, const char* name, const H5O_info_t*, void* names) {
   return 0;
 }
 
-/// The file in memory; changes do not reach the disk.
-h5::Handle in_memory(const std::string& path) {
+/// A file in memory, which no other process can lock; changes do not reach `bytes`.
+h5::Handle opened(std::string& bytes, unsigned flags) {
   const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make properties");
   h5::check(H5Pset_fapl_core(access.get(), 1 << 16, 0), "cannot choose memory");
-  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose, "cannot open the base"};
+  h5::check(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "cannot take the image");
+  return {H5Fopen("image", flags, access.get()), H5Fclose, "cannot be opened"};
 }
 
 std::vector<Base> found_bases() {
@@ -58,8 +61,9 @@ std::vector<Base> found_bases() {
   const char* const listed = std::getenv("TRILITH_BASES");
   std::istringstream paths(listed == nullptr ? "" : listed);
   for (std::string path; std::getline(paths, path, ':');) {
-    Base base{path, {}};
-    const h5::Handle file = in_memory(path);
+    std::ifstream file_in(path, std::ios::binary);
+    Base base{path, {std::istreambuf_iterator<char>(file_in), {}}, {}};
+    const h5::Handle file = opened(base.bytes, H5F_ACC_RDONLY);
     h5::check(H5Ovisit(file.get(), H5_INDEX_NAME, H5_ITER_INC, add_name, &base.objects), "cannot list the base");
     bases.push_back(std::move(base));
   }
@@ -156,8 +160,8 @@ std::string& image() {
 }
 bool was_opened = false;
 
-void make_image(const Base& base, std::string_view text) {
-  const h5::Handle file = in_memory(base.path);
+void make_image(Base& base, std::string_view text) {
+  const h5::Handle file = opened(base.bytes, H5F_ACC_RDWR);
   for (std::size_t at = 1; at + change_size <= text.size(); at += change_size)
     apply(file.get(), base, Change(text.data() + at));
   h5::check(H5Fflush(file.get(), H5F_SCOPE_LOCAL), "cannot flush");
@@ -193,9 +197,9 @@ void read_all(const results::ResultsReader& reader) {
 
 void read_damaged_results(std::string_view text) {
   static const h5::Quiet quiet;
-  static const std::vector<Base> bases = found_bases();
+  static std::vector<Base> bases = found_bases();
   if (text.empty()) return;
-  const Base& base = bases[static_cast<unsigned char>(text[0]) % bases.size()];
+  Base& base = bases[static_cast<unsigned char>(text[0]) % bases.size()];
   make_image(base, text);
   was_opened = false;
   try {
@@ -210,10 +214,6 @@ void read_damaged_results(std::string_view text) {
 /// Instead of the engine's, which tries each file in a process of its own: these files keep the rules of HDF5, and a
 /// million of them are to be read.
 trilith::results::h5::Handle trilith::results::open_written(const std::filesystem::path&) {
-  const h5::Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make properties");
-  h5::check(H5Pset_fapl_core(access.get(), 1 << 16, 0), "cannot choose memory");
-  std::string& bytes = trilith::fuzz::image();
   trilith::fuzz::was_opened = true;
-  h5::check(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "cannot take the image");
-  return {H5Fopen("image", H5F_ACC_RDONLY, access.get()), H5Fclose, "cannot be opened"};
+  return trilith::fuzz::opened(trilith::fuzz::image(), H5F_ACC_RDONLY);
 }
