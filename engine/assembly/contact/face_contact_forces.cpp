@@ -48,7 +48,7 @@ TRILITH_INLINE void keep_lanes(std::array<double, 4>& kept, const LaneMask& coun
 
 template <class K, class R, class Kept>
 TRILITH_INLINE void dissipate(const LaneMask& counts, const R& r, GivenOff& given, const Kept& kept) {
-  if constexpr (Kept::is_asked) {
+  if (kept.is_delayed()) {
     keep_lanes(kept.four->damping, counts, r.lost_damping);
     keep_lanes(kept.four->friction, counts, r.lost_friction);
     if constexpr (K::bonds) keep_lanes(kept.four->fracture, counts, r.lost_fracture);
@@ -69,7 +69,7 @@ TRILITH_INLINE void begin_four(const FourRows& rows, const KeptFour& kept) {
 /// evaluation.
 template <class Kept>
 TRILITH_INLINE void tell_general(const FacePass& pass, int row, int i, const Kept& kept) {
-  if constexpr (Kept::is_asked)
+  if (kept.is_delayed())
     kept.four->is_general[static_cast<std::size_t>(i)] = true;
   else
     pass.work.general_now.push_back(row);
@@ -77,7 +77,7 @@ TRILITH_INLINE void tell_general(const FacePass& pass, int row, int i, const Kep
 /// Marks a change in `row`, in lane i: a contact made or lost, or a change of bond or mortar.
 template <class Kept>
 TRILITH_INLINE void tell_turn(const FacePass& pass, int row, int i, const Kept& kept) {
-  if constexpr (Kept::is_asked)
+  if (kept.is_delayed())
     kept.four->turns[static_cast<std::size_t>(i)] = true;
   else
     pass.work.changed_rows.push_back(row);
@@ -95,7 +95,7 @@ TRILITH_INLINE void respond_rows(const FacePass& pass, const K& law, const FourR
   // Rows with possible events are processed one by one.
   const LaneMask turns = (r.touching ^ memory.touching) | K::changes(memory.face, memory.own, r.memory, r.own);
   const RowResponse<M, law_numbers<K>> out(r, K::template keeps<Lanes>(r.own));
-  if constexpr (Kept::is_asked) begin_four(rows, kept);
+  if (kept.is_delayed()) begin_four(rows, kept);
   const bool all = !any(flip(found & r.touching) | turns);  // as nearly always
   if constexpr (has_rare_numbers<M>) write_rare(pass, rows, r.own, all ? flip(LaneMask{}) : found & r.touching);
   if (all) {
@@ -135,7 +135,7 @@ TRILITH_INLINE void take_up(const FacePass& pass, const FourFaces& four, const F
 }
 
 /// Processes blocks, motions first: two short loops allow more instruction-level parallelism than one long loop.
-/// `Motion`, `Kept`: see load_motion and write_row; the copy for one thread omits the code for delayed sums.
+/// `Motion`: see load_motion.
 template <class K, class Motion, class Kept>
 TRILITH_INLINE void respond_as(const FacePass& pass, const K& kernel, Kept kept, std::span<const int> rows,
                                GivenOff& sums) {
@@ -150,51 +150,53 @@ TRILITH_INLINE void respond_as(const FacePass& pass, const K& kernel, Kept kept,
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) motion[k] = load_motion<Motion>(pass, rows_at(i));
     for (std::size_t i = from, k = 0; i < to; i += lane_count, ++k) {
       respond_rows<K>(pass, law, rows_at(i), motion[k], given, kept);
-      if constexpr (Kept::is_asked) kept.to_next();
+      kept.to_next();
     }
   }
   sums = given;
 }
 
 template <class K>
-TRILITH_INLINE void respond_batch(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
-  const bool is_leapfrog = pass.skin_mean == nullptr, is_kept = pass.kept.four != nullptr;
-  if (is_leapfrog && is_kept) return respond_as<K, LeapfrogMotion<Lanes>>(pass, law, pass.kept, rows, given);
-  if (is_leapfrog) return respond_as<K, LeapfrogMotion<Lanes>>(pass, law, AddedAtOnce{}, rows, given);
-  if (is_kept) return respond_as<K, FaceMotion<Lanes>>(pass, law, pass.kept, rows, given);
-  respond_as<K, FaceMotion<Lanes>>(pass, law, AddedAtOnce{}, rows, given);
+TRILITH_INLINE void respond_after_leapfrog(const FacePass& pass, const K& law, std::span<const int> rows,
+                                           GivenOff& given) {
+  using Motion = LeapfrogMotion<Lanes>;
+  if (pass.kept.is_delayed()) return respond_as<K, Motion>(pass, law, pass.kept, rows, given);
+  respond_as<K, Motion>(pass, law, AddedAtOnce{}, rows, given);
 }
 
-// One copy of the code of each law for wide registers and one for any machine, with the same operations and so the same
-// bits.
+// Copies of the code of each law for wide registers and one for any machine, with the same operations and so the same
+// bits. Explicit steps on present machines have copies of their own. Further copies of the other cases are not worth
+// their compile time.
 
-template <class K>
+template <class K, class Motion>
 void respond_narrow(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
-  respond_batch<K>(pass, law, rows, given);
+  respond_as<K, Motion>(pass, law, pass.kept, rows, given);
 }
 
 #ifdef __x86_64__
 template <class K>
 [[gnu::target("avx2")]] void respond_wide(const FacePass& pass, const K& law, std::span<const int> rows,
                                           GivenOff& given) {
-  respond_batch<K>(pass, law, rows, given);
+  if (pass.skin_mean == nullptr) return respond_after_leapfrog<K>(pass, law, rows, given);
+  respond_as<K, FaceMotion<Lanes>>(pass, law, pass.kept, rows, given);
 }
 template <class K>
 [[gnu::target("arch=x86-64-v4")]] void respond_widest(const FacePass& pass, const K& law, std::span<const int> rows,
                                                       GivenOff& given) {
-  respond_batch<K>(pass, law, rows, given);
+  respond_after_leapfrog<K>(pass, law, rows, given);
 }
-
 #endif
 
 template <class K>
 void respond_as_here(const FacePass& pass, const K& law, std::span<const int> rows, GivenOff& given) {
+  const bool is_leapfrog = pass.skin_mean == nullptr;
 #ifdef __x86_64__
   static const Registers here = registers_here();
-  if (here == Registers::widest) return respond_widest<K>(pass, law, rows, given);
-  if (here == Registers::wide) return respond_wide<K>(pass, law, rows, given);
+  if (here == Registers::widest && is_leapfrog) return respond_widest<K>(pass, law, rows, given);
+  if (here != Registers::narrow) return respond_wide<K>(pass, law, rows, given);
 #endif
-  respond_narrow<K>(pass, law, rows, given);
+  if (is_leapfrog) return respond_narrow<K, LeapfrogMotion<Lanes>>(pass, law, rows, given);
+  respond_narrow<K, FaceMotion<Lanes>>(pass, law, rows, given);
 }
 
 void make_room(Work<2>& work, std::size_t fours) {

@@ -51,16 +51,18 @@ TRILITH_INLINE LaneMask has_bit(const LaneMask& word, std::int64_t bit) {
 constexpr std::int64_t touching_bit = std::int64_t{contact_touching} << 32,
                        general_bit = std::int64_t{contact_general} << 32, kept_bit = std::int64_t{contact_kept} << 32;
 
-/// Buffer for delayed results of four rows; empty if they are added at once.
+/// Buffer for delayed results of four rows. Without one they are added at once.
 struct KeptFour {
-  static constexpr bool is_asked = true;
   FourFaces* four = nullptr;
   FourForces* force = nullptr;
-  void to_next() { ++four, ++force; }
+  [[nodiscard]] bool is_delayed() const { return four != nullptr; }
+  void to_next() {
+    if (is_delayed()) ++four, ++force;
+  }
 };
-/// Replaces KeptFour for rows of one thread; known at compile time.
-struct AddedAtOnce {
-  static constexpr bool is_asked = false;
+/// The same where the compiler knows that results are added at once: a tenth faster, for another copy of the kernel.
+struct AddedAtOnce : KeptFour {
+  static constexpr bool is_delayed() { return false; }
 };
 
 /// Arrays of State and Work that the rows of a batch read and write.
@@ -302,7 +304,8 @@ TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0
   }
 }
 
-/// Writes lane i of a response to its row. `Kept`: KeptFour, see FacePass, or AddedAtOnce.
+/// Writes lane i of a response to its row, and adds its forces or keeps those that are added later. `Kept`: KeptFour or
+/// AddedAtOnce.
 template <class M, std::size_t numbers, class Kept>
 TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<M, numbers>& r, int i,
                               const Kept& kept) {
@@ -319,7 +322,7 @@ TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<M
       if (!is_rare<M>(static_cast<int>(2 * k))) store_pair(own + 2 * k, r.own[k].of(i));
   }
   std::uint8_t later = 0;
-  if constexpr (Kept::is_asked) {
+  if (kept.is_delayed()) {
     later = pass.border == nullptr ? both_sides : pass.border[row];
     kept.four->later[static_cast<std::size_t>(i)] = later;
     if (later != 0) {
