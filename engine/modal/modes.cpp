@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/MatOp/SymShiftInvert.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <Eigen/Eigenvalues>
 
@@ -14,6 +13,7 @@
 #include "assembly/element/rotary_inertia.hpp"
 #include "assembly/evaluate.hpp"
 #include "assembly/implicit_turn.hpp"
+#include "assembly/tangent/sparse_factors.hpp"
 #include "assembly/tangent/tangent.hpp"
 #include "assembly/water/water_mass.hpp"
 #include "base/error.hpp"
@@ -27,7 +27,7 @@ constexpr int few = 300;
 /// Over this time slip is elastic and dampers are stiff [s].
 constexpr double instant = 1e-6;
 /// Perturbation of nodes for the tangent [m].
-constexpr double disturbance = 1e-8;
+constexpr double perturbation = 1e-8;
 
 struct Pencil {
   Eigen::SparseMatrix<double> stiffness, mass;
@@ -79,7 +79,7 @@ Pencil pencil_of(const Model<D>& model, const State<D>& now, Tangent<D>& tangent
   Work<D> work;
   evaluate(model, state, work, instant);
   tangent.shape(model, work);
-  tangent.assemble(model, state, work, {instant, 0, 1, 0, disturbance, false, true});
+  tangent.assemble(model, state, work, {instant, 0, 1, 0, perturbation, false, true});
   const Eigen::SparseMatrix<double> k = tangent.matrix(), turned = k.transpose();
   Pencil out{0.5 * (k + turned), {}};
   out.mass = lumped(model, state, tangent.coupling());
@@ -110,17 +110,41 @@ double shift_of(const Pencil& p) {
   return -1e-4 * (least > 0 ? least : 1);
 }
 
+/// x -> (K - s M)^-1 x, the operator of Spectra's shift-and-invert mode.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+  explicit ShiftedInverse(const Pencil& p) : pencil_(p) {}
+  [[nodiscard]] Eigen::Index rows() const { return pencil_.mass.rows(); }
+  [[nodiscard]] Eigen::Index cols() const { return pencil_.mass.cols(); }
+  void set_shift(double shift) {
+    Eigen::SparseMatrix<double> shifted = pencil_.stiffness - shift * pencil_.mass;
+    shifted.makeCompressed();
+    const Eigen::Map<const Eigen::SparseMatrix<double>> seen(
+        rows(), rows(), shifted.nonZeros(), shifted.outerIndexPtr(), shifted.innerIndexPtr(), shifted.valuePtr());
+    if (!factors_.compute(seen))
+      throw NoSolution(
+          "modes: the matrix of the shifted eigenproblem is singular; support the bodies that move freely");
+  }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = factors_.solve(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  const Pencil& pencil_;
+  SparseFactors factors_;
+};
+
 /// The lowest modes of a large model, by Lanczos' method on the inverse of K - s M (Ericsson and Ruhe, "The spectral
 /// transformation Lanczos method", Math. Comp. 35, 1980). The modes nearest to the shift s converge first.
 Pairs lowest_pairs(const Pencil& p, int count) {
-  using Invert = Spectra::SymShiftInvert<double, Eigen::Sparse, Eigen::Sparse>;
   using Product = Spectra::SparseSymMatProd<double>;
-  Invert invert(p.stiffness, p.mass);
+  ShiftedInverse invert(p);
   Product product(p.mass);
   // Twice the requested modes, for good convergence of Lanczos' method; at least 40.
   const int basis = std::min(static_cast<int>(p.mass.rows()), std::max(2 * count + 1, 40));
-  Spectra::SymGEigsShiftSolver<Invert, Product, Spectra::GEigsMode::ShiftInvert> solver(invert, product, count, basis,
-                                                                                        shift_of(p));
+  Spectra::SymGEigsShiftSolver<ShiftedInverse, Product, Spectra::GEigsMode::ShiftInvert> solver(invert, product, count,
+                                                                                                basis, shift_of(p));
   solver.init();
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
